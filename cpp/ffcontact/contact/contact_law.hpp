@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ffcontact/mesh/contact_line.hpp"
+
+namespace ffcontact {
+
+/// The two discrete convexes of multipliers [CHH01, 3.1]. In both the conditions hold node by node between a multiplier P
+/// and a displacement W u, and the body is loaded by W P:
+enum class Multiplier {
+  pressure,  ///< M'_h (Prop. 3.4): W = M, P = nodal pressures L [MPa]
+  force,     ///< M''_h (Prop. 3.5): W = I, P = nodal forces F = M L [N/mm]
+};
+
+/// The law of contact and friction along the line, given at its nodes.
+///     P_n <= 0,  W (u_n - gap) <= 0,  P_n (W (u_n - gap)) = 0
+///     |P_t| <= b,  |P_t| < b => W u_t = 0,  P_t (W u_t) <= 0
+/// with the bound b = -mu P_n (Coulomb) or b = W slip_bound in units of P (Tresca).
+struct ContactLaw {
+  Multiplier multiplier = Multiplier::force;
+  Eigen::VectorXd friction;    ///< mu >= 0 at each node [p]; 0 is the frictionless case
+  Eigen::VectorXd slip_bound;  ///< Tresca's bound >= 0 at each node [MPa], in place of -mu lambda_n; empty for Coulomb
+  Eigen::VectorXd gap;         ///< initial gap along n at each node [mm]; empty for none
+
+  bool tresca() const { return slip_bound.size() > 0; }
+};
+
+/// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is negative or not finite
+void require_valid(const ContactLaw& law, const ContactLine& line);
+
+/// What a node does. A node that slides along +t has W u_t > 0 and is pulled back, P_t = -b.
+enum class ContactState : char { open, stick, slip_forward, slip_backward };
+
+/// +1 for slip_forward, -1 for slip_backward, 0 otherwise.
+inline int slip_sign(ContactState state) {
+  return state == ContactState::slip_forward ? 1 : state == ContactState::slip_backward ? -1 : 0;
+}
+
+/// W of the law on a line: the mass matrix (3.9) or the identity [p x p].
+Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLine& line);
+
+/// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the largest multiplier, the largest
+/// displacement of the body, or their product.
+/// @param displacement  on all dofs [mm]
+/// @param multiplier    (P_n, P_t) at each node [2 x p]
+double complementarity_defect(const ContactLine& line, const ContactLaw& law,
+                              const Eigen::Ref<const Eigen::VectorXd>& displacement,
+                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier);
+
+}  // namespace ffcontact

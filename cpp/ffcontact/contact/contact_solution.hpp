@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/active_set.hpp"
+#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/elastic/elastic_system.hpp"
+
+namespace ffcontact {
+
+struct ContactSettings {
+  int max_iterations = 100;
+  double tolerance = 1e-10;                 ///< largest complementarity defect of an accepted answer
+  std::vector<ContactState> initial_state;  ///< empty: every node sticks
+};
+
+/// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
+struct ContactSolution {
+  ContactStatus status = ContactStatus::not_converged;  ///< anything but converged: the rest is the last iterate
+  Eigen::VectorXd displacement;     ///< u_h on all dofs [mm]
+  Eigen::Matrix2Xd pressure;        ///< nodal values (lambda_n, lambda_t) of the multipliers [MPa], compression < 0
+  Eigen::Matrix2Xd force;           ///< nodal forces (F_n, F_t) = M (lambda_n, lambda_t) [N/mm]
+  std::vector<ContactState> state;  ///< per node
+  int iterations = 0;
+  double complementarity = 0;       ///< complementarity_defect of the answer
+  double residual = 0;              ///< |K u - b - contact forces| on the free dofs, relative to |b| and the forces
+
+  bool accepted(const ContactSettings& settings) const {
+    return status == ContactStatus::converged && complementarity <= settings.tolerance && residual <= settings.tolerance;
+  }
+};
+
+/// Solves K u = b + B' P under the conditions of Prop. 3.4 / 3.5 for one body on a rigid foundation:
+/// one factorisation, the condensed relation between P and v, the semismooth Newton on it, one back-substitution.
+///
+/// Multipliers at nodes with a prescribed dof: for Multiplier::force no equation gives F there; lambda = 0 for that component
+/// (for lambda_t this is what symmetry demands) and M L = F is solved on the others. For Multiplier::pressure complementarity
+/// determines lambda unless W u vanishes identically there; then it is 0 too.
+/// @throws std::invalid_argument  for input that does not fit, or loads that contact cannot balance (with the motion named)
+/// @throws std::runtime_error     if a part of the body is held by nothing
+ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
+                              const ContactSettings& settings = {});
+
+/// What a status means, as the end of a sentence.
+const char* in_words(ContactStatus status);
+
+/// Pressures L from nodal forces, M L = F per component, with L = 0 on the nodes where `absent` is set [2 x p].
+Eigen::Matrix2Xd nodal_pressures(const ContactLine& line, const Eigen::Matrix2Xd& force,
+                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent);
+
+}  // namespace ffcontact

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/elastic/condensed_stiffness.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <cassert>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// CHOLMOD's workspace, silent: errors are read from its status.
+class Session {
+ public:
+  Session() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.error_handler = nullptr;
+    common.supernodal = CHOLMOD_SUPERNODAL;  // the trailing block is read from the supernodes
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 1;
+  }
+  ~Session() { cholmod_finish(&common); }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void require_memory() const {
+    if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
+  }
+  mutable cholmod_common common;
+};
+
+/// Owner of one CHOLMOD object.
+template <class T, int (*Free)(T**, cholmod_common*)>
+class Owned {
+ public:
+  Owned(T* object, const Session& session) : object_(object), session_(&session) {
+    if (!object_) session.require_memory();
+    if (!object_) throw std::runtime_error("CHOLMOD failed with status " + std::to_string(session.common.status));
+  }
+  ~Owned() { Free(&object_, &session_->common); }
+  Owned(const Owned&) = delete;
+  Owned& operator=(const Owned&) = delete;
+  T* operator->() const { return object_; }
+  T* get() const { return object_; }
+
+ private:
+  T* object_;
+  const Session* session_;
+};
+using OwnedSparse = Owned<cholmod_sparse, cholmod_free_sparse>;
+using OwnedDense = Owned<cholmod_dense, cholmod_free_dense>;
+using OwnedFactor = Owned<cholmod_factor, cholmod_free_factor>;
+
+/// Free dofs get consecutive numbers; prescribed ones -1.
+std::vector<int> free_numbers(const std::vector<char>& prescribed) {
+  std::vector<int> number(prescribed.size(), -1);
+  int next = 0;
+  for (std::size_t dof = 0; dof < prescribed.size(); ++dof)
+    if (!prescribed[dof]) number[dof] = next++;
+  return number;
+}
+
+int* indices(void* p) { return static_cast<int*>(p); }
+double* values(void* p) { return static_cast<double*>(p); }
+
+/// Lower triangle by columns of K + D on the free dofs; by symmetry column j is read from row j.
+cholmod_sparse* lower_triangle(const ElasticSystem& system, const std::vector<int>& number,
+                               const std::vector<double>& added_diagonal, const Session& session) {
+  const RowMatrix& K = system.stiffness;
+  const std::size_t n = std::count(system.prescribed.begin(), system.prescribed.end(), 0);
+  const auto in_lower = [&](const RowMatrix::InnerIterator& e) { return number[e.col()] >= number[e.row()]; };
+  std::size_t entries = 0;
+  for (Eigen::Index row = 0; row < K.rows(); ++row)
+    if (number[row] >= 0)
+      for (RowMatrix::InnerIterator e(K, row); e; ++e) entries += in_lower(e);
+
+  cholmod_sparse* lower = cholmod_allocate_sparse(n, n, entries, true, true, -1, CHOLMOD_REAL, &session.common);
+  if (!lower) throw std::bad_alloc();
+  int *start = indices(lower->p), *index = indices(lower->i);
+  double* value = values(lower->x);
+  int next = 0;
+  for (Eigen::Index row = 0; row < K.rows(); ++row) {
+    if (number[row] < 0) continue;
+    start[number[row]] = next;
+    for (RowMatrix::InnerIterator e(K, row); e; ++e)
+      if (in_lower(e)) {
+        index[next] = number[e.col()];
+        value[next++] = e.value() + (e.col() == row ? added_diagonal[row] : 0);
+      }
+  }
+  start[n] = next;
+  return lower;
+}
+
+/// Nested dissection of the graph of the vertices that have free dofs and are not kept.
+std::vector<int> vertex_order(const ElasticSystem& system, const std::vector<char>& interior, const Session& session) {
+  const RowMatrix& K = system.stiffness;
+  std::vector<int> vertex, number(interior.size(), -1);
+  for (std::size_t v = 0; v < interior.size(); ++v)
+    if (interior[v]) {
+      number[v] = static_cast<int>(vertex.size());
+      vertex.push_back(static_cast<int>(v));
+    }
+  if (vertex.empty()) return vertex;
+
+  // A vertex sees another one when either of its rows does; the first row holds all of them unless it is prescribed.
+  std::vector<int> start(1, 0), neighbours;
+  for (int v : vertex) {
+    const Eigen::Index row = system.prescribed[2 * v] ? 2 * v + 1 : 2 * v;
+    int last = -1;
+    for (RowMatrix::InnerIterator e(K, row); e; ++e) {
+      const int w = number[e.col() / 2];
+      if (w > number[v] && w != last) neighbours.push_back(last = w);
+    }
+    start.push_back(static_cast<int>(neighbours.size()));
+  }
+  const std::size_t n = vertex.size();
+  const OwnedSparse graph(cholmod_allocate_sparse(n, n, std::max<std::size_t>(1, neighbours.size()), true, true, -1,
+                                                  CHOLMOD_PATTERN, &session.common),
+                          session);
+  std::copy(start.begin(), start.end(), indices(graph->p));
+  std::copy(neighbours.begin(), neighbours.end(), indices(graph->i));
+  std::vector<int> order(n);
+  if (!cholmod_metis(graph.get(), nullptr, 0, 0, order.data(), &session.common)) {
+    session.require_memory();
+    if (!cholmod_amd(graph.get(), nullptr, 0, order.data(), &session.common)) session.require_memory();
+  }
+  for (int& v : order) v = vertex[v];
+  return order;
+}
+
+/// Elimination order of the free dofs: interior by vertices, then the kept dofs and those that share a vertex with them.
+std::vector<int> elimination_order(const ElasticSystem& system, const std::vector<int>& kept,
+                                   const std::vector<int>& number, const Session& session) {
+  std::vector<char> is_kept(system.prescribed.size(), 0), interior(system.prescribed.size() / 2, 0);
+  for (int dof : kept) is_kept[dof] = 1;
+  for (std::size_t v = 0; v < interior.size(); ++v)
+    for (std::size_t dof = 2 * v; dof < 2 * v + 2; ++dof)
+      if (!system.prescribed[dof] && !is_kept[dof]) interior[v] = 1;
+
+  std::vector<int> order;
+  for (int v : vertex_order(system, interior, session))
+    for (int dof = 2 * v; dof < 2 * v + 2; ++dof)
+      if (number[dof] >= 0 && !is_kept[dof]) order.push_back(number[dof]);
+  for (int dof : kept) order.push_back(number[dof]);
+  return order;
+}
+
+}  // namespace
+
+struct CondensedStiffness::Factor {
+  Session session;
+  std::vector<int> number;          ///< free number of each dof, or -1
+  std::vector<int> kept;
+  Eigen::VectorXd added_diagonal;   ///< D on the kept dofs
+  std::unique_ptr<OwnedFactor> cholesky;
+  std::vector<int> trailing;        ///< position of each kept dof in the trailing block
+  Eigen::MatrixXd trailing_factor;  ///< L_cc, lower triangular, in the order of the factor
+  Eigen::MatrixXd schur;
+
+  std::size_t free_count() const { return cholesky->get()->n; }
+  std::size_t first_trailing() const { return free_count() - kept.size(); }
+
+  bool kept_dofs_are_last() const {
+    std::vector<char> is_kept(free_count(), 0);
+    for (int dof : kept) is_kept[number[dof]] = 1;
+    const int* perm = indices(cholesky->get()->Perm);
+    return std::all_of(perm + first_trailing(), perm + free_count(), [&](int j) { return is_kept[j]; });
+  }
+
+  void factorise(cholmod_sparse* matrix, std::vector<int>& order) {
+    const auto analyse = [&] {
+      cholesky = std::make_unique<OwnedFactor>(
+          cholmod_analyze_p(matrix, order.data(), nullptr, 0, &session.common), session);
+    };
+    analyse();
+    if (!kept_dofs_are_last()) {  // postordering may move kept dofs of separate parts forward
+      session.common.postorder = 0;
+      analyse();
+    }
+    cholmod_factorize(matrix, cholesky->get(), &session.common);
+    session.require_memory();
+    const bool definite = cholesky->get()->minor == free_count();
+    if (!definite || cholmod_rcond(cholesky->get(), &session.common) < 1e-15)
+      throw std::runtime_error("the stiffness matrix is singular: a part of the body is held neither by prescribed "
+                               "displacements nor by contact");
+  }
+
+  void read_trailing_block() {
+    const cholmod_factor& L = *cholesky->get();
+    assert(L.is_super && L.is_ll);
+    const int first = static_cast<int>(first_trailing()), size = static_cast<int>(kept.size());
+    trailing_factor = Eigen::MatrixXd::Zero(size, size);
+    const int *super = indices(L.super), *row_start = indices(L.pi), *value_start = indices(L.px), *row = indices(L.s);
+    const double* value = values(L.x);
+    for (int s = static_cast<int>(L.nsuper) - 1; s >= 0 && super[s + 1] > first; --s) {
+      const int rows = row_start[s + 1] - row_start[s];
+      for (int j = std::max(super[s], first); j < super[s + 1]; ++j)
+        for (int k = j - super[s]; k < rows; ++k)
+          trailing_factor(row[row_start[s] + k] - first, j - first) = value[value_start[s] + (j - super[s]) * rows + k];
+    }
+    std::vector<int> position(free_count(), -1);
+    for (int k = 0; k < size; ++k) position[indices(L.Perm)[first + k]] = k;
+    for (int dof : kept) trailing.push_back(position[number[dof]]);
+  }
+
+  void compute_schur() {
+    const Eigen::Index size = static_cast<Eigen::Index>(kept.size());
+    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(size, size);
+    product.selfadjointView<Eigen::Lower>().rankUpdate(trailing_factor);
+    schur.resize(size, size);
+    for (Eigen::Index j = 0; j < size; ++j)
+      for (Eigen::Index i = 0; i < size; ++i) {
+        const auto [low, high] = std::minmax(trailing[i], trailing[j]);
+        schur(i, j) = product(high, low);
+      }
+    schur.diagonal() -= added_diagonal;
+  }
+
+  /// One step of a solve (CHOLMOD_P, _L, _Lt, _Pt) on a vector of free dofs.
+  Eigen::VectorXd step(int system, const Eigen::VectorXd& right) const {
+    cholmod_dense b{};
+    b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right.size());
+    b.ncol = 1;
+    b.x = const_cast<double*>(right.data());  // read only by cholmod_solve
+    b.xtype = CHOLMOD_REAL;
+    b.dtype = CHOLMOD_DOUBLE;
+    const OwnedDense x(cholmod_solve(system, cholesky->get(), &b, &session.common), session);
+    return Eigen::Map<Eigen::VectorXd>(values(x->x), right.size());
+  }
+
+  /// L^-1 P b on the free dofs.
+  Eigen::VectorXd forward(const Eigen::Ref<const Eigen::VectorXd>& load) const {
+    require_size("load", load.size(), static_cast<Eigen::Index>(number.size()));
+    Eigen::VectorXd b(free_count());
+    for (std::size_t dof = 0; dof < number.size(); ++dof)
+      if (number[dof] >= 0) b[number[dof]] = load[dof];
+    return step(CHOLMOD_L, step(CHOLMOD_P, b));
+  }
+};
+
+CondensedStiffness::CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept)
+    : factor_(std::make_unique<Factor>()) {
+  Factor& f = *factor_;
+  f.number = free_numbers(system.prescribed);
+  f.kept = kept;
+  f.added_diagonal.resize(static_cast<Eigen::Index>(kept.size()));
+  std::vector<double> added(system.prescribed.size(), 0);
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const int dof = kept[k];
+    if (dof < 0 || dof >= system.dof_count() || system.prescribed[dof])
+      refuse("kept dof ", dof, " is prescribed or does not exist");
+    if (added[dof] != 0) refuse("kept dof ", dof, " is listed twice");
+    added[dof] = f.added_diagonal[k] = system.stiffness.coeff(dof, dof);
+  }
+  const OwnedSparse matrix(lower_triangle(system, f.number, added, f.session), f.session);
+  std::vector<int> order = elimination_order(system, kept, f.number, f.session);
+  f.factorise(matrix.get(), order);
+  f.read_trailing_block();
+  f.compute_schur();
+}
+
+CondensedStiffness::~CondensedStiffness() = default;
+CondensedStiffness::CondensedStiffness(CondensedStiffness&&) noexcept = default;
+CondensedStiffness& CondensedStiffness::operator=(CondensedStiffness&&) noexcept = default;
+
+const Eigen::MatrixXd& CondensedStiffness::schur() const { return factor_->schur; }
+
+Eigen::VectorXd CondensedStiffness::condensed_load(const Eigen::Ref<const Eigen::VectorXd>& load) const {
+  const Factor& f = *factor_;
+  const auto size = static_cast<Eigen::Index>(f.kept.size());
+  const Eigen::VectorXd g = f.trailing_factor.triangularView<Eigen::Lower>() * f.forward(load).tail(size);
+  Eigen::VectorXd result(size);
+  for (Eigen::Index k = 0; k < size; ++k) result[k] = g[f.trailing[k]];
+  return result;
+}
+
+Eigen::VectorXd CondensedStiffness::extended(const Eigen::Ref<const Eigen::VectorXd>& load,
+                                             const Eigen::Ref<const Eigen::VectorXd>& kept_displacement) const {
+  const Factor& f = *factor_;
+  const auto size = static_cast<Eigen::Index>(f.kept.size());
+  require_size("kept displacement", kept_displacement.size(), size);
+  Eigen::VectorXd u_c(size);
+  for (Eigen::Index k = 0; k < size; ++k) u_c[f.trailing[k]] = kept_displacement[k];
+  // L' x = y has the trailing part L_cc' u_c = y_c: overwriting y_c prescribes u_c.
+  Eigen::VectorXd y = f.forward(load);
+  y.tail(size) = f.trailing_factor.transpose().triangularView<Eigen::Upper>() * u_c;
+  const Eigen::VectorXd x = f.step(CHOLMOD_Pt, f.step(CHOLMOD_Lt, y));
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(f.number.size()));
+  for (std::size_t dof = 0; dof < f.number.size(); ++dof)
+    if (f.number[dof] >= 0) u[dof] = x[f.number[dof]];
+  return u;
+}
+
+}  // namespace ffcontact

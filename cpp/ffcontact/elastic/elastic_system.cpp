@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/elastic/elastic_system.hpp"
+
+#include <cmath>
+
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+constexpr double penalty_ratio = 1e12;
+constexpr double symmetry_tolerance = 1e-9;
+
+using RowIterator = RowMatrixView::InnerIterator;
+
+struct RowSums {
+  double diagonal = 0, others = 0;
+};
+
+RowSums row_sums(const RowMatrixView& A, Eigen::Index row) {
+  RowSums sums;
+  for (RowIterator entry(A, row); entry; ++entry)
+    (entry.col() == row ? sums.diagonal : sums.others) += std::abs(entry.value());
+  return sums;
+}
+
+void require_finite_entries(const RowMatrixView& A) {
+  for (Eigen::Index row = 0; row < A.rows(); ++row)
+    for (RowIterator entry(A, row); entry; ++entry)
+      if (!std::isfinite(entry.value())) refuse("A(", row, ",", entry.col(), ") is ", entry.value(), ", not finite");
+}
+
+/// |x' (K y) - y' (K x)| vanishes for a symmetric K; x and y are fixed, without structure, and zero on prescribed dofs.
+void require_symmetric(const RowMatrixView& A, const std::vector<char>& prescribed) {
+  const auto n = A.rows();
+  Eigen::VectorXd x(n), y(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    x[i] = prescribed[i] ? 0 : std::sin(1.0 + 0.7 * static_cast<double>(i % 1009));
+    y[i] = prescribed[i] ? 0 : std::cos(2.0 + 1.3 * static_cast<double>(i % 1013));
+  }
+  const Eigen::VectorXd Ax = A * x, Ay = A * y;
+  double scale = 0;
+  for (Eigen::Index i = 0; i < n; ++i) scale += std::abs(y[i] * Ax[i]);
+  if (std::abs(x.dot(Ay) - y.dot(Ax)) > symmetry_tolerance * scale) refuse("A is not symmetric on the free dofs");
+}
+
+/// Refuses values other than zero on prescribed dofs whose columns are gone: what they load the body with is lost.
+void require_columns(const RowMatrixView& A, const Eigen::VectorXd& prescribed_value) {
+  std::vector<char> coupled(A.rows(), 0);
+  for (Eigen::Index row = 0; row < A.rows(); ++row)
+    for (RowIterator entry(A, row); entry; ++entry)
+      if (entry.col() != row && entry.value() != 0) coupled[entry.col()] = 1;
+  for (Eigen::Index dof = 0; dof < A.rows(); ++dof)
+    if (prescribed_value[dof] != 0 && !coupled[dof])
+      refuse("dof ", dof, " is prescribed to ", prescribed_value[dof],
+             " but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
+}
+
+}  // namespace
+
+std::vector<char> prescribed_dofs(const RowMatrixView& A) {
+  std::vector<char> prescribed(A.rows());
+  for (Eigen::Index row = 0; row < A.rows(); ++row) {
+    const RowSums sums = row_sums(A, row);
+    prescribed[row] = sums.diagonal > 0 && sums.diagonal > penalty_ratio * sums.others;
+  }
+  return prescribed;
+}
+
+ElasticSystem elastic_system(const RowMatrixView& A, const Eigen::Ref<const Eigen::VectorXd>& b) {
+  if (A.rows() != A.cols()) refuse("A has ", A.rows(), " rows and ", A.cols(), " columns, it must be square");
+  require_size("b", b.size(), A.rows());
+  require_finite("b", b);
+  require_finite_entries(A);
+
+  ElasticSystem system{A, b, prescribed_dofs(A), Eigen::VectorXd::Zero(A.rows())};
+  require_symmetric(A, system.prescribed);
+  for (Eigen::Index dof = 0; dof < A.rows(); ++dof)
+    if (system.prescribed[dof]) system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
+  if (!system.prescribed_value.isZero(0)) {
+    require_columns(A, system.prescribed_value);
+    system.load -= A * system.prescribed_value;
+  }
+  for (Eigen::Index dof = 0; dof < A.rows(); ++dof)
+    if (system.prescribed[dof]) system.load[dof] = 0;
+  return system;
+}
+
+RowMatrix stiffness(const Mesh& mesh, const Hooke& hooke) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(36 * static_cast<std::size_t>(mesh.triangle_count()));
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Eigen::Matrix<double, 2, 3> g = hat_gradients(mesh, t);
+    Eigen::Matrix<double, 3, 6> B;  // strain of the six local dofs
+    for (int k = 0; k < 3; ++k) B.middleCols<2>(2 * k) << g(0, k), 0, 0, g(1, k), g(1, k), g(0, k);
+    const Eigen::Matrix<double, 6, 6> element = signed_area(mesh, t) * B.transpose() * hooke[t] * B;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        entries.emplace_back(2 * mesh.triangles(i / 2, t) + i % 2, 2 * mesh.triangles(j / 2, t) + j % 2, element(i, j));
+  }
+  const Eigen::Index n = 2 * mesh.vertices.cols();
+  RowMatrix K(n, n);
+  K.setFromTriplets(entries.begin(), entries.end());
+  return K;
+}
+
+}  // namespace ffcontact

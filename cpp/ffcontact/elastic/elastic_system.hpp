@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "ffcontact/elastic/hooke.hpp"
+
+namespace ffcontact {
+
+/// Rows are read (a prescribed row tells itself), so matrices are stored by rows.
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using RowMatrixView = Eigen::Ref<const RowMatrix>;
+
+/// A linear elastic body before contact: K u = b on the free dofs, u = value on the prescribed ones.
+/// The dof of component c at vertex v is 2 v + c, FreeFEM's numbering of [P1, P1].
+struct ElasticSystem {
+  RowMatrix stiffness;                ///< K [N/mm^2 per unit thickness]; rows and columns of prescribed dofs are not used
+  Eigen::VectorXd load;               ///< b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
+  std::vector<char> prescribed;       ///< 1 where the dof is prescribed
+  Eigen::VectorXd prescribed_value;   ///< [mm], 0 on free dofs
+
+  int dof_count() const { return static_cast<int>(load.size()); }
+};
+
+/// The system as FreeFEM assembles it. A dof is prescribed when its row is penalised (tgv = 1e30: the diagonal exceeds the
+/// rest of the row by 1e12, value = b / diagonal) or has nothing but a diagonal (tgv = -1 or -2, value = b / diagonal).
+/// @throws std::invalid_argument  if sizes differ, a value of A or b is not finite, A is not symmetric on the free dofs, or a
+///                                prescribed value is not zero where the columns of A are gone (tgv = -2)
+ElasticSystem elastic_system(const RowMatrixView& A, const Eigen::Ref<const Eigen::VectorXd>& b);
+
+/// 1 where the row of A prescribes its dof.
+std::vector<char> prescribed_dofs(const RowMatrixView& A);
+
+/// K without boundary conditions, K_ij = int C eps(phi_i) : eps(phi_j).
+RowMatrix stiffness(const Mesh& mesh, const Hooke& hooke);
+
+}  // namespace ffcontact

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/cone_correction.hpp"
+#include "ffcontact/mesh/edges.hpp"
+
+namespace ffcontact {
+
+/// Moments of linear edge tractions, int F phi at the first and at the second vertex of each mesh edge, where F = sigma n with
+/// the edge's normal (outward on the boundary): one column (b_first, b_second) per edge [N/mm].
+using EdgeMoments = Eigen::Matrix4Xd;
+
+/// What the boundary of an admissible stress must carry, per edge and Cartesian component.
+///
+/// On Neumann and contact edges both components are known. On a Dirichlet edge a prescribed component is free (the support
+/// answers) and the other one known, e.g. 0 on a symmetry line. A component of an edge counts as prescribed when that dof is
+/// prescribed at every vertex of every edge with the same label: a single Neumann edge between two supports stays Neumann.
+struct BoundaryTractions {
+  Eigen::Array<bool, 2, Eigen::Dynamic> known;  ///< [2 x edges], false inside the body
+  EdgeMoments moments;                          ///< of the known components, 0 elsewhere
+};
+
+/// @param prescribed  1 where the dof is prescribed [2 * vertices]
+/// @param neumann     moments of the given tractions at the two vertices of each column of Mesh::boundary [4 x boundary];
+///                    not read on contact edges and on prescribed components
+/// @param contact     densities on the contact edges
+BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const std::vector<char>& prescribed,
+                                     const Eigen::Ref<const Eigen::Matrix4Xd>& neumann, const ContactLine& line,
+                                     const ContactDensities& contact);
+
+}  // namespace ffcontact

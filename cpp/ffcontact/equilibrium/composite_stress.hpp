@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace ffcontact {
+
+/// The stress that is linear on the three subtriangles of a triangle [Johnson, Mercier 1978; CHH01, 4.2.2, analytical].
+///
+/// The triangle is cut at its centroid G; subtriangle k lies opposite to vertex k and has the corners k+1, k+2, G. With
+/// continuous tractions on the inner edges, div sigma + f = 0 in each subtriangle (f constant) and linear tractions F on the
+/// outer edges, the 27 coefficients are fixed by the loads of the triangle, if these are in equilibrium.
+///
+/// Loads [14]: for each edge k (opposite to vertex k, from vertex k+1 to k+2) the moments b = int F phi at k+1 and at k+2,
+/// F = sigma n with n outward, two components each (12 in all); then the body force f |E|. All are forces per unit thickness
+/// [N/mm].
+using TriangleLoads = Eigen::Matrix<double, 14, 1>;
+
+/// Voigt stresses at the corners of the subtriangles [MPa]: column 3 k + c is corner c (k+1, k+2, G) of subtriangle k.
+using CompositeStress = Eigen::Matrix<double, 3, 9>;
+
+using TriangleCorners = Eigen::Matrix<double, 2, 3>;
+
+/// The stress for given loads. Loads out of equilibrium are balanced in the sense of least squares on the reference triangle:
+/// the caller's equilibrium is the stress's.
+///
+/// Computed once on the reference triangle and carried over by Piola's map x = B xi + x_0:
+///     sigma = B s B' / det B,   b = B b_ref,   f |E| = B (f |E|)_ref,
+/// which keeps symmetry, equilibrium and edge forces.
+CompositeStress composite_stress(const TriangleCorners& corners, const TriangleLoads& loads);
+
+/// Q with loads' Q loads = int sigma : C^-1 sigma for the composite stress of the loads [mm^2/N per unit thickness].
+/// @param compliance  C^-1 in Voigt order with engineering shear [1/MPa]
+Eigen::Matrix<double, 14, 14> composite_energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance);
+
+/// int sigma : C^-1 sigma over one triangle [N/mm per unit thickness times mm], exactly.
+double energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const CompositeStress& stress);
+
+/// End values of the linear density with moments b_i, b_j on an edge: (2 / l) (2 b_i - b_j) at i [MPa].
+/// @param moments  (b_i, b_j), two components each
+/// @return (F_i, F_j)
+Eigen::Vector4d density_of_moments(const Eigen::Vector4d& moments, double length);
+
+/// Moments of the linear density with end values F_i, F_j: l (2 F_i + F_j) / 6 at i.
+Eigen::Vector4d moments_of_density(const Eigen::Vector4d& density, double length);
+
+}  // namespace ffcontact

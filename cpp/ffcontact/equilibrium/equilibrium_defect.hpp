@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/composite_stress.hpp"
+
+namespace ffcontact {
+
+/// How far a stress that is linear on the subtriangles is from statically admissible (2.2), measured on its point values:
+///     h |div sigma + f|                    in each subtriangle (h = square root of the triangle's area)
+///     |jump of sigma n|                    across inner edges of the triangles and across mesh edges, at both ends
+///     |sigma n - F|                        for the known components on the boundary, at both ends
+/// each relative to the largest traction sigma n on any edge.
+struct EquilibriumDefect {
+  double divergence = 0;
+  double jump = 0;
+  double boundary = 0;
+  double largest() const { return std::max({divergence, jump, boundary}); }
+};
+
+/// @param stress      corner values per triangle [MPa]
+/// @param body_force  per triangle [N/mm^3]
+/// @throws std::invalid_argument  if sizes differ
+EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const std::vector<CompositeStress>& stress,
+                                     const Eigen::Ref<const Eigen::Matrix2Xd>& body_force,
+                                     const BoundaryTractions& boundary);
+
+}  // namespace ffcontact

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/contact_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ffcontact {
+
+namespace {
+
+/// A function that is linear on an edge, by its end values.
+struct Linear {
+  double first, second;
+  double at(double x) const { return first + x * (second - first); }
+  /// Where it changes sign on (0, 1), or 0.
+  double zero() const { return first * second < 0 ? first / (first - second) : 0; }
+};
+
+struct EdgeFields {
+  Linear rn, rt, wn, wt;  ///< wn: normal displacement less the gap
+  Linear friction, slip_bound;
+  bool tresca;
+
+  double density(double x) const {
+    const double bound = tresca ? slip_bound.at(x) : friction.at(x) * std::abs(rn.at(x));
+    return bound * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) + rn.at(x) * wn.at(x);
+  }
+};
+
+/// Integral over (0, 1): on each piece without sign changes the density is a cubic, for which two Gauss points are exact.
+double integral(const EdgeFields& edge) {
+  std::array<double, 4> breaks{0, edge.wt.zero(), edge.rn.zero(), 1};
+  std::sort(breaks.begin(), breaks.end());
+  const double gauss = 0.5 / std::sqrt(3.0);
+  double sum = 0;
+  for (int piece = 0; piece < 3; ++piece) {
+    const double width = breaks[piece + 1] - breaks[piece], middle = 0.5 * (breaks[piece] + breaks[piece + 1]);
+    sum += 0.5 * width * (edge.density(middle - gauss * width) + edge.density(middle + gauss * width));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
+                                        const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  Eigen::VectorXd admissible = displacement;
+  for (int i = 0; i < line.node_count(); ++i) {
+    const Eigen::Vector2d n = line.normal.col(i);
+    const double gap = law.gap.size() > 0 ? law.gap[i] : 0;
+    const double penetration = admissible.segment<2>(2 * line.vertex[i]).dot(n) - gap;
+    if (penetration > 0) admissible.segment<2>(2 * line.vertex[i]) -= penetration * n;
+  }
+  return admissible;
+}
+
+Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
+                              const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  Eigen::Matrix2Xd w = contact_components(line, displacement);
+  if (law.gap.size() > 0) w.row(0) -= law.gap.transpose();
+  Eigen::VectorXd error(line.edge_count());
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int i = line.edge_node(0, e), j = line.edge_node(1, e);
+    EdgeFields edge;
+    edge.rn = {densities.normal(0, e), densities.normal(1, e)};
+    edge.rt = {densities.tangential(0, e), densities.tangential(1, e)};
+    edge.wn = {w(0, i), w(0, j)};
+    edge.wt = {w(1, i), w(1, j)};
+    edge.friction = {law.friction[i], law.friction[j]};
+    edge.tresca = law.tresca();
+    edge.slip_bound = law.tresca() ? Linear{law.slip_bound[i], law.slip_bound[j]} : Linear{0, 0};
+    error[e] = 2 * line.length[e] * integral(edge);
+  }
+  return error;
+}
+
+}  // namespace ffcontact

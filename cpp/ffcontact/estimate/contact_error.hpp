@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/contact/cone_correction.hpp"
+
+namespace ffcontact {
+
+/// u_hat: the displacement with u_n - gap lowered to min(u_n - gap, 0) at the contact nodes, nothing else changed [CHH01, 4.1].
+/// Needed for M'_h only; a displacement that does not penetrate comes back as it is.
+/// @param displacement  u_h on all dofs [mm]
+Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
+                                        const Eigen::Ref<const Eigen::VectorXd>& displacement);
+
+/// The contact part of e^2 on each contact edge, exactly [N/mm times mm]:
+///     2 int (mu |r_n| |w_t| + r_t w_t + r_n (w_n - gap))      [CHH01, (2.11)], with k |w_t| for Tresca's law (2.19).
+/// Each edge is split where w_t or r_n changes sign. Inside the cone and without penetration every value is >= 0; the
+/// indicator functions are left out: outside the cone the value has no meaning as a bound and can be negative.
+/// @param displacement  u_hat on all dofs [mm]
+Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
+                              const Eigen::Ref<const Eigen::VectorXd>& displacement);
+
+}  // namespace ffcontact

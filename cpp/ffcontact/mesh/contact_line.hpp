@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "ffcontact/mesh/edges.hpp"
+
+namespace ffcontact {
+
+/// The boundary part Gamma_C on which contact may occur, as a list of nodes that carry multipliers.
+///
+/// Nodes follow t = (-n2, n1), counter-clockwise around the body; several separate lines come one after the other. Between
+/// edges of one straight line neighbours share a node. A vertex in which two straight lines meet is two nodes, one for each
+/// line and its normal: multipliers jump there, and the mass matrix (3.9) falls apart into one block per straight line.
+struct ContactLine {
+  Eigen::VectorXi vertex;      ///< mesh vertex of each node [p]
+  Eigen::Matrix2Xd normal;     ///< outward unit normal at each node [2 x p]
+  Eigen::VectorXd abscissa;    ///< arc length of each node [mm]
+  Eigen::Matrix2Xi edge_node;  ///< first and second node of each contact edge [2 x m]
+  Eigen::VectorXi edge;        ///< mesh edge of each contact edge [m]
+  Eigen::VectorXd length;      ///< of each contact edge [mm]
+
+  int node_count() const { return static_cast<int>(vertex.size()); }
+  int edge_count() const { return static_cast<int>(edge.size()); }
+  Eigen::Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
+  /// All nodes of a contact edge have its normal.
+  Eigen::Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
+  Eigen::Vector2d edge_tangent(int e) const { return tangent(edge_node(0, e)); }
+};
+
+/// @throws std::invalid_argument  if `labels` is empty or one of them is on no boundary edge of the body
+ContactLine contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels);
+
+/// Mass matrix on Gamma_C [mm], m_ij = int psi_i psi_j, tridiagonal [CHH01, (3.9)].
+Eigen::SparseMatrix<double> contact_mass(const ContactLine& line);
+
+/// Normal and tangential components u_n = u . n and u_t = u . t at the nodes [2 x p] of a vertex field (2 * vertex + component).
+Eigen::Matrix2Xd contact_components(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& field);
+
+}  // namespace ffcontact

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace ffcontact {
+
+/// A conforming triangulation of a plane body, as FreeFEM keeps it.
+struct Mesh {
+  Eigen::Matrix2Xd vertices;       ///< coordinates [mm]
+  Eigen::Matrix3Xi triangles;      ///< vertices of each triangle, counter-clockwise
+  Eigen::Matrix2Xi boundary;       ///< vertex pairs of the labelled edges, either direction; inner ones are allowed
+  Eigen::VectorXi boundary_label;  ///< one label per column of `boundary`
+
+  int vertex_count() const { return static_cast<int>(vertices.cols()); }
+  int triangle_count() const { return static_cast<int>(triangles.cols()); }
+  Eigen::Vector2d corner(int triangle, int k) const { return vertices.col(triangles(k, triangle)); }
+};
+
+/// Area of one triangle [mm^2], positive when counter-clockwise.
+double signed_area(const Mesh& mesh, int triangle);
+
+/// Columns are the gradients [1/mm] of the three hat functions on one triangle.
+Eigen::Matrix<double, 2, 3> hat_gradients(const Mesh& mesh, int triangle);
+
+/// @throws std::invalid_argument  if the mesh is empty, an index is out of range, a coordinate is not finite,
+///                                or a triangle has no positive area
+void require_valid(const Mesh& mesh);
+
+}  // namespace ffcontact
