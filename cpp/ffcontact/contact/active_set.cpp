@@ -2,6 +2,7 @@
 #include "ffcontact/contact/active_set.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -123,8 +124,6 @@ class LinearStep {
       const int k = contact_.position[row];
       result.P[row] = k >= 0 ? P[k] : q[-1 - k];
       result.v[row] = k >= 0 ? v_[k] : v_dependent[-1 - k];
-      const RowCondition& condition = conditions_[row];
-      if (!condition.on_displacement && condition.ratio == 0) result.P[row] = condition.value;  // exact, not to rounding
     }
   }
 
@@ -157,6 +156,16 @@ ContactState next_state(const NodalLaw& law, int node, ContactState now, const A
     return Pt < 0 ? ContactState::slip_forward : ContactState::slip_backward;
   }
   return slip_sign(now) * vt < -v_rounding ? ContactState::stick : now;
+}
+
+/// Puts the multipliers of an answer exactly into the law; they miss it by no more than rounding.
+void settle(const NodalLaw& law, const std::vector<ContactState>& state, Eigen::VectorXd& P) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    double &Pn = P[2 * i], &Pt = P[2 * i + 1];
+    Pn = std::min(Pn, 0.0);
+    const double bound = state[i] == ContactState::open ? 0 : law.bound(static_cast<int>(i), Pn);
+    Pt = slip_sign(state[i]) != 0 ? -slip_sign(state[i]) * bound : std::clamp(Pt, -bound, bound);
+  }
 }
 
 }  // namespace
@@ -192,6 +201,7 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
     std::vector<ContactState> next(nodes);
     for (int i = 0; i < nodes; ++i) next[i] = next_state(law, i, state[i], result, p_rounding, v_rounding);
     if (next == state) {
+      settle(law, state, result.P);
       result.status = ContactStatus::converged;
       break;
     }

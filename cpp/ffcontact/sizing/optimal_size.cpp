@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/sizing/optimal_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <vector>
+
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+const double equilateral = std::sqrt(3.0) / 4;  ///< area of the equilateral triangle of size 1
+
+/// Size of a triangle: edge length of the equilateral triangle of its area, which is what meshers call its size.
+double triangle_size(double area) { return std::sqrt(area / equilateral); }
+
+/// Root of an increasing function of log(x), bracketed outwards from x = 1 and halved.
+double increasing_root(const std::function<double(double)>& f) {
+  double low = 0, high = 0;
+  for (double step = 1; f(std::exp(high)) < 0; step *= 2) high += step;
+  for (double step = 1; f(std::exp(low)) > 0; step *= 2) low -= step;
+  while (high - low > 1e-14 * (1 + std::abs(low))) {
+    const double middle = 0.5 * (low + high);
+    if (middle <= low || middle >= high) break;
+    (f(std::exp(middle)) < 0 ? low : high) = middle;
+  }
+  return std::exp(0.5 * (low + high));
+}
+
+void require_valid(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& local_error, const SizeSettings& settings) {
+  require_size("eps_E", local_error.size(), mesh.triangle_count());
+  require_nonnegative("eps_E", local_error);
+  if (!(settings.target > 0) || !std::isfinite(settings.target)) refuse("target must be positive, got ", settings.target);
+  if (!(settings.largest_step > 1)) refuse("the largest step must exceed 1, got ", settings.largest_step);
+  if (!(settings.gradation > 0)) refuse("gradation must be positive, got ", settings.gradation);
+  if (!(settings.smallest >= 0)) refuse("hmin must not be negative, got ", settings.smallest);
+  if (!(settings.largest >= 0)) refuse("hmax must not be negative, got ", settings.largest);
+  if (settings.largest > 0 && settings.smallest > settings.largest)
+    refuse("hmin ", settings.smallest, " exceeds hmax ", settings.largest);
+}
+
+/// Vertex sizes that keep the density of elements: h^-2 is the mean of (r_E h_E)^-2 over the star, weighted by area.
+Eigen::VectorXd vertex_sizes(const Mesh& mesh, const Eigen::VectorXd& ratio) {
+  Eigen::VectorXd density = Eigen::VectorXd::Zero(mesh.vertices.cols()), weight = density;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const double area = signed_area(mesh, t), h = ratio[t] * triangle_size(area);
+    for (int k = 0; k < 3; ++k) {
+      density[mesh.triangles(k, t)] += area / (h * h);
+      weight[mesh.triangles(k, t)] += area;
+    }
+  }
+  Eigen::VectorXd size(density.size());
+  for (Eigen::Index v = 0; v < size.size(); ++v) size[v] = weight[v] > 0 ? std::sqrt(weight[v] / density[v]) : 0;
+  return size;
+}
+
+double predicted_triangles(const Mesh& mesh, const Eigen::VectorXd& size) {
+  double count = 0;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    double density = 0;
+    for (int k = 0; k < 3; ++k) density += 1 / (3 * std::pow(size[mesh.triangles(k, t)], 2));
+    count += signed_area(mesh, t) * density / equilateral;
+  }
+  return count;
+}
+
+}  // namespace
+
+Eigen::VectorXd size_ratios(const Eigen::Ref<const Eigen::VectorXd>& local_error,
+                            const Eigen::Ref<const Eigen::VectorXd>& rate, double wanted) {
+  const Eigen::ArrayXd squared = local_error.array().square(), q = rate.array();
+  const double largest = squared.maxCoeff();
+  if (largest == 0) return Eigen::VectorXd::Ones(squared.size());
+  const Eigen::ArrayXd bounded = squared.max(1e-12 * largest);  // elements without error coarsen by a finite ratio
+  const auto ratios = [&](double inverse_lambda) -> Eigen::ArrayXd {
+    return (inverse_lambda / (q * bounded)).pow(1 / (2 * q + 2));
+  };
+  const double root = increasing_root([&](double inverse_lambda) {
+    return (squared * ratios(inverse_lambda).pow(2 * q)).sum() / (wanted * wanted) - 1;
+  });
+  return ratios(root);
+}
+
+Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorXd size, double gradation) {
+  std::vector<std::vector<std::pair<int, double>>> neighbours(size.size());
+  for (int e = 0; e < edges.count(); ++e) {
+    const double length = edge_vector(mesh, edges, e).norm();
+    for (int end = 0; end < 2; ++end)
+      neighbours[edges.vertices(end, e)].emplace_back(edges.vertices(1 - end, e), length);
+  }
+  // Dijkstra's algorithm: the smallest size is final and bounds its neighbours.
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (Eigen::Index v = 0; v < size.size(); ++v) queue.emplace(size[v], static_cast<int>(v));
+  while (!queue.empty()) {
+    const auto [h, v] = queue.top();
+    queue.pop();
+    if (h > size[v]) continue;
+    for (const auto& [w, length] : neighbours[v])
+      if (size[w] > h + gradation * length) {
+        size[w] = h + gradation * length;
+        queue.emplace(size[w], w);
+      }
+  }
+  return size;
+}
+
+OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<const Eigen::VectorXd>& local_error,
+                         const SizeSettings& settings) {
+  require_valid(mesh, local_error, settings);
+  OptimalSize result;
+  result.wanted = std::max(settings.target, local_error.norm() / settings.largest_step);
+  result.ratio = size_ratios(local_error, Eigen::VectorXd::Ones(local_error.size()), result.wanted);
+
+  const Eigen::Vector2d extent = mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
+  const double largest = settings.largest > 0 ? settings.largest : extent.maxCoeff();
+  const double smallest = std::min(largest, std::max(settings.smallest, 1e-9 * extent.maxCoeff()));
+  Eigen::VectorXd size = vertex_sizes(mesh, result.ratio).cwiseMax(smallest).cwiseMin(largest);
+  result.size = graded_size(mesh, edges, std::move(size), settings.gradation);
+  result.predicted_count = predicted_triangles(mesh, result.size);
+  return result;
+}
+
+}  // namespace ffcontact

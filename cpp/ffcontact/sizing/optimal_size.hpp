@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "ffcontact/mesh/edges.hpp"
+
+namespace ffcontact {
+
+struct SizeSettings {
+  double target = 0;          ///< wanted relative error eps_0 > 0
+  double largest_step = 3;    ///< eps is divided by at most this much in one step; a farther target is reached in several
+  double smallest = 0;        ///< lower bound of the sizes [mm]; 0 for none
+  double largest = 0;         ///< upper bound of the sizes [mm]; 0 for the body's extent
+  double gradation = 0.5;     ///< largest slope |grad h| of the sizes [-]
+};
+
+/// Sizes of the mesh that reaches the wanted error with the fewest elements [CHH01, 5.1].
+///
+/// With local rates q_E an element whose size is multiplied by r_E contributes eps_E^2 r_E^(2 q_E), and r_E^-2 elements stand
+/// where one stood. Minimise sum r_E^-2 subject to sum eps_E^2 r_E^(2 q_E) = eps_0^2:
+///     r_E^(2 q_E + 2) = 1 / (Lambda q_E eps_E^2),
+/// with Lambda by a bracketed root find. Here q_E = 1.
+struct OptimalSize {
+  Eigen::VectorXd ratio;        ///< r_E per triangle [-]
+  Eigen::VectorXd size;         ///< h per vertex [mm]: edge length, bounded and graded
+  double wanted = 0;            ///< eps_0 of this step: the target, or a value on the way to it
+  double predicted_count = 0;   ///< triangles of the new mesh, sum |E| / (area of the equilateral triangle of size h)
+};
+
+/// @param local_error  eps_E per triangle [-]
+/// @param rate         q_E per triangle > 0
+/// @return r_E per triangle; elements without error get the largest ratio of the others
+Eigen::VectorXd size_ratios(const Eigen::Ref<const Eigen::VectorXd>& local_error,
+                            const Eigen::Ref<const Eigen::VectorXd>& rate, double wanted);
+
+/// @throws std::invalid_argument  if the target is not positive, sizes differ or an error is negative or not finite
+OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<const Eigen::VectorXd>& local_error,
+                         const SizeSettings& settings);
+
+/// The largest field below `size` whose slope along mesh edges is at most `gradation`.
+Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorXd size, double gradation);
+
+}  // namespace ffcontact

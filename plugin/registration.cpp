@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "registration.hpp"
+
+#include "freefem.hpp"
+
+namespace {
+
+void register_all() {
+  ffcontact::plugin::register_contact_functions();
+  ffcontact::plugin::register_estimate_functions();
+  ffcontact::plugin::register_sizing_functions();
+}
+
+}  // namespace
+
+LOADFUNC(register_all)

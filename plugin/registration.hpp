@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace ffcontact::plugin {
+
+void register_contact_functions();   ///< contactsolve, conecorrection
+void register_estimate_functions();  ///< contacterror
+void register_sizing_functions();    ///< optimalsize
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/require.hpp"
+//
+#include "views.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// Evaluates expressions at points of the mesh and gives the script its current point back.
+class PointEvaluator {
+ public:
+  PointEvaluator(Stack stack, const Fem2D::Mesh& mesh)
+      : stack_(stack), mesh_(mesh), point_(MeshPointStack(stack)), saved_(*point_) {}
+  ~PointEvaluator() { *point_ = saved_; }
+  PointEvaluator(const PointEvaluator&) = delete;
+  PointEvaluator& operator=(const PointEvaluator&) = delete;
+
+  /// Goes to a boundary element, a share `s` of the way from its second local end to its first.
+  void go_to_boundary(int element, double s) {
+    int side;
+    const int k = mesh_.BoundaryElement(element, side);
+    const Fem2D::Triangle& triangle = mesh_[k];
+    const R2 along = triangle.Edge(side);
+    const R2 normal = along.perp() / -std::sqrt((along, along));
+    const R2 first(Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][0]]);
+    const R2 second(Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][1]]);
+    const R2 hat = first * s + second * (1 - s);
+    point_->set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab, normal, side);
+  }
+  int first_vertex(int element) const {
+    int side;
+    const int k = mesh_.BoundaryElement(element, side);
+    return mesh_(k, Fem2D::VerticesOfTriangularEdge[side][0]);
+  }
+  void go_to_triangle(int t) {
+    const Fem2D::Triangle& triangle = mesh_[t];
+    const R2 hat(1.0 / 3, 1.0 / 3);
+    point_->set(mesh_, triangle(hat), hat, triangle, triangle.lab);
+  }
+  double value(Expression expression) const {
+    const double result = GetAny<double>((*expression)(stack_));
+    WhereStackOfPtr2Free(stack_)->clean();  // FreeFEM frees temporaries only at the end of the statement
+    return result;
+  }
+
+ private:
+  Stack stack_;
+  const Fem2D::Mesh& mesh_;
+  Fem2D::MeshPoint* point_;
+  Fem2D::MeshPoint saved_;
+};
+
+}  // namespace
+
+Mesh mesh_of(const Fem2D::Mesh* fem_mesh) {
+  if (!fem_mesh) refuse("the mesh is not set");
+  const Fem2D::Mesh& Th = *fem_mesh;
+  Mesh mesh;
+  mesh.vertices.resize(2, Th.nv);
+  mesh.triangles.resize(3, Th.nt);
+  mesh.boundary.resize(2, Th.neb);
+  mesh.boundary_label.resize(Th.neb);
+  for (int v = 0; v < Th.nv; ++v) mesh.vertices.col(v) << Th(v).x, Th(v).y;
+  for (int t = 0; t < Th.nt; ++t) mesh.triangles.col(t) << Th(t, 0), Th(t, 1), Th(t, 2);
+  for (int e = 0; e < Th.neb; ++e) {
+    mesh.boundary.col(e) << Th(Th.bedges[e][0]), Th(Th.bedges[e][1]);
+    mesh.boundary_label[e] = Th.bedges[e].lab;
+  }
+  require_valid(mesh);
+  return mesh;
+}
+
+RowMatrix matrix_of(Matrice_Creuse<double>* matrix) {
+  HashMatrix<int, double>* hash = matrix ? matrix->pHM() : nullptr;
+  if (!hash) refuse("the matrix A is not set");
+  int *rows, *columns;
+  double* values;
+  hash->CSR(rows, columns, values);
+  const RowMatrix stored = Eigen::Map<const RowMatrix>(hash->n, hash->m, static_cast<Eigen::Index>(hash->nnz), rows, columns, values);
+  if (!hash->half) return stored;
+  RowMatrix transposed = stored.transpose();
+  transposed.prune([](Eigen::Index i, Eigen::Index j, double) { return i != j; });
+  return stored + transposed;
+}
+
+Eigen::Map<Eigen::VectorXd> vector_of(KN<double>* array) { return {static_cast<double*>(*array), array->N()}; }
+
+Eigen::VectorXd at_nodes(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, const Edges& edges,
+                         const ContactLine& line, double otherwise) {
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(line.node_count(), otherwise);
+  if (!expression) return values;
+  PointEvaluator point(stack, fem_mesh);
+  for (int e = line.edge_count() - 1; e >= 0; --e)  // backwards: a node between two edges ends with the value of the first
+    for (int end = 1; end >= 0; --end) {
+      const int element = edges.boundary_index[line.edge[e]], node = line.edge_node(end, e);
+      point.go_to_boundary(element, point.first_vertex(element) == line.vertex[node] ? 1 : 0);
+      values[node] = point.value(expression);
+    }
+  return values;
+}
+
+Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, double otherwise) {
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(fem_mesh.nt, otherwise);
+  if (!expression) return values;
+  PointEvaluator point(stack, fem_mesh);
+  for (int t = 0; t < fem_mesh.nt; ++t) {
+    point.go_to_triangle(t);
+    values[t] = point.value(expression);
+  }
+  return values;
+}
+
+Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+  Eigen::Matrix4Xd moments = Eigen::Matrix4Xd::Zero(4, mesh.boundary.cols());
+  if (!Fx && !Fy) return moments;
+  const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;
+  PointEvaluator point(stack, fem_mesh);
+  for (int e = 0; e < mesh.boundary.cols(); ++e) {
+    const double length = (mesh.vertices.col(mesh.boundary(1, e)) - mesh.vertices.col(mesh.boundary(0, e))).norm();
+    const int first_row = point.first_vertex(e) == mesh.boundary(0, e) ? 0 : 2;
+    for (int q = 0; q < quadrature.n; ++q) {
+      const double s = quadrature[q].x, weight = length * quadrature[q].a;
+      point.go_to_boundary(e, s);
+      const Eigen::Vector2d F(Fx ? point.value(Fx) : 0, Fy ? point.value(Fy) : 0);
+      moments.block<2, 1>(first_row, e) += weight * s * F;
+      moments.block<2, 1>(2 - first_row, e) += weight * (1 - s) * F;
+    }
+  }
+  return moments;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/elastic/elastic_system.hpp"
+//
+#include "arguments.hpp"
+
+namespace ffcontact::plugin {
+
+/// FreeFEM's mesh; column e of Mesh::boundary is FreeFEM's boundary element e.
+/// @throws std::invalid_argument  if the mesh was never assigned
+Mesh mesh_of(const Fem2D::Mesh* mesh);
+
+/// FreeFEM's matrix by rows. A matrix that stores one triangle only (sym=1) is completed.
+/// @throws std::invalid_argument  if the matrix was never assigned
+RowMatrix matrix_of(Matrice_Creuse<double>* matrix);
+
+Eigen::Map<Eigen::VectorXd> vector_of(KN<double>* array);
+
+/// An expression of the script on a contact line, at its nodes (x, y, label, N as on the boundary) [p].
+/// @return an array of `otherwise` where the expression is null
+Eigen::VectorXd at_nodes(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, const Edges& edges,
+                         const ContactLine& line, double otherwise);
+
+/// An expression at the centroid of each triangle (x, y, region) [triangles].
+Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, double otherwise);
+
+/// Moments int F phi of a traction at the two vertices of every boundary element [4 x boundary], by the quadrature that
+/// FreeFEM's int1d uses by default (three Gauss points), so that they are the loads of the script.
+/// Null components are zero.
+Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
+
+}  // namespace ffcontact::plugin
