@@ -33,9 +33,8 @@ class PointEvaluator {
     const int k = mesh_.BoundaryElement(element, side);
     return mesh_(k, Fem2D::VerticesOfTriangularEdge[side][0]);
   }
-  void go_to_triangle(int t) {
+  void go_to_triangle(int t, const R2& hat = R2(1.0 / 3, 1.0 / 3)) {
     const Fem2D::Triangle& triangle = mesh_[t];
-    const R2 hat(1.0 / 3, 1.0 / 3);
     point_->set(mesh_, triangle(hat), hat, triangle, triangle.lab);
   }
   double value(Expression expression) const {
@@ -50,6 +49,19 @@ class PointEvaluator {
   Fem2D::MeshPoint* point_;
   Fem2D::MeshPoint saved_;
 };
+
+/// (h / pi)^2 |f - f~|^2 on one triangle, h = square root of twice its area; f~ is constant on the subtriangles, and
+/// subtriangle k holds the points where phi_k is the smallest.
+double oscillation_square(const Eigen::Matrix2Xd& f, const Eigen::Matrix3Xd& phi, const Eigen::VectorXd& weight,
+                          const Eigen::Matrix<double, 2, 3>& constant, double area) {
+  double square = 0;
+  for (Eigen::Index q = 0; q < weight.size(); ++q) {
+    Eigen::Index k;
+    phi.col(q).minCoeff(&k);
+    square += weight[q] * (f.col(q) - constant.col(k)).squaredNorm();
+  }
+  return 2 * area / (M_PI * M_PI) * square;
+}
 
 }  // namespace
 
@@ -128,6 +140,31 @@ Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, con
     }
   }
   return moments;
+}
+
+BodyForce body_force_loads(Stack stack, Expression fx, Expression fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+  BodyForce force{BodyLoadsOfAll::Zero(6, mesh.triangles.cols()), 0};
+  if (!fx && !fy) return force;
+  const Fem2D::QuadratureFormular& quadrature = Fem2D::QuadratureFormular_T_5;
+  PointEvaluator point(stack, fem_mesh);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const double area = signed_area(mesh, t);
+    Eigen::Matrix<double, 2, Eigen::Dynamic> f(2, quadrature.n);
+    Eigen::Matrix<double, 3, Eigen::Dynamic> phi(3, quadrature.n);
+    Eigen::VectorXd weight(quadrature.n);
+    for (int q = 0; q < quadrature.n; ++q) {
+      const R2 hat(quadrature[q].x, quadrature[q].y);
+      point.go_to_triangle(t, hat);
+      f.col(q) << (fx ? point.value(fx) : 0), (fy ? point.value(fy) : 0);
+      phi.col(q) << 1 - hat.x - hat.y, hat.x, hat.y;
+      weight[q] = area * quadrature[q].a;
+    }
+    Eigen::Map<Eigen::Matrix<double, 2, 3>> loads(force.loads.col(t).data());
+    loads = f * weight.asDiagonal() * phi.transpose();
+    force.oscillation += oscillation_square(f, phi, weight, body_force_of(force.loads.col(t), area), area);
+  }
+  force.oscillation = std::sqrt(force.oscillation);
+  return force;
 }
 
 }  // namespace ffcontact::plugin

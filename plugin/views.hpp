@@ -3,6 +3,7 @@
 
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
+#include "ffcontact/equilibrium/composite_stress.hpp"
 //
 #include "arguments.hpp"
 
@@ -30,5 +31,12 @@ Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Me
 /// FreeFEM's int1d uses by default (three Gauss points), so that they are the loads of the script.
 /// Null components are zero.
 Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
+
+/// Body forces as the loads of the script.
+struct BodyForce {
+  BodyLoadsOfAll loads;  ///< int f phi_i per triangle, by the quadrature that FreeFEM's int2d uses by default
+  double oscillation;    ///< (sum over triangles of (h / pi)^2 |f - f~|^2)^(1/2), f~ the force of composite_stress [N]
+};
+BodyForce body_force_loads(Stack stack, Expression fx, Expression fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
 
 }  // namespace ffcontact::plugin

@@ -9,8 +9,8 @@ namespace ffcontact {
 
 namespace {
 
-using StressMap = Eigen::Matrix<double, 27, 14>;  ///< corner stresses (column-major 3 x 9) from the 14 loads
-using LoadsMatrix = Eigen::Matrix<double, 14, 14>;
+constexpr int edge_loads = 12, all_loads = 18;
+using StressMap = Eigen::Matrix<double, 27, all_loads>;  ///< corner stresses (column-major 3 x 9) from edge and body loads
 
 /// Corner numbers of subtriangle k: two vertices of the triangle and 3 for the centroid.
 std::array<int, 3> subtriangle(int k) { return {(k + 1) % 3, (k + 2) % 3, 3}; }
@@ -26,20 +26,29 @@ void add_traction(Eigen::MatrixXd& conditions, int row, int k, int corner, const
 
 Eigen::Vector2d turned_right(const Eigen::Vector2d& v) { return {v.y(), -v.x()}; }
 
+/// f on subtriangle k from the moments int f phi_i: the mean of phi_i over subtriangle k is 1/9 for i = k and 4/9
+/// otherwise.
+Eigen::Matrix3d force_per_moment(double area) {
+  Eigen::Matrix3d means = Eigen::Matrix3d::Constant(4.0 / 9);
+  means.diagonal().setConstant(1.0 / 9);
+  return (area / 3 * means).inverse();
+}
+
 /// The conditions of the header on the reference triangle (0,0), (1,0), (0,1), solved for every unit load.
 StressMap solve_reference() {
   Eigen::Matrix<double, 2, 4> x;
   x << 0, 1, 0, 1.0 / 3, 0, 0, 1, 1.0 / 3;
-  Eigen::MatrixXd conditions = Eigen::MatrixXd::Zero(30, 27), right = Eigen::MatrixXd::Zero(30, 14);
+  Eigen::MatrixXd conditions = Eigen::MatrixXd::Zero(30, 27), right = Eigen::MatrixXd::Zero(30, all_loads);
   int row = 0;
-  for (int k = 0; k < 3; ++k) {  // div sigma = sum of sigma grad(phi) = -f = -2 (f |E|), |E| = 1/2
+  const Eigen::Matrix3d forces = force_per_moment(0.5);
+  for (int k = 0; k < 3; ++k) {  // div sigma = sum of sigma grad(phi) = -f
     const std::array<int, 3> s = subtriangle(k);
     constexpr double twice_area = 1.0 / 3;
     for (int c = 0; c < 3; ++c) {
       const Eigen::Vector2d opposite = x.col(s[(c + 2) % 3]) - x.col(s[(c + 1) % 3]);
       add_traction(conditions, row, k, c, -turned_right(opposite) / twice_area, 1);
     }
-    right(row, 12) = right(row + 1, 13) = -2;
+    for (int i = 0; i < 3; ++i) right(row, edge_loads + 2 * i) = right(row + 1, edge_loads + 2 * i + 1) = -forces(k, i);
     row += 2;
   }
   for (int vertex = 0; vertex < 3; ++vertex) {  // continuity on the edge from a vertex to the centroid, at both ends
@@ -71,27 +80,34 @@ const StressMap& reference_map() {
 /// Integrals of products of corner values over a subtriangle of area A: A/12 (1 + delta).
 double mass(double area, int a, int b) { return area / (a == b ? 6 : 12); }
 
-/// R_pq with loads' R_pq loads = int s_p s_q over the reference triangle, for Voigt components p <= q (the products p q and
-/// q p are added up).
-std::array<LoadsMatrix, 6> solve_reference_products() {
+using ProductMatrix = Eigen::Matrix<double, edge_loads, all_loads>;
+
+/// R_pq with b' R_pq loads = int s_p(b) s_q(loads) over the reference triangle, for Voigt components p <= q; the products p q
+/// and q p are added up.
+std::array<ProductMatrix, 6> solve_reference_products() {
   constexpr double area = 1.0 / 6;
   const StressMap& map = reference_map();
-  std::array<LoadsMatrix, 6> products;
+  std::array<ProductMatrix, 6> products;
   int next = 0;
   for (int p = 0; p < 3; ++p)
-    for (int q = p; q < 3; ++q) {
-      LoadsMatrix R = LoadsMatrix::Zero();
+    for (int q = p; q < 3; ++q, ++next) {
+      products[next].setZero();
       for (int k = 0; k < 3; ++k)
         for (int a = 0; a < 3; ++a)
-          for (int b = 0; b < 3; ++b)
-            R += mass(area, a, b) * map.row(9 * k + 3 * a + p).transpose() * map.row(9 * k + 3 * b + q);
-      products[next++] = p == q ? R : LoadsMatrix(R + R.transpose());
+          for (int b = 0; b < 3; ++b) {
+            const int row = 9 * k + 3 * a, column = 9 * k + 3 * b;
+            const auto product = [&](int r, int c) -> ProductMatrix {
+              return map.row(row + r).head<edge_loads>().transpose() * map.row(column + c);
+            };
+            products[next] += mass(area, a, b) * product(p, q);
+            if (p != q) products[next] += mass(area, a, b) * product(q, p);
+          }
     }
   return products;
 }
 
-const std::array<LoadsMatrix, 6>& reference_products() {
-  static const std::array<LoadsMatrix, 6> products = solve_reference_products();
+const std::array<ProductMatrix, 6>& reference_products() {
+  static const std::array<ProductMatrix, 6> products = solve_reference_products();
   return products;
 }
 
@@ -111,29 +127,52 @@ Eigen::Matrix3d piola_voigt(const Eigen::Matrix2d& B) {
   return T;
 }
 
+/// Weights of the six products for a triangle: T' C^-1 T / det B, upper triangle by rows.
+std::array<double, 6> product_weights(const Eigen::Matrix2d& B, const Eigen::Matrix3d& compliance) {
+  const Eigen::Matrix3d T = piola_voigt(B);
+  const Eigen::Matrix3d w = T.transpose() * compliance * T / B.determinant();
+  return {w(0, 0), w(0, 1), w(0, 2), w(1, 1), w(1, 2), w(2, 2)};
+}
+
 }  // namespace
 
-CompositeStress composite_stress(const TriangleCorners& corners, const TriangleLoads& loads) {
+CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges, const BodyLoads& body_loads) {
   const Eigen::Matrix2d B = piola_matrix(corners);
-  TriangleLoads reference;
-  Eigen::Map<Eigen::Matrix<double, 2, 7>>(reference.data()) =
-      B.inverse() * Eigen::Map<const Eigen::Matrix<double, 2, 7>>(loads.data());
-  const Eigen::Matrix<double, 27, 1> s = reference_map() * reference;
+  Eigen::Matrix<double, all_loads, 1> loads;
+  loads << on_edges, body_loads;
+  Eigen::Map<Eigen::Matrix<double, 2, all_loads / 2>> forces(loads.data());
+  forces = (B.inverse() * forces).eval();
+  const Eigen::Matrix<double, 27, 1> s = reference_map() * loads;
   return piola_voigt(B) / B.determinant() * Eigen::Map<const CompositeStress>(s.data());
 }
 
-Eigen::Matrix<double, 14, 14> composite_energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance) {
+EnergyMatrix composite_energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance) {
   const Eigen::Matrix2d B = piola_matrix(corners), inverse = B.inverse();
-  const Eigen::Matrix3d T = piola_voigt(B);
-  const Eigen::Matrix3d weight = T.transpose() * compliance * T / B.determinant();
-  const std::array<LoadsMatrix, 6>& R = reference_products();
-  const LoadsMatrix reference = weight(0, 0) * R[0] + weight(0, 1) * R[1] + weight(0, 2) * R[2] + weight(1, 1) * R[3] +
-                                weight(1, 2) * R[4] + weight(2, 2) * R[5];
-  LoadsMatrix result;
-  for (int i = 0; i < 14; i += 2)
-    for (int j = 0; j < 14; j += 2)
+  const std::array<double, 6> weights = product_weights(B, compliance);
+  EnergyMatrix reference = EnergyMatrix::Zero();
+  for (int k = 0; k < 6; ++k) reference += weights[k] * reference_products()[k].leftCols<edge_loads>();
+  EnergyMatrix result;
+  for (int i = 0; i < edge_loads; i += 2)
+    for (int j = 0; j < edge_loads; j += 2)
       result.block<2, 2>(i, j) = inverse.transpose() * reference.block<2, 2>(i, j) * inverse;
   return result;
+}
+
+EdgeLoads body_gradient(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const BodyLoads& body_loads) {
+  const Eigen::Matrix2d B = piola_matrix(corners), inverse = B.inverse();
+  const std::array<double, 6> weights = product_weights(B, compliance);
+  BodyLoads reference;
+  Eigen::Map<Eigen::Matrix<double, 2, 3>>(reference.data()) =
+      inverse * Eigen::Map<const Eigen::Matrix<double, 2, 3>>(body_loads.data());
+  EdgeLoads gradient = EdgeLoads::Zero();
+  for (int k = 0; k < 6; ++k) gradient += weights[k] * (reference_products()[k].rightCols<6>() * reference);
+  Eigen::Map<Eigen::Matrix<double, 2, 6>> forces(gradient.data());
+  forces = (inverse.transpose() * forces).eval();
+  return gradient;
+}
+
+Eigen::Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area) {
+  return Eigen::Map<const Eigen::Matrix<double, 2, 3>>(body_loads.data()) * force_per_moment(area).transpose();
 }
 
 double energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const CompositeStress& stress) {

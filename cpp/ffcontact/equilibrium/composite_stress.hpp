@@ -8,13 +8,16 @@ namespace ffcontact {
 /// The stress that is linear on the three subtriangles of a triangle [Johnson, Mercier 1978; CHH01, 4.2.2, analytical].
 ///
 /// The triangle is cut at its centroid G; subtriangle k lies opposite to vertex k and has the corners k+1, k+2, G. With
-/// continuous tractions on the inner edges, div sigma + f = 0 in each subtriangle (f constant) and linear tractions F on the
-/// outer edges, the 27 coefficients are fixed by the loads of the triangle, if these are in equilibrium.
+/// continuous tractions on the inner edges, div sigma + f = 0 in each subtriangle (f constant in each) and linear tractions F
+/// on the outer edges, the 27 coefficients are fixed by the loads of the triangle, if these are in equilibrium.
 ///
-/// Loads [14]: for each edge k (opposite to vertex k, from vertex k+1 to k+2) the moments b = int F phi at k+1 and at k+2,
-/// F = sigma n with n outward, two components each (12 in all); then the body force f |E|. All are forces per unit thickness
-/// [N/mm].
-using TriangleLoads = Eigen::Matrix<double, 14, 1>;
+/// Edge loads [12]: for each edge k (opposite to vertex k, from vertex k+1 to k+2) the moments b = int F phi at k+1 and at
+/// k+2, F = sigma n with n outward, two components each. Body loads [6]: int f phi_i at the three vertices; they fix the three
+/// constant values of f. All are forces per unit thickness [N/mm].
+using EdgeLoads = Eigen::Matrix<double, 12, 1>;
+using BodyLoads = Eigen::Matrix<double, 6, 1>;
+using BodyLoadsOfAll = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< per triangle
+using EnergyMatrix = Eigen::Matrix<double, 12, 12>;
 
 /// Voigt stresses at the corners of the subtriangles [MPa]: column 3 k + c is corner c (k+1, k+2, G) of subtriangle k.
 using CompositeStress = Eigen::Matrix<double, 3, 9>;
@@ -25,13 +28,19 @@ using TriangleCorners = Eigen::Matrix<double, 2, 3>;
 /// the caller's equilibrium is the stress's.
 ///
 /// Computed once on the reference triangle and carried over by Piola's map x = B xi + x_0:
-///     sigma = B s B' / det B,   b = B b_ref,   f |E| = B (f |E|)_ref,
+///     sigma = B s B' / det B,   forces = B (forces)_ref,
 /// which keeps symmetry, equilibrium and edge forces.
-CompositeStress composite_stress(const TriangleCorners& corners, const TriangleLoads& loads);
+CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges, const BodyLoads& body_loads);
 
-/// Q with loads' Q loads = int sigma : C^-1 sigma for the composite stress of the loads [mm^2/N per unit thickness].
+/// Q with b' Q b = int sigma : C^-1 sigma for the composite stress of the edge loads b alone [mm^2/N per unit thickness].
 /// @param compliance  C^-1 in Voigt order with engineering shear [1/MPa]
-Eigen::Matrix<double, 14, 14> composite_energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance);
+EnergyMatrix composite_energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance);
+
+/// The part of d/db (int sigma : C^-1 sigma) / 2 that the body loads give.
+EdgeLoads body_gradient(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const BodyLoads& body_loads);
+
+/// The three constant values of f on the subtriangles [N/mm^3], one column each, for body loads int f phi_i.
+Eigen::Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area);
 
 /// int sigma : C^-1 sigma over one triangle [N/mm per unit thickness times mm], exactly.
 double energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const CompositeStress& stress);

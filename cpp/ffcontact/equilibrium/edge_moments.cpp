@@ -29,7 +29,7 @@ int rows_of(const Edges& edges, int spoke, int vertex) { return edges.vertices(0
 
 StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, int vertex,
                      const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
-                     const Eigen::Ref<const Eigen::Matrix2Xd>& body_force) {
+                     const BodyLoadsOfAll& body_loads) {
   const int triangles = stars.triangle_count(vertex), spokes = stars.spoke_count(vertex);
   StarChain chain;
   chain.load.resize(2, triangles);
@@ -37,8 +37,8 @@ StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, i
   chain.sum = Eigen::Matrix2Xd::Zero(2, spokes);
   for (int k = 0; k < triangles; ++k) {
     const int t = stars.triangle[stars.triangle_start[vertex] + k], local = stars.local[stars.triangle_start[vertex] + k];
-    chain.load.col(k) = signed_area(mesh, t) * (traction(stress.col(t), hat_gradients(mesh, t).col(local)) -
-                                                body_force.col(t) / 3);
+    chain.load.col(k) = signed_area(mesh, t) * traction(stress.col(t), hat_gradients(mesh, t).col(local)) -
+                        body_loads.block<2, 1>(2 * local, t);
     if (k + 1 < spokes) chain.sum.col(k + 1) = chain.sum.col(k) + chain.load.col(k);
   }
   for (int k = 0; k < spokes; ++k) {
@@ -57,13 +57,13 @@ StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, i
 
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
-                                 const Eigen::Ref<const Eigen::Matrix2Xd>& body_force, const BoundaryTractions& boundary) {
+                                 const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary) {
   EdgeMoments moments = boundary.moments;
   double scale = moments.cwiseAbs().maxCoeff(), worst = 0;
   int worst_vertex = -1;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (stars.triangle_count(v) == 0) continue;
-    const StarChain chain = star_chain(mesh, edges, stars, v, stress, body_force);
+    const StarChain chain = star_chain(mesh, edges, stars, v, stress, body_loads);
     const int* spokes = stars.spoke.data() + stars.spoke_start[v];
     const int last = stars.spoke_count(v) - 1;
     scale = std::max(scale, chain.load.cwiseAbs().maxCoeff());

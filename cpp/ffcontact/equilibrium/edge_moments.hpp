@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/composite_stress.hpp"
 #include "ffcontact/mesh/stars.hpp"
 
 namespace ffcontact {
@@ -9,16 +10,16 @@ namespace ffcontact {
 /// Edge tractions in equilibrium with the body forces on every triangle, built star by star [CHH01, 4.2.2, first step].
 ///
 /// For vertex i and each triangle E of its star the moments b of the two edges at i balance the finite element stress,
-///     sum of eta b = int_E (sigma_h : eps(phi_i e) - f . phi_i e) = |E| (sigma_h grad phi_i - f / 3),
+///     sum of eta b = int_E (sigma_h : eps(phi_i e) - f . phi_i e) = |E| sigma_h grad phi_i - int_E f phi_i,
 /// which makes every triangle balanced in force and moment, since rigid motions are combinations of phi_i e. Around the star
 /// this is a chain: one free parameter per component, taken by least squares to the mean of the stresses on both sides, unless
 /// a boundary edge of the star has its moment given. The last equation holds because u_h is in equilibrium at i.
 /// @param stress      sigma_h per triangle, Voigt [MPa]
-/// @param body_force  f per triangle [N/mm^3]
+/// @param body_loads  int_E f phi_i at the three vertices of each triangle [N/mm, 6 x triangles]
 /// @throws std::invalid_argument  if the given tractions do not balance the stresses at a vertex (other loads than those
 ///                                u_h was computed with, or a point support with a reaction), naming the vertex
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
-                                 const Eigen::Ref<const Eigen::Matrix2Xd>& body_force, const BoundaryTractions& boundary);
+                                 const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary);
 
 }  // namespace ffcontact

@@ -33,11 +33,12 @@ Eigen::Vector2d divergence(const SubtriangleCorners& x, const Eigen::Matrix3d& c
 }
 
 /// Largest divergence times size over the subtriangles of one triangle.
-double divergence_of_triangle(const Mesh& mesh, int t, const CompositeStress& stress, const Eigen::Vector2d& body_force) {
+double divergence_of_triangle(const Mesh& mesh, int t, const CompositeStress& stress, const BodyLoads& body_loads) {
+  const Eigen::Matrix<double, 2, 3> f = body_force_of(body_loads, signed_area(mesh, t));
   double worst = 0;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector2d left_over =
-        divergence(subtriangle_corners(mesh, t, k), stress.middleCols<3>(3 * k)) + body_force;
+        divergence(subtriangle_corners(mesh, t, k), stress.middleCols<3>(3 * k)) + f.col(k);
     worst = std::max(worst, std::sqrt(signed_area(mesh, t)) * left_over.norm());
   }
   return worst;
@@ -75,13 +76,13 @@ Eigen::Vector4d traction_beside(const Mesh& mesh, const Edges& edges, int edge, 
 }  // namespace
 
 EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const std::vector<CompositeStress>& stress,
-                                     const Eigen::Ref<const Eigen::Matrix2Xd>& body_force,
+                                     const BodyLoadsOfAll& body_loads,
                                      const BoundaryTractions& boundary) {
   require_size("stress", static_cast<Eigen::Index>(stress.size()), mesh.triangle_count());
-  require_size("body force", body_force.cols(), mesh.triangle_count());
+  require_size("body loads", body_loads.cols(), mesh.triangle_count());
   EquilibriumDefect defect;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    defect.divergence = std::max(defect.divergence, divergence_of_triangle(mesh, t, stress[t], body_force.col(t)));
+    defect.divergence = std::max(defect.divergence, divergence_of_triangle(mesh, t, stress[t], body_loads.col(t)));
     defect.jump = std::max(defect.jump, jump_inside(mesh, t, stress[t]));
   }
   double largest_traction = 0;

@@ -22,10 +22,10 @@ struct EquilibriumDefect {
 };
 
 /// @param stress      corner values per triangle [MPa]
-/// @param body_force  per triangle [N/mm^3]
+/// @param body_loads  int f phi_i per triangle; f is the field constant on the subtriangles that has these moments
 /// @throws std::invalid_argument  if sizes differ
 EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const std::vector<CompositeStress>& stress,
-                                     const Eigen::Ref<const Eigen::Matrix2Xd>& body_force,
+                                     const BodyLoadsOfAll& body_loads,
                                      const BoundaryTractions& boundary);
 
 }  // namespace ffcontact

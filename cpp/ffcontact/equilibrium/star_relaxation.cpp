@@ -3,159 +3,312 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "ffcontact/base/quadratic_minimum.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-using EnergyMatrix = Eigen::Matrix<double, 14, 14>;
+/// Everything the vertices need, fixed during the relaxation.
+struct Setting {
+  const Mesh& mesh;
+  const Edges& edges;
+  const Stars& stars;
+  const BoundaryTractions& boundary;
+  std::vector<EnergyMatrix> energies;
+  EdgeLoadsOfAll body_gradient;  ///< no columns when there is no body force
 
-TriangleCorners corners_of(const Mesh& mesh, int t) {
-  TriangleCorners corners;
-  for (int k = 0; k < 3; ++k) corners.col(k) = mesh.corner(t, k);
-  return corners;
+  EdgeLoads gradient(const EdgeLoadsOfAll& difference, int t) const {
+    const EdgeLoads g = energies[t] * difference.col(t);
+    return body_gradient.cols() > 0 ? EdgeLoads(g + body_gradient.col(t)) : g;
+  }
+};
+
+Setting make_setting(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
+                     const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads) {
+  Setting setting{mesh, edges, stars, boundary, std::vector<EnergyMatrix>(mesh.triangle_count()), {}};
+  const bool loaded = !body_loads.isZero(0);
+  if (loaded) setting.body_gradient.resize(12, mesh.triangles.cols());
+#pragma omp parallel for
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Eigen::Matrix3d compliance = hooke[t].inverse();
+    setting.energies[t] = composite_energy(corners_of(mesh, t), compliance);
+    if (loaded) setting.body_gradient.col(t) = body_gradient(corners_of(mesh, t), compliance, body_loads.col(t));
+  }
+  return setting;
 }
 
-/// Moments (b_i, b_j) of one spoke for the unknowns A / l0, A_x, A_y at the vertex and dA/dn at the middle of the spoke,
-/// with the traction taken on the normal to the right of i -> j.
-Eigen::Matrix4d spoke_moments(const Eigen::Vector2d& spoke, double l0) {
-  const double length = spoke.norm();
-  const Eigen::Vector2d s = spoke / length, n(s.y(), -s.x());
-  Eigen::Matrix<double, 2, 4> gradient_i = Eigen::Matrix<double, 2, 4>::Zero(), gradient_m;
-  gradient_i.middleCols<2>(1).setIdentity();
-  gradient_m << -1.5 * l0 / length * s, -0.25 * s * s.transpose(), n;
-  Eigen::Matrix2d psi;  // (A_x, A_y) -> (A_y, -A_x)
-  psi << 0, 1, -1, 0;
-  Eigen::Matrix4d moments;
-  moments.topRows<2>() = psi * (-5 * gradient_i + 4 * gradient_m) / 6;
-  moments.bottomRows<2>() = psi * (-gradient_i - 4 * gradient_m) / 6;
-  return moments;
+/// The energy of the corrections of one star, y'Hy + 2 g'y. Stars of up to Max - 3 spokes need no memory of their own.
+template <int Max>
+struct StarEnergy {
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Max, Max> H;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Max, 1> g;
+
+  StarEnergy(const Setting& setting, const StarCorrections& star, const EdgeLoadsOfAll& difference) {
+    const int n = star.unknowns();
+    H.setZero(n, n);
+    g.setZero(n);
+    for (int k = 0; k < star.triangle_count(); ++k) {
+      const int t = star.triangle(k);
+      const Eigen::Matrix<double, 8, 5> loads = star.triangle_loads(k);
+      const std::array<int, 8> rows = star.rows(k);
+      const std::array<int, 5> columns = star.columns(k);
+      const EdgeLoads gradient = setting.gradient(difference, t);
+      Eigen::Matrix<double, 8, 8> A;
+      Eigen::Matrix<double, 8, 1> gradient_rows;
+      for (int c = 0; c < 8; ++c) {
+        for (int r = 0; r < 8; ++r) A(r, c) = setting.energies[t](rows[r], rows[c]);
+        gradient_rows[c] = gradient[rows[c]];
+      }
+      const Eigen::Matrix<double, 8, 5> A_loads = A * loads;
+      const Eigen::Matrix<double, 5, 5> H_local = loads.transpose() * A_loads;
+      const Eigen::Matrix<double, 5, 1> g_local = loads.transpose() * gradient_rows;
+      for (int a = 0; a < 5; ++a) {
+        g[columns[a]] += g_local[a];
+        for (int b = 0; b < 5; ++b) H(columns[b], columns[a]) += H_local(b, a);
+      }
+    }
+  }
+};
+
+void apply(const StarCorrections& star, const Eigen::Ref<const Eigen::VectorXd>& y, EdgeLoadsOfAll& difference) {
+  for (int k = 0; k < star.triangle_count(); ++k) {
+    const std::array<int, 5> columns = star.columns(k);
+    const std::array<int, 8> rows = star.rows(k);
+    Eigen::Matrix<double, 5, 1> y_local;
+    for (int a = 0; a < 5; ++a) y_local[a] = y[columns[a]];
+    const Eigen::Matrix<double, 8, 1> change = star.triangle_loads(k) * y_local;
+    for (int r = 0; r < 8; ++r) difference(rows[r], star.triangle(k)) += change[r];
+  }
 }
 
-/// One vertex and its star, with the moments of each spoke as functions of the unknowns.
-class Star {
+/// An inner vertex; returns by how much e^2 fell.
+template <int Max>
+double relax_inner(const Setting& setting, const StarCorrections& star, EdgeLoadsOfAll& difference) {
+  StarEnergy<Max> energy(setting, star, difference);
+  const auto llt = energy.H.template selfadjointView<Eigen::Lower>().llt();
+  if (llt.info() != Eigen::Success) return 0;
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Max, 1> y = -llt.solve(energy.g);
+  apply(star, y, difference);
+  return -y.dot(energy.g);
+}
+
+/// A linear condition on the moments of one spoke at one of its ends: (component . moment) does not change.
+void fix_moment(const StarCorrections& star, int spoke, const Eigen::Vector2d& component, Eigen::MatrixXd& conditions,
+                int& row) {
+  for (int end = 0; end < 2; ++end, ++row) {  // psi_i and psi_m vanish exactly when b_i and b_j do
+    const Eigen::RowVector4d moment = component.transpose() * star.moments(spoke).middleRows<2>(2 * end);
+    const std::array<int, 4> columns = star.columns_of_spoke(spoke);
+    for (int c = 0; c < 4; ++c) conditions(row, columns[c]) = moment[c];
+  }
+}
+
+/// The contact edge that a boundary spoke is, or -1.
+int free_edge(const StarCorrections& star, int spoke, const FreeContact* contact) {
+  return contact ? contact->tractions.contact_edge[star.spoke(spoke)] : -1;
+}
+
+/// Basis of the corrections that leave known boundary tractions alone [unknowns x n].
+Eigen::MatrixXd admissible_corrections(const StarCorrections& star, const BoundaryTractions& boundary,
+                                       const FreeContact* contact) {
+  Eigen::MatrixXd conditions = Eigen::MatrixXd::Zero(8, star.unknowns());
+  int row = 0;
+  for (int k : {0, star.spoke_count() - 1}) {
+    const int e = free_edge(star, k, contact);
+    if (e >= 0) {
+      if (cone_conditions(contact->law, contact->line.edge_node(0, e)).frictionless)
+        fix_moment(star, k, contact->line.edge_tangent(e), conditions, row);
+      continue;
+    }
+    for (int c = 0; c < 2; ++c)
+      if (boundary.known(c, star.spoke(k))) fix_moment(star, k, Eigen::Vector2d::Unit(c), conditions, row);
+  }
+  if (row == 0) return Eigen::MatrixXd::Identity(star.unknowns(), star.unknowns());
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(conditions.topRows(row));
+  lu.setThreshold(1e-10);
+  if (lu.dimensionOfKernel() == 0) return Eigen::MatrixXd(star.unknowns(), 0);
+  return lu.kernel();
+}
+
+/// What the corrections of a star do to the end values (r_n, r_t) of one free contact edge.
+struct EdgeEnds {
+  int edge;
+  Eigen::Matrix<double, 2, Eigen::Dynamic> change[2];  ///< per end of the contact edge [2 x unknowns]
+};
+
+std::vector<EdgeEnds> free_ends(const StarCorrections& star, const FreeContact& contact) {
+  std::vector<EdgeEnds> result;
+  for (int k : {0, star.spoke_count() - 1}) {
+    const int e = free_edge(star, k, &contact);
+    if (e < 0) continue;
+    // The outward normal is to the right of the first spoke and to the left of the last one, which runs against its edge.
+    const bool first = k == 0;
+    Eigen::Matrix2d frame;
+    frame << contact.line.edge_normal(e).transpose(), contact.line.edge_tangent(e).transpose();
+    const Eigen::Matrix4d moments = (first ? 1 : -1) * star.moments(k);
+    Eigen::Matrix4d density;
+    for (int c = 0; c < 4; ++c) density.col(c) = density_of_moments(moments.col(c), contact.line.length[e]);
+    const std::array<int, 4> columns = star.columns_of_spoke(k);
+    EdgeEnds ends{e, {}};
+    for (int end = 0; end < 2; ++end) {
+      ends.change[end].setZero(2, star.unknowns());
+      const Eigen::Matrix<double, 2, 4> local = frame * density.middleRows<2>(2 * (first ? end : 1 - end));
+      for (int c = 0; c < 4; ++c) ends.change[end].col(columns[c]) = local.col(c);
+    }
+    result.push_back(ends);
+  }
+  return result;
+}
+
+/// Cost and cone of the free ends as functions of the corrections.
+struct ContactTerms {
+  Eigen::VectorXd cost;  ///< linear part of e^2
+  Eigen::MatrixXd C;
+  Eigen::VectorXd d;
+};
+
+ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, const FreeContact& contact) {
+  ContactTerms terms{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd(12, unknowns), Eigen::VectorXd(12)};
+  Eigen::Index row = 0;
+  const FreeTractions& tractions = contact.tractions;
+  for (const EdgeEnds& edge : ends)
+    for (int end = 0; end < 2; ++end) {
+      const Eigen::Vector2d r(tractions.densities.normal(end, edge.edge), tractions.densities.tangential(end, edge.edge));
+      const Eigen::Vector2d cost(tractions.normal_cost(end, edge.edge), tractions.tangential_cost(end, edge.edge));
+      const ConeConditions cone = cone_conditions(contact.law, contact.line.edge_node(end, edge.edge));
+      terms.cost += edge.change[end].transpose() * cost;
+      terms.C.middleRows(row, cone.C.rows()) = cone.C * edge.change[end];
+      terms.d.segment(row, cone.d.size()) = cone.d - cone.C * r;
+      row += cone.d.size();
+    }
+  terms.C.conservativeResize(row, Eigen::NoChange);
+  terms.d.conservativeResize(row);
+  return terms;
+}
+
+/// A boundary vertex; free contact edges at it stay in the cone.
+double relax_boundary(const Setting& setting, const StarCorrections& star, EdgeLoadsOfAll& difference, FreeContact* contact) {
+  const Eigen::MatrixXd Z = admissible_corrections(star, setting.boundary, contact);
+  if (Z.cols() == 0) return 0;
+  const std::vector<EdgeEnds> ends = contact ? free_ends(star, *contact) : std::vector<EdgeEnds>{};
+  const ContactTerms terms =
+      ends.empty() ? ContactTerms{Eigen::VectorXd::Zero(star.unknowns()), Eigen::MatrixXd(0, star.unknowns()), {}}
+                   : contact_terms(ends, star.unknowns(), *contact);
+
+  const StarEnergy<Eigen::Dynamic> energy(setting, star, difference);
+  const Eigen::VectorXd slope = 2 * energy.g + terms.cost;
+  const std::optional<Eigen::VectorXd> x =
+      quadratic_minimum(2 * Z.transpose() * energy.H * Z, Z.transpose() * slope, terms.C * Z, terms.d);
+  if (!x) return 0;
+  const Eigen::VectorXd y = Z * *x;
+  const double fall = -y.dot(energy.H * y) - y.dot(slope);
+  if (!(fall > 0)) return 0;
+  apply(star, y, difference);
+  for (const EdgeEnds& edge : ends)
+    for (int end = 0; end < 2; ++end) {
+      const Eigen::Vector2d change = edge.change[end] * y;
+      contact->tractions.densities.normal(end, edge.edge) += change[0];
+      contact->tractions.densities.tangential(end, edge.edge) += change[1];
+    }
+  return fall;
+}
+
+double relax(const Setting& setting, int vertex, EdgeLoadsOfAll& difference, FreeContact* contact) {
+  constexpr int usual = 16;
+  if (setting.stars.triangle_count(vertex) == 0) return 0;
+  const StarCorrections star(setting.mesh, setting.edges, setting.stars, vertex);
+  if (setting.stars.on_boundary(vertex)) return relax_boundary(setting, star, difference, contact);
+  return star.unknowns() <= usual ? relax_inner<usual>(setting, star, difference)
+                                  : relax_inner<Eigen::Dynamic>(setting, star, difference);
+}
+
+using Colours = std::vector<std::vector<int>>;
+
+/// Relaxes the vertices colour by colour; returns by how much e^2 fell.
+double relax_all(const Setting& setting, const Colours& colours, EdgeLoadsOfAll& difference, FreeContact* contact) {
+  double fallen = 0;
+  for (const std::vector<int>& colour : colours) {
+    std::vector<double> fall(colour.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < colour.size(); ++k) fall[k] = relax(setting, colour[k], difference, contact);
+    for (double f : fall) fallen += f;  // in a fixed order
+  }
+  return fallen;
+}
+
+/// Vertices on free contact edges apart from the others.
+std::pair<Colours, Colours> split_colours(const Setting& setting, const FreeContact* contact) {
+  std::pair<Colours, Colours> split{vertex_colours(setting.mesh, setting.stars), {}};
+  if (!contact) return split;
+  std::vector<char> on_line(setting.mesh.vertex_count(), 0);
+  for (int i = 0; i < contact->line.node_count(); ++i) on_line[contact->line.vertex[i]] = 1;
+  for (std::vector<int>& colour : split.first) {
+    const auto middle = std::stable_partition(colour.begin(), colour.end(), [&](int v) { return !on_line[v]; });
+    split.second.emplace_back(middle, colour.end());
+    colour.erase(middle, colour.end());
+  }
+  return split;
+}
+
+/// e^2 up to the constant of Tresca's contact part: what `tightness` is relative to.
+double square_of_error(const Setting& setting, const BodyLoadsOfAll& body_loads, const EdgeLoadsOfAll& difference,
+                       const Hooke& hooke, const FreeContact* contact) {
+  double square = 0;
+  for (int t = 0; t < setting.mesh.triangle_count(); ++t) {
+    const TriangleCorners corners = corners_of(setting.mesh, t);
+    square += energy(corners, hooke[t].inverse(), composite_stress(corners, difference.col(t), body_loads.col(t)));
+  }
+  if (!contact) return square;
+  const FreeTractions& free = contact->tractions;
+  return square + free.normal_cost.cwiseProduct(free.densities.normal).sum() +
+         free.tangential_cost.cwiseProduct(free.densities.tangential).sum();
+}
+
+/// The best combination of a sweep's corrections and the previous direction.
+class Acceleration {
  public:
-  Star(const Mesh& mesh, const Edges& edges, const Stars& stars, int vertex)
-      : vertex_(vertex),
-        triangles_(stars.triangle_count(vertex)),
-        spokes_(stars.spoke_count(vertex)),
-        triangle_(stars.triangle.data() + stars.triangle_start[vertex]),
-        local_(stars.local.data() + stars.triangle_start[vertex]),
-        spoke_(stars.spoke.data() + stars.spoke_start[vertex]) {
-    moments_.resize(spokes_);
-    std::vector<Eigen::Vector2d> vectors(spokes_);
-    double l0 = 0;
-    for (int k = 0; k < spokes_; ++k) {
-      const double sign = edges.vertices(0, spoke_[k]) == vertex ? 1 : -1;
-      vectors[k] = sign * edge_vector(mesh, edges, spoke_[k]);
-      l0 += vectors[k].norm() / spokes_;
+  double operator()(const Setting& setting, const EdgeLoadsOfAll& before, EdgeLoadsOfAll& difference) {
+    const EdgeLoadsOfAll sweep = difference - before;
+    if (direction_.cols() == 0) direction_ = EdgeLoadsOfAll::Zero(12, sweep.cols());
+    Eigen::Matrix<double, 5, Eigen::Dynamic> parts(5, sweep.cols());  // d'Ad, d'Ap, p'Ap, d'g, p'g
+#pragma omp parallel for
+    for (Eigen::Index t = 0; t < sweep.cols(); ++t) {
+      const EdgeLoads d = sweep.col(t), p = direction_.col(t), g = setting.gradient(difference, static_cast<int>(t));
+      const EdgeLoads A_d = setting.energies[t] * d, A_p = setting.energies[t] * p;
+      parts.col(t) << d.dot(A_d), p.dot(A_d), p.dot(A_p), d.dot(g), p.dot(g);
     }
-    for (int k = 0; k < spokes_; ++k) moments_[k] = spoke_moments(vectors[k], l0);
-  }
-
-  int unknowns() const { return 3 + spokes_; }
-  int triangles() const { return triangles_; }
-  int triangle(int k) const { return triangle_[k]; }
-
-  /// Loads of triangle k for (A, A_x, A_y, dA/dn right spoke, dA/dn left spoke): eight rows, two edges.
-  /// `rows` receives where these rows stand in TriangleLoads.
-  Eigen::Matrix<double, 8, 5> triangle_loads(int k, std::array<int, 8>& rows) const {
-    Eigen::Matrix<double, 8, 5> loads = Eigen::Matrix<double, 8, 5>::Zero();
-    const Eigen::Matrix4d& right = moments_[k];
-    const Eigen::Matrix4d& left = moments_[left_spoke(k)];
-    loads.topLeftCorner<4, 4>() = right;
-    loads.bottomLeftCorner<4, 3>() = -left.leftCols<3>();
-    loads.bottomRightCorner<4, 1>() = -left.rightCols<1>();
-    // The right spoke is the edge opposite to local + 2, from vertex i to local + 1: moments in order i, j. The left spoke is
-    // the edge opposite to local + 1, from local + 2 to i: moments in order j, i.
-    const int right_row = 4 * ((local_[k] + 2) % 3), left_row = 4 * ((local_[k] + 1) % 3);
-    for (int c = 0; c < 4; ++c) {
-      rows[c] = right_row + c;
-      rows[4 + c] = left_row + (c + 2) % 4;
-    }
-    return loads;
-  }
-
-  /// Places of the five unknowns of triangle k among all.
-  std::array<int, 5> columns(int k) const { return {0, 1, 2, 3 + k, 3 + left_spoke(k)}; }
-
-  /// Basis of the unknowns that leave the known boundary tractions alone [unknowns x n]; empty when nothing is known.
-  Eigen::MatrixXd admissible_unknowns(const BoundaryTractions& boundary) const {
-    if (triangles_ == spokes_) return {};
-    Eigen::MatrixXd conditions = Eigen::MatrixXd::Zero(8, unknowns());
-    int row = 0;
-    for (int k : {0, spokes_ - 1})
-      for (int c = 0; c < 2; ++c)
-        if (boundary.known(c, spoke_[k])) {
-          // psi_i and psi_m vanish exactly when the moments b_i and b_j do.
-          for (int end = 0; end < 2; ++end, ++row) {
-            conditions.row(row).head<3>() = moments_[k].row(2 * end + c).head<3>();
-            conditions(row, 3 + k) = moments_[k](2 * end + c, 3);
-          }
-        }
-    if (row == 0) return {};
-    Eigen::FullPivLU<Eigen::MatrixXd> lu(conditions.topRows(row));
-    lu.setThreshold(1e-10);
-    if (lu.dimensionOfKernel() == 0) return Eigen::MatrixXd(unknowns(), 0);
-    return lu.kernel();
+    const Eigen::Matrix<double, 5, 1> sum = parts.rowwise().sum();
+    Eigen::Matrix2d M;
+    M << sum[0], sum[1], sum[1], sum[2];
+    const Eigen::Vector2d slope(sum[3], sum[4]);
+    const Eigen::Vector2d step = -M.completeOrthogonalDecomposition().solve(slope);
+    const double fall = -step.dot(M * step) - 2 * step.dot(slope);
+    if (!(fall > 0)) return 0;
+    difference += step[0] * sweep + step[1] * direction_;
+    direction_ = (1 + step[0]) * sweep + step[1] * direction_;
+    return fall;
   }
 
  private:
-  int left_spoke(int k) const { return (k + 1) % spokes_; }
-
-  int vertex_, triangles_, spokes_;
-  const int *triangle_, *local_, *spoke_;
-  std::vector<Eigen::Matrix4d> moments_;
+  EdgeLoadsOfAll direction_;
 };
-
-/// Minimises the energy over the corrections of one star; returns by how much it fell.
-double relax(const Star& star, const BoundaryTractions& boundary, const std::vector<EnergyMatrix>& energies,
-             LoadsPerTriangle& difference) {
-  const int n = star.unknowns();
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
-  std::array<int, 8> rows;
-  for (int k = 0; k < star.triangles(); ++k) {
-    const int t = star.triangle(k);
-    const Eigen::Matrix<double, 8, 5> loads = star.triangle_loads(k, rows);
-    const std::array<int, 5> columns = star.columns(k);
-    Eigen::Matrix<double, 8, 14> A;
-    for (int r = 0; r < 8; ++r) A.row(r) = energies[t].row(rows[r]);
-    Eigen::Matrix<double, 8, 8> A_rows;
-    for (int r = 0; r < 8; ++r) A_rows.col(r) = A.col(rows[r]);
-    const Eigen::Matrix<double, 5, 5> H_local = loads.transpose() * A_rows * loads;
-    const Eigen::Matrix<double, 5, 1> g_local = loads.transpose() * (A * difference.col(t));
-    for (int a = 0; a < 5; ++a) {
-      g[columns[a]] += g_local[a];
-      for (int b = 0; b < 5; ++b) H(columns[a], columns[b]) += H_local(a, b);
-    }
-  }
-  const Eigen::MatrixXd Z = star.admissible_unknowns(boundary);
-  Eigen::VectorXd y;
-  if (Z.size() == 0 && Z.rows() > 0) return 0;
-  if (Z.size() == 0)
-    y = -H.llt().solve(g);
-  else
-    y = -Z * (Z.transpose() * H * Z).llt().solve(Z.transpose() * g);
-  if (!y.allFinite()) return 0;
-
-  for (int k = 0; k < star.triangles(); ++k) {
-    const std::array<int, 5> columns = star.columns(k);
-    Eigen::Matrix<double, 5, 1> y_local;
-    for (int a = 0; a < 5; ++a) y_local[a] = y[columns[a]];
-    const Eigen::Matrix<double, 8, 1> change = star.triangle_loads(k, rows) * y_local;
-    for (int r = 0; r < 8; ++r) difference(rows[r], star.triangle(k)) += change[r];
-  }
-  return -y.dot(g);
-}
 
 }  // namespace
 
-LoadsPerTriangle difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
-                                  const Eigen::Ref<const Eigen::Matrix2Xd>& body_force,
-                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress) {
-  LoadsPerTriangle loads(14, mesh.triangles.cols());
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+TriangleCorners corners_of(const Mesh& mesh, int triangle) {
+  TriangleCorners corners;
+  for (int k = 0; k < 3; ++k) corners.col(k) = mesh.corner(triangle, k);
+  return corners;
+}
+
+EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
+                                const Eigen::Ref<const Eigen::Matrix3Xd>& stress) {
+  EdgeLoadsOfAll loads(12, mesh.triangles.cols());
+  for (int t = 0; t < mesh.triangle_count(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int edge = edges.of_triangle(k, t);
       const double eta = edges.eta(k, t);
@@ -165,35 +318,28 @@ LoadsPerTriangle difference_loads(const Mesh& mesh, const Edges& edges, const Ed
       loads.block<2, 1>(4 * k, t) = (eta > 0 ? b.head<2>() : b.tail<2>()) - half;
       loads.block<2, 1>(4 * k + 2, t) = (eta > 0 ? b.tail<2>() : b.head<2>()) - half;
     }
-    loads.block<2, 1>(12, t) = signed_area(mesh, t) * body_force.col(t);
-  }
   return loads;
 }
 
 std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
-                                const BoundaryTractions& boundary, int sweeps, LoadsPerTriangle& difference) {
-  std::vector<EnergyMatrix> energies(mesh.triangle_count());
-#pragma omp parallel for
-  for (int t = 0; t < mesh.triangle_count(); ++t)
-    energies[t] = composite_energy(corners_of(mesh, t), hooke[t].inverse());
-
-  double squared = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t) squared += difference.col(t).dot(energies[t] * difference.col(t));
-  std::vector<double> history{squared};
-
-  const std::vector<std::vector<int>> colours = vertex_colours(mesh, stars);
-  std::vector<double> fall(mesh.vertex_count());
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (const std::vector<int>& colour : colours)
-#pragma omp parallel for
-      for (std::size_t k = 0; k < colour.size(); ++k)
-        fall[colour[k]] = stars.triangle_count(colour[k]) == 0
-                              ? 0
-                              : relax(Star(mesh, edges, stars, colour[k]), boundary, energies, difference);
-    for (double f : fall) squared -= f;
-    history.push_back(squared);
+                                const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
+                                const RelaxationSettings& settings, EdgeLoadsOfAll& difference, FreeContact* contact) {
+  const Setting setting = make_setting(mesh, edges, stars, hooke, boundary, body_loads);
+  const auto [others, on_contact] = split_colours(setting, contact);
+  Acceleration accelerate;
+  std::vector<double> falls;
+  double square = settings.tightness > 0 ? square_of_error(setting, body_loads, difference, hooke, contact) : 0;
+  for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
+    const EdgeLoadsOfAll before = difference;
+    double fall = relax_all(setting, others, difference, contact);
+    fall += accelerate(setting, before, difference);
+    fall += relax_all(setting, on_contact, difference, contact);
+    falls.push_back(fall);
+    const double e_before = std::sqrt(std::max(square, 0.0)), e_after = std::sqrt(std::max(square - fall, 0.0));
+    square -= fall;
+    if (e_before - e_after < settings.tightness * e_before) break;
   }
-  return history;
+  return falls;
 }
 
 }  // namespace ffcontact

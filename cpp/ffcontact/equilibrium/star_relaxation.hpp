@@ -5,33 +5,48 @@
 
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
-#include "ffcontact/equilibrium/composite_stress.hpp"
-#include "ffcontact/mesh/stars.hpp"
+#include "ffcontact/equilibrium/free_tractions.hpp"
+#include "ffcontact/equilibrium/star_corrections.hpp"
 
 namespace ffcontact {
 
-/// Edge loads of every triangle [14 x triangles], in the layout of TriangleLoads.
-using LoadsPerTriangle = Eigen::Matrix<double, 14, Eigen::Dynamic>;
+using EdgeLoadsOfAll = Eigen::Matrix<double, 12, Eigen::Dynamic>;  ///< EdgeLoads per triangle
 
-/// The loads of sigma_hat - sigma on each triangle, where sigma_hat has the given edge moments and body forces and sigma is
-/// constant per triangle. They are in equilibrium on every triangle when sigma_hat is.
-LoadsPerTriangle difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
-                                  const Eigen::Ref<const Eigen::Matrix2Xd>& body_force,
-                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress);
+/// The edge loads of sigma_hat - sigma on each triangle, where sigma_hat has the given edge moments and sigma is constant per
+/// triangle. With the body loads they are in equilibrium on every triangle when sigma_hat is.
+EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
+                                const Eigen::Ref<const Eigen::Matrix3Xd>& stress);
 
-/// Star relaxation: lowers |sigma_hat - C eps(u_hat)|^2 and keeps equilibrium exactly.
+struct RelaxationSettings {
+  int sweeps = 2;        ///< at most
+  double tightness = 0;  ///< stop when the last sweep lowered e by less than this fraction; 0: do all sweeps
+};
+
+/// Contact tractions that take part in the relaxation.
+struct FreeContact {
+  const ContactLine& line;
+  const ContactLaw& law;
+  FreeTractions& tractions;
+};
+
+/// Star relaxation: lowers e^2 = |sigma_hat - C eps(u_hat)|^2 + contact part, and keeps equilibrium exactly.
 ///
-/// Corrections that keep equilibrium are the stresses of Airy functions A in the Hsieh-Clough-Tocher space. Those carried by
-/// the edges at one vertex i (spokes i -> j) have the unknowns A, grad A at i and dA/dn at the middle of each spoke; A and
-/// grad A vanish on the rim of the star. With psi = (A_y, -A_x) the traction along a spoke is d psi/ds, linear, with moments
-///     b_i = (-5 psi_i + 4 psi_m) / 6,   b_j = (-psi_i - 4 psi_m) / 6,
-/// psi_m from dA/dn and dA/ds = -3/2 A_i/l - 1/4 dA/ds_i at the middle. A known traction component c of a boundary spoke asks
-/// psi_c = 0 at i and at the middle. Each vertex is a small positive definite problem; one sweep visits all vertices.
+/// A sweep solves the small problem of every vertex (StarCorrections) in turn: Gauss-Seidel. Known traction components of
+/// boundary edges stay as they are (psi_c = 0 at i and at the middle of the spoke). After the vertices away from free
+/// contact edges the sum d of the sweep's corrections and the last combined direction p are weighed once more,
+///     min over alpha, beta of e(sigma_hat + alpha d + beta p),
+/// which nearly incompressible bodies need: without it their error falls by half as much in a sweep. At a vertex on free
+/// contact edges the end values of r_hat are unknowns too, kept in the cone by linear inequalities.
 ///
 /// Vertices of one colour share no triangle and run in parallel; the result does not depend on the number of threads.
-/// @param difference  loads of sigma_hat - C eps(u_hat), relaxed in place
-/// @return |sigma_hat - C eps(u_hat)|^2 before the first and after every sweep [N/mm per unit thickness times mm], sweeps + 1
+/// @param body_loads  int f phi_i per triangle
+/// @param difference  edge loads of sigma_hat - C eps(u_hat), relaxed in place
+/// @param contact     r_hat, relaxed in place; null keeps it fixed
+/// @return what e^2 fell by in every sweep [N/mm per unit thickness times mm]
 std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
-                                const BoundaryTractions& boundary, int sweeps, LoadsPerTriangle& difference);
+                                const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
+                                const RelaxationSettings& settings, EdgeLoadsOfAll& difference, FreeContact* contact);
+
+TriangleCorners corners_of(const Mesh& mesh, int triangle);
 
 }  // namespace ffcontact

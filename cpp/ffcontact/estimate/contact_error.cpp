@@ -28,17 +28,38 @@ struct EdgeFields {
   }
 };
 
-/// Integral over (0, 1): on each piece without sign changes the density is a cubic, for which two Gauss points are exact.
-double integral(const EdgeFields& edge) {
-  std::array<double, 4> breaks{0, edge.wt.zero(), edge.rn.zero(), 1};
+/// Integral over (0, 1) of a function that is a cubic between its breaks, for which two Gauss points are exact.
+template <class Function>
+double integral(const std::array<double, 2>& inner_breaks, Function&& f) {
+  std::array<double, 4> breaks{0, inner_breaks[0], inner_breaks[1], 1};
   std::sort(breaks.begin(), breaks.end());
   const double gauss = 0.5 / std::sqrt(3.0);
   double sum = 0;
   for (int piece = 0; piece < 3; ++piece) {
     const double width = breaks[piece + 1] - breaks[piece], middle = 0.5 * (breaks[piece] + breaks[piece + 1]);
-    sum += 0.5 * width * (edge.density(middle - gauss * width) + edge.density(middle + gauss * width));
+    sum += 0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
   }
   return sum;
+}
+
+/// (w_n - gap, w_t) at the nodes.
+Eigen::Matrix2Xd relative_trace(const ContactLine& line, const ContactLaw& law,
+                                const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  Eigen::Matrix2Xd w = contact_components(line, displacement);
+  if (law.gap.size() > 0) w.row(0) -= law.gap.transpose();
+  return w;
+}
+
+/// Displacements and law on one edge; r_n and r_t are left at zero.
+EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law, const Eigen::Matrix2Xd& w, int e) {
+  const int i = line.edge_node(0, e), j = line.edge_node(1, e);
+  EdgeFields edge{};
+  edge.wn = {w(0, i), w(0, j)};
+  edge.wt = {w(1, i), w(1, j)};
+  edge.friction = {law.friction[i], law.friction[j]};
+  edge.tresca = law.tresca();
+  if (edge.tresca) edge.slip_bound = {law.slip_bound[i], law.slip_bound[j]};
+  return edge;
 }
 
 }  // namespace
@@ -57,22 +78,36 @@ Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLa
 
 Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  Eigen::Matrix2Xd w = contact_components(line, displacement);
-  if (law.gap.size() > 0) w.row(0) -= law.gap.transpose();
+  const Eigen::Matrix2Xd w = relative_trace(line, law, displacement);
   Eigen::VectorXd error(line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
-    const int i = line.edge_node(0, e), j = line.edge_node(1, e);
-    EdgeFields edge;
+    EdgeFields edge = edge_fields(line, law, w, e);
     edge.rn = {densities.normal(0, e), densities.normal(1, e)};
     edge.rt = {densities.tangential(0, e), densities.tangential(1, e)};
-    edge.wn = {w(0, i), w(0, j)};
-    edge.wt = {w(1, i), w(1, j)};
-    edge.friction = {law.friction[i], law.friction[j]};
-    edge.tresca = law.tresca();
-    edge.slip_bound = law.tresca() ? Linear{law.slip_bound[i], law.slip_bound[j]} : Linear{0, 0};
-    error[e] = 2 * line.length[e] * integral(edge);
+    error[e] = 2 * line.length[e] *
+               integral({edge.wt.zero(), edge.rn.zero()}, [&](double x) { return edge.density(x); });
   }
   return error;
+}
+
+TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
+                             const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  const Eigen::Matrix2Xd w = relative_trace(line, law, displacement);
+  TractionCosts costs{Eigen::Matrix2Xd(2, line.edge_count()), Eigen::Matrix2Xd(2, line.edge_count())};
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const EdgeFields edge = edge_fields(line, law, w, e);
+    for (int end = 0; end < 2; ++end) {
+      const Linear phi{end == 0 ? 1.0 : 0.0, end == 0 ? 0.0 : 1.0};
+      const auto normal = [&](double x) {
+        const double slip = edge.tresca ? 0 : edge.friction.at(x) * std::abs(edge.wt.at(x));
+        return phi.at(x) * (edge.wn.at(x) - slip);
+      };
+      costs.normal(end, e) = 2 * line.length[e] * integral({edge.wt.zero(), 0}, normal);
+      costs.tangential(end, e) =
+          2 * line.length[e] * integral({0, 0}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
+    }
+  }
+  return costs;
 }
 
 }  // namespace ffcontact

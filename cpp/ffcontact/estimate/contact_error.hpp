@@ -19,4 +19,13 @@ Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLa
 Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement);
 
+/// What the end values of r_hat cost in the contact part of e^2 when r_hat is in the cone, [mm^2]:
+///     cost_n = 2 int phi (-mu |w_t| + w_n - gap)   (Tresca: 2 int phi (w_n - gap)),   cost_t = 2 int phi w_t
+/// at the two ends of each edge [2 x m]. For Tresca's law the constant 2 int k |w_t| is left out.
+struct TractionCosts {
+  Eigen::Matrix2Xd normal, tangential;
+};
+TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
+                             const Eigen::Ref<const Eigen::VectorXd>& displacement);
+
 }  // namespace ffcontact

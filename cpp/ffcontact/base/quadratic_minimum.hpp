@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace ffcontact {
+
+/// min y'Hy / 2 + g'y subject to C y >= d, for a few unknowns and H positive definite.
+///
+/// With H = L L' and z = L'y + L^-1 g this is the smallest z with C L^-T z >= d + C H^-1 g, which nonnegative least squares
+/// solves (Lawson, Hanson, Solving Least Squares Problems, ch. 23, problem LDP).
+/// @return nothing if no y fulfils the conditions, or H is not positive definite
+std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const Eigen::VectorXd& g, const Eigen::MatrixXd& C,
+                                                 const Eigen::VectorXd& d);
+
+}  // namespace ffcontact

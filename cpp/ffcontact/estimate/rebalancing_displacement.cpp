@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/rebalancing_displacement.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "ffcontact/contact/condensed_contact.hpp"
+
+namespace ffcontact {
+
+Eigen::VectorXd rebalancing_displacement(const ElasticSystem& system, const ContactLine& line,
+                                         const Eigen::VectorXd& force_change, const Eigen::MatrixXd& motions) {
+  const std::vector<int> kept = contact_dofs(line, system);
+  const CondensedStiffness stiffness(system, kept);
+  const auto size = static_cast<Eigen::Index>(kept.size());
+  Eigen::MatrixXd Z(size, motions.cols());
+  for (Eigen::Index k = 0; k < size; ++k) Z.row(k) = motions.row(kept[k]);
+  const double scale = stiffness.schur().diagonal().mean();
+  const Eigen::MatrixXd S = stiffness.schur() + scale * Z * Z.transpose();
+  return stiffness.extended(force_change, S.llt().solve(stiffness.condensed_load(force_change)));
+}
+
+}  // namespace ffcontact
