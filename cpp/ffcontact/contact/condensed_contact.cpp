@@ -84,18 +84,6 @@ Eigen::SparseMatrix<double> trace_operator(const ContactLine& line, const std::m
   return T;
 }
 
-/// W for normal and tangential rows alike [2 p x 2 p].
-Eigen::SparseMatrix<double> weight_of_rows(Multiplier multiplier, const ContactLine& line) {
-  const Eigen::SparseMatrix<double> W = weight_matrix(multiplier, line);
-  Triplets entries;
-  for (int j = 0; j < W.outerSize(); ++j)
-    for (Eigen::SparseMatrix<double>::InnerIterator w(W, j); w; ++w)
-      for (Eigen::Index c = 0; c < 2; ++c) entries.emplace_back(2 * w.row() + c, 2 * w.col() + c, w.value());
-  Eigen::SparseMatrix<double> both(2 * W.rows(), 2 * W.cols());
-  both.setFromTriplets(entries.begin(), entries.end());
-  return both;
-}
-
 Eigen::SparseMatrix<double> selected_rows(const Eigen::SparseMatrix<double>& A, const std::vector<int>& rows) {
   Triplets entries;
   for (std::size_t k = 0; k < rows.size(); ++k) entries.emplace_back(static_cast<int>(k), rows[k], 1.0);
@@ -148,7 +136,7 @@ std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& syst
   return dofs;
 }
 
-CondensedContact condensed_contact(const ContactLine& line, Multiplier multiplier, const ElasticSystem& system,
+CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
                                    const CondensedStiffness& stiffness) {
   CondensedContact contact;
   contact.kept_dofs = contact_dofs(line, system);
@@ -156,10 +144,9 @@ CondensedContact condensed_contact(const ContactLine& line, Multiplier multiplie
   const std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
   const auto f = static_cast<Eigen::Index>(contact.primary.size());
 
-  const Eigen::SparseMatrix<double> W = weight_of_rows(multiplier, line);
+  const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
   contact.A = W * trace_operator(line, motions, f);
-  const Eigen::Matrix2Xd prescribed_trace = contact_components(line, system.prescribed_value);
-  contact.v_prescribed = W * Eigen::Map<const Eigen::VectorXd>(prescribed_trace.data(), prescribed_trace.size());
+  contact.v_prescribed = W * displacement_against_foundation(line, law, system.prescribed_value).reshaped();
   contact.to_kept = kept_operator(motions, contact.kept_dofs, f);
 
   Factor factor;

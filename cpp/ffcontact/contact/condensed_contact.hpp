@@ -9,7 +9,7 @@
 
 namespace ffcontact {
 
-/// The body as the contact conditions see it: a small dense relation between multipliers P and v = W u.
+/// The body as the contact conditions see it: a small dense relation between multipliers P and v = W (u_n - gap, u_t - previous).
 ///
 /// Row 2 i + c stands for component c (0 normal, 1 tangential) of node i. Rows are primary, as many as the contact vertices
 /// have free dofs, or dependent: a row whose dof is prescribed, or that of the second node at a corner. With S u_c = g + W'P
@@ -28,7 +28,7 @@ struct CondensedContact {
   std::vector<int> kept_dofs;           ///< free dofs of the contact vertices, the unknowns of CondensedStiffness
   Eigen::SparseMatrix<double> to_kept;  ///< displacement of the kept dofs = to_kept w [kept x f]
   Eigen::SparseMatrix<double> A;        ///< v of all rows = A w + v_prescribed [2 p x f]
-  Eigen::VectorXd v_prescribed;         ///< [2 p]
+  Eigen::VectorXd v_prescribed;         ///< v of the prescribed values, gap and previous displacement included [2 p]
 
   bool is_primary(int row) const { return position[row] >= 0; }
 };
@@ -37,7 +37,7 @@ struct CondensedContact {
 std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system);
 
 /// @throws std::invalid_argument  if the contact line has no free dof
-CondensedContact condensed_contact(const ContactLine& line, Multiplier multiplier, const ElasticSystem& system,
+CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
                                    const CondensedStiffness& stiffness);
 
 /// Displacement of the kept dofs that has the given v on the primary rows [kept].

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/nodal_law.hpp"
 
 namespace ffcontact {
 
@@ -19,6 +20,10 @@ void require_valid(const ContactLaw& law, const ContactLine& line) {
     require_size("gap", law.gap.size(), line.node_count());
     require_finite("gap", law.gap);
   }
+  if (law.previous.size() > 0) {
+    require_size("previous tangential displacement", law.previous.size(), line.node_count());
+    require_finite("previous tangential displacement", law.previous);
+  }
 }
 
 Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLine& line) {
@@ -28,32 +33,42 @@ Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLi
   return identity;
 }
 
+Eigen::SparseMatrix<double> weight_of_rows(Multiplier multiplier, const ContactLine& line) {
+  const Eigen::SparseMatrix<double> W = weight_matrix(multiplier, line);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(4 * W.nonZeros());
+  for (int j = 0; j < W.outerSize(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator w(W, j); w; ++w) {
+      const int i = static_cast<int>(w.row());
+      const bool turned = line.normal.col(i) != line.normal.col(j);
+      const double cosine = turned ? line.normal.col(i).dot(line.normal.col(j)) : 1;
+      const double sine = turned ? line.normal.col(i).dot(line.tangent(j)) : 0;
+      for (int c = 0; c < 2; ++c) {
+        entries.emplace_back(2 * i + c, 2 * j + c, w.value() * cosine);
+        if (turned) entries.emplace_back(2 * i + c, 2 * j + 1 - c, (c == 0 ? 1 : -1) * w.value() * sine);
+      }
+    }
+  Eigen::SparseMatrix<double> rows(2 * W.rows(), 2 * W.cols());
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
+                                                 const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  Eigen::Matrix2Xd trace = contact_components(line, displacement);
+  if (law.gap.size() > 0) trace.row(0) -= law.gap.transpose();
+  if (law.previous.size() > 0) trace.row(1) -= law.previous.transpose();
+  return trace;
+}
+
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement,
                               const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier) {
-  const Eigen::SparseMatrix<double> W = weight_matrix(law.multiplier, line);
-  Eigen::Matrix2Xd trace = contact_components(line, displacement);
-  if (law.gap.size() > 0) trace.row(0) -= law.gap.transpose();
-  const Eigen::Matrix2Xd v = trace * W;  // W is symmetric
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(line.node_count());
-  const double v_scale = displacement.cwiseAbs().maxCoeff() * (W * ones).maxCoeff();
-  const double p_scale = multiplier.cwiseAbs().maxCoeff();
-  if (v_scale == 0 || p_scale == 0) return std::max({0.0, v.row(0).maxCoeff(), multiplier.row(0).maxCoeff()});
-
-  Eigen::VectorXd tresca_bound;
-  if (law.tresca()) tresca_bound = law.multiplier == Multiplier::force ? contact_mass(line) * law.slip_bound : law.slip_bound;
-
-  double defect = 0;
-  for (int i = 0; i < line.node_count(); ++i) {
-    const double Pn = multiplier(0, i) / p_scale, Pt = multiplier(1, i) / p_scale;
-    const double vn = v(0, i) / v_scale, vt = v(1, i) / v_scale;
-    const double bound = law.tresca() ? tresca_bound[i] / p_scale : -law.friction[i] * Pn;
-    defect = std::max({defect, Pn, vn, std::abs(Pn * vn),           // (3.17)-(3.19)
-                       std::abs(Pt) - bound,                       // (3.20)
-                       std::min(bound - std::abs(Pt), std::abs(vt)),  // (3.21)
-                       Pt * vt});                                  // (3.22)
-  }
-  return defect;
+  const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
+  const Eigen::VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
+  const Eigen::VectorXd weight = weight_matrix(law.multiplier, line) * Eigen::VectorXd::Ones(line.node_count());
+  const double v_scale = displacement.cwiseAbs().maxCoeff() * weight.maxCoeff();
+  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, v_scale);
 }
 
 }  // namespace ffcontact

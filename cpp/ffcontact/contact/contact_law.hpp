@@ -16,14 +16,16 @@ enum class Multiplier {
 };
 
 /// The law of contact and friction along the line, given at its nodes.
-///     P_n <= 0,  W (u_n - gap) <= 0,  P_n (W (u_n - gap)) = 0
-///     |P_t| <= b,  |P_t| < b => W u_t = 0,  P_t (W u_t) <= 0
-/// with the bound b = -mu P_n (Coulomb) or b = W slip_bound in units of P (Tresca).
+///     P_n <= 0,  v_n <= 0,  P_n v_n = 0
+///     |P_t| <= b,  |P_t| < b => v_t = 0,  P_t v_t <= 0
+/// for v = W (u_n - gap, u_t - previous) with the bound b = -mu P_n (Coulomb) or, in units of P, b = slip_bound (Tresca; M
+/// slip_bound for nodal forces).
 struct ContactLaw {
   Multiplier multiplier = Multiplier::force;
   Eigen::VectorXd friction;    ///< mu >= 0 at each node [p]; 0 is the frictionless case
   Eigen::VectorXd slip_bound;  ///< Tresca's bound >= 0 at each node [MPa], in place of -mu lambda_n; empty for Coulomb
   Eigen::VectorXd gap;         ///< initial gap along n at each node [mm]; empty for none
+  Eigen::VectorXd previous;    ///< u_t of the load step before [mm], for the incremental law; empty for the static law
 
   bool tresca() const { return slip_bound.size() > 0; }
 };
@@ -41,6 +43,15 @@ inline int slip_sign(ContactState state) {
 
 /// W of the law on a line: the mass matrix (3.9) or the identity [p x p].
 Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLine& line);
+
+/// W for both components, row 2 i + c, so that the forces are W P and v = W (components of a displacement) [2 p x 2 p].
+/// Where neighbours i, j have different normals the vectors are weighted, not the components: block (i, j) is w_ij times the
+/// rotation from the frame of j to that of i, and W P is exactly the load of the vector density with nodal values P.
+Eigen::SparseMatrix<double> weight_of_rows(Multiplier multiplier, const ContactLine& line);
+
+/// (u_n - gap, u_t - previous) at the nodes [2 x p] of a displacement on all dofs.
+Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
+                                                 const Eigen::Ref<const Eigen::VectorXd>& displacement);
 
 /// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the largest multiplier, the largest
 /// displacement of the body, or their product.

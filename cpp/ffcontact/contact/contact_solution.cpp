@@ -83,12 +83,13 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   require_balance(mesh, line, law, system);
 
   const CondensedStiffness stiffness(system, contact_dofs(line, system));
-  const CondensedContact contact = condensed_contact(line, law.multiplier, system, stiffness);
+  const CondensedContact contact = condensed_contact(line, law, system, stiffness);
 
   std::vector<ContactState> start = settings.initial_state;
   if (start.empty()) start.assign(line.node_count(), ContactState::stick);
   require_size("initial state", static_cast<Eigen::Index>(start.size()), line.node_count());
-  const ActiveSetResult active = active_set_newton(contact, nodal_law(law, line), start, settings.max_iterations);
+  const ActiveSetResult active = active_set_newton(contact, nodal_law(law, line), start,
+                                                   {settings.max_iterations, settings.tolerance});
 
   ContactSolution solution;
   solution.status = active.status;

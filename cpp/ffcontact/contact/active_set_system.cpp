@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/active_set_system.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <cmath>
+
+namespace ffcontact {
+
+namespace {
+
+/// A dependent row that moves less than this with the unknowns cannot be steered by its multiplier, which is then taken as 0.
+constexpr double unsteered = 1e-6;
+/// Reciprocal condition number below which the scaled system counts as singular.
+constexpr double singular = 1e-13;
+/// Residual, relative to the right-hand side, up to which a singular system counts as solved.
+constexpr double solved = 1e-10;
+/// Stiffness, relative to the diagonal, that holds a body which nothing else holds.
+constexpr double leash = 1e-8;
+
+/// A condition on one row: P_row - ratio P_n = value, or v_row = 0.
+struct RowCondition {
+  bool on_displacement;
+  double value;
+  double ratio;  ///< of P_t to P_n where a node slips with Coulomb's law
+};
+
+RowCondition row_condition(const NodalLaw& law, int row, ContactState state) {
+  const int node = row / 2;
+  if (state == ContactState::open) return {false, 0, 0};
+  if (row % 2 == 0 || state == ContactState::stick) return {true, 0, 0};
+  if (law.tresca()) return {false, -slip_sign(state) * law.tresca_bound[node], 0};
+  return {false, 0, slip_sign(state) * law.friction[node]};
+}
+
+/// Unknowns: v of the primary rows that are not given, then q, each divided by its scale.
+class LinearStep {
+ public:
+  LinearStep(const CondensedContact& contact, const NodalLaw& law, const std::vector<ContactState>& state)
+      : contact_(contact), v_scale_(contact.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()) {
+    for (int row = 0; row < contact.position.size(); ++row) conditions_.push_back(row_condition(law, row, state[row / 2]));
+    for (std::size_t k = 0; k < contact.primary.size(); ++k)
+      if (!conditions_[contact.primary[k]].on_displacement) unknown_.push_back(static_cast<int>(k));
+    q_scale_.resize(contact.E.cols());
+    for (Eigen::Index d = 0; d < contact.E.cols(); ++d) {
+      const double reach = contact.E.col(d).cwiseProduct(v_scale_).norm();
+      q_scale_[d] = 1 / (reach > 0 ? reach : v_scale_.mean());
+    }
+  }
+
+  SystemKind solve(ContactRows& rows) {
+    assemble();
+    SystemKind kind = SystemKind::regular;
+    const Eigen::VectorXd x = solution(kind);
+    if (!x.allFinite()) return SystemKind::inconsistent;
+    const auto n = static_cast<Eigen::Index>(unknown_.size());
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(contact_.S.rows());
+    for (Eigen::Index j = 0; j < n; ++j) v[unknown_[j]] = v_scale_[unknown_[j]] * x[j];
+    spread(v, q_scale_.cwiseProduct(x.tail(q_scale_.size())), rows);
+    return kind;
+  }
+
+ private:
+  /// Adds factor * P_row to equation e.
+  void add_multiplier(Eigen::Index e, int row, double factor) {
+    const auto n = static_cast<Eigen::Index>(unknown_.size());
+    const int k = contact_.position[row];
+    if (k < 0) {
+      matrix_(e, n - 1 - k) += factor * q_scale_[-1 - k];
+      return;
+    }
+    for (Eigen::Index j = 0; j < n; ++j) matrix_(e, j) += factor * contact_.S(unknown_[j], k) * v_scale_[unknown_[j]];
+    for (Eigen::Index d = 0; d < contact_.E.cols(); ++d) matrix_(e, n + d) -= factor * contact_.E(k, d) * q_scale_[d];
+    right_[e] += factor * contact_.g[k];
+  }
+
+  void multiplier_equation(Eigen::Index e, int row, double row_scale) {
+    const RowCondition& condition = conditions_[row];
+    right_[e] = row_scale * condition.value;
+    add_multiplier(e, row, row_scale);
+    if (condition.ratio != 0) add_multiplier(e, row - 1, -row_scale * condition.ratio);
+  }
+
+  void dependent_displacement_equation(Eigen::Index e, Eigen::Index d) {
+    const auto n = static_cast<Eigen::Index>(unknown_.size());
+    double steering = 0;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      matrix_(e, j) = q_scale_[d] * contact_.E(unknown_[j], d) * v_scale_[unknown_[j]];
+      steering += std::abs(contact_.E(unknown_[j], d));
+    }
+    if (steering < unsteered) {
+      matrix_.row(e).setZero();
+      matrix_(e, n + d) = 1;
+    } else {
+      right_[e] = -q_scale_[d] * contact_.dependent_offset[d];
+    }
+  }
+
+  void assemble() {
+    const auto n = static_cast<Eigen::Index>(unknown_.size()), d = contact_.E.cols();
+    matrix_ = Eigen::MatrixXd::Zero(n + d, n + d);
+    right_ = Eigen::VectorXd::Zero(n + d);
+    for (Eigen::Index e = 0; e < n; ++e) multiplier_equation(e, contact_.primary[unknown_[e]], v_scale_[unknown_[e]]);
+    for (Eigen::Index k = 0; k < d; ++k) {
+      const int row = contact_.dependent[k];
+      if (conditions_[row].on_displacement)
+        dependent_displacement_equation(n + k, k);
+      else
+        multiplier_equation(n + k, row, 1 / q_scale_[k]);
+    }
+  }
+
+  Eigen::VectorXd solution(SystemKind& kind) {
+    if (matrix_.rows() == 0) return right_;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix_);
+    if (lu.rcond() > singular) return lu.solve(right_);
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal;
+    orthogonal.setThreshold(10 * singular);
+    orthogonal.compute(matrix_);
+    const Eigen::VectorXd smallest = orthogonal.solve(right_);
+    kind = SystemKind::consistent;
+    if ((matrix_ * smallest - right_).norm() <= solved * right_.norm()) return smallest;
+    kind = SystemKind::inconsistent;
+    for (std::size_t j = 0; j < unknown_.size(); ++j) matrix_(j, j) += leash;
+    return matrix_.partialPivLu().solve(right_);
+  }
+
+  void spread(const Eigen::VectorXd& v, const Eigen::VectorXd& q, ContactRows& rows) const {
+    const Eigen::VectorXd P = contact_.S * v - contact_.g - contact_.E * q;
+    const Eigen::VectorXd v_dependent = contact_.E.transpose() * v + contact_.dependent_offset;
+    rows.P.resize(contact_.position.size());
+    rows.v.resize(contact_.position.size());
+    for (int row = 0; row < contact_.position.size(); ++row) {
+      const int k = contact_.position[row];
+      rows.P[row] = k >= 0 ? P[k] : q[-1 - k];
+      rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
+    }
+  }
+
+  const CondensedContact& contact_;
+  const Eigen::VectorXd v_scale_;
+  Eigen::VectorXd q_scale_, right_;
+  std::vector<RowCondition> conditions_;
+  std::vector<int> unknown_;
+  Eigen::MatrixXd matrix_;
+};
+
+}  // namespace
+
+SystemKind solve_active_set(const CondensedContact& contact, const NodalLaw& law, const std::vector<ContactState>& state,
+                            ContactRows& rows) {
+  return LinearStep(contact, law, state).solve(rows);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/nodal_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ffcontact {
+
+NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
+  NodalLaw nodal;
+  nodal.friction = law.friction;
+  if (law.tresca())
+    nodal.tresca_bound = law.multiplier == Multiplier::force ? contact_mass(line) * law.slip_bound : law.slip_bound;
+  return nodal;
+}
+
+NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& normal) {
+  return {law.friction, law.friction.cwiseProduct((-normal).cwiseMax(0.0))};
+}
+
+double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& P,
+                     const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale) {
+  const double p_scale = P.cwiseAbs().maxCoeff();
+  const auto relative = [](double value, double scale) { return scale > 0 ? value / scale : 0; };
+  double largest = 0;
+  for (int i = 0; 2 * i < P.size(); ++i) {
+    const double Pn = relative(P[2 * i], p_scale), Pt = relative(P[2 * i + 1], p_scale);
+    const double vn = relative(v[2 * i], v_scale), vt = relative(v[2 * i + 1], v_scale);
+    const double bound = law.tresca() ? relative(law.tresca_bound[i], p_scale) : -law.friction[i] * Pn;
+    largest = std::max({largest, Pn, vn, std::abs(Pn * vn),                // (3.17)-(3.19)
+                        std::abs(Pt) - bound,                             // (3.20)
+                        std::min(bound - std::abs(Pt), std::abs(vt)),     // (3.21)
+                        Pt * vt});                                        // (3.22)
+  }
+  return largest;
+}
+
+}  // namespace ffcontact

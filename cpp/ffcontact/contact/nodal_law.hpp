@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/contact/contact_law.hpp"
+
+namespace ffcontact {
+
+/// The law at each node in the units of the multipliers P.
+struct NodalLaw {
+  Eigen::VectorXd friction;      ///< mu [p]
+  Eigen::VectorXd tresca_bound;  ///< in units of P [p]; empty for Coulomb
+
+  bool tresca() const { return tresca_bound.size() > 0; }
+  double bound(int node, double normal_multiplier) const {
+    return tresca() ? tresca_bound[node] : friction[node] * std::max(0.0, -normal_multiplier);
+  }
+  bool frictionless(int node) const { return tresca() ? tresca_bound[node] == 0 : friction[node] == 0; }
+};
+
+NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
+
+/// Tresca's law of the problem P(g) [CHH01, (3.1)]: the bound -mu g_n of Coulomb's law at given normal multipliers.
+/// @param normal  g_n in units of P [p]; what is above 0 counts as 0
+NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& normal);
+
+/// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: multipliers relative to the largest of them,
+/// displacements relative to `v_scale`.
+double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& P,
+                     const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale);
+
+}  // namespace ffcontact
