@@ -9,6 +9,8 @@ void register_all() {
   ffcontact::plugin::register_contact_functions();
   ffcontact::plugin::register_estimate_functions();
   ffcontact::plugin::register_sizing_functions();
+  ffcontact::plugin::register_gmsh_functions();
+  ffcontact::plugin::register_script_functions();
 }
 
 }  // namespace
