@@ -10,7 +10,7 @@ namespace ffcontact {
 
 namespace {
 
-/// Below this, relative to the largest multiplier or displacement, a contradiction is rounding.
+/// Below this, relative to the largest multiplier (or load on the line) or displacement, a contradiction is rounding.
 constexpr double rounding = 1e-12;
 /// Steps in which all contradicted nodes may change although the contradictions do not get fewer.
 constexpr int patience = 10;
@@ -40,8 +40,8 @@ ContactState next_state(const NodalLaw& law, int node, ContactState now, const C
   return slip_sign(now) * vt < -v_rounding ? ContactState::stick : now;
 }
 
-States next_states(const NodalLaw& law, const States& state, const ContactRows& rows) {
-  const double p_rounding = rounding * rows.P.cwiseAbs().maxCoeff();
+States next_states(const CondensedContact& contact, const NodalLaw& law, const States& state, const ContactRows& rows) {
+  const double p_rounding = rounding * std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
   const double v_rounding = rounding * rows.v.cwiseAbs().maxCoeff();
   States next(state.size());
   for (std::size_t i = 0; i < state.size(); ++i)
@@ -86,13 +86,11 @@ class Pivoting {
   std::set<States> tried_;
 };
 
-void keep_better(const NodalLaw& law, const States& state, const ContactRows& rows, ActiveSetResult& best) {
-  const double violation = law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff());
-  if (best.P.size() > 0 && !(violation < best.violation)) return;
-  best.P = rows.P;
-  best.v = rows.v;
-  best.state = state;
-  best.violation = violation;
+void keep(const States& state, const ContactRows& rows, double violation, ActiveSetResult& result) {
+  result.P = rows.P;
+  result.v = rows.v;
+  result.state = state;
+  result.violation = violation;
 }
 
 }  // namespace
@@ -103,27 +101,26 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
     if (law.frictionless(static_cast<int>(i)) && state[i] != ContactState::open) state[i] = ContactState::slip_forward;
 
   ActiveSetResult result;
+  result.violation = std::numeric_limits<double>::infinity();
   ContactRows rows{Eigen::VectorXd::Zero(contact.position.size()), Eigen::VectorXd::Zero(contact.position.size())};
   Pivoting pivoting;
   while (result.iterations < settings.max_iterations) {
     ++result.iterations;
     const SystemKind kind = solve_active_set(contact, law, state, rows);
-    if (kind != SystemKind::inconsistent) keep_better(law, state, rows, result);
-    const States next = next_states(law, state, rows);
-    if (next == state) {
-      result.status = kind == SystemKind::inconsistent ? ContactStatus::singular : ContactStatus::converged;
+    const bool held = kind != SystemKind::inconsistent;
+    const double violation =
+        held ? law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff()) : std::numeric_limits<double>::infinity();
+    const States next = next_states(contact, law, state, rows);
+    const bool settled = next == state;
+    if (settled || violation < result.violation || result.iterations == 1) keep(state, rows, violation, result);
+    if (settled) {
+      result.status = held ? ContactStatus::converged : ContactStatus::singular;
       break;
     }
     if (!pivoting.change(state, next)) {
       result.status = ContactStatus::cycled;
       break;
     }
-  }
-  if (result.P.size() == 0) {  // no active set held the body
-    result.P = rows.P;
-    result.v = rows.v;
-    result.state = state;
-    result.violation = std::numeric_limits<double>::infinity();
   }
   if (result.violation <= settings.tolerance) result.status = ContactStatus::converged;
   if (result.status == ContactStatus::converged) settle(law, result.state, result.P);

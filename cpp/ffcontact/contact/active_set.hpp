@@ -12,6 +12,7 @@ enum class ContactStatus {
   cycled,         ///< the active set came back to an earlier one
   singular,       ///< a motion of the body is left free by the last active set
   not_converged,  ///< iterations used up
+  inaccurate,     ///< the active set is settled, but violation or residual exceed the tolerance
 };
 
 /// The answer with the smallest violation, its active set, and how it was reached.

@@ -132,8 +132,11 @@ class LinearStep {
     rows.v.resize(contact_.position.size());
     for (int row = 0; row < contact_.position.size(); ++row) {
       const int k = contact_.position[row];
+      const RowCondition& condition = conditions_[row];
       rows.P[row] = k >= 0 ? P[k] : q[-1 - k];
       rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
+      if (!condition.on_displacement)  // exactly, so that a body without contact has no forces of rounding size
+        rows.P[row] = condition.value + (condition.ratio != 0 ? condition.ratio * rows.P[row - 1] : 0);
     }
   }
 

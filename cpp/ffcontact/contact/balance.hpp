@@ -8,10 +8,13 @@
 
 namespace ffcontact {
 
-/// Can contact balance the loads on the rigid motions z that no prescribed dof stops?
+/// The rigid motions z that neither prescribed dofs nor the stiffness (springs, K z = 0 to rounding) hold, one column each.
+Eigen::MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system);
+
+/// Can contact balance the loads on the unheld rigid motions z?
 ///
-/// It can when nodal forces in the cone exist with z . (b + forces) = 0 for all z. The cone of Coulomb's law at a node is
-/// spanned by -n + mu t and -n - mu t, so this is a nonnegative least-squares problem with one row per motion; what it leaves
+/// It can when admissible multipliers P exist with z . (b + W P) = 0 for all z. Coulomb's law at a node spans
+/// -n + mu t and -n - mu t, so this is a nonnegative least-squares problem with one row per motion; what it leaves
 /// over is (Farkas) a motion that the loads push and no admissible force opposes. With Tresca's law the bounded tangential
 /// forces are taken at their largest in either direction.
 /// @throws std::invalid_argument  naming that motion

@@ -161,7 +161,9 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
   contact.g = factor.transpose().solve(Eigen::VectorXd(g_w + S_w * w_prescribed));
   const Eigen::MatrixXd A_dependent = selected_rows(contact.A, contact.dependent);
-  contact.E = factor.transpose().solve(Eigen::MatrixXd(A_dependent.transpose()));
+  contact.E.resize(f, A_dependent.rows());
+  if (!contact.dependent.empty())  // SparseLU does not take zero right-hand sides
+    contact.E = factor.transpose().solve(Eigen::MatrixXd(A_dependent.transpose()));
   contact.dependent_offset = selected(contact.v_prescribed, contact.dependent) - A_dependent * w_prescribed;
   return contact;
 }

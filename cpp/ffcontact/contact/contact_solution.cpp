@@ -7,6 +7,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/fixed_point.hpp"
 
 namespace ffcontact {
 
@@ -48,6 +49,36 @@ double relative_residual(const ElasticSystem& system, const Eigen::VectorXd& u, 
   return scale > 0 ? residual.cwiseAbs().maxCoeff() / scale : 0;
 }
 
+/// Violation at which the states of the fixed point are good enough for Newton to try again.
+constexpr double good_start = 1e-3;
+
+/// Newton; where it does not end, Newton from the states of the fixed point, first of a rough one.
+FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
+                                    const std::vector<ContactState>& start, const NewtonSettings& settings) {
+  FixedPointResult result{active_set_newton(contact, law, start, settings), {}};
+  for (const double tolerance : {std::max(good_start, settings.tolerance), settings.tolerance}) {
+    if (result.answer.status == ContactStatus::converged) break;
+    FixedPointResult path = fixed_point(contact, law, start, {settings.max_iterations, tolerance});
+    ActiveSetResult again = active_set_newton(contact, law, path.answer.state, settings);
+    if (again.status != ContactStatus::converged && path.answer.violation < again.violation) again = std::move(path.answer);
+    again.iterations += result.answer.iterations + path.answer.iterations;
+    result = {std::move(again), std::move(path.history)};
+  }
+  return result;
+}
+
+/// The pressures and forces of the multipliers that were solved for.
+void put_multipliers(const ContactLine& line, const ContactLaw& law, const CondensedContact& contact,
+                     const Eigen::Matrix2Xd& P, ContactSolution& solution) {
+  if (law.multiplier == Multiplier::pressure) {
+    solution.pressure = P;
+    solution.force = (weight_of_rows(Multiplier::pressure, line) * P.reshaped()).reshaped(2, P.cols());
+  } else {
+    solution.force = P;
+    solution.pressure = nodal_pressures(line, P, immovable(contact, line.node_count()));
+  }
+}
+
 }  // namespace
 
 const char* in_words(ContactStatus status) {
@@ -56,23 +87,33 @@ const char* in_words(ContactStatus status) {
     case ContactStatus::cycled: return "the active set cycles";
     case ContactStatus::singular: return "the body slides or rotates freely";
     case ContactStatus::not_converged: return "the iterations are used up";
+    case ContactStatus::inaccurate: return "rounding exceeds the tolerance";
   }
   return "";
 }
 
 Eigen::Matrix2Xd nodal_pressures(const ContactLine& line, const Eigen::Matrix2Xd& force,
                                  const Eigen::Array<bool, 2, Eigen::Dynamic>& absent) {
-  const Eigen::SparseMatrix<double> mass = contact_mass(line);
-  Eigen::Matrix2Xd pressure(2, line.node_count());
-  for (int c = 0; c < 2; ++c) {
-    Eigen::SparseMatrix<double> reduced = mass;
-    Eigen::VectorXd right = force.row(c);
-    reduced.prune([&](Eigen::Index i, Eigen::Index j, double) { return i == j || !(absent(c, i) || absent(c, j)); });
-    for (int i = 0; i < line.node_count(); ++i)
-      if (absent(c, i)) right[i] = 0;
-    pressure.row(c) = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(reduced).solve(right);
+  const auto is_absent = [&](Eigen::Index row) { return absent(row % 2, row / 2); };
+  Eigen::SparseMatrix<double> mass = weight_of_rows(Multiplier::pressure, line);
+  mass.prune([&](Eigen::Index i, Eigen::Index j, double) { return i == j || !(is_absent(i) || is_absent(j)); });
+  Eigen::VectorXd right = force.reshaped();
+  for (Eigen::Index row = 0; row < right.size(); ++row)
+    if (is_absent(row)) right[row] = 0;
+  return Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(mass).solve(right).reshaped(2, line.node_count());
+}
+
+std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& old_abscissa,
+                                    const std::vector<ContactState>& old_state) {
+  require_size("abscissa of the initial states", old_abscissa.size(), static_cast<Eigen::Index>(old_state.size()));
+  if (old_state.empty()) return {};
+  std::vector<ContactState> states;
+  for (double s : line.abscissa) {
+    Eigen::Index nearest;
+    (old_abscissa.array() - s).abs().minCoeff(&nearest);
+    states.push_back(old_state[nearest]);
   }
-  return pressure;
+  return states;
 }
 
 ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
@@ -80,35 +121,38 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   require_valid(law, line);
   require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
   if (settings.max_iterations < 1) refuse("maxit must be at least 1, got ", settings.max_iterations);
-  require_balance(mesh, line, law, system);
-
-  const CondensedStiffness stiffness(system, contact_dofs(line, system));
-  const CondensedContact contact = condensed_contact(line, law, system, stiffness);
-
   std::vector<ContactState> start = settings.initial_state;
   if (start.empty()) start.assign(line.node_count(), ContactState::stick);
   require_size("initial state", static_cast<Eigen::Index>(start.size()), line.node_count());
-  const ActiveSetResult active = active_set_newton(contact, nodal_law(law, line), start,
-                                                   {settings.max_iterations, settings.tolerance});
+  require_balance(mesh, line, law, system);
 
+  // 1. The body as the contact line sees it, P = S v - g.
+  const CondensedStiffness stiffness(system, contact_dofs(line, system));
+  const CondensedContact contact = condensed_contact(line, law, system, stiffness);
+
+  // 2. The conditions of Prop. 3.4 / 3.5.
+  const NodalLaw nodal = nodal_law(law, line);
+  const NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  FixedPointResult condensed = settings.solver == ContactSolver::newton ? safeguarded_newton(contact, nodal, start, limits)
+                                                                        : fixed_point(contact, nodal, start, limits);
+  const ActiveSetResult& answer = condensed.answer;
+
+  // 3. Back to the whole body.
   ContactSolution solution;
-  solution.status = active.status;
-  solution.state = active.state;
-  solution.iterations = active.iterations;
-  solution.displacement = stiffness.extended(system.load, kept_displacement(contact, primary_values(contact, active.v)));
+  solution.status = answer.status;
+  solution.state = answer.state;
+  solution.iterations = answer.iterations;
+  solution.history = std::move(condensed.history);
+  solution.displacement = stiffness.extended(system.load, kept_displacement(contact, primary_values(contact, answer.v)));
   solution.displacement += system.prescribed_value;
+  const Eigen::Matrix2Xd P = answer.P.reshaped(2, line.node_count());
+  put_multipliers(line, law, contact, P, solution);
 
-  const Eigen::Matrix2Xd P = Eigen::Map<const Eigen::Matrix2Xd>(active.P.data(), 2, line.node_count());
-  if (law.multiplier == Multiplier::pressure) {
-    solution.pressure = P;
-    solution.force = P * contact_mass(line);
-  } else {
-    solution.force = P;
-    solution.pressure = nodal_pressures(line, P, immovable(contact, line.node_count()));
-  }
+  // 4. What the theory promises, measured.
   solution.complementarity = complementarity_defect(line, law, solution.displacement, P);
   solution.residual =
       relative_residual(system, solution.displacement, contact_load(line, solution.force, system.dof_count()));
+  if (solution.status == ContactStatus::converged && !solution.accepted(settings)) solution.status = ContactStatus::inaccurate;
   return solution;
 }
 

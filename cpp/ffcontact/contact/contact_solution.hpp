@@ -9,20 +9,27 @@
 
 namespace ffcontact {
 
+enum class ContactSolver {
+  newton,       ///< active_set_newton; where it does not end, fixed_point, and Newton again from there
+  fixed_point,  ///< fixed_point [CHH01, Definition 3.1]
+};
+
 struct ContactSettings {
-  int max_iterations = 100;
+  ContactSolver solver = ContactSolver::newton;
+  int max_iterations = 100;                 ///< of Newton, and steps of the fixed point
   double tolerance = 1e-10;                 ///< largest complementarity defect of an accepted answer
-  std::vector<ContactState> initial_state;  ///< empty: every node sticks
+  std::vector<ContactState> initial_state;  ///< a guess, e.g. of the load step before; empty: every node sticks
 };
 
 /// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
 struct ContactSolution {
-  ContactStatus status = ContactStatus::not_converged;  ///< anything but converged: the rest is the last iterate
+  ContactStatus status = ContactStatus::not_converged;  ///< anything but converged: the rest is the best iterate
   Eigen::VectorXd displacement;     ///< u_h on all dofs [mm]
   Eigen::Matrix2Xd pressure;        ///< nodal values (lambda_n, lambda_t) of the multipliers [MPa], compression < 0
   Eigen::Matrix2Xd force;           ///< nodal forces (F_n, F_t) = M (lambda_n, lambda_t) [N/mm]
   std::vector<ContactState> state;  ///< per node
-  int iterations = 0;
+  int iterations = 0;               ///< dense systems solved
+  std::vector<double> history;      ///< relative change of lambda_n per step of the fixed point; empty where Newton was enough
   double complementarity = 0;       ///< complementarity_defect of the answer
   double residual = 0;              ///< |K u - b - contact forces| on the free dofs, relative to |b| and the forces
 
@@ -32,15 +39,26 @@ struct ContactSolution {
 };
 
 /// Solves K u = b + B' P under the conditions of Prop. 3.4 / 3.5 for one body on a rigid foundation:
-/// one factorisation, the condensed relation between P and v, the semismooth Newton on it, one back-substitution.
+/// one factorisation, the condensed relation between P and v, the chosen solver on it, one back-substitution.
+///
+/// The quasi-static path of a load that changes direction is a sequence of such problems with ContactLaw::previous and
+/// ContactSettings::initial_state taken from the step before.
 ///
 /// Multipliers at nodes with a prescribed dof: for Multiplier::force no equation gives F there; lambda = 0 for that component
 /// (for lambda_t this is what symmetry demands) and M L = F is solved on the others. For Multiplier::pressure complementarity
 /// determines lambda unless W u vanishes identically there; then it is 0 too.
+///
+/// Where contact leaves a motion free on which no load works (a body on a frictionless plane), displacements are determined
+/// up to it, and one of them is returned.
 /// @throws std::invalid_argument  for input that does not fit, or loads that contact cannot balance (with the motion named)
 /// @throws std::runtime_error     if a part of the body is held by nothing
 ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
                               const ContactSettings& settings = {});
+
+/// States of a new line from those of an earlier one (the mesh before adaptation): of the old node nearest in abscissa.
+/// @throws std::invalid_argument  if the sizes of the old arrays differ
+std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& old_abscissa,
+                                    const std::vector<ContactState>& old_state);
 
 /// What a status means, as the end of a sentence.
 const char* in_words(ContactStatus status);

@@ -58,14 +58,14 @@ double sine_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return
 /// Appends nodes and edges to a line.
 class LineBuilder {
  public:
-  LineBuilder(const Mesh& mesh, const Edges& edges) : mesh_(mesh), edges_(edges) {}
+  LineBuilder(const Mesh& mesh, const Edges& edges, bool smooth) : mesh_(mesh), edges_(edges), smooth_(smooth) {}
 
   void add_chain(const std::vector<int>& chain) {
     const std::size_t first_edge = length_.size();
     const int first_node = static_cast<int>(vertex_.size());
     for (int e : chain) {
       const Eigen::Vector2d n = edge_normal(mesh_, edges_, e);
-      const bool new_line = e == chain.front() || std::abs(sine_between(normal_.back(), n)) > straight;
+      const bool new_line = e == chain.front() || turns(normal_.back(), n);
       const int start = new_line ? add_node(edges_.vertices(0, e), n) : static_cast<int>(vertex_.size()) - 1;
       length_.push_back(edge_vector(mesh_, edges_, e).norm());
       arc_ += length_.back();
@@ -98,10 +98,14 @@ class LineBuilder {
     return static_cast<int>(vertex_.size()) - 1;
   }
 
-  /// A closed loop that is straight where it closes shares its first node.
+  bool turns(const Eigen::Vector2d& before, const Eigen::Vector2d& after) const {
+    return !smooth_ && std::abs(sine_between(before, after)) > straight;
+  }
+
+  /// A closed loop that does not turn where it closes shares its first node.
   void join_loop(std::size_t first_edge, int first_node) {
     if (length_.size() - first_edge < 2 || vertex_.back() != vertex_[first_node]) return;
-    if (std::abs(sine_between(normal_.back(), normal_[first_node])) > straight) return;
+    if (turns(normal_.back(), normal_[first_node])) return;
     edge_node_.back()[1] = first_node;
     vertex_.pop_back();
     normal_.pop_back();
@@ -110,6 +114,7 @@ class LineBuilder {
 
   const Mesh& mesh_;
   const Edges& edges_;
+  const bool smooth_;
   std::vector<int> vertex_, edge_;
   std::vector<Eigen::Vector2d> normal_;
   std::vector<Eigen::Vector2i> edge_node_;
@@ -117,12 +122,39 @@ class LineBuilder {
   double arc_ = 0;
 };
 
+ContactLine built_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels, bool smooth) {
+  LineBuilder builder(mesh, edges, smooth);
+  for (const std::vector<int>& chain : chains(edges, labelled_boundary(mesh, edges, labels))) builder.add_chain(chain);
+  return builder.line();
+}
+
 }  // namespace
 
 ContactLine contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels) {
-  LineBuilder builder(mesh, edges);
-  for (const std::vector<int>& chain : chains(edges, labelled_boundary(mesh, edges, labels))) builder.add_chain(chain);
-  return builder.line();
+  return built_line(mesh, edges, labels, false);
+}
+
+ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels) {
+  ContactLine line = built_line(mesh, edges, labels, true);
+  line.normal.setZero();
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int node : line.edge_node.col(e)) line.normal.col(node) += edge_normal(mesh, edges, line.edge[e]);
+  line.normal.colwise().normalize();
+  return line;
+}
+
+ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
+                             const Eigen::Ref<const Eigen::Matrix2Xd>& direction) {
+  require_size("contact directions", direction.cols(), line.node_count());
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int node : line.edge_node.col(e)) {
+      const Eigen::Vector2d d = direction.col(node), x = mesh.vertices.col(line.vertex[node]);
+      if (!d.allFinite() || !(d.dot(edge_normal(mesh, edges, line.edge[e])) > 0))
+        refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ", line.vertex[node], " (", x.x(), ", ", x.y(),
+               ") does not point out of the body");
+    }
+  line.normal = direction.colwise().normalized();
+  return line;
 }
 
 Eigen::SparseMatrix<double> contact_mass(const ContactLine& line) {

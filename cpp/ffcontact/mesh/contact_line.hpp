@@ -12,7 +12,10 @@ namespace ffcontact {
 ///
 /// Nodes follow t = (-n2, n1), counter-clockwise around the body; several separate lines come one after the other. Between
 /// edges of one straight line neighbours share a node. A vertex in which two straight lines meet is two nodes, one for each
-/// line and its normal: multipliers jump there, and the mass matrix (3.9) falls apart into one block per straight line.
+/// line and its normal: multipliers jump there, and the mass matrix (3.9) falls apart into one block per straight line. The
+/// vertex then keeps clear of both lines, with W u as with W u_h on each of them: for nodal forces both normal components of
+/// its displacement are bounded, for pressures each end row of M is. On a polygon that stands for a smooth curve this would
+/// lock sliding at every vertex; a line of given directions (along_directions) has one node a vertex instead.
 struct ContactLine {
   Eigen::VectorXi vertex;      ///< mesh vertex of each node [p]
   Eigen::Matrix2Xd normal;     ///< outward unit normal at each node [2 x p]
@@ -24,13 +27,24 @@ struct ContactLine {
   int node_count() const { return static_cast<int>(vertex.size()); }
   int edge_count() const { return static_cast<int>(edge.size()); }
   Eigen::Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
-  /// All nodes of a contact edge have its normal.
+  /// Both nodes of a contact edge have its normal, except on a line of given directions.
   Eigen::Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
   Eigen::Vector2d edge_tangent(int e) const { return tangent(edge_node(0, e)); }
 };
 
 /// @throws std::invalid_argument  if `labels` is empty or one of them is on no boundary edge of the body
 ContactLine contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels);
+
+/// One node a vertex, corners included, with the unit mean of the normals of the edges beside it. For smooth curves.
+/// @throws std::invalid_argument  as contact_line
+ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels);
+
+/// The same nodes and edges with given contact directions in place of the normals: u_n, u_t and the gap are measured along
+/// them, integrals stay on the geometric edges.
+/// @param direction  of any length, pointing out of the body on the edges beside its node [2 x p]
+/// @throws std::invalid_argument  naming the first vertex whose direction is zero, not finite, or points into the body
+ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
+                             const Eigen::Ref<const Eigen::Matrix2Xd>& direction);
 
 /// Mass matrix on Gamma_C [mm], m_ij = int psi_i psi_j, tridiagonal [CHH01, (3.9)].
 Eigen::SparseMatrix<double> contact_mass(const ContactLine& line);
