@@ -22,6 +22,12 @@ NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
     }
   }
   arguments.SetNameParam(static_cast<int>(adapted.size()), adapted.data(), values_.data());
+  for (std::size_t k = 0; k < table_.size(); ++k) {
+    components_.emplace_back();
+    if (!values_[k] || *table_[k].type != typeid(E_Array)) continue;
+    const auto* list = dynamic_cast<const E_Array*>(values_[k]);
+    for (int i = 0; list && i < list->size(); ++i) components_.back().push_back(CastTo<double>((*list)[i]));
+  }
 }
 
 std::size_t NamedArguments::place(const char* name) const {
@@ -32,12 +38,11 @@ std::size_t NamedArguments::place(const char* name) const {
 }
 
 Expression NamedArguments::component(const char* name, int k, int size) const {
-  const Expression list = expression(name);
-  if (!list) return nullptr;
-  const auto* array = dynamic_cast<const E_Array*>(list);
-  if (!array || array->size() != size)
+  if (!given(name)) return nullptr;
+  const std::vector<Expression>& components = components_[place(name)];
+  if (static_cast<int>(components.size()) != size)
     CompileError(std::string(name) + " must be a list of " + std::to_string(size) + " expressions");
-  return CastTo<double>((*array)[k]);
+  return components[k];
 }
 
 double NamedArguments::number(Stack stack, const char* name, double otherwise) const {

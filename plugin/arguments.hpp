@@ -44,6 +44,7 @@ class NamedArguments {
 
   Table table_;
   std::vector<Expression> values_;
+  std::vector<std::vector<Expression>> components_;  ///< of literal lists of expressions
   std::vector<char> list_kind_;  ///< 'a' array, 'l' literal list, 'i' one integer, for parameters of type KN_<long>
 };
 

@@ -5,7 +5,9 @@
 
 namespace ffcontact::plugin {
 
-/// What every script function that knows of contact takes: a mesh and label=, friction=, slipbound=, gap=.
+/// What every script function that knows of contact takes: a mesh and label=, friction=, slipbound=, gap=, normal=[nx, ny] (one
+/// contact direction a vertex in place of the edges' normals), previous= (displacement of the load step before; an empty array
+/// is none).
 struct ContactArguments {
   Mesh mesh;
   Edges edges;

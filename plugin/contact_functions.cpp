@@ -2,6 +2,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/cone_correction.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/multiplier_projection.hpp"
 //
 #include "contact_arguments.hpp"
 #include "guard.hpp"
@@ -15,6 +16,12 @@ Multiplier multiplier_named(const std::string& name) {
   if (name == "pressure") return Multiplier::pressure;
   if (name == "force") return Multiplier::force;
   refuse("multiplier must be \"pressure\" or \"force\", got \"", name, "\"");
+}
+
+ContactSolver solver_named(const std::string& name) {
+  if (name == "newton") return ContactSolver::newton;
+  if (name == "fixedpoint") return ContactSolver::fixed_point;
+  refuse("solver must be \"newton\" or \"fixedpoint\", got \"", name, "\"");
 }
 
 struct Counts {
@@ -35,6 +42,16 @@ std::vector<long> state_numbers(const std::vector<ContactState>& states) {
   return numbers;
 }
 
+ContactState state_of_number(long number) {
+  switch (number) {
+    case 0: return ContactState::open;
+    case 1: return ContactState::stick;
+    case 2: return ContactState::slip_forward;
+    case -2: return ContactState::slip_backward;
+    default: refuse("an initial state must be 0 (open), 1 (stick), 2 or -2 (slip), got ", number);
+  }
+}
+
 /// iterations = contactsolve(Th, A, b, u, label=, friction=, ...)
 class ContactSolve : public E_F0mps {
  public:
@@ -42,8 +59,11 @@ class ContactSolve : public E_F0mps {
 
   explicit ContactSolve(const basicAC_F0& arguments)
       : named_(arguments, ContactArguments::table({{"multiplier", &typeid(string*)},
+                                                   {"solver", &typeid(string*)},
                                                    {"maxit", &typeid(long)},
                                                    {"tol", &typeid(double)},
+                                                   {"initial", &typeid(KN_<long>)},
+                                                   {"initialabscissa", &typeid(KN<double>*)},
                                                    {"verbosity", &typeid(long)},
                                                    {"pn", &typeid(KN<double>*)},
                                                    {"pt", &typeid(KN<double>*)},
@@ -53,6 +73,8 @@ class ContactSolve : public E_F0mps {
                                                    {"abscissa", &typeid(KN<double>*)},
                                                    {"state", &typeid(KN<long>*)},
                                                    {"violation", &typeid(double*)},
+                                                   {"status", &typeid(long*)},
+                                                   {"history", &typeid(KN<double>*)},
                                                    {"open", &typeid(long*)},
                                                    {"stick", &typeid(long*)},
                                                    {"slip", &typeid(long*)}})),
@@ -81,14 +103,10 @@ class ContactSolve : public E_F0mps {
 
     ContactLaw law = contact.law;
     law.multiplier = multiplier_named(named_.text(stack, "multiplier", "force"));
-    ContactSettings settings;
-    settings.max_iterations = static_cast<int>(named_.integer(stack, "maxit", settings.max_iterations));
-    settings.tolerance = named_.number(stack, "tol", settings.tolerance);
-    if (!(settings.tolerance > 0)) refuse("tol must be positive, got ", settings.tolerance);
-
+    const ContactSettings settings = settings_of(stack, contact.line);
     const ElasticSystem system = elastic_system(A, vector_of(GetAny<KN<double>*>((*load_)(stack))));
     const ContactSolution solution = solve_contact(contact.mesh, contact.line, law, system, settings);
-    if (!solution.accepted(settings))
+    if (!solution.accepted(settings) && !named_.given("status"))
       refuse("no solution after ", solution.iterations, " iterations (", in_words(solution.status),
              "), largest violation ", solution.complementarity, ", residual ", solution.residual);
 
@@ -96,6 +114,19 @@ class ContactSolve : public E_F0mps {
     put(stack, contact.line, solution);
     report(stack, contact, solution, CPUtime() - start);
     return solution.iterations;
+  }
+
+  ContactSettings settings_of(Stack stack, const ContactLine& line) const {
+    ContactSettings settings;
+    settings.solver = solver_named(named_.text(stack, "solver", "newton"));
+    settings.max_iterations = static_cast<int>(named_.integer(stack, "maxit", settings.max_iterations));
+    settings.tolerance = named_.number(stack, "tol", settings.tolerance);
+    if (!(settings.tolerance > 0)) refuse("tol must be positive, got ", settings.tolerance);
+    for (long number : named_.integers(stack, "initial")) settings.initial_state.push_back(state_of_number(number));
+    if (const Expression abscissa = named_.expression("initialabscissa"))
+      settings.initial_state =
+          states_at(line, vector_of(GetAny<KN<double>*>((*abscissa)(stack))), settings.initial_state);
+    return settings;
   }
 
   void put(Stack stack, const ContactLine& line, const ContactSolution& solution) const {
@@ -108,6 +139,8 @@ class ContactSolve : public E_F0mps {
     named_.put(stack, "abscissa", line.abscissa);
     named_.put_integers(stack, "state", state_numbers(solution.state));
     named_.put(stack, "violation", solution.complementarity);
+    named_.put(stack, "status", static_cast<long>(solution.status));
+    named_.put(stack, "history", Eigen::Map<const Eigen::VectorXd>(solution.history.data(), solution.history.size()));
     named_.put(stack, "open", counts.open);
     named_.put(stack, "stick", counts.stick);
     named_.put(stack, "slip", counts.slip);
@@ -119,13 +152,67 @@ class ContactSolve : public E_F0mps {
     const Counts counts = counted(solution.state);
     cout << "contactsolve: " << 2 * contact.mesh.vertex_count() << " dofs, " << contact.line.node_count()
          << " contact nodes, " << solution.iterations << " iterations, " << counts.open << " open, " << counts.stick
-         << " stick, " << counts.slip << " slip, " << seconds << " s" << endl;
+         << " stick, " << counts.slip << " slip, " << in_words(solution.status) << ", " << seconds << " s" << endl;
+    if (level > 1 && !solution.history.empty())
+      cout << "contactsolve: " << solution.history.size() << " steps of the fixed point, last change of the normal multipliers "
+           << solution.history.back() << endl;
     if (level > 1)
       cout << "contactsolve: violation " << solution.complementarity << ", residual " << solution.residual << endl;
   }
 
   NamedArguments named_;
   Expression mesh_, matrix_, load_, displacement_;
+};
+
+/// nodes outside = contactproject(Th, pn, pt, label=, friction=, multiplier=, g=, ...): pn and pt are projected in place; empty
+/// arrays become zeros, one value a node.
+class ContactProject : public E_F0mps {
+ public:
+  using Result = long;
+
+  explicit ContactProject(const basicAC_F0& arguments)
+      : named_(arguments, ContactArguments::table({{"multiplier", &typeid(string*)},
+                                                   {"g", &typeid(KN<double>*)},
+                                                   {"node", &typeid(KN<long>*)},
+                                                   {"abscissa", &typeid(KN<double>*)},
+                                                   {"verbosity", &typeid(long)}})),
+        mesh_(to<pmesh>(arguments[0])),
+        normal_(to<KN<double>*>(arguments[1])),
+        tangential_(to<KN<double>*>(arguments[2])) {}
+
+  static ArrayOfaType typeargs() { return ArrayOfaType(atype<pmesh>(), atype<KN<double>*>(), atype<KN<double>*>()); }
+  static E_F0* f(const basicAC_F0& arguments) { return new ContactProject(arguments); }
+
+  AnyType operator()(Stack stack) const override {
+    return guarded("contactproject", [&] { return SetAny<long>(run(stack)); });
+  }
+
+ private:
+  long run(Stack stack) const {
+    const ContactArguments contact(stack, named_, GetAny<pmesh>((*mesh_)(stack)));
+    ContactLaw law = contact.law;
+    law.multiplier = multiplier_named(named_.text(stack, "multiplier", "force"));
+    KN<double>*pn = GetAny<KN<double>*>((*normal_)(stack)), *pt = GetAny<KN<double>*>((*tangential_)(stack));
+    const int nodes = contact.line.node_count();
+    const Eigen::Matrix2Xd pressure =
+        pn->N() == 0 && pt->N() == 0 ? Eigen::Matrix2Xd(Eigen::Matrix2Xd::Zero(2, nodes)) : contact.pressures(pn, pt);
+    const Expression g = named_.expression("g");
+    const Eigen::VectorXd given = g ? Eigen::VectorXd(vector_of(GetAny<KN<double>*>((*g)(stack)))) : Eigen::VectorXd();
+    const MultiplierProjection projection = projected_multipliers(contact.line, law, pressure, given);
+
+    pn->resize(nodes);
+    pt->resize(nodes);
+    vector_of(pn) = projection.pressure.row(0);
+    vector_of(pt) = projection.pressure.row(1);
+    named_.put_integers(stack, "node", {contact.line.vertex.data(), contact.line.vertex.data() + nodes});
+    named_.put(stack, "abscissa", contact.line.abscissa);
+    if (named_.verbosity_level(stack) > 0 && mpirank == 0)
+      cout << "contactproject: " << nodes << " nodes, " << projection.outside << " were outside" << endl;
+    return projection.outside;
+  }
+
+  NamedArguments named_;
+  Expression mesh_, normal_, tangential_;
 };
 
 /// edges that (4.1) cannot mend = conecorrection(Th, pn, pt, label=, friction=, ...)
@@ -178,6 +265,7 @@ class ConeCorrectionFunction : public E_F0mps {
 
 void register_contact_functions() {
   Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve>());
+  Global.Add("contactproject", "(", new OneOperatorCode<ContactProject>());
   Global.Add("conecorrection", "(", new OneOperatorCode<ConeCorrectionFunction>());
 }
 
