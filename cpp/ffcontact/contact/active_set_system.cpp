@@ -9,7 +9,7 @@ namespace ffcontact {
 
 namespace {
 
-/// A dependent row that moves less than this with the unknowns cannot be steered by its multiplier, which is then taken as 0.
+/// A dependent row that moves less than this with the unknowns cannot be steered by its multiplier.
 constexpr double unsteered = 1e-6;
 /// Reciprocal condition number below which the scaled system counts as singular.
 constexpr double singular = 1e-13;
@@ -90,7 +90,9 @@ class LinearStep {
     }
     if (steering < unsteered) {
       matrix_.row(e).setZero();
-      matrix_(e, n + d) = 1;
+      add_multiplier(e, contact_.dependent[d], 1 / q_scale_[d]);
+      const bool loads_the_body = !contact_.E.col(d).isZero(0);
+      if (loads_the_body && contact_.continued[d] >= 0) add_multiplier(e, contact_.continued[d], -1 / q_scale_[d]);
     } else {
       right_[e] = -q_scale_[d] * contact_.dependent_offset[d];
     }

@@ -25,7 +25,8 @@ enum class SystemKind {
 ///     stick: v_t = 0                 slip s:  P_t = s mu P_n  (Tresca: P_t = -s b),  s = sign of v_t
 /// together with P = S v - g - E q of the body. Unknown are v of the primary rows that are not given and q; rows and columns
 /// are scaled by the diagonal of S, so that neither units nor the sizes of the elements matter.
-/// A dependent row that the unknowns do not move has its multiplier set to 0.
+/// A dependent row that the unknowns do not move has its multiplier continued (CondensedContact::continued), or 0
+/// if it does not load the body either, as nodal forces on prescribed dofs.
 /// @param state  of each node [p]
 /// @param rows   the answer; not touched if the system is not finite
 SystemKind solve_active_set(const CondensedContact& contact, const NodalLaw& law, const std::vector<ContactState>& state,

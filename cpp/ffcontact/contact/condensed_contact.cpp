@@ -68,6 +68,27 @@ std::map<int, VertexMotion> number_rows(const ContactLine& line, const std::vect
   return motions;
 }
 
+/// The other node of an edge at each node [p].
+Eigen::VectorXi neighbours(const ContactLine& line) {
+  Eigen::VectorXi neighbour(line.node_count());
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
+  return neighbour;
+}
+
+/// CondensedContact::continued.
+std::vector<int> continued_rows(const ContactLine& line, const std::vector<char>& prescribed,
+                                const std::vector<int>& dependent) {
+  const Eigen::VectorXi neighbour = neighbours(line);
+  std::vector<int> continued;
+  for (int row : dependent) {
+    const int v = line.vertex[row / 2];
+    const bool clamped = prescribed[2 * v] && prescribed[2 * v + 1], held = prescribed[2 * v] || prescribed[2 * v + 1];
+    continued.push_back(clamped || (held && row % 2 == 0) ? 2 * neighbour[row / 2] + row % 2 : -1);
+  }
+  return continued;
+}
+
 /// Trace operator of all rows, u_rows = T w.
 Eigen::SparseMatrix<double> trace_operator(const ContactLine& line, const std::map<int, VertexMotion>& motions,
                                            Eigen::Index unknowns) {
@@ -142,6 +163,7 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
   contact.kept_dofs = contact_dofs(line, system);
   if (contact.kept_dofs.empty()) refuse("every dof of the contact line is prescribed");
   const std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
+  contact.continued = continued_rows(line, system.prescribed, contact.dependent);
   const auto f = static_cast<Eigen::Index>(contact.primary.size());
 
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);

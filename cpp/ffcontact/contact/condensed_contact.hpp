@@ -17,9 +17,13 @@ namespace ffcontact {
 ///     P = S v - g - E q,    v_dependent = E' v + offset,    E = A_primary^-T A_dependent',
 /// where P and v are those of the primary rows and q are the multipliers of the dependent rows.
 /// At a vertex with one free dof the primary row is the normal one unless the dof is tangential.
+///
+/// Where no equation determines the multiplier of a prescribed dof, lambda_t = 0 at a vertex that may move along n (symmetry
+/// demands it there); lambda_n, and both at a clamped vertex, are continued from the next node of the line.
 struct CondensedContact {
   std::vector<int> primary;             ///< row of each primary unknown [f]
   std::vector<int> dependent;           ///< row of each dependent unknown [d]
+  std::vector<int> continued;           ///< row whose multiplier a dependent row takes where nothing determines it, or -1: 0 [d]
   Eigen::VectorXi position;             ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
   Eigen::MatrixXd S;                    ///< [f x f]
   Eigen::VectorXd g;                    ///< [f]

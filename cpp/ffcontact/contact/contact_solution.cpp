@@ -14,12 +14,14 @@ namespace ffcontact {
 namespace {
 
 /// Components at nodes that no equation of the body moves, so that nodal forces leave their pressures open.
-Eigen::Array<bool, 2, Eigen::Dynamic> immovable(const CondensedContact& contact, int nodes) {
+Eigen::Array<bool, 2, Eigen::Dynamic> immovable(const CondensedContact& contact, int nodes, ContinuedRows& continued) {
   Eigen::Array<bool, 2, Eigen::Dynamic> absent(2, nodes);
   absent.setConstant(false);
   for (std::size_t k = 0; k < contact.dependent.size(); ++k) {
+    if (contact.E.col(static_cast<Eigen::Index>(k)).cwiseAbs().sum() > 0) continue;
     const int row = contact.dependent[k];
-    absent(row % 2, row / 2) = contact.E.col(static_cast<Eigen::Index>(k)).cwiseAbs().sum() == 0;
+    absent(row % 2, row / 2) = true;
+    if (contact.continued[k] >= 0) continued.emplace(row, contact.continued[k]);
   }
   return absent;
 }
@@ -75,7 +77,9 @@ void put_multipliers(const ContactLine& line, const ContactLaw& law, const Conde
     solution.force = (weight_of_rows(Multiplier::pressure, line) * P.reshaped()).reshaped(2, P.cols());
   } else {
     solution.force = P;
-    solution.pressure = nodal_pressures(line, P, immovable(contact, line.node_count()));
+    ContinuedRows continued;
+    const auto absent = immovable(contact, line.node_count(), continued);
+    solution.pressure = nodal_pressures(line, P, absent, continued);
   }
 }
 
@@ -93,14 +97,18 @@ const char* in_words(ContactStatus status) {
 }
 
 Eigen::Matrix2Xd nodal_pressures(const ContactLine& line, const Eigen::Matrix2Xd& force,
-                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent) {
+                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent, const ContinuedRows& continued) {
   const auto is_absent = [&](Eigen::Index row) { return absent(row % 2, row / 2); };
   Eigen::SparseMatrix<double> mass = weight_of_rows(Multiplier::pressure, line);
+  for (const auto& [row, source] : continued)
+    if (!is_absent(source)) mass.coeffRef(source, source) += mass.coeff(source, row);
   mass.prune([&](Eigen::Index i, Eigen::Index j, double) { return i == j || !(is_absent(i) || is_absent(j)); });
   Eigen::VectorXd right = force.reshaped();
   for (Eigen::Index row = 0; row < right.size(); ++row)
     if (is_absent(row)) right[row] = 0;
-  return Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(mass).solve(right).reshaped(2, line.node_count());
+  Eigen::VectorXd pressure = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(mass).solve(right);
+  for (const auto& [row, source] : continued) pressure[row] = pressure[source];
+  return pressure.reshaped(2, line.node_count());
 }
 
 std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& old_abscissa,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "ffcontact/contact/active_set.hpp"
@@ -44,9 +45,9 @@ struct ContactSolution {
 /// The quasi-static path of a load that changes direction is a sequence of such problems with ContactLaw::previous and
 /// ContactSettings::initial_state taken from the step before.
 ///
-/// Multipliers at nodes with a prescribed dof: for Multiplier::force no equation gives F there; lambda = 0 for that component
-/// (for lambda_t this is what symmetry demands) and M L = F is solved on the others. For Multiplier::pressure complementarity
-/// determines lambda unless W u vanishes identically there; then it is 0 too.
+/// Multipliers at nodes with a prescribed dof: for Multiplier::force no equation gives F there, which is returned as 0; lambda is
+/// then 0 or continued from the next node (CondensedContact) and M L = F is solved on the others. For Multiplier::pressure
+/// complementarity determines lambda unless W u vanishes identically there; then the same is done.
 ///
 /// Where contact leaves a motion free on which no load works (a body on a frictionless plane), displacements are determined
 /// up to it, and one of them is returned.
@@ -63,8 +64,11 @@ std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<co
 /// What a status means, as the end of a sentence.
 const char* in_words(ContactStatus status);
 
-/// Pressures L from nodal forces, M L = F per component, with L = 0 on the nodes where `absent` is set [2 x p].
+/// Absent rows 2 i + c whose pressure is that of another row.
+using ContinuedRows = std::map<int, int>;
+
+/// Pressures L from nodal forces, M L = F on the rows that are not `absent` [2 x p]; L = 0 on those that are, or continued.
 Eigen::Matrix2Xd nodal_pressures(const ContactLine& line, const Eigen::Matrix2Xd& force,
-                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent);
+                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent, const ContinuedRows& continued = {});
 
 }  // namespace ffcontact
