@@ -12,6 +12,8 @@ namespace {
 
 /// Below this, relative to the largest multiplier (or load on the line) or displacement, a contradiction is rounding.
 constexpr double rounding = 1e-12;
+/// A closed node that moves by more than this, relative to the largest displacement, is moved by a prescribed dof.
+constexpr double moved = 1e-11;
 /// Steps in which all contradicted nodes may change although the contradictions do not get fewer.
 constexpr int patience = 10;
 
@@ -31,9 +33,10 @@ ContactState next_state(const NodalLaw& law, int node, ContactState now, const C
     if (vn <= v_rounding) return now;
     return law.frictionless(node) ? ContactState::slip_forward : sliding(vt, v_rounding);
   }
-  if (Pn > p_rounding) return ContactState::open;
+  if (Pn > p_rounding || vn < -v_rounding * (moved / rounding)) return ContactState::open;
   if (law.frictionless(node)) return now;
   if (now == ContactState::stick) {
+    if (std::abs(vt) > v_rounding * (moved / rounding)) return sliding(vt, v_rounding);
     if (std::abs(Pt) <= law.bound(node, Pn) + p_rounding) return now;
     return Pt < 0 ? ContactState::slip_forward : ContactState::slip_backward;
   }
