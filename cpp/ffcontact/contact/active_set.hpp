@@ -25,7 +25,7 @@ struct ActiveSetResult {
 };
 
 struct NewtonSettings {
-  int max_iterations = 100;
+  int max_iterations = 200;
   double tolerance = 1e-10;  ///< where rounding keeps the active set from settling: violation that is accepted
 };
 

@@ -54,12 +54,12 @@ double relative_residual(const ElasticSystem& system, const Eigen::VectorXd& u, 
 /// Violation at which the states of the fixed point are good enough for Newton to try again.
 constexpr double good_start = 1e-3;
 
-/// Newton; where it does not end, Newton from the states of the fixed point, first of a rough one.
+/// Newton; where it cycles or stays singular, Newton from the states of the fixed point, first of a rough one.
 FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
                                     const std::vector<ContactState>& start, const NewtonSettings& settings) {
   FixedPointResult result{active_set_newton(contact, law, start, settings), {}};
   for (const double tolerance : {std::max(good_start, settings.tolerance), settings.tolerance}) {
-    if (result.answer.status == ContactStatus::converged) break;
+    if (result.answer.status != ContactStatus::cycled && result.answer.status != ContactStatus::singular) break;
     FixedPointResult path = fixed_point(contact, law, start, {settings.max_iterations, tolerance});
     ActiveSetResult again = active_set_newton(contact, law, path.answer.state, settings);
     if (again.status != ContactStatus::converged && path.answer.violation < again.violation) again = std::move(path.answer);

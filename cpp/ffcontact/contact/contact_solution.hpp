@@ -11,13 +11,13 @@
 namespace ffcontact {
 
 enum class ContactSolver {
-  newton,       ///< active_set_newton; where it does not end, fixed_point, and Newton again from there
+  newton,       ///< active_set_newton; where it cycles, fixed_point, and Newton again from there
   fixed_point,  ///< fixed_point [CHH01, Definition 3.1]
 };
 
 struct ContactSettings {
   ContactSolver solver = ContactSolver::newton;
-  int max_iterations = 100;                 ///< of Newton, and steps of the fixed point
+  int max_iterations = 200;                 ///< of each run of Newton, and steps of the fixed point
   double tolerance = 1e-10;                 ///< largest complementarity defect of an accepted answer
   std::vector<ContactState> initial_state;  ///< a guess, e.g. of the load step before; empty: every node sticks
 };
