@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/sizing/local_rates.hpp"
 //
 #include "contact_arguments.hpp"
 #include "guard.hpp"
@@ -29,6 +30,7 @@ class ContactErrorFunction : public E_F0mps {
                                                    {"tightness", &typeid(double)},
                                                    {"verbosity", &typeid(long)},
                                                    {"eps", &typeid(KN<double>*)},
+                                                   {"rate", &typeid(KN<double>*)},
                                                    {"e", &typeid(double*)},
                                                    {"elastic", &typeid(double*)},
                                                    {"contact", &typeid(double*)},
@@ -76,10 +78,11 @@ class ContactErrorFunction : public E_F0mps {
     const RowMatrix A = matrix_of(GetAny<Matrice_Creuse<double>*>((*matrix_)(stack)));
     contact.require_dofs("A", A.rows());
     const BodyForce force = body_force_loads(stack, body_force_[0], body_force_[1], *fem_mesh, contact.mesh);
-    const Estimate estimate =
-        estimate_error(contact.mesh, contact.edges, contact.line, elastic_system(A, Eigen::VectorXd::Zero(A.rows())),
-                       solved_body(stack, contact, *fem_mesh, force.loads), settings);
+    const ElasticSystem system = elastic_system(A, Eigen::VectorXd::Zero(A.rows()));
+    const SolvedBody body = solved_body(stack, contact, *fem_mesh, force.loads);
+    const Estimate estimate = estimate_error(contact.mesh, contact.edges, contact.line, system, body, settings);
     put(stack, estimate);
+    if (named_.given("rate")) named_.put(stack, "rate", rates(contact, system, body, estimate));
     named_.put(stack, "oscillation", force.oscillation);
     report(stack, contact, estimate, CPUtime() - start);
     return estimate.relative;
@@ -132,6 +135,17 @@ class ContactErrorFunction : public E_F0mps {
       for (Eigen::Index t = 0; t < values.size(); ++t) hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
     }
     return hooke;
+  }
+
+  static Eigen::VectorXd rates(const ContactArguments& contact, const ElasticSystem& system, const SolvedBody& body,
+                               const Estimate& estimate) {
+    const Stars stars = stars_of(contact.mesh, contact.edges);
+    const BoundaryTractions boundary = boundary_tractions(contact.mesh, contact.edges, system.prescribed, body.neumann,
+                                                          contact.line, estimate.tractions);
+    return local_rates(contact.mesh, stars,
+                       singular_vertices(contact.mesh, contact.edges, stars, body.hooke,
+                                         stresses(contact.mesh, body.hooke, body.displacement), boundary,
+                                         contact_edge_numbers(contact.line, contact.edges)));
   }
 
   /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is triangle t with vertex k moved to the

@@ -20,10 +20,12 @@ class OptimalSizeFunction : public E_F0mps {
                            {"hmax", &typeid(double)},
                            {"gradation", &typeid(double)},
                            {"largeststep", &typeid(double)},
+                           {"rate", &typeid(KN<double>*)},
                            {"verbosity", &typeid(long)},
                            {"size", &typeid(KN<double>*)},
                            {"ratio", &typeid(KN<double>*)},
-                           {"wanted", &typeid(double*)}}),
+                           {"wanted", &typeid(double*)},
+                           {"predicted", &typeid(double*)}}),
         mesh_(to<pmesh>(arguments[0])),
         local_error_(to<KN<double>*>(arguments[1])) {}
 
@@ -43,14 +45,18 @@ class OptimalSizeFunction : public E_F0mps {
     settings.largest = named_.number(stack, "hmax", settings.largest);
     settings.gradation = named_.number(stack, "gradation", settings.gradation);
     settings.largest_step = named_.number(stack, "largeststep", settings.largest_step);
+    const Expression given_rate = named_.expression("rate");
+    const Eigen::VectorXd rate =
+        given_rate ? Eigen::VectorXd(vector_of(GetAny<KN<double>*>((*given_rate)(stack)))) : Eigen::VectorXd();
     const OptimalSize optimal =
-        optimal_size(mesh, edges_of(mesh), vector_of(GetAny<KN<double>*>((*local_error_)(stack))), settings);
+        optimal_size(mesh, edges_of(mesh), vector_of(GetAny<KN<double>*>((*local_error_)(stack))), rate, settings);
     named_.put(stack, "size", optimal.size);
     named_.put(stack, "ratio", optimal.ratio);
     named_.put(stack, "wanted", optimal.wanted);
+    named_.put(stack, "predicted", optimal.predicted_error);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
       cout << "optimalsize: sizes " << optimal.size.minCoeff() << " to " << optimal.size.maxCoeff() << ", about "
-           << std::lround(optimal.predicted_count) << " triangles for eps " << 100 * optimal.wanted << " %" << endl;
+           << std::lround(optimal.predicted_count) << " triangles for eps " << 100 * optimal.predicted_error << " %" << endl;
     return optimal.predicted_count;
   }
 

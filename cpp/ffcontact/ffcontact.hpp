@@ -20,4 +20,5 @@
 /// not penetrate.
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/sizing/local_rates.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"

@@ -31,7 +31,11 @@ double increasing_root(const std::function<double(double)>& f) {
   return std::exp(0.5 * (low + high));
 }
 
-void require_valid(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& local_error, const SizeSettings& settings) {
+void require_valid(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& local_error, const Eigen::VectorXd& rate,
+                   const SizeSettings& settings) {
+  require_size("rate", rate.size(), mesh.triangle_count());
+  for (Eigen::Index t = 0; t < rate.size(); ++t)
+    if (!(rate[t] > 0) || !std::isfinite(rate[t])) refuse("rate[", t, "] must be positive, got ", rate[t]);
   require_size("eps_E", local_error.size(), mesh.triangle_count());
   require_nonnegative("eps_E", local_error);
   if (!(settings.target > 0) || !std::isfinite(settings.target)) refuse("target must be positive, got ", settings.target);
@@ -58,14 +62,28 @@ Eigen::VectorXd vertex_sizes(const Mesh& mesh, const Eigen::VectorXd& ratio) {
   return size;
 }
 
+/// Mean of h^-2 on a triangle.
+double density(const Mesh& mesh, const Eigen::VectorXd& size, int t) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += 1 / (3 * std::pow(size[mesh.triangles(k, t)], 2));
+  return sum;
+}
+
 double predicted_triangles(const Mesh& mesh, const Eigen::VectorXd& size) {
   double count = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    double density = 0;
-    for (int k = 0; k < 3; ++k) density += 1 / (3 * std::pow(size[mesh.triangles(k, t)], 2));
-    count += signed_area(mesh, t) * density / equilateral;
-  }
+  for (int t = 0; t < mesh.triangle_count(); ++t) count += signed_area(mesh, t) * density(mesh, size, t) / equilateral;
   return count;
+}
+
+/// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
+double predicted_error(const Mesh& mesh, const Eigen::VectorXd& size, const Eigen::VectorXd& local_error,
+                       const Eigen::VectorXd& rate) {
+  double square = 0;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const double ratio = 1 / (triangle_size(signed_area(mesh, t)) * std::sqrt(density(mesh, size, t)));
+    square += std::pow(local_error[t] * std::pow(ratio, rate[t]), 2);
+  }
+  return std::sqrt(square);
 }
 
 }  // namespace
@@ -109,12 +127,24 @@ Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorX
   return size;
 }
 
+Eigen::VectorXd shape_quality(const Mesh& mesh) {
+  Eigen::VectorXd quality(mesh.triangles.cols());
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    double squares = 0;
+    for (int k = 0; k < 3; ++k) squares += (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
+    quality[t] = std::sqrt(16 * equilateral * signed_area(mesh, t) / squares);
+  }
+  return quality;
+}
+
 OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<const Eigen::VectorXd>& local_error,
-                         const SizeSettings& settings) {
-  require_valid(mesh, local_error, settings);
+                         const Eigen::VectorXd& rate, const SizeSettings& settings) {
+  const Eigen::VectorXd rates = rate.size() > 0 ? rate : Eigen::VectorXd::Ones(local_error.size());
+  require_valid(mesh, local_error, rates, settings);
+  const Eigen::VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
   result.wanted = std::max(settings.target, local_error.norm() / settings.largest_step);
-  result.ratio = size_ratios(local_error, Eigen::VectorXd::Ones(local_error.size()), result.wanted);
+  result.ratio = size_ratios(error, rates, result.wanted);
 
   const Eigen::Vector2d extent = mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
   const double largest = settings.largest > 0 ? settings.largest : extent.maxCoeff();
@@ -122,6 +152,7 @@ OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<
   Eigen::VectorXd size = vertex_sizes(mesh, result.ratio).cwiseMax(smallest).cwiseMin(largest);
   result.size = graded_size(mesh, edges, std::move(size), settings.gradation);
   result.predicted_count = predicted_triangles(mesh, result.size);
+  result.predicted_error = predicted_error(mesh, result.size, error, rates);
   return result;
 }
 

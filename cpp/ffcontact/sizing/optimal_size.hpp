@@ -20,11 +20,16 @@ struct SizeSettings {
 /// With local rates q_E an element whose size is multiplied by r_E contributes eps_E^2 r_E^(2 q_E), and r_E^-2 elements stand
 /// where one stood. Minimise sum r_E^-2 subject to sum eps_E^2 r_E^(2 q_E) = eps_0^2:
 ///     r_E^(2 q_E + 2) = 1 / (Lambda q_E eps_E^2),
-/// with Lambda by a bracketed root find. Here q_E = 1.
+/// with Lambda by a bracketed root find.
+///
+/// Meshers make nearly equilateral triangles, whose error is smaller than that of a worse shape of the same area: for a linear
+/// element it goes with the root of the sum of the squared edges. eps_E is therefore taken times the quality
+/// (4 sqrt(3) |E| / sum of l^2)^(1/2), 1 for an equilateral triangle and 0.93 for half a square.
 struct OptimalSize {
   Eigen::VectorXd ratio;        ///< r_E per triangle [-]
   Eigen::VectorXd size;         ///< h per vertex [mm]: edge length, bounded and graded
   double wanted = 0;            ///< eps_0 of this step: the target, or a value on the way to it
+  double predicted_error = 0;   ///< eps of the new mesh after bounds and gradation [-]
   double predicted_count = 0;   ///< triangles of the new mesh, sum |E| / (area of the equilateral triangle of size h)
 };
 
@@ -34,9 +39,13 @@ struct OptimalSize {
 Eigen::VectorXd size_ratios(const Eigen::Ref<const Eigen::VectorXd>& local_error,
                             const Eigen::Ref<const Eigen::VectorXd>& rate, double wanted);
 
+/// @param rate  q_E per triangle, as local_rates gives them; empty for 1
 /// @throws std::invalid_argument  if the target is not positive, sizes differ or an error is negative or not finite
 OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<const Eigen::VectorXd>& local_error,
-                         const SizeSettings& settings);
+                         const Eigen::VectorXd& rate, const SizeSettings& settings);
+
+/// (4 sqrt(3) |E| / sum of l^2)^(1/2) per triangle.
+Eigen::VectorXd shape_quality(const Mesh& mesh);
 
 /// The largest field below `size` whose slope along mesh edges is at most `gradation`.
 Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorXd size, double gradation);
