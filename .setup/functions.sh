@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Sourced by edp/run, tests/run and tests/bench/run: what they install and how they build.
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+packages_to_run=(cmake ninja-build g++ freefem++ libfreefem++-dev libsuitesparse-dev libopenblas-dev libeigen3-dev gmsh)
+packages_to_draw=(python3 python3-matplotlib python3-numpy python3-pil)
+packages_to_test=("${packages_to_run[@]}" libgtest-dev librapidcheck-dev clang-format)
+packages_to_measure=("${packages_to_run[@]}" libbenchmark-dev)
+
+say() { echo "ffcontact: $*" >&2; }
+fail() { say "$@"; exit 1; }
+
+# The answer of a long command is of interest only when it fails.
+quietly() {
+  local log code=0
+  log=$(mktemp)
+  "$@" </dev/null >"$log" 2>&1 || code=$?
+  [ $code = 0 ] || cat "$log" >&2
+  rm -f "$log"
+  return $code
+}
+
+is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+# install PACKAGE...: those that are missing.
+install() {
+  local package missing=() sudo=()
+  command -v dpkg-query >/dev/null || { say "this is no Debian, so nothing is installed; needed: $*"; return; }
+  for package; do is_installed "$package" || missing+=("$package"); done
+  [ ${#missing[@]} = 0 ] && return
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || fail "please install as root: apt-get install ${missing[*]}"
+    sudo=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  quietly "${sudo[@]}" apt-get update || say "apt-get update failed; going on with the lists at hand"
+  quietly "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}" ||
+    fail "apt-get install failed"
+}
+
+# configure PRESET [CMake options]
+configure() {
+  say "configuring ($1)"
+  (cd "$top" && quietly cmake --preset "$@") || fail "the configuration failed"
+}
+
+# build PRESET TARGET
+build() {
+  say "building ($1)"
+  quietly cmake --build "$top/build/$1" --target "$2" -- --quiet || fail "the build failed"
+}
