@@ -65,7 +65,9 @@ void settle(const NodalLaw& law, const States& state, Eigen::VectorXd& P) {
 /// Which of the contradicted nodes change: all, or the last one when that has not helped for a while.
 class Pivoting {
  public:
-  /// @return false when the set to come was tried before
+  explicit Pivoting(bool ends) : ends_(ends) {}
+
+  /// @return false when the set to come was tried before, or single changes that need not end have not helped for a while
   bool change(States& state, const States& next) {
     std::vector<std::size_t> contradicted;
     for (std::size_t i = 0; i < state.size(); ++i)
@@ -80,10 +82,11 @@ class Pivoting {
       return true;
     }
     state[contradicted.back()] = next[contradicted.back()];
-    return tried_.insert(state).second;
+    return tried_.insert(state).second && (ends_ || static_cast<int>(tried_.size()) <= 2 * patience);
   }
 
  private:
+  const bool ends_;  ///< single changes are known to end
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   int patience_left_ = patience;
   std::set<States> tried_;
@@ -106,7 +109,7 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
   ActiveSetResult result;
   result.violation = std::numeric_limits<double>::infinity();
   ContactRows rows{Eigen::VectorXd::Zero(contact.position.size()), Eigen::VectorXd::Zero(contact.position.size())};
-  Pivoting pivoting;
+  Pivoting pivoting(law.tresca() || law.friction.isZero(0));
   while (result.iterations < settings.max_iterations) {
     ++result.iterations;
     const SystemKind kind = solve_active_set(contact, law, state, rows);

@@ -31,13 +31,14 @@ struct NewtonSettings {
 
 /// Semismooth Newton on the condensed system: solve for the active set (solve_active_set), then change the state of every node
 /// that its own answer contradicts: closed and P_n > 0 opens; open and v_n > 0 slips along v_t; stick and |P_t| > b slips against
-/// P_t; slip s and s v_t < 0 sticks; a closed or sticking node that a prescribed dof moves away opens or slips. A node never turns from slip to slip directly: that is the primal-dual active set with its
-/// augmentation parameter sent to zero, free of scale, and it does not cycle between the two slips. The first set without a
-/// contradiction is a solution of Prop. 3.4 / 3.5.
+/// P_t; slip s and s v_t < 0 sticks; a closed or sticking node that a prescribed dof moves away opens or slips. A node never
+/// turns from slip to slip directly: that is the primal-dual active set with its augmentation parameter sent to zero, free of
+/// scale, and it does not cycle between the two slips. The first set without a contradiction is a solution of Prop. 3.4 / 3.5.
 ///
 /// Safeguard (block principal pivoting, Judice and Pires, Comput. Oper. Res. 21, 1994): when ten steps have not lowered the number
 /// of contradictions, only the last contradicted node changes until they are fewer. For Tresca's law and without friction, where
-/// S is positive definite, this ends; with Coulomb's law it may come back to a set that it has tried, and then stops.
+/// S is positive definite, this ends; with Coulomb's law it need not, and the run stops as cycled when it comes back to a set that
+/// it has tried or after twenty such steps in vain.
 /// @param state  first guess [p]
 ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
                                   const NewtonSettings& settings = {});

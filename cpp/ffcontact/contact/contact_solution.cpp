@@ -8,6 +8,7 @@
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/friction_continuation.hpp"
 
 namespace ffcontact {
 
@@ -51,20 +52,29 @@ double relative_residual(const ElasticSystem& system, const Eigen::VectorXd& u, 
   return scale > 0 ? residual.cwiseAbs().maxCoeff() / scale : 0;
 }
 
-/// Violation at which the states of the fixed point are good enough for Newton to try again.
-constexpr double good_start = 1e-3;
+bool may_be_mended(const ActiveSetResult& answer) {
+  return answer.status == ContactStatus::cycled || answer.status == ContactStatus::singular;
+}
 
-/// Newton; where it cycles or stays singular, Newton from the states of the fixed point, first of a rough one.
+/// Takes another answer to the same problem if it is better; its linear systems are counted in any case.
+void improve(FixedPointResult& result, ActiveSetResult other) {
+  const int systems = result.answer.iterations + other.iterations;
+  if (other.status == ContactStatus::converged || other.violation < result.answer.violation) result.answer = std::move(other);
+  result.answer.iterations = systems;
+}
+
+/// Newton; where it cycles, friction raised in few, then in many steps, then Newton from the states of the fixed point.
 FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
                                     const std::vector<ContactState>& start, const NewtonSettings& settings) {
   FixedPointResult result{active_set_newton(contact, law, start, settings), {}};
-  for (const double tolerance : {std::max(good_start, settings.tolerance), settings.tolerance}) {
-    if (result.answer.status != ContactStatus::cycled && result.answer.status != ContactStatus::singular) break;
-    FixedPointResult path = fixed_point(contact, law, start, {settings.max_iterations, tolerance});
-    ActiveSetResult again = active_set_newton(contact, law, path.answer.state, settings);
-    if (again.status != ContactStatus::converged && path.answer.violation < again.violation) again = std::move(path.answer);
-    again.iterations += result.answer.iterations + path.answer.iterations;
-    result = {std::move(again), std::move(path.history)};
+  for (const int steps : {4, 16})
+    if (may_be_mended(result.answer)) improve(result, friction_continuation(contact, law, start, steps, settings));
+  if (may_be_mended(result.answer)) {
+    FixedPointResult path = fixed_point(contact, law, start, settings);
+    const std::vector<ContactState> states = path.answer.state;
+    improve(result, std::move(path.answer));
+    improve(result, active_set_newton(contact, law, states, settings));
+    result.history = std::move(path.history);
   }
   return result;
 }

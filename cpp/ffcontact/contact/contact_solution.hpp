@@ -11,7 +11,7 @@
 namespace ffcontact {
 
 enum class ContactSolver {
-  newton,       ///< active_set_newton; where it cycles, fixed_point, and Newton again from there
+  newton,       ///< active_set_newton; where it cycles, friction_continuation, then fixed_point
   fixed_point,  ///< fixed_point [CHH01, Definition 3.1]
 };
 
