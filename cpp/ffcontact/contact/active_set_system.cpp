@@ -5,6 +5,8 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "ffcontact/base/dense_lu.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -114,8 +116,8 @@ class LinearStep {
 
   Eigen::VectorXd solution(SystemKind& kind) {
     if (matrix_.rows() == 0) return right_;
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix_);
-    if (lu.rcond() > singular) return lu.solve(right_);
+    const DenseLu lu(matrix_);
+    if (lu.reciprocal_condition() > singular) return lu.solve(right_);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal;
     orthogonal.setThreshold(10 * singular);
     orthogonal.compute(matrix_);

@@ -2,14 +2,20 @@
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cassert>
 #include <new>
-#include <numeric>
 #include <stdexcept>
 
 #include "ffcontact/base/require.hpp"
+
+extern "C" {
+void dsyrk_(const char* uplo, const char* transpose, const int* n, const int* k, const double* alpha, const double* a,
+            const int* stride_of_a, const double* beta, double* c, const int* stride_of_c);
+int openblas_get_parallel();
+}
 
 namespace ffcontact {
 
@@ -24,7 +30,7 @@ class Session {
     common.error_handler = nullptr;
     common.supernodal = CHOLMOD_SUPERNODAL;  // the trailing block is read from the supernodes
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix comes in elimination order
     common.postorder = 1;
   }
   ~Session() { cholmod_finish(&common); }
@@ -59,46 +65,33 @@ using OwnedSparse = Owned<cholmod_sparse, cholmod_free_sparse>;
 using OwnedDense = Owned<cholmod_dense, cholmod_free_dense>;
 using OwnedFactor = Owned<cholmod_factor, cholmod_free_factor>;
 
-/// Free dofs get consecutive numbers; prescribed ones -1.
-std::vector<int> free_numbers(const std::vector<char>& prescribed) {
-  std::vector<int> number(prescribed.size(), -1);
-  int next = 0;
-  for (std::size_t dof = 0; dof < prescribed.size(); ++dof)
-    if (!prescribed[dof]) number[dof] = next++;
-  return number;
+/// While it lives, CHOLMOD assembles on one thread. It asks for four whatever the machine has; on two cores they cost more
+/// than they do. The dense kernels, which are OpenBLAS's, keep its threads unless those are OpenMP's too.
+class SerialAssembly {
+ public:
+  SerialAssembly() {
+    constexpr int openmp = 2;
+    if (openblas_get_parallel() != openmp) omp_set_max_active_levels(0);
+  }
+  ~SerialAssembly() { omp_set_max_active_levels(levels_); }
+  SerialAssembly(const SerialAssembly&) = delete;
+  SerialAssembly& operator=(const SerialAssembly&) = delete;
+
+ private:
+  const int levels_ = omp_get_max_active_levels();
+};
+
+/// Lower triangle of L L' for a lower triangular L.
+Eigen::MatrixXd lower_product(const Eigen::MatrixXd& L) {
+  const int n = static_cast<int>(L.rows());
+  Eigen::MatrixXd product(n, n);
+  const double one = 1, zero = 0;
+  if (n > 0) dsyrk_("L", "N", &n, &n, &one, L.data(), &n, &zero, product.data(), &n);
+  return product;
 }
 
 int* indices(void* p) { return static_cast<int*>(p); }
 double* values(void* p) { return static_cast<double*>(p); }
-
-/// Lower triangle by columns of K + D on the free dofs; by symmetry column j is read from row j.
-cholmod_sparse* lower_triangle(const ElasticSystem& system, const std::vector<int>& number,
-                               const std::vector<double>& added_diagonal, const Session& session) {
-  const RowMatrix& K = system.stiffness;
-  const std::size_t n = std::count(system.prescribed.begin(), system.prescribed.end(), 0);
-  const auto in_lower = [&](const RowMatrix::InnerIterator& e) { return number[e.col()] >= number[e.row()]; };
-  std::size_t entries = 0;
-  for (Eigen::Index row = 0; row < K.rows(); ++row)
-    if (number[row] >= 0)
-      for (RowMatrix::InnerIterator e(K, row); e; ++e) entries += in_lower(e);
-
-  cholmod_sparse* lower = cholmod_allocate_sparse(n, n, entries, true, true, -1, CHOLMOD_REAL, &session.common);
-  if (!lower) throw std::bad_alloc();
-  int *start = indices(lower->p), *index = indices(lower->i);
-  double* value = values(lower->x);
-  int next = 0;
-  for (Eigen::Index row = 0; row < K.rows(); ++row) {
-    if (number[row] < 0) continue;
-    start[number[row]] = next;
-    for (RowMatrix::InnerIterator e(K, row); e; ++e)
-      if (in_lower(e)) {
-        index[next] = number[e.col()];
-        value[next++] = e.value() + (e.col() == row ? added_diagonal[row] : 0);
-      }
-  }
-  start[n] = next;
-  return lower;
-}
 
 /// Nested dissection of the graph of the vertices that have free dofs and are not kept.
 std::vector<int> vertex_order(const ElasticSystem& system, const std::vector<char>& interior, const Session& session) {
@@ -137,30 +130,66 @@ std::vector<int> vertex_order(const ElasticSystem& system, const std::vector<cha
   return order;
 }
 
-/// Elimination order of the free dofs: interior by vertices, then the kept dofs and those that share a vertex with them.
-std::vector<int> elimination_order(const ElasticSystem& system, const std::vector<int>& kept,
-                                   const std::vector<int>& number, const Session& session) {
+/// Free dofs in elimination order: the interior by vertices, then the kept dofs.
+std::vector<int> elimination_order(const ElasticSystem& system, const std::vector<int>& kept, const Session& session) {
   std::vector<char> is_kept(system.prescribed.size(), 0), interior(system.prescribed.size() / 2, 0);
   for (int dof : kept) is_kept[dof] = 1;
-  for (std::size_t v = 0; v < interior.size(); ++v)
-    for (std::size_t dof = 2 * v; dof < 2 * v + 2; ++dof)
-      if (!system.prescribed[dof] && !is_kept[dof]) interior[v] = 1;
+  const auto inside = [&](int dof) { return !system.prescribed[dof] && !is_kept[dof]; };
+  for (int dof = 0; dof < system.dof_count(); ++dof)
+    if (inside(dof)) interior[dof / 2] = 1;
 
   std::vector<int> order;
   for (int v : vertex_order(system, interior, session))
     for (int dof = 2 * v; dof < 2 * v + 2; ++dof)
-      if (number[dof] >= 0 && !is_kept[dof]) order.push_back(number[dof]);
-  for (int dof : kept) order.push_back(number[dof]);
+      if (inside(dof)) order.push_back(dof);
+  order.insert(order.end(), kept.begin(), kept.end());
   return order;
+}
+
+/// Place of each dof in the elimination order; prescribed ones -1.
+std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {
+  std::vector<int> place(dofs, -1);
+  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
+  return place;
+}
+
+/// Upper triangle by columns of K + D in elimination order; by symmetry column j is read from the row of its dof.
+cholmod_sparse* upper_triangle(const ElasticSystem& system, const std::vector<int>& order,
+                               const std::vector<int>& place, const std::vector<double>& added_diagonal,
+                               const Session& session) {
+  const RowMatrix& K = system.stiffness;
+  const auto in_upper = [&](const RowMatrix::InnerIterator& e) {
+    return place[e.col()] >= 0 && place[e.col()] <= place[e.row()];
+  };
+  std::size_t entries = 0;
+  for (int dof : order)
+    for (RowMatrix::InnerIterator e(K, dof); e; ++e) entries += in_upper(e);
+
+  const std::size_t n = order.size();
+  cholmod_sparse* upper = cholmod_allocate_sparse(n, n, entries, false, true, 1, CHOLMOD_REAL, &session.common);
+  if (!upper) throw std::bad_alloc();
+  int *start = indices(upper->p), *index = indices(upper->i);
+  double* value = values(upper->x);
+  int next = 0;
+  for (int dof : order) {
+    *start++ = next;
+    for (RowMatrix::InnerIterator e(K, dof); e; ++e)
+      if (in_upper(e)) {
+        index[next] = place[e.col()];
+        value[next++] = e.value() + (e.col() == dof ? added_diagonal[dof] : 0);
+      }
+  }
+  *start = next;
+  return upper;
 }
 
 }  // namespace
 
 struct CondensedStiffness::Factor {
   Session session;
-  std::vector<int> number;          ///< free number of each dof, or -1
+  std::vector<int> place;  ///< of each dof in the elimination order, the kept ones last; -1 where prescribed
   std::vector<int> kept;
-  Eigen::VectorXd added_diagonal;   ///< D on the kept dofs
+  Eigen::VectorXd added_diagonal;  ///< D on the kept dofs
   std::unique_ptr<OwnedFactor> cholesky;
   std::vector<int> trailing;        ///< position of each kept dof in the trailing block
   Eigen::MatrixXd trailing_factor;  ///< L_cc, lower triangular, in the order of the factor
@@ -170,28 +199,29 @@ struct CondensedStiffness::Factor {
   std::size_t first_trailing() const { return free_count() - kept.size(); }
 
   bool kept_dofs_are_last() const {
-    std::vector<char> is_kept(free_count(), 0);
-    for (int dof : kept) is_kept[number[dof]] = 1;
-    const int* perm = indices(cholesky->get()->Perm);
-    return std::all_of(perm + first_trailing(), perm + free_count(), [&](int j) { return is_kept[j]; });
+    const int *perm = indices(cholesky->get()->Perm), first = static_cast<int>(first_trailing());
+    return std::all_of(perm + first_trailing(), perm + free_count(), [&](int j) { return j >= first; });
   }
 
-  void factorise(cholmod_sparse* matrix, std::vector<int>& order) {
+  void factorise(cholmod_sparse* matrix) {
     const auto analyse = [&] {
-      cholesky = std::make_unique<OwnedFactor>(
-          cholmod_analyze_p(matrix, order.data(), nullptr, 0, &session.common), session);
+      cholesky = std::make_unique<OwnedFactor>(cholmod_analyze(matrix, &session.common), session);
     };
     analyse();
     if (!kept_dofs_are_last()) {  // postordering may move kept dofs of separate parts forward
       session.common.postorder = 0;
       analyse();
     }
-    cholmod_factorize(matrix, cholesky->get(), &session.common);
+    {
+      const SerialAssembly serial;
+      cholmod_factorize(matrix, cholesky->get(), &session.common);
+    }
     session.require_memory();
     const bool definite = cholesky->get()->minor == free_count();
     if (!definite || cholmod_rcond(cholesky->get(), &session.common) < 1e-15)
-      throw std::runtime_error("the stiffness matrix is singular: a part of the body is held neither by prescribed "
-                               "displacements nor by contact");
+      throw std::runtime_error(
+          "the stiffness matrix is singular: a part of the body is held neither by prescribed "
+          "displacements nor by contact");
   }
 
   void read_trailing_block() {
@@ -207,15 +237,13 @@ struct CondensedStiffness::Factor {
         for (int k = j - super[s]; k < rows; ++k)
           trailing_factor(row[row_start[s] + k] - first, j - first) = value[value_start[s] + (j - super[s]) * rows + k];
     }
-    std::vector<int> position(free_count(), -1);
-    for (int k = 0; k < size; ++k) position[indices(L.Perm)[first + k]] = k;
-    for (int dof : kept) trailing.push_back(position[number[dof]]);
+    trailing.resize(kept.size());
+    for (int k = 0; k < size; ++k) trailing[indices(L.Perm)[first + k] - first] = k;
   }
 
   void compute_schur() {
     const Eigen::Index size = static_cast<Eigen::Index>(kept.size());
-    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(size, size);
-    product.selfadjointView<Eigen::Lower>().rankUpdate(trailing_factor);
+    const Eigen::MatrixXd product = lower_product(trailing_factor);
     schur.resize(size, size);
     for (Eigen::Index j = 0; j < size; ++j)
       for (Eigen::Index i = 0; i < size; ++i) {
@@ -239,10 +267,10 @@ struct CondensedStiffness::Factor {
 
   /// L^-1 P b on the free dofs.
   Eigen::VectorXd forward(const Eigen::Ref<const Eigen::VectorXd>& load) const {
-    require_size("load", load.size(), static_cast<Eigen::Index>(number.size()));
+    require_size("load", load.size(), static_cast<Eigen::Index>(place.size()));
     Eigen::VectorXd b(free_count());
-    for (std::size_t dof = 0; dof < number.size(); ++dof)
-      if (number[dof] >= 0) b[number[dof]] = load[dof];
+    for (std::size_t dof = 0; dof < place.size(); ++dof)
+      if (place[dof] >= 0) b[place[dof]] = load[dof];
     return step(CHOLMOD_L, step(CHOLMOD_P, b));
   }
 };
@@ -250,7 +278,6 @@ struct CondensedStiffness::Factor {
 CondensedStiffness::CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept)
     : factor_(std::make_unique<Factor>()) {
   Factor& f = *factor_;
-  f.number = free_numbers(system.prescribed);
   f.kept = kept;
   f.added_diagonal.resize(static_cast<Eigen::Index>(kept.size()));
   std::vector<double> added(system.prescribed.size(), 0);
@@ -261,9 +288,10 @@ CondensedStiffness::CondensedStiffness(const ElasticSystem& system, const std::v
     if (added[dof] != 0) refuse("kept dof ", dof, " is listed twice");
     added[dof] = f.added_diagonal[k] = system.stiffness.coeff(dof, dof);
   }
-  const OwnedSparse matrix(lower_triangle(system, f.number, added, f.session), f.session);
-  std::vector<int> order = elimination_order(system, kept, f.number, f.session);
-  f.factorise(matrix.get(), order);
+  const std::vector<int> order = elimination_order(system, kept, f.session);
+  f.place = places(order, system.prescribed.size());
+  const OwnedSparse matrix(upper_triangle(system, order, f.place, added, f.session), f.session);
+  f.factorise(matrix.get());
   f.read_trailing_block();
   f.compute_schur();
 }
@@ -294,9 +322,9 @@ Eigen::VectorXd CondensedStiffness::extended(const Eigen::Ref<const Eigen::Vecto
   Eigen::VectorXd y = f.forward(load);
   y.tail(size) = f.trailing_factor.transpose().triangularView<Eigen::Upper>() * u_c;
   const Eigen::VectorXd x = f.step(CHOLMOD_Pt, f.step(CHOLMOD_Lt, y));
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(f.number.size()));
-  for (std::size_t dof = 0; dof < f.number.size(); ++dof)
-    if (f.number[dof] >= 0) u[dof] = x[f.number[dof]];
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(f.place.size()));
+  for (std::size_t dof = 0; dof < f.place.size(); ++dof)
+    if (f.place[dof] >= 0) u[dof] = x[f.place[dof]];
   return u;
 }
 
