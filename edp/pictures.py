@@ -27,7 +27,7 @@ plt.rcParams.update({
     "font.family": "STIXGeneral", "mathtext.fontset": "stix", "font.size": 11, "axes.titlesize": 11,
     "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "xtick.direction": "in",
     "ytick.direction": "in", "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": INK, "xtick.color": INK,
-    "ytick.color": INK, "savefig.dpi": 200, "legend.frameon": False, "legend.fontsize": 10})
+    "ytick.color": INK, "legend.frameon": False, "legend.fontsize": 10})
 
 
 class Step:
@@ -44,7 +44,8 @@ class Step:
         self.nodes = np.loadtxt(folder / f"contact{number}.txt", ndmin=2)
         self.edges = np.loadtxt(folder / f"tractions{number}.txt", ndmin=2).reshape(-1, 2, 3)
         self.eps, self.friction = float(row["eps"]), float(row["friction"])
-        self.scale = round_down(0.08 * np.ptp(self.points, axis=0).max() / np.linalg.norm(self.displacement, axis=1).max())
+        largest = np.linalg.norm(self.displacement, axis=1).max()
+        self.scale = round_down(0.08 * np.ptp(self.points, axis=0).max() / largest)
         self.moved = self.points + self.scale * self.displacement
 
     def limits(self):
@@ -109,7 +110,8 @@ def draw_foundation(axes, line):
 
 
 def draw_deformed(axes, step):
-    axes.add_collection(PolyCollection(step.moved[step.triangles], facecolors="#e6ecf2", edgecolors=INK, linewidths=0.3))
+    shapes = step.moved[step.triangles]
+    axes.add_collection(PolyCollection(shapes, facecolors="#e6ecf2", edgecolors=INK, linewidths=0.3))
     axes.add_collection(outline(step.moved, step.boundary()))
     axes.add_collection(outline(step.points, step.boundary(), colors=RED, linewidths=0.8, linestyles=(0, (5, 3))))
     draw_foundation(axes, step.nodes[:, 6:8])
@@ -154,8 +156,8 @@ def draw_pressures(axes, step):
 
 def new_axes(figure, left, top, width, height):
     """Axes placed in inches from the upper left corner."""
-    total_width, total_height = figure.get_size_inches()
-    return figure.add_axes([left / total_width, 1 - (top + height) / total_height, width / total_width, height / total_height])
+    across, down = figure.get_size_inches()
+    return figure.add_axes([left / across, 1 - (top + height) / down, width / across, height / down])
 
 
 def body_axes(figure, left, top, width, step):
@@ -172,7 +174,8 @@ def save(figure, path, dpi):
     figure.savefig(buffer, dpi=dpi, facecolor="white")
     plt.close(figure)
     picture = Image.open(buffer).convert("RGB")
-    picture.quantize(256, method=Image.Quantize.MAXCOVERAGE, kmeans=3, dither=Image.Dither.NONE).save(path, optimize=True)
+    picture = picture.quantize(256, method=Image.Quantize.MAXCOVERAGE, kmeans=3, dither=Image.Dither.NONE)
+    picture.save(path, optimize=True)
     print(path)
 
 
