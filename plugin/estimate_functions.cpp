@@ -20,33 +20,17 @@ class ContactErrorFunction : public E_F0mps {
   using Result = double;
 
   explicit ContactErrorFunction(const basicAC_F0& arguments)
-      : named_(arguments, ContactArguments::table({{"lambda", &typeid(double)},
-                                                   {"G", &typeid(double)},
-                                                   {"hooke", &typeid(E_Array)},
-                                                   {"traction", &typeid(E_Array)},
-                                                   {"bodyforce", &typeid(E_Array)},
-                                                   {"tractions", &typeid(string*)},
-                                                   {"sweeps", &typeid(long)},
-                                                   {"tightness", &typeid(double)},
-                                                   {"verbosity", &typeid(long)},
-                                                   {"eps", &typeid(KN<double>*)},
-                                                   {"rate", &typeid(KN<double>*)},
-                                                   {"e", &typeid(double*)},
-                                                   {"elastic", &typeid(double*)},
-                                                   {"contact", &typeid(double*)},
-                                                   {"history", &typeid(KN<double>*)},
-                                                   {"rn", &typeid(KN<double>*)},
-                                                   {"rt", &typeid(KN<double>*)},
-                                                   {"corrected", &typeid(long*)},
-                                                   {"mended", &typeid(long*)},
-                                                   {"unmended", &typeid(long*)},
-                                                   {"oscillation", &typeid(double*)},
-                                                   {"sxx", &typeid(KN<double>*)},
-                                                   {"syy", &typeid(KN<double>*)},
-                                                   {"sxy", &typeid(KN<double>*)},
-                                                   {"balance", &typeid(double*)},
-                                                   {"cone", &typeid(double*)},
-                                                   {"admissible", &typeid(bool*)}})),
+      : named_(arguments,
+               ContactArguments::table(
+                   {{"lambda", &typeid(double)},    {"G", &typeid(double)},          {"hooke", &typeid(E_Array)},
+                    {"traction", &typeid(E_Array)}, {"bodyforce", &typeid(E_Array)}, {"tractions", &typeid(string*)},
+                    {"sweeps", &typeid(long)},      {"tightness", &typeid(double)},  {"verbosity", &typeid(long)},
+                    {"eps", &typeid(KN<double>*)},  {"rate", &typeid(KN<double>*)},  {"e", &typeid(double*)},
+                    {"elastic", &typeid(double*)},  {"contact", &typeid(double*)},   {"history", &typeid(KN<double>*)},
+                    {"rn", &typeid(KN<double>*)},   {"rt", &typeid(KN<double>*)},    {"corrected", &typeid(long*)},
+                    {"mended", &typeid(long*)},     {"unmended", &typeid(long*)},    {"oscillation", &typeid(double*)},
+                    {"sxx", &typeid(KN<double>*)},  {"syy", &typeid(KN<double>*)},   {"sxy", &typeid(KN<double>*)},
+                    {"balance", &typeid(double*)},  {"cone", &typeid(double*)},      {"admissible", &typeid(bool*)}})),
         mesh_(to<pmesh>(arguments[0])),
         matrix_(to<Matrice_Creuse<double>*>(arguments[1])),
         displacement_(to<KN<double>*>(arguments[2])),
@@ -111,7 +95,8 @@ class ContactErrorFunction : public E_F0mps {
     SolvedBody body;
     body.hooke = hooke(stack, fem_mesh);
     body.displacement = vector_of(u);
-    body.pressure = contact.pressures(GetAny<KN<double>*>((*normal_)(stack)), GetAny<KN<double>*>((*tangential_)(stack)));
+    body.pressure =
+        contact.pressures(GetAny<KN<double>*>((*normal_)(stack)), GetAny<KN<double>*>((*tangential_)(stack)));
     body.law = contact.law;
     body.neumann = traction_moments(stack, traction_[0], traction_[1], fem_mesh, contact.mesh);
     body.body_loads = body_loads;
@@ -132,7 +117,8 @@ class ContactErrorFunction : public E_F0mps {
     constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
     for (int c = 0; c < 6; ++c) {
       const Eigen::VectorXd values = at_triangles(stack, hooke_[c], fem_mesh, 0);
-      for (Eigen::Index t = 0; t < values.size(); ++t) hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
+      for (Eigen::Index t = 0; t < values.size(); ++t)
+        hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
     }
     return hooke;
   }
@@ -155,10 +141,12 @@ class ContactErrorFunction : public E_F0mps {
     Eigen::VectorXd values(9 * static_cast<Eigen::Index>(estimate.stress.size()));
     for (std::size_t t = 0; t < estimate.stress.size(); ++t)
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d corners = estimate.stress[t].block<1, 3>(component, 3 * k).transpose();  // k+1, k+2, centroid
+        const Eigen::Vector3d corners =
+            estimate.stress[t].block<1, 3>(component, 3 * k).transpose();  // k+1, k+2, centroid
         for (int c = 0; c < 3; ++c) {
           const int vertex = (k + 1 + c) % 3;
-          values[9 * static_cast<Eigen::Index>(t) + 3 * k + vertex] = (1 - shrink) * corners[c] + shrink * corners.mean();
+          values[9 * static_cast<Eigen::Index>(t) + 3 * k + vertex] =
+              (1 - shrink) * corners[c] + shrink * corners.mean();
         }
       }
     return values;
@@ -186,9 +174,9 @@ class ContactErrorFunction : public E_F0mps {
   void report(Stack stack, const ContactArguments& contact, const Estimate& estimate, double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
-    cout << "contacterror: " << contact.mesh.triangle_count() << " triangles, eps " << 100 * estimate.relative << " %, e "
-         << estimate.e << ", " << estimate.corrected_count() << " edges corrected, " << estimate.mended.size()
-         << " mended, " << seconds << " s" << endl;
+    cout << "contacterror: " << contact.mesh.triangle_count() << " triangles, eps " << 100 * estimate.relative
+         << " %, e " << estimate.e << ", " << estimate.corrected_count() << " edges corrected, "
+         << estimate.mended.size() << " mended, " << seconds << " s" << endl;
     if (!estimate.admissible) cout << "contacterror: not admissible: " << estimate.reason << endl;
     if (level > 1)
       cout << "contacterror: elastic part " << estimate.elastic << ", contact part of e^2 " << estimate.contact

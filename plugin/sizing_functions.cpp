@@ -56,7 +56,8 @@ class OptimalSizeFunction : public E_F0mps {
     named_.put(stack, "predicted", optimal.predicted_error);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
       cout << "optimalsize: sizes " << optimal.size.minCoeff() << " to " << optimal.size.maxCoeff() << ", about "
-           << std::lround(optimal.predicted_count) << " triangles for eps " << 100 * optimal.predicted_error << " %" << endl;
+           << std::lround(optimal.predicted_count) << " triangles for eps " << 100 * optimal.predicted_error << " %"
+           << endl;
     return optimal.predicted_count;
   }
 

@@ -89,7 +89,8 @@ RowMatrix matrix_of(Matrice_Creuse<double>* matrix) {
   int *rows, *columns;
   double* values;
   hash->CSR(rows, columns, values);
-  const RowMatrix stored = Eigen::Map<const RowMatrix>(hash->n, hash->m, static_cast<Eigen::Index>(hash->nnz), rows, columns, values);
+  const RowMatrix stored =
+      Eigen::Map<const RowMatrix>(hash->n, hash->m, static_cast<Eigen::Index>(hash->nnz), rows, columns, values);
   if (!hash->half) return stored;
   RowMatrix transposed = stored.transpose();
   transposed.prune([](Eigen::Index i, Eigen::Index j, double) { return i != j; });
@@ -103,7 +104,8 @@ Eigen::VectorXd at_nodes(Stack stack, Expression expression, const Fem2D::Mesh& 
   Eigen::VectorXd values = Eigen::VectorXd::Constant(line.node_count(), otherwise);
   if (!expression) return values;
   PointEvaluator point(stack, fem_mesh);
-  for (int e = line.edge_count() - 1; e >= 0; --e)  // backwards: a node between two edges ends with the value of the first
+  for (int e = line.edge_count() - 1; e >= 0;
+       --e)  // backwards: a node between two edges ends with the value of the first
     for (int end = 1; end >= 0; --end) {
       const int element = edges.boundary_index[line.edge[e]], node = line.edge_node(end, e);
       point.go_to_boundary(element, point.first_vertex(element) == line.vertex[node] ? 1 : 0);
@@ -123,7 +125,8 @@ Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Me
   return values;
 }
 
-Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh,
+                                  const Mesh& mesh) {
   Eigen::Matrix4Xd moments = Eigen::Matrix4Xd::Zero(4, mesh.boundary.cols());
   if (!Fx && !Fy) return moments;
   const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;

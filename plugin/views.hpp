@@ -30,7 +30,8 @@ Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Me
 /// Moments int F phi of a traction at the two vertices of every boundary element [4 x boundary], by the quadrature that
 /// FreeFEM's int1d uses by default (three Gauss points), so that they are the loads of the script.
 /// Null components are zero.
-Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
+Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh,
+                                  const Mesh& mesh);
 
 /// Body forces as the loads of the script.
 struct BodyForce {

@@ -7,8 +7,8 @@
 
 namespace ffcontact {
 
-std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const Eigen::VectorXd& g, const Eigen::MatrixXd& C,
-                                                 const Eigen::VectorXd& d) {
+std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                                                 const Eigen::MatrixXd& C, const Eigen::VectorXd& d) {
   const Eigen::LLT<Eigen::MatrixXd> llt(H);
   if (llt.info() != Eigen::Success) return std::nullopt;
   const Eigen::VectorXd free = -llt.solve(g);

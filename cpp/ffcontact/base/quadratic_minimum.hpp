@@ -11,7 +11,7 @@ namespace ffcontact {
 /// With H = L L' and z = L'y + L^-1 g this is the smallest z with C L^-T z >= d + C H^-1 g, which nonnegative least squares
 /// solves (Lawson, Hanson, Solving Least Squares Problems, ch. 23, problem LDP).
 /// @return nothing if no y fulfils the conditions, or H is not positive definite
-std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const Eigen::VectorXd& g, const Eigen::MatrixXd& C,
-                                                 const Eigen::VectorXd& d);
+std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                                                 const Eigen::MatrixXd& C, const Eigen::VectorXd& d);
 
 }  // namespace ffcontact

@@ -15,7 +15,8 @@ namespace {
 std::map<int, std::array<bool, 2>> prescribed_labels(const Mesh& mesh, const std::vector<char>& prescribed) {
   std::map<int, std::array<bool, 2>> labels;
   for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e) {
-    std::array<bool, 2>& fixed = labels.try_emplace(mesh.boundary_label[e], std::array<bool, 2>{true, true}).first->second;
+    std::array<bool, 2>& fixed =
+        labels.try_emplace(mesh.boundary_label[e], std::array<bool, 2>{true, true}).first->second;
     for (int end = 0; end < 2; ++end)
       for (int c = 0; c < 2; ++c)
         if (!prescribed[2 * mesh.boundary(end, e) + c]) fixed[c] = false;
@@ -51,7 +52,8 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const
   for (int k = 0; k < line.edge_count(); ++k) {
     const Eigen::Vector2d n = line.edge_normal(k), t = line.edge_tangent(k);
     Eigen::Vector4d density;
-    density << contact.normal(0, k) * n + contact.tangential(0, k) * t, contact.normal(1, k) * n + contact.tangential(1, k) * t;
+    density << contact.normal(0, k) * n + contact.tangential(0, k) * t,
+        contact.normal(1, k) * n + contact.tangential(1, k) * t;
     result.known.col(line.edge[k]).setConstant(true);
     result.moments.col(line.edge[k]) = moments_of_density(density, line.length[k]);
   }

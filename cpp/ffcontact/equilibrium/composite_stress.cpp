@@ -10,7 +10,8 @@ namespace ffcontact {
 namespace {
 
 constexpr int edge_loads = 12, all_loads = 18;
-using StressMap = Eigen::Matrix<double, 27, all_loads>;  ///< corner stresses (column-major 3 x 9) from edge and body loads
+using StressMap =
+    Eigen::Matrix<double, 27, all_loads>;  ///< corner stresses (column-major 3 x 9) from edge and body loads
 
 /// Corner numbers of subtriangle k: two vertices of the triangle and 3 for the centroid.
 std::array<int, 3> subtriangle(int k) { return {(k + 1) % 3, (k + 2) % 3, 3}; }
@@ -136,7 +137,8 @@ std::array<double, 6> product_weights(const Eigen::Matrix2d& B, const Eigen::Mat
 
 }  // namespace
 
-CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges, const BodyLoads& body_loads) {
+CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
+                                 const BodyLoads& body_loads) {
   const Eigen::Matrix2d B = piola_matrix(corners);
   Eigen::Matrix<double, all_loads, 1> loads;
   loads << on_edges, body_loads;
@@ -158,7 +160,8 @@ EnergyMatrix composite_energy(const TriangleCorners& corners, const Eigen::Matri
   return result;
 }
 
-EdgeLoads body_gradient(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const BodyLoads& body_loads) {
+EdgeLoads body_gradient(const TriangleCorners& corners, const Eigen::Matrix3d& compliance,
+                        const BodyLoads& body_loads) {
   const Eigen::Matrix2d B = piola_matrix(corners), inverse = B.inverse();
   const std::array<double, 6> weights = product_weights(B, compliance);
   BodyLoads reference;

@@ -30,7 +30,8 @@ using TriangleCorners = Eigen::Matrix<double, 2, 3>;
 /// Computed once on the reference triangle and carried over by Piola's map x = B xi + x_0:
 ///     sigma = B s B' / det B,   forces = B (forces)_ref,
 /// which keeps symmetry, equilibrium and edge forces.
-CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges, const BodyLoads& body_loads);
+CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
+                                 const BodyLoads& body_loads);
 
 /// Q with b' Q b = int sigma : C^-1 sigma for the composite stress of the edge loads b alone [mm^2/N per unit thickness].
 /// @param compliance  C^-1 in Voigt order with engineering shear [1/MPa]

@@ -28,15 +28,15 @@ double direction(const Edges& edges, int spoke, int vertex) { return edges.verti
 int rows_of(const Edges& edges, int spoke, int vertex) { return edges.vertices(0, spoke) == vertex ? 0 : 2; }
 
 StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, int vertex,
-                     const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
-                     const BodyLoadsOfAll& body_loads) {
+                     const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads) {
   const int triangles = stars.triangle_count(vertex), spokes = stars.spoke_count(vertex);
   StarChain chain;
   chain.load.resize(2, triangles);
   chain.target.resize(2, spokes);
   chain.sum = Eigen::Matrix2Xd::Zero(2, spokes);
   for (int k = 0; k < triangles; ++k) {
-    const int t = stars.triangle[stars.triangle_start[vertex] + k], local = stars.local[stars.triangle_start[vertex] + k];
+    const int t = stars.triangle[stars.triangle_start[vertex] + k],
+              local = stars.local[stars.triangle_start[vertex] + k];
     chain.load.col(k) = signed_area(mesh, t) * traction(stress.col(t), hat_gradients(mesh, t).col(local)) -
                         body_loads.block<2, 1>(2 * local, t);
     if (k + 1 < spokes) chain.sum.col(k + 1) = chain.sum.col(k) + chain.load.col(k);
@@ -44,8 +44,8 @@ StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, i
   for (int k = 0; k < spokes; ++k) {
     const int spoke = stars.spoke[stars.spoke_start[vertex] + k];
     const int left = edges.triangles(0, spoke), right = edges.triangles(1, spoke);
-    const Eigen::Vector3d mean = right < 0 ? Eigen::Vector3d(stress.col(left))
-                                           : Eigen::Vector3d(0.5 * (stress.col(left) + stress.col(right)));
+    const Eigen::Vector3d mean =
+        right < 0 ? Eigen::Vector3d(stress.col(left)) : Eigen::Vector3d(0.5 * (stress.col(left) + stress.col(right)));
     const double half_length = 0.5 * edge_vector(mesh, edges, spoke).norm();
     chain.target.col(k) =
         direction(edges, spoke, vertex) * half_length * traction(mean, edge_normal(mesh, edges, spoke));
@@ -56,8 +56,8 @@ StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, i
 }  // namespace
 
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
-                                 const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary) {
+                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
+                                 const BoundaryTractions& boundary) {
   EdgeMoments moments = boundary.moments;
   double scale = moments.cwiseAbs().maxCoeff(), worst = 0;
   int worst_vertex = -1;
@@ -76,7 +76,7 @@ EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Sta
       const double start = at_first  ? given(0)
                            : at_last ? given(last) + chain.sum(c, last)
                                      : (chain.target.row(c) + chain.sum.row(c)).mean();
-      const double left_over = !stars.on_boundary(v)    ? chain.load.row(c).sum()
+      const double left_over = !stars.on_boundary(v)   ? chain.load.row(c).sum()
                                : (at_first && at_last) ? start - chain.sum(c, last) - given(last)
                                                        : 0;
       if (std::abs(left_over) > worst) {

@@ -19,7 +19,7 @@ namespace ffcontact {
 /// @throws std::invalid_argument  if the given tractions do not balance the stresses at a vertex (other loads than those
 ///                                u_h was computed with, or a point support with a reaction), naming the vertex
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
-                                 const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary);
+                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
+                                 const BoundaryTractions& boundary);
 
 }  // namespace ffcontact

@@ -65,7 +65,8 @@ Eigen::Vector4d traction_beside(const Mesh& mesh, const Edges& edges, int edge, 
   const Eigen::Vector2d n = edge_normal(mesh, edges, edge);
   for (int k = 0; k < 3; ++k) {
     if (edges.of_triangle(k, t) != edge) continue;
-    const bool same = edges.eta(k, t) > 0;  // then the triangle runs through the edge from its first vertex to its second
+    const bool same =
+        edges.eta(k, t) > 0;  // then the triangle runs through the edge from its first vertex to its second
     Eigen::Vector4d ends;
     ends << traction(stress[t].col(3 * k + (same ? 0 : 1)), n), traction(stress[t].col(3 * k + (same ? 1 : 0)), n);
     return ends;
@@ -76,8 +77,7 @@ Eigen::Vector4d traction_beside(const Mesh& mesh, const Edges& edges, int edge, 
 }  // namespace
 
 EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const std::vector<CompositeStress>& stress,
-                                     const BodyLoadsOfAll& body_loads,
-                                     const BoundaryTractions& boundary) {
+                                     const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary) {
   require_size("stress", static_cast<Eigen::Index>(stress.size()), mesh.triangle_count());
   require_size("body loads", body_loads.cols(), mesh.triangle_count());
   EquilibriumDefect defect;
@@ -90,8 +90,7 @@ EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const
     const Eigen::Vector4d left = traction_beside(mesh, edges, e, edges.triangles(0, e), stress);
     largest_traction = std::max(largest_traction, left.cwiseAbs().maxCoeff());
     if (edges.on_boundary(e)) {
-      const Eigen::Vector4d given =
-          density_of_moments(boundary.moments.col(e), edge_vector(mesh, edges, e).norm());
+      const Eigen::Vector4d given = density_of_moments(boundary.moments.col(e), edge_vector(mesh, edges, e).norm());
       for (int k = 0; k < 4; ++k)
         if (boundary.known(k % 2, e)) defect.boundary = std::max(defect.boundary, std::abs(left[k] - given[k]));
     } else {

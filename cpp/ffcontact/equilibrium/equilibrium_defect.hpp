@@ -25,7 +25,6 @@ struct EquilibriumDefect {
 /// @param body_loads  int f phi_i per triangle; f is the field constant on the subtriangles that has these moments
 /// @throws std::invalid_argument  if sizes differ
 EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const std::vector<CompositeStress>& stress,
-                                     const BodyLoadsOfAll& body_loads,
-                                     const BoundaryTractions& boundary);
+                                     const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary);
 
 }  // namespace ffcontact

@@ -14,10 +14,10 @@ namespace ffcontact {
 ///     2 int (mu |r_n||w_t| + r_t w_t + r_n w_n) = sum over edge ends of cost_n r_n + cost_t r_t.
 /// In the cone means, at both ends of every edge, r_n <= 0 and -mu r_n +- r_t >= 0 (Coulomb) or k +- r_t >= 0 (Tresca).
 struct FreeTractions {
-  ContactDensities densities;      ///< r_hat, inside the cone before and after [MPa]
-  Eigen::Matrix2Xd normal_cost;    ///< cost_n at the two ends of each contact edge [mm^2]
+  ContactDensities densities;    ///< r_hat, inside the cone before and after [MPa]
+  Eigen::Matrix2Xd normal_cost;  ///< cost_n at the two ends of each contact edge [mm^2]
   Eigen::Matrix2Xd tangential_cost;
-  std::vector<int> contact_edge;   ///< of each mesh edge: its number on the contact line, or -1
+  std::vector<int> contact_edge;  ///< of each mesh edge: its number on the contact line, or -1
 };
 
 /// Linear conditions C r >= d on the density (r_n, r_t) at one end of an edge. Without friction r_t = 0 is no inequality: it

@@ -177,7 +177,8 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, cons
   const FreeTractions& tractions = contact.tractions;
   for (const EdgeEnds& edge : ends)
     for (int end = 0; end < 2; ++end) {
-      const Eigen::Vector2d r(tractions.densities.normal(end, edge.edge), tractions.densities.tangential(end, edge.edge));
+      const Eigen::Vector2d r(tractions.densities.normal(end, edge.edge),
+                              tractions.densities.tangential(end, edge.edge));
       const Eigen::Vector2d cost(tractions.normal_cost(end, edge.edge), tractions.tangential_cost(end, edge.edge));
       const ConeConditions cone = cone_conditions(contact.law, contact.line.edge_node(end, edge.edge));
       terms.cost += edge.change[end].transpose() * cost;
@@ -191,7 +192,8 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, cons
 }
 
 /// A boundary vertex; free contact edges at it stay in the cone.
-double relax_boundary(const Setting& setting, const StarCorrections& star, EdgeLoadsOfAll& difference, FreeContact* contact) {
+double relax_boundary(const Setting& setting, const StarCorrections& star, EdgeLoadsOfAll& difference,
+                      FreeContact* contact) {
   const Eigen::MatrixXd Z = admissible_corrections(star, setting.boundary, contact);
   if (Z.cols() == 0) return 0;
   const std::vector<EdgeEnds> ends = contact ? free_ends(star, *contact) : std::vector<EdgeEnds>{};

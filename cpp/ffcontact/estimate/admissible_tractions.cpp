@@ -100,8 +100,7 @@ void restore_resultants(const ContactLine& line, const ContactLaw& law, const Co
     wanted -= resultants(line, tangential, motions).rowwise().sum();
     scaled.tangential.setZero();
   }
-  const Eigen::VectorXd factors =
-      restoring_factors(resultants(line, scaled, motions), wanted, before.cwiseAbs().sum());
+  const Eigen::VectorXd factors = restoring_factors(resultants(line, scaled, motions), wanted, before.cwiseAbs().sum());
   result.resultants_kept = factors.size() > 0;
   if (!result.resultants_kept) return;
   scale_edges(factors, law.tresca(), result.balanced);
@@ -111,7 +110,8 @@ void restore_resultants(const ContactLine& line, const ContactLaw& law, const Co
 
 }  // namespace
 
-Eigen::Matrix2d nearest_in_cone(const ContactLaw& law, int first_node, int second_node, const Eigen::Matrix2d& density) {
+Eigen::Matrix2d nearest_in_cone(const ContactLaw& law, int first_node, int second_node,
+                                const Eigen::Matrix2d& density) {
   Eigen::Matrix2d nearest;
   const int nodes[2] = {first_node, second_node};
   if (law.tresca()) {

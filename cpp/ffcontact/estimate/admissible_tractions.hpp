@@ -16,11 +16,11 @@ namespace ffcontact {
 ///    multiplied by its own factor s_e >= 0, the nearest to 1 in least squares that restore these resultants. The cone is kept,
 ///    being a cone (Tresca: only the normal part is multiplied).
 struct AdmissibleTractions {
-  ContactDensities densities;     ///< r_hat
-  ContactDensities balanced;      ///< before the shifts of (4.1): what nodal equilibrium is built with
-  Eigen::VectorXd shift;          ///< d of (4.1) per edge [MPa]
-  std::vector<int> mended;        ///< edges of step 2, ascending
-  bool resultants_kept = true;    ///< false when no factors s_e >= 0 restore the resultants
+  ContactDensities densities;   ///< r_hat
+  ContactDensities balanced;    ///< before the shifts of (4.1): what nodal equilibrium is built with
+  Eigen::VectorXd shift;        ///< d of (4.1) per edge [MPa]
+  std::vector<int> mended;      ///< edges of step 2, ascending
+  bool resultants_kept = true;  ///< false when no factors s_e >= 0 restore the resultants
 
   int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
 };

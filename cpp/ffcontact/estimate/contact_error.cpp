@@ -42,14 +42,6 @@ double integral(const std::array<double, 2>& inner_breaks, Function&& f) {
   return sum;
 }
 
-/// (w_n - gap, w_t) at the nodes.
-Eigen::Matrix2Xd relative_trace(const ContactLine& line, const ContactLaw& law,
-                                const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  Eigen::Matrix2Xd w = contact_components(line, displacement);
-  if (law.gap.size() > 0) w.row(0) -= law.gap.transpose();
-  return w;
-}
-
 /// Displacements and law on one edge; r_n and r_t are left at zero.
 EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law, const Eigen::Matrix2Xd& w, int e) {
   const int i = line.edge_node(0, e), j = line.edge_node(1, e);
@@ -78,21 +70,21 @@ Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLa
 
 Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  const Eigen::Matrix2Xd w = relative_trace(line, law, displacement);
+  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
   Eigen::VectorXd error(line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
     EdgeFields edge = edge_fields(line, law, w, e);
     edge.rn = {densities.normal(0, e), densities.normal(1, e)};
     edge.rt = {densities.tangential(0, e), densities.tangential(1, e)};
-    error[e] = 2 * line.length[e] *
-               integral({edge.wt.zero(), edge.rn.zero()}, [&](double x) { return edge.density(x); });
+    error[e] =
+        2 * line.length[e] * integral({edge.wt.zero(), edge.rn.zero()}, [&](double x) { return edge.density(x); });
   }
   return error;
 }
 
 TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
                              const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  const Eigen::Matrix2Xd w = relative_trace(line, law, displacement);
+  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
   TractionCosts costs{Eigen::Matrix2Xd(2, line.edge_count()), Eigen::Matrix2Xd(2, line.edge_count())};
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, w, e);

@@ -55,7 +55,9 @@ Start start_in_cone(const Mesh& mesh, const ContactLine& line, const ElasticSyst
   estimate.shift = tractions.shift;
   estimate.mended = tractions.mended;
   if (!tractions.resultants_kept)
-    refuse("no tractions in the cone have the resultants of the computed contact forces: the body stands on a single point");
+    refuse(
+        "no tractions in the cone have the resultants of the computed contact forces: the body stands on a single "
+        "point");
   Eigen::VectorXd u = body.displacement;
   if (!tractions.mended.empty())
     u += rebalancing_displacement(
@@ -139,9 +141,9 @@ Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine&
   const TractionCosts costs = traction_costs(line, body.law, estimate.displacement);
   FreeTractions tractions{start.densities, costs.normal, costs.tangential, contact_edge_numbers(line, edges)};
   FreeContact contact{line, body.law, tractions};
-  const std::vector<double> falls = relax_stars(mesh, edges, stars, body.hooke, boundary, body.body_loads,
-                                                settings.relaxation, difference,
-                                                settings.tractions == Tractions::free ? &contact : nullptr);
+  const std::vector<double> falls =
+      relax_stars(mesh, edges, stars, body.hooke, boundary, body.body_loads, settings.relaxation, difference,
+                  settings.tractions == Tractions::free ? &contact : nullptr);
   estimate.tractions = tractions.densities;
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].

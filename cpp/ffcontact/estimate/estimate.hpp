@@ -18,14 +18,14 @@ struct SolvedBody {
   Eigen::VectorXd displacement;  ///< u_h on all dofs [mm]
   Eigen::Matrix2Xd pressure;     ///< (lambda_n, lambda_t) at the contact nodes [MPa]
   ContactLaw law;
-  Eigen::Matrix4Xd neumann;      ///< moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
-  BodyLoadsOfAll body_loads;     ///< int f phi_i per triangle [N/mm, 6 x triangles]
+  Eigen::Matrix4Xd neumann;   ///< moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
+  BodyLoadsOfAll body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
 };
 
 /// Which contact tractions r_hat the estimate uses.
 enum class Tractions {
-  free,       ///< in the cone (AdmissibleTractions), and relaxed inside it together with the stress
-  fixed,      ///< in the cone, not relaxed
+  free,   ///< in the cone (AdmissibleTractions), and relaxed inside it together with the stress
+  fixed,  ///< in the cone, not relaxed
   published,  ///< correction (4.1) alone, as in [CHH01]: edges it cannot mend stay outside the cone, the indicator functions of
               ///< (2.11) are dropped, and the result is then not admissible
 };
@@ -54,9 +54,9 @@ struct Estimate {
   std::vector<int> mended;              ///< contact edges brought into the cone by another way than (4.1)
   std::vector<int> unmended;            ///< contact edges left outside the cone (Tractions::published only)
   EquilibriumDefect equilibrium;
-  double cone = 0;                      ///< cone_defect of r_hat
-  bool admissible = false;              ///< in equilibrium to 1e-10 and inside the cone to 1e-12
-  std::string reason;                   ///< why not, one sentence without a full stop
+  double cone = 0;          ///< cone_defect of r_hat
+  bool admissible = false;  ///< in equilibrium to 1e-10 and inside the cone to 1e-12
+  std::string reason;       ///< why not, one sentence without a full stop
 
   int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
 };

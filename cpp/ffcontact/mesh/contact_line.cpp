@@ -150,8 +150,8 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine l
     for (int node : line.edge_node.col(e)) {
       const Eigen::Vector2d d = direction.col(node), x = mesh.vertices.col(line.vertex[node]);
       if (!d.allFinite() || !(d.dot(edge_normal(mesh, edges, line.edge[e])) > 0))
-        refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ", line.vertex[node], " (", x.x(), ", ", x.y(),
-               ") does not point out of the body");
+        refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ", line.vertex[node], " (", x.x(), ", ",
+               x.y(), ") does not point out of the body");
     }
   line.normal = direction.colwise().normalized();
   return line;

@@ -12,9 +12,10 @@ namespace ffcontact {
 /// At an inner vertex triangle k lies between spoke k and spoke k + 1 (cyclic): m triangles, m spokes. At a boundary vertex
 /// the first and the last spoke are boundary edges: m triangles, m + 1 spokes.
 struct Stars {
-  std::vector<int> triangle_start, triangle;  ///< triangles of vertex v: triangle[triangle_start[v] .. triangle_start[v+1])
-  std::vector<int> local;                     ///< local number of v in each of them
-  std::vector<int> spoke_start, spoke;        ///< spokes likewise
+  std::vector<int> triangle_start,
+      triangle;                         ///< triangles of vertex v: triangle[triangle_start[v] .. triangle_start[v+1])
+  std::vector<int> local;               ///< local number of v in each of them
+  std::vector<int> spoke_start, spoke;  ///< spokes likewise
 
   int triangle_count(int vertex) const { return triangle_start[vertex + 1] - triangle_start[vertex]; }
   int spoke_count(int vertex) const { return spoke_start[vertex + 1] - spoke_start[vertex]; }

@@ -34,7 +34,8 @@ std::vector<int> candidates(const Mesh& mesh, const Edges& edges, const Stars& s
 
 double size_at(const Mesh& mesh, const Stars& stars, int v) {
   double area = 0;
-  for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s) area += signed_area(mesh, stars.triangle[s]);
+  for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
+    area += signed_area(mesh, stars.triangle[s]);
   return std::sqrt(2 * area / stars.triangle_count(v));
 }
 
@@ -46,7 +47,8 @@ double reach(const Mesh& mesh, const std::vector<int>& others, int v) {
 }
 
 /// Slope of log W against log r over geometrically spaced radii, halved.
-double fitted_exponent(const std::vector<std::pair<double, double>>& distance_and_energy, double smallest, double largest) {
+double fitted_exponent(const std::vector<std::pair<double, double>>& distance_and_energy, double smallest,
+                       double largest) {
   constexpr double spacing = 1.25;
   std::vector<double> x, y;
   for (double r = smallest; r <= largest; r *= spacing) {
@@ -67,9 +69,10 @@ double fitted_exponent(const std::vector<std::pair<double, double>>& distance_an
 
 }  // namespace
 
-std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
-                                              const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
-                                              const BoundaryTractions& boundary, const std::vector<int>& contact_edges) {
+std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edges, const Stars& stars,
+                                              const Hooke& hooke, const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
+                                              const BoundaryTractions& boundary,
+                                              const std::vector<int>& contact_edges) {
   const std::vector<int> vertices = candidates(mesh, edges, stars, boundary, contact_edges);
   Eigen::VectorXd energy(mesh.triangles.cols());
   Eigen::Matrix2Xd centroid(2, mesh.triangles.cols());

@@ -23,8 +23,8 @@ struct SingularVertex {
 /// contact or not.
 /// @param stress      sigma_h per triangle [MPa]
 /// @param compliance  C^-1 per triangle through `hooke`
-std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
-                                              const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
+std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edges, const Stars& stars,
+                                              const Hooke& hooke, const Eigen::Ref<const Eigen::Matrix3Xd>& stress,
                                               const BoundaryTractions& boundary, const std::vector<int>& contact_edges);
 
 /// Local rates q_E of the error, eps_E ~ h_E^q_E: alpha on the triangles at a singular vertex, where the singularity sets the

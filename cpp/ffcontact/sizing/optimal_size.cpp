@@ -13,6 +13,9 @@ namespace ffcontact {
 
 namespace {
 
+/// A mesh that just missed the target is followed by one that is asked for a little less, so that a loop ends.
+constexpr double close_to_target = 1.25, below_target = 0.92;
+
 const double equilateral = std::sqrt(3.0) / 4;  ///< area of the equilateral triangle of size 1
 
 /// Size of a triangle: edge length of the equilateral triangle of its area, which is what meshers call its size.
@@ -38,7 +41,8 @@ void require_valid(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& lo
     if (!(rate[t] > 0) || !std::isfinite(rate[t])) refuse("rate[", t, "] must be positive, got ", rate[t]);
   require_size("eps_E", local_error.size(), mesh.triangle_count());
   require_nonnegative("eps_E", local_error);
-  if (!(settings.target > 0) || !std::isfinite(settings.target)) refuse("target must be positive, got ", settings.target);
+  if (!(settings.target > 0) || !std::isfinite(settings.target))
+    refuse("target must be positive, got ", settings.target);
   if (!(settings.largest_step > 1)) refuse("the largest step must exceed 1, got ", settings.largest_step);
   if (!(settings.gradation > 0)) refuse("gradation must be positive, got ", settings.gradation);
   if (!(settings.smallest >= 0)) refuse("hmin must not be negative, got ", settings.smallest);
@@ -143,7 +147,9 @@ OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<
   require_valid(mesh, local_error, rates, settings);
   const Eigen::VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
-  result.wanted = std::max(settings.target, local_error.norm() / settings.largest_step);
+  const double now = local_error.norm();
+  const double aim = now < close_to_target * settings.target ? below_target * settings.target : settings.target;
+  result.wanted = std::max(aim, now / settings.largest_step);
   result.ratio = size_ratios(error, rates, result.wanted);
 
   const Eigen::Vector2d extent = mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();

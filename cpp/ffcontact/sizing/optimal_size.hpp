@@ -8,11 +8,11 @@
 namespace ffcontact {
 
 struct SizeSettings {
-  double target = 0;          ///< wanted relative error eps_0 > 0
-  double largest_step = 3;    ///< eps is divided by at most this much in one step; a farther target is reached in several
-  double smallest = 0;        ///< lower bound of the sizes [mm]; 0 for none
-  double largest = 0;         ///< upper bound of the sizes [mm]; 0 for the body's extent
-  double gradation = 0.5;     ///< largest slope |grad h| of the sizes [-]
+  double target = 0;        ///< wanted relative error eps_0 > 0
+  double largest_step = 3;  ///< eps is divided by at most this much in one step; a farther target is reached in several
+  double smallest = 0;      ///< lower bound of the sizes [mm]; 0 for none
+  double largest = 0;       ///< upper bound of the sizes [mm]; 0 for the body's extent
+  double gradation = 0.5;   ///< largest slope |grad h| of the sizes [-]
 };
 
 /// Sizes of the mesh that reaches the wanted error with the fewest elements [CHH01, 5.1].
@@ -26,11 +26,11 @@ struct SizeSettings {
 /// element it goes with the root of the sum of the squared edges. eps_E is therefore taken times the quality
 /// (4 sqrt(3) |E| / sum of l^2)^(1/2), 1 for an equilateral triangle and 0.93 for half a square.
 struct OptimalSize {
-  Eigen::VectorXd ratio;        ///< r_E per triangle [-]
-  Eigen::VectorXd size;         ///< h per vertex [mm]: edge length, bounded and graded
-  double wanted = 0;            ///< eps_0 of this step: the target, or a value on the way to it
-  double predicted_error = 0;   ///< eps of the new mesh after bounds and gradation [-]
-  double predicted_count = 0;   ///< triangles of the new mesh, sum |E| / (area of the equilateral triangle of size h)
+  Eigen::VectorXd ratio;  ///< r_E per triangle [-]
+  Eigen::VectorXd size;   ///< h per vertex [mm]: edge length, bounded and graded
+  double wanted = 0;      ///< eps_0 of this step: the target, a value on the way to it, or 0.92 of it when eps is close
+  double predicted_error = 0;  ///< eps of the new mesh after bounds and gradation [-]
+  double predicted_count = 0;  ///< triangles of the new mesh, sum |E| / (area of the equilateral triangle of size h)
 };
 
 /// @param local_error  eps_E per triangle [-]
