@@ -3,8 +3,6 @@
 # clang-format has nothing to change.
 set -euo pipefail
 command -v clang-format >/dev/null || { echo "skipped: clang-format is not installed"; exit 77; }
-failed=0
-while read -r file; do
-  clang-format "$file" | cmp -s - "$file" || { echo "to be formatted: clang-format -i $file"; failed=1; }
-done < <(find cpp plugin tests -name '*.?pp' | sort)
-exit $failed
+report=$(find cpp plugin tests -name '*.?pp' -print0 | xargs -0 clang-format --dry-run 2>&1) || { echo "$report"; exit 1; }
+changed=$(sed -nE 's/^([^:]+):[0-9]+:[0-9]+: warning: .*/\1/p' <<<"$report" | sort -u)
+[ -z "$changed" ] || { echo "run clang-format -i" $changed; exit 1; }
