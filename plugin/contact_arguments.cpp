@@ -22,12 +22,9 @@ ContactLine line_of(Stack stack, const NamedArguments& named, const Fem2D::Mesh&
 }  // namespace
 
 NamedArguments::Table ContactArguments::table(const NamedArguments::Table& own) {
-  NamedArguments::Table table{{"label", &typeid(KN_<long>)},
-                              {"friction", &typeid(double)},
-                              {"slipbound", &typeid(double)},
-                              {"gap", &typeid(double)},
-                              {"normal", &typeid(E_Array)},
-                              {"previous", &typeid(KN<double>*)}};
+  NamedArguments::Table table{{"label", &typeid(KN_<long>)},  {"friction", &typeid(double)},
+                              {"slipbound", &typeid(double)}, {"gap", &typeid(double)},
+                              {"normal", &typeid(E_Array)},   {"previous", &typeid(KN<double>*)}};
   table.insert(table.end(), own.begin(), own.end());
   return table;
 }

@@ -58,26 +58,17 @@ class ContactSolve : public E_F0mps {
   using Result = long;
 
   explicit ContactSolve(const basicAC_F0& arguments)
-      : named_(arguments, ContactArguments::table({{"multiplier", &typeid(string*)},
-                                                   {"solver", &typeid(string*)},
-                                                   {"maxit", &typeid(long)},
-                                                   {"tol", &typeid(double)},
-                                                   {"initial", &typeid(KN_<long>)},
-                                                   {"initialabscissa", &typeid(KN<double>*)},
-                                                   {"verbosity", &typeid(long)},
-                                                   {"pn", &typeid(KN<double>*)},
-                                                   {"pt", &typeid(KN<double>*)},
-                                                   {"fn", &typeid(KN<double>*)},
-                                                   {"ft", &typeid(KN<double>*)},
-                                                   {"node", &typeid(KN<long>*)},
-                                                   {"abscissa", &typeid(KN<double>*)},
-                                                   {"state", &typeid(KN<long>*)},
-                                                   {"violation", &typeid(double*)},
-                                                   {"status", &typeid(long*)},
-                                                   {"history", &typeid(KN<double>*)},
-                                                   {"open", &typeid(long*)},
-                                                   {"stick", &typeid(long*)},
-                                                   {"slip", &typeid(long*)}})),
+      : named_(arguments,
+               ContactArguments::table({{"multiplier", &typeid(string*)},   {"solver", &typeid(string*)},
+                                        {"maxit", &typeid(long)},           {"tol", &typeid(double)},
+                                        {"initial", &typeid(KN_<long>)},    {"initialabscissa", &typeid(KN<double>*)},
+                                        {"verbosity", &typeid(long)},       {"pn", &typeid(KN<double>*)},
+                                        {"pt", &typeid(KN<double>*)},       {"fn", &typeid(KN<double>*)},
+                                        {"ft", &typeid(KN<double>*)},       {"node", &typeid(KN<long>*)},
+                                        {"abscissa", &typeid(KN<double>*)}, {"state", &typeid(KN<long>*)},
+                                        {"violation", &typeid(double*)},    {"status", &typeid(long*)},
+                                        {"history", &typeid(KN<double>*)},  {"open", &typeid(long*)},
+                                        {"stick", &typeid(long*)},          {"slip", &typeid(long*)}})),
         mesh_(to<pmesh>(arguments[0])),
         matrix_(to<Matrice_Creuse<double>*>(arguments[1])),
         load_(to<KN<double>*>(arguments[2])),
@@ -154,8 +145,8 @@ class ContactSolve : public E_F0mps {
          << " contact nodes, " << solution.iterations << " iterations, " << counts.open << " open, " << counts.stick
          << " stick, " << counts.slip << " slip, " << in_words(solution.status) << ", " << seconds << " s" << endl;
     if (level > 1 && !solution.history.empty())
-      cout << "contactsolve: " << solution.history.size() << " steps of the fixed point, last change of the normal multipliers "
-           << solution.history.back() << endl;
+      cout << "contactsolve: " << solution.history.size()
+           << " steps of the fixed point, last change of the normal multipliers " << solution.history.back() << endl;
     if (level > 1)
       cout << "contactsolve: violation " << solution.complementarity << ", residual " << solution.residual << endl;
   }
@@ -241,9 +232,10 @@ class ConeCorrectionFunction : public E_F0mps {
  private:
   long run(Stack stack) const {
     const ContactArguments contact(stack, named_, GetAny<pmesh>((*mesh_)(stack)));
-    const Eigen::Matrix2Xd pressure = contact.pressures(GetAny<KN<double>*>((*normal_)(stack)),
-                                                        GetAny<KN<double>*>((*tangential_)(stack)));
-    const ConeCorrection correction = correct_to_cone(contact.line, contact.law, edge_densities(contact.line, pressure));
+    const Eigen::Matrix2Xd pressure =
+        contact.pressures(GetAny<KN<double>*>((*normal_)(stack)), GetAny<KN<double>*>((*tangential_)(stack)));
+    const ConeCorrection correction =
+        correct_to_cone(contact.line, contact.law, edge_densities(contact.line, pressure));
     const double cone = cone_defect(contact.line, contact.law, correction.densities);
     const auto unmended = static_cast<long>(correction.uncorrected.size());
     named_.put(stack, "rn", correction.densities.normal.reshaped());

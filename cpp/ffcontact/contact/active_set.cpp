@@ -11,7 +11,7 @@ namespace ffcontact {
 namespace {
 
 /// Below this, relative to the largest multiplier (or load on the line) or displacement, a contradiction is rounding.
-constexpr double rounding = 1e-12;
+constexpr double relative_rounding = 1e-12;
 /// A closed node that moves by more than this, relative to the largest displacement, is moved by a prescribed dof.
 constexpr double moved = 1e-11;
 /// Steps in which all contradicted nodes may change although the contradictions do not get fewer.
@@ -19,36 +19,66 @@ constexpr int patience = 10;
 
 using States = std::vector<ContactState>;
 
-/// State of a closed node that moves by v_t.
-ContactState sliding(double vt, double v_rounding) {
-  if (vt > v_rounding) return ContactState::slip_forward;
-  return vt < -v_rounding ? ContactState::slip_backward : ContactState::stick;
+struct Rounding {
+  double P, v;
+};
+
+/// Which way a node slides, 0 if it does not move.
+int direction(double vt, const Rounding& rounding) { return vt > rounding.v ? 1 : vt < -rounding.v ? -1 : 0; }
+
+ContactState closed_state(int slip) {
+  return slip > 0 ? ContactState::slip_forward : slip < 0 ? ContactState::slip_backward : ContactState::stick;
 }
 
-ContactState next_state(const NodalLaw& law, int node, ContactState now, const ContactRows& rows, double p_rounding,
-                        double v_rounding) {
-  const double Pn = rows.P[2 * node], Pt = rows.P[2 * node + 1];
-  const double vn = rows.v[2 * node], vt = rows.v[2 * node + 1];
-  if (now == ContactState::open) {
-    if (vn <= v_rounding) return now;
-    return law.frictionless(node) ? ContactState::slip_forward : sliding(vt, v_rounding);
+ContactState open_state(int slip) {
+  return slip > 0   ? ContactState::open_slip_forward
+         : slip < 0 ? ContactState::open_slip_backward
+                    : ContactState::open_stick;
+}
+
+/// What the answer makes of the slip of a node that friction holds.
+int next_slip(double Pt, double vt, double bound, int slip, const Rounding& rounding) {
+  if (slip != 0) return slip * vt < -rounding.v ? 0 : slip;
+  if (std::abs(vt) > moved / relative_rounding * rounding.v) return direction(vt, rounding);
+  if (std::abs(Pt) <= bound + rounding.P) return 0;
+  return Pt < 0 ? 1 : -1;
+}
+
+bool next_open(double Pn, double vn, bool open, const Rounding& rounding) {
+  return open ? vn <= rounding.v : Pn > rounding.P || vn < -moved / relative_rounding * rounding.v;
+}
+
+ContactState next_state(const NodalLaw& law, int node, ContactState now, const ContactRows& rows,
+                        const Rounding& rounding) {
+  const double Pn = rows.P[2 * node], Pt = rows.P[2 * node + 1], vt = rows.v[2 * node + 1];
+  const bool open = next_open(Pn, rows.v[2 * node], is_open(now), rounding);
+  if (law.frictionless(node)) return open ? ContactState::open : ContactState::slip_forward;
+  if (law.tresca()) {
+    const int slip = next_slip(Pt, vt, law.tresca_bound[node], slip_sign(now), rounding);
+    return open ? open_state(slip) : closed_state(slip);
   }
-  if (Pn > p_rounding || vn < -v_rounding * (moved / rounding)) return ContactState::open;
-  if (law.frictionless(node)) return now;
-  if (now == ContactState::stick) {
-    if (std::abs(vt) > v_rounding * (moved / rounding)) return sliding(vt, v_rounding);
-    if (std::abs(Pt) <= law.bound(node, Pn) + p_rounding) return now;
-    return Pt < 0 ? ContactState::slip_forward : ContactState::slip_backward;
-  }
-  return slip_sign(now) * vt < -v_rounding ? ContactState::stick : now;
+  if (open) return ContactState::open;
+  if (now == ContactState::open) return closed_state(direction(vt, rounding));
+  return closed_state(next_slip(Pt, vt, law.bound(node, Pn), slip_sign(now), rounding));
+}
+
+/// The nearest state that the law has at a node.
+ContactState start_state(const NodalLaw& law, int node, ContactState state) {
+  if (law.frictionless(node)) return is_open(state) ? ContactState::open : ContactState::slip_forward;
+  if (is_open(state)) return law.tresca() ? open_state(slip_sign(state)) : ContactState::open;
+  return state;
+}
+
+Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
+  const double P_largest = std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
+  return {relative_rounding * P_largest, relative_rounding * rows.v.cwiseAbs().maxCoeff()};
 }
 
 States next_states(const CondensedContact& contact, const NodalLaw& law, const States& state, const ContactRows& rows) {
-  const double p_rounding = rounding * std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
-  const double v_rounding = rounding * rows.v.cwiseAbs().maxCoeff();
+  const Rounding rounding = rounding_of(contact, rows);
   States next(state.size());
   for (std::size_t i = 0; i < state.size(); ++i)
-    next[i] = next_state(law, static_cast<int>(i), state[i], rows, p_rounding, v_rounding);
+    next[i] = next_state(law, static_cast<int>(i), state[i], rows, rounding);
   return next;
 }
 
@@ -57,7 +87,7 @@ void settle(const NodalLaw& law, const States& state, Eigen::VectorXd& P) {
   for (std::size_t i = 0; i < state.size(); ++i) {
     double &Pn = P[2 * i], &Pt = P[2 * i + 1];
     Pn = std::min(Pn, 0.0);
-    const double bound = state[i] == ContactState::open ? 0 : law.bound(static_cast<int>(i), Pn);
+    const double bound = law.bound(static_cast<int>(i), Pn);
     Pt = slip_sign(state[i]) != 0 ? -slip_sign(state[i]) * bound : std::clamp(Pt, -bound, bound);
   }
 }
@@ -99,12 +129,40 @@ void keep(const States& state, const ContactRows& rows, double violation, Active
   result.violation = violation;
 }
 
+/// Where a prescribed end and its neighbour both touch, both are closed: the end's multiplier is then continued. One of them
+/// open may be as good an answer to the conditions, but leaves the pressures beside it oscillating.
+States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw& law, const ContactRows& rows,
+                                 States state) {
+  const Rounding rounding = rounding_of(contact, rows);
+  const auto touches = [&](int node) { return std::abs(rows.v[2 * node]) <= moved / relative_rounding * rounding.v; };
+  for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
+    if (contact.dependent[d] % 2 != 0 || contact.continued[d] < 0) continue;
+    if (contact.E.col(static_cast<Eigen::Index>(d)).isZero(0)) continue;
+    const int end = contact.dependent[d] / 2, neighbour = contact.continued[d] / 2;
+    if (is_open(state[end]) == is_open(state[neighbour]) || !touches(end) || !touches(neighbour)) continue;
+    const int node = is_open(state[end]) ? end : neighbour;
+    const int slip = law.tresca() ? slip_sign(state[node]) : direction(rows.v[2 * node + 1], rounding);
+    state[node] = law.frictionless(node) ? ContactState::slip_forward : closed_state(slip);
+  }
+  return state;
+}
+
+/// Takes the answer with touching ends closed in place of a converged one, if it is one too.
+void close_touching_ends(const CondensedContact& contact, const NodalLaw& law, ActiveSetResult& result) {
+  ContactRows rows{result.P, result.v};
+  const States closed = with_touching_ends_closed(contact, law, rows, result.state);
+  if (closed == result.state) return;
+  ++result.iterations;
+  const SystemKind kind = solve_active_set(contact, law, closed, rows);
+  if (kind == SystemKind::inconsistent || next_states(contact, law, closed, rows) != closed) return;
+  keep(closed, rows, law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff()), result);
+}
+
 }  // namespace
 
 ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law, States state,
                                   const NewtonSettings& settings) {
-  for (std::size_t i = 0; i < state.size(); ++i)
-    if (law.frictionless(static_cast<int>(i)) && state[i] != ContactState::open) state[i] = ContactState::slip_forward;
+  for (std::size_t i = 0; i < state.size(); ++i) state[i] = start_state(law, static_cast<int>(i), state[i]);
 
   ActiveSetResult result;
   result.violation = std::numeric_limits<double>::infinity();
@@ -114,8 +172,8 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
     ++result.iterations;
     const SystemKind kind = solve_active_set(contact, law, state, rows);
     const bool held = kind != SystemKind::inconsistent;
-    const double violation =
-        held ? law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff()) : std::numeric_limits<double>::infinity();
+    const double violation = held ? law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff())
+                                  : std::numeric_limits<double>::infinity();
     const States next = next_states(contact, law, state, rows);
     const bool settled = next == state;
     if (settled || violation < result.violation || result.iterations == 1) keep(state, rows, violation, result);
@@ -129,7 +187,10 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
     }
   }
   if (result.violation <= settings.tolerance) result.status = ContactStatus::converged;
-  if (result.status == ContactStatus::converged) settle(law, result.state, result.P);
+  if (result.status == ContactStatus::converged) {
+    close_touching_ends(contact, law, result);
+    settle(law, result.state, result.P);
+  }
   return result;
 }
 

@@ -29,8 +29,9 @@ struct RowCondition {
 
 RowCondition row_condition(const NodalLaw& law, int row, ContactState state) {
   const int node = row / 2;
+  if (row % 2 == 0) return {!is_open(state), 0, 0};
   if (state == ContactState::open) return {false, 0, 0};
-  if (row % 2 == 0 || state == ContactState::stick) return {true, 0, 0};
+  if (slip_sign(state) == 0) return {true, 0, 0};
   if (law.tresca()) return {false, -slip_sign(state) * law.tresca_bound[node], 0};
   return {false, 0, slip_sign(state) * law.friction[node]};
 }
@@ -40,7 +41,8 @@ class LinearStep {
  public:
   LinearStep(const CondensedContact& contact, const NodalLaw& law, const std::vector<ContactState>& state)
       : contact_(contact), v_scale_(contact.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()) {
-    for (int row = 0; row < contact.position.size(); ++row) conditions_.push_back(row_condition(law, row, state[row / 2]));
+    for (int row = 0; row < contact.position.size(); ++row)
+      conditions_.push_back(row_condition(law, row, state[row / 2]));
     for (std::size_t k = 0; k < contact.primary.size(); ++k)
       if (!conditions_[contact.primary[k]].on_displacement) unknown_.push_back(static_cast<int>(k));
     q_scale_.resize(contact.E.cols());
@@ -154,8 +156,8 @@ class LinearStep {
 
 }  // namespace
 
-SystemKind solve_active_set(const CondensedContact& contact, const NodalLaw& law, const std::vector<ContactState>& state,
-                            ContactRows& rows) {
+SystemKind solve_active_set(const CondensedContact& contact, const NodalLaw& law,
+                            const std::vector<ContactState>& state, ContactRows& rows) {
   return LinearStep(contact, law, state).solve(rows);
 }
 

@@ -55,7 +55,8 @@ Eigen::MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(forces, Eigen::ComputeThinU | Eigen::ComputeThinV);  // descending
   Eigen::Index held = 0;
-  while (held < motions.cols() && svd.singularValues()[held] > rounding * std::sqrt(static_cast<double>(forces.rows()))) ++held;
+  while (held < motions.cols() && svd.singularValues()[held] > rounding * std::sqrt(static_cast<double>(forces.rows())))
+    ++held;
   return motions * svd.matrixV().rightCols(motions.cols() - held);
 }
 

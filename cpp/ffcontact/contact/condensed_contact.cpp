@@ -19,7 +19,7 @@ constexpr double tangential = 1e-3;
 struct VertexMotion {
   int first_node = 0;
   int column = 0;
-  std::vector<int> rows;                             ///< primary row of each free component
+  std::vector<int> rows;  ///< primary row of each free component
   Eigen::Matrix<double, 2, Eigen::Dynamic> directions;
 };
 
@@ -140,7 +140,8 @@ void factorise_primary(const CondensedContact& contact, Factor& factor) {
   A_primary.makeCompressed();
   factor.compute(A_primary);
   if (factor.info() != Eigen::Success)
-    refuse("the contact multipliers are not independent: the contact line turns too sharply between prescribed vertices");
+    refuse(
+        "the contact multipliers are not independent: the contact line turns too sharply between prescribed vertices");
 }
 
 }  // namespace

@@ -21,13 +21,13 @@ namespace ffcontact {
 /// Where no equation determines the multiplier of a prescribed dof, lambda_t = 0 at a vertex that may move along n (symmetry
 /// demands it there); lambda_n, and both at a clamped vertex, are continued from the next node of the line.
 struct CondensedContact {
-  std::vector<int> primary;             ///< row of each primary unknown [f]
-  std::vector<int> dependent;           ///< row of each dependent unknown [d]
-  std::vector<int> continued;           ///< row whose multiplier a dependent row takes where nothing determines it, or -1: 0 [d]
-  Eigen::VectorXi position;             ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
-  Eigen::MatrixXd S;                    ///< [f x f]
-  Eigen::VectorXd g;                    ///< [f]
-  Eigen::MatrixXd E;                    ///< [f x d]
+  std::vector<int> primary;    ///< row of each primary unknown [f]
+  std::vector<int> dependent;  ///< row of each dependent unknown [d]
+  std::vector<int> continued;  ///< row whose multiplier a dependent row takes where nothing determines it, or -1: 0 [d]
+  Eigen::VectorXi position;    ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
+  Eigen::MatrixXd S;           ///< [f x f]
+  Eigen::VectorXd g;           ///< [f]
+  Eigen::MatrixXd E;           ///< [f x d]
   Eigen::VectorXd dependent_offset;     ///< [d]
   std::vector<int> kept_dofs;           ///< free dofs of the contact vertices, the unknowns of CondensedStiffness
   Eigen::SparseMatrix<double> to_kept;  ///< displacement of the kept dofs = to_kept w [kept x f]

@@ -33,13 +33,30 @@ struct ContactLaw {
 /// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is negative or not finite
 void require_valid(const ContactLaw& law, const ContactLine& line);
 
-/// What a node does. A node that slides along +t has W u_t > 0 and is pulled back, P_t = -b.
-enum class ContactState : char { open, stick, slip_forward, slip_backward };
+/// What a node does. A node that slides along +t has v_t > 0 and is pulled back, P_t = -b. Tresca's friction does not ask for
+/// contact: b is given, and an open node sticks or slips under it like any other.
+enum class ContactState : char {
+  open,
+  stick,
+  slip_forward,
+  slip_backward,
+  open_stick,  ///< Tresca's law only, within the solver; answers say open
+  open_slip_forward,
+  open_slip_backward,
+};
 
-/// +1 for slip_forward, -1 for slip_backward, 0 otherwise.
+/// +1 for slip forward, -1 for slip backward, 0 otherwise.
 inline int slip_sign(ContactState state) {
-  return state == ContactState::slip_forward ? 1 : state == ContactState::slip_backward ? -1 : 0;
+  switch (state) {
+    case ContactState::slip_forward:
+    case ContactState::open_slip_forward: return 1;
+    case ContactState::slip_backward:
+    case ContactState::open_slip_backward: return -1;
+    default: return 0;
+  }
 }
+
+inline bool is_open(ContactState state) { return state == ContactState::open || state >= ContactState::open_stick; }
 
 /// W of the law on a line: the mass matrix (3.9) or the identity [p x p].
 Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLine& line);

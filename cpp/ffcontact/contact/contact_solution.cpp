@@ -59,7 +59,8 @@ bool may_be_mended(const ActiveSetResult& answer) {
 /// Takes another answer to the same problem if it is better; its linear systems are counted in any case.
 void improve(FixedPointResult& result, ActiveSetResult other) {
   const int systems = result.answer.iterations + other.iterations;
-  if (other.status == ContactStatus::converged || other.violation < result.answer.violation) result.answer = std::move(other);
+  if (other.status == ContactStatus::converged || other.violation < result.answer.violation)
+    result.answer = std::move(other);
   result.answer.iterations = systems;
 }
 
@@ -134,8 +135,8 @@ std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<co
   return states;
 }
 
-ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
-                              const ContactSettings& settings) {
+ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                              const ElasticSystem& system, const ContactSettings& settings) {
   require_valid(law, line);
   require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
   if (settings.max_iterations < 1) refuse("maxit must be at least 1, got ", settings.max_iterations);
@@ -151,17 +152,19 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   // 2. The conditions of Prop. 3.4 / 3.5.
   const NodalLaw nodal = nodal_law(law, line);
   const NewtonSettings limits{settings.max_iterations, settings.tolerance};
-  FixedPointResult condensed = settings.solver == ContactSolver::newton ? safeguarded_newton(contact, nodal, start, limits)
-                                                                        : fixed_point(contact, nodal, start, limits);
+  FixedPointResult condensed = settings.solver == ContactSolver::newton
+                                   ? safeguarded_newton(contact, nodal, start, limits)
+                                   : fixed_point(contact, nodal, start, limits);
   const ActiveSetResult& answer = condensed.answer;
 
   // 3. Back to the whole body.
   ContactSolution solution;
   solution.status = answer.status;
-  solution.state = answer.state;
+  for (ContactState state : answer.state) solution.state.push_back(is_open(state) ? ContactState::open : state);
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
-  solution.displacement = stiffness.extended(system.load, kept_displacement(contact, primary_values(contact, answer.v)));
+  solution.displacement =
+      stiffness.extended(system.load, kept_displacement(contact, primary_values(contact, answer.v)));
   solution.displacement += system.prescribed_value;
   const Eigen::Matrix2Xd P = answer.P.reshaped(2, line.node_count());
   put_multipliers(line, law, contact, P, solution);
@@ -170,7 +173,8 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   solution.complementarity = complementarity_defect(line, law, solution.displacement, P);
   solution.residual =
       relative_residual(system, solution.displacement, contact_load(line, solution.force, system.dof_count()));
-  if (solution.status == ContactStatus::converged && !solution.accepted(settings)) solution.status = ContactStatus::inaccurate;
+  if (solution.status == ContactStatus::converged && !solution.accepted(settings))
+    solution.status = ContactStatus::inaccurate;
   return solution;
 }
 

@@ -25,17 +25,19 @@ struct ContactSettings {
 /// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
 struct ContactSolution {
   ContactStatus status = ContactStatus::not_converged;  ///< anything but converged: the rest is the best iterate
-  Eigen::VectorXd displacement;     ///< u_h on all dofs [mm]
+  Eigen::VectorXd displacement;                         ///< u_h on all dofs [mm]
   Eigen::Matrix2Xd pressure;        ///< nodal values (lambda_n, lambda_t) of the multipliers [MPa], compression < 0
   Eigen::Matrix2Xd force;           ///< nodal forces (F_n, F_t) = M (lambda_n, lambda_t) [N/mm]
   std::vector<ContactState> state;  ///< per node
   int iterations = 0;               ///< dense systems solved
-  std::vector<double> history;      ///< relative change of lambda_n per step of the fixed point; empty where Newton was enough
-  double complementarity = 0;       ///< complementarity_defect of the answer
-  double residual = 0;              ///< |K u - b - contact forces| on the free dofs, relative to |b| and the forces
+  std::vector<double>
+      history;  ///< relative change of lambda_n per step of the fixed point; empty where Newton was enough
+  double complementarity = 0;  ///< complementarity_defect of the answer
+  double residual = 0;         ///< |K u - b - contact forces| on the free dofs, relative to |b| and the forces
 
   bool accepted(const ContactSettings& settings) const {
-    return status == ContactStatus::converged && complementarity <= settings.tolerance && residual <= settings.tolerance;
+    return status == ContactStatus::converged && complementarity <= settings.tolerance &&
+           residual <= settings.tolerance;
   }
 };
 
@@ -53,8 +55,8 @@ struct ContactSolution {
 /// up to it, and one of them is returned.
 /// @throws std::invalid_argument  for input that does not fit, or loads that contact cannot balance (with the motion named)
 /// @throws std::runtime_error     if a part of the body is held by nothing
-ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
-                              const ContactSettings& settings = {});
+ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                              const ElasticSystem& system, const ContactSettings& settings = {});
 
 /// States of a new line from those of an earlier one (the mesh before adaptation): of the old node nearest in abscissa.
 /// @throws std::invalid_argument  if the sizes of the old arrays differ
@@ -69,6 +71,7 @@ using ContinuedRows = std::map<int, int>;
 
 /// Pressures L from nodal forces, M L = F on the rows that are not `absent` [2 x p]; L = 0 on those that are, or continued.
 Eigen::Matrix2Xd nodal_pressures(const ContactLine& line, const Eigen::Matrix2Xd& force,
-                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent, const ContinuedRows& continued = {});
+                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent,
+                                 const ContinuedRows& continued = {});
 
 }  // namespace ffcontact

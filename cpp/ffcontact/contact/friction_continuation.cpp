@@ -3,8 +3,8 @@
 
 namespace ffcontact {
 
-ActiveSetResult friction_continuation(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
-                                      int steps, const NewtonSettings& settings) {
+ActiveSetResult friction_continuation(const CondensedContact& contact, const NodalLaw& law,
+                                      std::vector<ContactState> state, int steps, const NewtonSettings& settings) {
   ActiveSetResult result;
   int systems = 0;
   for (int k = 1; k <= steps; ++k) {

@@ -12,7 +12,7 @@ namespace ffcontact {
 /// Tresca's bounds are left as they are.
 /// @param steps  K >= 1
 /// @return the answer for mu; iterations: linear systems in all
-ActiveSetResult friction_continuation(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
-                                      int steps, const NewtonSettings& settings = {});
+ActiveSetResult friction_continuation(const CondensedContact& contact, const NodalLaw& law,
+                                      std::vector<ContactState> state, int steps, const NewtonSettings& settings = {});
 
 }  // namespace ffcontact

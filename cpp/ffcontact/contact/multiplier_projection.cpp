@@ -15,7 +15,8 @@ namespace {
 NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law, const Eigen::VectorXd& given_pressure) {
   const NodalLaw nodal = nodal_law(law, line);
   if (given_pressure.size() == 0 || law.tresca()) return nodal;
-  return with_given_slip_limit(nodal, weight_matrix(law.multiplier, line) * given_pressure);
+  if (law.multiplier == Multiplier::pressure) return with_given_slip_limit(nodal, given_pressure);
+  return with_given_slip_limit(nodal, contact_mass(line) * given_pressure);
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd
     const double Pn = relative(P[2 * i], p_scale), Pt = relative(P[2 * i + 1], p_scale);
     const double vn = relative(v[2 * i], v_scale), vt = relative(v[2 * i + 1], v_scale);
     const double bound = law.tresca() ? relative(law.tresca_bound[i], p_scale) : -law.friction[i] * Pn;
-    largest = std::max({largest, Pn, vn, std::abs(Pn * vn),                // (3.17)-(3.19)
-                        std::abs(Pt) - bound,                             // (3.20)
-                        std::min(bound - std::abs(Pt), std::abs(vt)),     // (3.21)
-                        Pt * vt});                                        // (3.22)
+    largest = std::max({largest, Pn, vn, std::abs(Pn * vn),            // (3.17)-(3.19)
+                        std::abs(Pt) - bound,                          // (3.20)
+                        std::min(bound - std::abs(Pt), std::abs(vt)),  // (3.21)
+                        Pt * vt});                                     // (3.22)
   }
   return largest;
 }
