@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The error estimate with two sweeps and all outputs beside one linear solve of the same matrix: example 1 of [CHH01]
+// on finer grids, multiplier force. Set OMP_NUM_THREADS for the number of threads.
+#include "comparison.hpp"
+#include "ffcontact/estimate/estimate.hpp"
+#include "linear_solve.hpp"
+
+namespace ffcontact::bench {
+
+std::function<void()> linear_solve(int n) {
+  const auto solve = std::make_shared<LinearSolve>(elastic_system_of(n));
+  return [solve] { solve->run(); };
+}
+
+SolvedBody solved_body(const test::Problem& problem, const ElasticSystem& system) {
+  const ContactSolution solution = solve_contact(problem.mesh, problem.line, problem.law, system);
+  SolvedBody body;
+  body.hooke = problem.hooke;
+  body.displacement = solution.displacement;
+  body.pressure = solution.pressure;
+  body.law = problem.law;
+  body.neumann = problem.neumann;
+  body.body_loads = BodyLoadsOfAll::Zero(6, problem.mesh.triangles.cols());
+  return body;
+}
+
+std::function<void()> estimate(int n) {
+  static std::map<int, SolvedBody> bodies;
+  const test::Problem& body = problem(n);
+  const ElasticSystem& system = elastic_system_of(n);
+  if (!bodies.count(n)) bodies.emplace(n, solved_body(body, system));
+  return [&body, &system, &solved = bodies.at(n)] {
+    EstimateSettings settings;
+    settings.relaxation.sweeps = 2;
+    const Estimate result = estimate_error(body.mesh, body.edges, body.line, system, solved, settings);
+    benchmark::DoNotOptimize(result.e);
+  };
+}
+
+}  // namespace ffcontact::bench
+
+int main(int argc, char** argv) {
+  using namespace ffcontact::bench;
+  return compare(argc, argv, {{"linear solve", linear_solve}, {"estimate, 2 sweeps", estimate}}, {122, 250, 500});
+}
