@@ -12,8 +12,9 @@
 #include "ffcontact/base/require.hpp"
 
 extern "C" {
-void dsyrk_(const char* uplo, const char* transpose, const int* n, const int* k, const double* alpha, const double* a,
-            const int* stride_of_a, const double* beta, double* c, const int* stride_of_c);
+void dgemm_(const char* transpose_a, const char* transpose_b, const int* rows, const int* columns, const int* depth,
+            const double* alpha, const double* a, const int* stride_of_a, const double* b, const int* stride_of_b,
+            const double* beta, double* c, const int* stride_of_c);
 int openblas_get_parallel();
 }
 
@@ -81,12 +82,17 @@ class SerialAssembly {
   const int levels_ = omp_get_max_active_levels();
 };
 
-/// Lower triangle of L L' for a lower triangular L.
+/// Lower triangle of L L' for a lower triangular L, by blocks of columns: a row of L ends at its diagonal.
 Eigen::MatrixXd lower_product(const Eigen::MatrixXd& L) {
+  constexpr int block = 256;
   const int n = static_cast<int>(L.rows());
-  Eigen::MatrixXd product(n, n);
   const double one = 1, zero = 0;
-  if (n > 0) dsyrk_("L", "N", &n, &n, &one, L.data(), &n, &zero, product.data(), &n);
+  Eigen::MatrixXd product(n, n);
+  for (int first = 0; first < n; first += block) {
+    const int rows = n - first, columns = std::min(block, rows), depth = first + columns;
+    dgemm_("N", "T", &rows, &columns, &depth, &one, &L(first, 0), &n, &L(first, 0), &n, &zero, &product(first, first),
+           &n);
+  }
   return product;
 }
 
