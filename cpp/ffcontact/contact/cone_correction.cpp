@@ -46,6 +46,10 @@ ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law, c
   require_finite("normal density", densities.normal.reshaped());
   require_finite("tangential density", densities.tangential.reshaped());
 
+  for (int e = 0; e < line.edge_count(); ++e)
+    if (line.normal.col(line.edge_node(0, e)) != line.normal.col(line.edge_node(1, e)))
+      refuse("the contact direction turns along contact edge ", e, ": its tractions need a fixed normal=");
+
   ConeCorrection result{densities, Eigen::VectorXd::Zero(line.edge_count()), {}};
   const Eigen::Matrix2Xd limits = slip_limits(line, law, densities.normal);
   const double tolerance = rounding * largest_traction(densities);

@@ -37,7 +37,7 @@ struct ConeCorrection {
   int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
 };
 
-/// @throws std::invalid_argument  if sizes differ or a value is not finite
+/// @throws std::invalid_argument  if sizes differ, a value is not finite, or the given directions of a line turn along an edge
 ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities);
 
 /// Largest of r_n and |r_t| - c over all edge ends, relative to the largest traction; 0 inside the cone.
