@@ -9,7 +9,7 @@
 namespace ffcontact::test {
 namespace {
 
-constexpr int cells = 16, finer = 16;
+constexpr int cells = 16;
 
 struct Row {
   double friction, published_error, published_effectivity;
@@ -19,12 +19,27 @@ struct True {
   double relative, error;
 };
 
-True true_error(const Problem& coarse, const ContactSolution& solution, double friction) {
-  const Problem fine = example_2(coarse.law.multiplier, friction, cells * finer);
+/// |u_ref - u_h| and |u_ref + u_h| with a reference on squares cut into ratio x ratio.
+True against_reference(const Problem& coarse, const ContactSolution& solution, double friction, int ratio) {
+  const Problem fine = example_2(coarse.law.multiplier, friction, cells * ratio);
   const Eigen::VectorXd reference = solved(fine).displacement;
-  const Eigen::VectorXd u_h = on_finer_rectangle(solution.displacement, cells, cells, finer);
+  const Eigen::VectorXd u_h = on_finer_rectangle(solution.displacement, cells, cells, ratio);
   const double error = energy_norm(fine, reference - u_h);
   return {error / energy_norm(fine, reference + u_h), error};
+}
+
+/// The limit of nested references: |u - u_h|^2 = |u_ref - u_h|^2 + |u - u_ref|^2, and the last term falls geometrically
+/// (Aitken's extrapolation over references 4, 8 and 16 times finer).
+True true_error(const Problem& coarse, const ContactSolution& solution, double friction) {
+  double square[3];
+  True finest{};
+  for (int k = 0; k < 3; ++k) {
+    finest = against_reference(coarse, solution, friction, 4 << k);
+    square[k] = finest.error * finest.error;
+  }
+  const double last = square[2] - square[1], before = square[1] - square[0];
+  const double error = std::sqrt(square[2] + last * last / (before - last));
+  return {finest.relative * error / finest.error, error};
 }
 
 class Table1 : public testing::TestWithParam<Row> {};

@@ -45,16 +45,17 @@ void require_symmetric(const RowMatrixView& A, const std::vector<char>& prescrib
   if (std::abs(x.dot(Ay) - y.dot(Ax)) > symmetry_tolerance * scale) refuse("A is not symmetric on the free dofs");
 }
 
-/// Refuses values other than zero on prescribed dofs whose columns are gone: what they load the body with is lost.
-void require_columns(const RowMatrixView& A, const Eigen::VectorXd& prescribed_value) {
-  std::vector<char> coupled(A.rows(), 0);
+/// Refuses values other than zero where the columns of all prescribed dofs are gone: what they load the body with is lost. One
+/// column that couples shows that the others were kept, too.
+void require_columns(const RowMatrixView& A, const std::vector<char>& prescribed,
+                     const Eigen::VectorXd& prescribed_value) {
   for (Eigen::Index row = 0; row < A.rows(); ++row)
     for (RowIterator entry(A, row); entry; ++entry)
-      if (entry.col() != row && entry.value() != 0) coupled[entry.col()] = 1;
-  for (Eigen::Index dof = 0; dof < A.rows(); ++dof)
-    if (prescribed_value[dof] != 0 && !coupled[dof])
-      refuse("dof ", dof, " is prescribed to ", prescribed_value[dof],
-             " but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
+      if (entry.col() != row && prescribed[entry.col()] && entry.value() != 0) return;
+  Eigen::Index dof = 0;
+  while (prescribed_value[dof] == 0) ++dof;
+  refuse("dof ", dof, " is prescribed to ", prescribed_value[dof],
+         " but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ ElasticSystem elastic_system(const RowMatrixView& A, const Eigen::Ref<const Eige
   for (Eigen::Index dof = 0; dof < A.rows(); ++dof)
     if (system.prescribed[dof]) system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
   if (!system.prescribed_value.isZero(0)) {
-    require_columns(A, system.prescribed_value);
+    require_columns(A, system.prescribed, system.prescribed_value);
     system.load -= A * system.prescribed_value;
   }
   for (Eigen::Index dof = 0; dof < A.rows(); ++dof)

@@ -15,10 +15,10 @@ using RowMatrixView = Eigen::Ref<const RowMatrix>;
 /// A linear elastic body before contact: K u = b on the free dofs, u = value on the prescribed ones.
 /// The dof of component c at vertex v is 2 v + c, FreeFEM's numbering of [P1, P1].
 struct ElasticSystem {
-  RowMatrix stiffness;                ///< K [N/mm^2 per unit thickness]; rows and columns of prescribed dofs are not used
-  Eigen::VectorXd load;               ///< b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
-  std::vector<char> prescribed;       ///< 1 where the dof is prescribed
-  Eigen::VectorXd prescribed_value;   ///< [mm], 0 on free dofs
+  RowMatrix stiffness;           ///< K [N/mm^2 per unit thickness]; rows and columns of prescribed dofs are not used
+  Eigen::VectorXd load;          ///< b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
+  std::vector<char> prescribed;  ///< 1 where the dof is prescribed
+  Eigen::VectorXd prescribed_value;  ///< [mm], 0 on free dofs
 
   int dof_count() const { return static_cast<int>(load.size()); }
 };

@@ -101,7 +101,8 @@ std::string motion_in_words(const Mesh& mesh, const Eigen::Ref<const Eigen::Vect
   const int a = moving.front();
   int b = a;
   for (int v : moving)
-    if ((mesh.vertices.col(v) - mesh.vertices.col(a)).norm() > (mesh.vertices.col(b) - mesh.vertices.col(a)).norm()) b = v;
+    if ((mesh.vertices.col(v) - mesh.vertices.col(a)).norm() > (mesh.vertices.col(b) - mesh.vertices.col(a)).norm())
+      b = v;
 
   const Eigen::Vector2d u_a = motion.segment<2>(2 * a), arm = mesh.vertices.col(b) - mesh.vertices.col(a);
   const Eigen::Vector2d difference = motion.segment<2>(2 * b) - u_a;

@@ -3,9 +3,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
-#include <algorithm>
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
+#include "ffcontact/base/quadratic_minimum.hpp"
 
 namespace ffcontact {
 
@@ -44,6 +44,16 @@ Eigen::Matrix2d mass_factor() {
 Eigen::Vector2d nearest_nonpositive(const Eigen::Vector2d& values) {
   const Eigen::Matrix2d R = mass_factor();
   return -nonnegative_least_squares(R, -R * values);
+}
+
+/// Values between -bound and bound nearest to the given ones in L2.
+Eigen::Vector2d nearest_within(const Eigen::Vector2d& values, const Eigen::Vector2d& bound) {
+  const Eigen::Matrix2d R = mass_factor(), mass = R.transpose() * R;
+  Eigen::Matrix<double, 4, 2> sides;
+  sides << Eigen::Matrix2d::Identity(), -Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d nearest =
+      *quadratic_minimum(mass, -mass * values, sides, Eigen::Vector4d(-bound.replicate<2, 1>()));
+  return nearest.cwiseMin(bound).cwiseMax(-bound);  // rounding
 }
 
 /// int z . r over each edge, one row per motion [k x m].
@@ -116,8 +126,8 @@ Eigen::Matrix2d nearest_in_cone(const ContactLaw& law, int first_node, int secon
   const int nodes[2] = {first_node, second_node};
   if (law.tresca()) {
     nearest.row(0) = nearest_nonpositive(density.row(0).transpose()).transpose();
-    for (int end = 0; end < 2; ++end)
-      nearest(1, end) = std::clamp(density(1, end), -law.slip_bound[nodes[end]], law.slip_bound[nodes[end]]);
+    const Eigen::Vector2d bound(law.slip_bound[first_node], law.slip_bound[second_node]);
+    nearest.row(1) = nearest_within(density.row(1).transpose(), bound).transpose();
     return nearest;
   }
   // r = a (-1, mu) + b (-1, -mu) with a, b >= 0 at both ends.

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <vector>
+
+#include "ffcontact/base/quadratic_minimum.hpp"
 
 namespace ffcontact {
 
@@ -57,13 +61,25 @@ EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law, const Eig
 }  // namespace
 
 Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
-                                        const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+                                        const Eigen::Ref<const Eigen::VectorXd>& displacement,
+                                        const std::vector<char>& prescribed) {
+  std::map<int, std::vector<int>> nodes_of_vertex;
+  for (int i = 0; i < line.node_count(); ++i) nodes_of_vertex[line.vertex[i]].push_back(i);
+  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+
   Eigen::VectorXd admissible = displacement;
-  for (int i = 0; i < line.node_count(); ++i) {
-    const Eigen::Vector2d n = line.normal.col(i);
-    const double gap = law.gap.size() > 0 ? law.gap[i] : 0;
-    const double penetration = admissible.segment<2>(2 * line.vertex[i]).dot(n) - gap;
-    if (penetration > 0) admissible.segment<2>(2 * line.vertex[i]) -= penetration * n;
+  for (const auto& [vertex, nodes] : nodes_of_vertex) {
+    Eigen::MatrixXd away(nodes.size(), 2);  // - n on the free components
+    Eigen::VectorXd penetration(nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      away.row(k) = -line.normal.col(nodes[k]).transpose();
+      penetration[k] = w(0, nodes[k]);
+    }
+    for (int c = 0; c < 2; ++c)
+      if (!prescribed.empty() && prescribed[2 * vertex + c]) away.col(c).setZero();
+    if (penetration.maxCoeff() <= 0) continue;
+    const auto change = quadratic_minimum(Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero(), away, penetration);
+    if (change) admissible.segment<2>(2 * vertex) += *change;
   }
   return admissible;
 }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "ffcontact/contact/cone_correction.hpp"
 
 namespace ffcontact {
 
 /// u_hat: the displacement with u_n - gap lowered to min(u_n - gap, 0) at the contact nodes, nothing else changed [CHH01, 4.1].
 /// Needed for M'_h only; a displacement that does not penetrate comes back as it is.
+/// At a vertex with two nodes, or with a prescribed component, it is the smallest change that keeps all of them.
 /// @param displacement  u_h on all dofs [mm]
+/// @param prescribed    1 where the dof is prescribed and stays; empty for none
 Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
-                                        const Eigen::Ref<const Eigen::VectorXd>& displacement);
+                                        const Eigen::Ref<const Eigen::VectorXd>& displacement,
+                                        const std::vector<char>& prescribed = {});
 
 /// The contact part of e^2 on each contact edge, exactly [N/mm times mm]:
 ///     2 int (mu |r_n| |w_t| + r_t w_t + r_n (w_n - gap))      [CHH01, (2.11)], with k |w_t| for Tresca's law (2.19).

@@ -54,7 +54,7 @@ struct Estimate {
   std::vector<int> mended;              ///< contact edges brought into the cone by another way than (4.1)
   std::vector<int> unmended;            ///< contact edges left outside the cone (Tractions::published only)
   EquilibriumDefect equilibrium;
-  double cone = 0;          ///< cone_defect of r_hat
+  double cone = 0;          ///< cone_defect of r_hat, relative to the largest stress
   bool admissible = false;  ///< in equilibrium to 1e-10 and inside the cone to 1e-12
   std::string reason;       ///< why not, one sentence without a full stop
 

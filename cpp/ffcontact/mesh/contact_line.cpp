@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "ffcontact/base/require.hpp"
 
@@ -15,16 +16,17 @@ constexpr double straight = 1e-8;
 
 std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels) {
   if (labels.empty()) refuse("no contact label is given");
-  std::vector<int> found, used(labels.size(), 0);
+  std::vector<int> found;
+  std::set<int> used;
   for (int e = 0; e < edges.count(); ++e) {
     if (!edges.on_boundary(e)) continue;
-    const auto label = std::find(labels.begin(), labels.end(), mesh.boundary_label[edges.boundary_index[e]]);
-    if (label == labels.end()) continue;
+    const int label = mesh.boundary_label[edges.boundary_index[e]];
+    if (std::find(labels.begin(), labels.end(), label) == labels.end()) continue;
     found.push_back(e);
-    used[label - labels.begin()] = 1;
+    used.insert(label);
   }
-  for (std::size_t k = 0; k < labels.size(); ++k)
-    if (!used[k]) refuse("label ", labels[k], " is on no boundary edge of the mesh");
+  for (int label : labels)
+    if (!used.count(label)) refuse("label ", label, " is on no boundary edge of the mesh");
   return found;
 }
 

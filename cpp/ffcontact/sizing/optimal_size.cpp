@@ -39,7 +39,6 @@ void require_valid(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& lo
   require_size("rate", rate.size(), mesh.triangle_count());
   for (Eigen::Index t = 0; t < rate.size(); ++t)
     if (!(rate[t] > 0) || !std::isfinite(rate[t])) refuse("rate[", t, "] must be positive, got ", rate[t]);
-  require_size("eps_E", local_error.size(), mesh.triangle_count());
   require_nonnegative("eps_E", local_error);
   if (!(settings.target > 0) || !std::isfinite(settings.target))
     refuse("target must be positive, got ", settings.target);
@@ -104,7 +103,9 @@ Eigen::VectorXd size_ratios(const Eigen::Ref<const Eigen::VectorXd>& local_error
   const double root = increasing_root([&](double inverse_lambda) {
     return (squared * ratios(inverse_lambda).pow(2 * q)).sum() / (wanted * wanted) - 1;
   });
-  return ratios(root);
+  Eigen::VectorXd result = ratios(root);
+  const double coarsest = (squared > 0).select(result.array(), 0).maxCoeff();
+  return (squared > 0).select(result.array(), coarsest);
 }
 
 Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorXd size, double gradation) {
@@ -143,6 +144,7 @@ Eigen::VectorXd shape_quality(const Mesh& mesh) {
 
 OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<const Eigen::VectorXd>& local_error,
                          const Eigen::VectorXd& rate, const SizeSettings& settings) {
+  require_size("eps_E", local_error.size(), mesh.triangle_count());
   const Eigen::VectorXd rates = rate.size() > 0 ? rate : Eigen::VectorXd::Ones(local_error.size());
   require_valid(mesh, local_error, rates, settings);
   const Eigen::VectorXd error = local_error.cwiseProduct(shape_quality(mesh));

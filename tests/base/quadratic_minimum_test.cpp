@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/quadratic_minimum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+
+#include "support/random.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// min y'Hy / 2 + g'y subject to C y >= d.
+struct Quadratic {
+  Eigen::MatrixXd H, C;
+  Eigen::VectorXd g, d;
+  double value(const Eigen::VectorXd& y) const { return 0.5 * y.dot(H * y) + g.dot(y); }
+  double violation(const Eigen::VectorXd& y) const { return d.size() > 0 ? std::max(0.0, (d - C * y).maxCoeff()) : 0; }
+};
+
+/// A problem for which a random y is feasible.
+Quadratic random_quadratic(int unknowns, int conditions, Random& random) {
+  const Eigen::MatrixXd A = random_matrix(unknowns, unknowns, random);
+  Quadratic q{A * A.transpose() + 0.1 * Eigen::MatrixXd::Identity(unknowns, unknowns),
+              random_matrix(conditions, unknowns, random),
+              random_vector(unknowns, random),
+              {}};
+  q.d = q.C * random_vector(unknowns, random) - random_vector(conditions, random).cwiseAbs();
+  return q;
+}
+
+/// Smallest value by brute force: every set of conditions taken as equations, the feasible points compared.
+double smallest_value(const Quadratic& q) {
+  const Eigen::Index n = q.g.size();
+  double best = std::numeric_limits<double>::infinity();
+  for (int set = 0; set < 1 << q.d.size(); ++set) {
+    std::vector<int> rows;
+    for (int row = 0; row < q.d.size(); ++row)
+      if (set >> row & 1) rows.push_back(row);
+    const auto m = static_cast<Eigen::Index>(rows.size());
+    if (m > n) continue;
+    Eigen::MatrixXd saddle = Eigen::MatrixXd::Zero(n + m, n + m);
+    saddle.topLeftCorner(n, n) = q.H;
+    saddle.bottomLeftCorner(m, n) = q.C(rows, Eigen::all);
+    saddle.topRightCorner(n, m) = q.C(rows, Eigen::all).transpose();
+    Eigen::VectorXd right(n + m);
+    right << -q.g, q.d(rows);
+    const Eigen::VectorXd y = saddle.fullPivLu().solve(right).head(n);
+    if (q.violation(y) < 1e-9) best = std::min(best, q.value(y));
+  }
+  return best;
+}
+
+RC_GTEST_PROP(QuadraticMinimum, is_the_smallest_over_all_sets_of_active_conditions, (Random random)) {
+  const Quadratic q = random_quadratic(*rc::gen::inRange(1, 6), *rc::gen::inRange(1, 7), random);
+  const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
+  RC_ASSERT(y.has_value());
+  RC_ASSERT(q.violation(*y) < 1e-9);
+  RC_ASSERT(std::abs(q.value(*y) - smallest_value(q)) < 1e-8);
+}
+
+RC_GTEST_PROP(QuadraticMinimum, without_active_conditions_is_the_free_minimum, (Random random)) {
+  Quadratic q = random_quadratic(4, 3, random);
+  q.d.array() -= 1e6;
+  const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
+  RC_ASSERT(y.has_value());
+  RC_ASSERT((q.H * *y + q.g).norm() < 1e-11 * y->norm() * q.H.norm());
+}
+
+RC_GTEST_PROP(QuadraticMinimum, does_not_depend_on_the_scale_of_its_conditions, (Random random)) {
+  const Quadratic q = random_quadratic(4, 5, random);
+  const Eigen::VectorXd factor = (5 * random_vector(5, random)).array().exp();
+  const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
+  const auto z = quadratic_minimum(q.H, q.g, factor.asDiagonal() * q.C, factor.asDiagonal() * q.d);
+  RC_ASSERT((y && z && (*y - *z).norm() < 1e-8 * (1 + y->norm())));
+}
+
+TEST(QuadraticMinimum, without_conditions_solves_the_linear_system) {
+  const auto y = quadratic_minimum(2 * Eigen::Matrix2d::Identity(), Eigen::Vector2d(-2, 4), Eigen::MatrixXd(0, 2),
+                                   Eigen::VectorXd());
+  ASSERT_TRUE(y.has_value());
+  EXPECT_LT((*y - Eigen::Vector2d(1, -2)).norm(), 1e-15);
+}
+
+TEST(QuadraticMinimum, is_nothing_where_the_conditions_contradict_each_other) {
+  const Eigen::Vector2d up(1, -1), limits(1, 1);  // y >= 1 and y <= -1
+  EXPECT_FALSE(quadratic_minimum(Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Zero(1), up, limits).has_value());
+}
+
+TEST(QuadraticMinimum, is_nothing_where_the_form_is_not_positive_definite) {
+  const Eigen::Matrix2d H = Eigen::Vector2d(1, -1).asDiagonal();
+  EXPECT_FALSE(quadratic_minimum(H, Eigen::Vector2d::Zero(), Eigen::MatrixXd(0, 2), Eigen::VectorXd()).has_value());
+}
+
+}  // namespace
+}  // namespace ffcontact

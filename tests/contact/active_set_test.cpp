@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/active_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "support/cases.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+using States = std::vector<ContactState>;
+
+constexpr ContactState all_states[] = {ContactState::open, ContactState::stick, ContactState::slip_forward,
+                                       ContactState::slip_backward};
+
+/// The condensed relation of a problem and its law.
+struct Small {
+  Problem problem;
+  CondensedContact contact;
+  NodalLaw law;
+  explicit Small(const Problem& p) : problem(p), law(nodal_law(p.law, p.line)) {
+    const ElasticSystem system = p.system();
+    contact = condensed_contact(p.line, p.law, system, CondensedStiffness(system, contact_dofs(p.line, system)));
+  }
+};
+
+double violation(const NodalLaw& law, const ContactRows& rows) {
+  return law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff());
+}
+
+/// The answers of all 4^p active sets that fulfil the law.
+std::vector<ContactRows> all_solutions(const Small& small) {
+  std::vector<ContactRows> found;
+  const int nodes = small.problem.line.node_count();
+  for (int code = 0; code < 1 << (2 * nodes); ++code) {
+    States state(nodes);
+    for (int i = 0; i < nodes; ++i) state[i] = all_states[code >> (2 * i) & 3];
+    ContactRows rows;
+    const SystemKind kind = solve_active_set(small.contact, small.law, state, rows);
+    if (kind == SystemKind::regular && violation(small.law, rows) < 1e-11) found.push_back(rows);
+  }
+  return found;
+}
+
+/// A block of few cells, clamped at the top, with random loads.
+Problem small_problem(int cells, double mu, Random& random) {
+  Problem problem = body(moved(rectangle(cells, 2, 3, 2), 0.5, 0.2, random), material(1000, 0.3));
+  add_traction(problem, left, random_vector(2, random));
+  add_traction(problem, right, random_vector(2, random));
+  clamp(problem, top,
+        [motion = Eigen::Vector2d(0.004 * random_vector(2, random))](const Eigen::Vector2d&) { return motion; });
+  set_friction(problem, mu);
+  problem.law.multiplier = random() % 2 == 0 ? Multiplier::force : Multiplier::pressure;
+  return problem;
+}
+
+States random_states(int nodes, Random& random) {
+  States state(nodes);
+  for (ContactState& s : state) s = all_states[random() % 4];
+  return state;
+}
+
+RC_GTEST_PROP(ActiveSet, finds_the_solution_that_brute_force_finds, (Random random)) {
+  const Small small(small_problem(*rc::gen::inRange(1, 4), *real(0, 0.5), random));
+  const std::vector<ContactRows> solutions = all_solutions(small);
+  const States sticking(small.problem.line.node_count(), ContactState::stick);
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, sticking);
+  RC_ASSERT(result.status == ContactStatus::converged);
+  RC_ASSERT(!solutions.empty());
+  for (const ContactRows& rows : solutions) {  // several active sets may have one answer
+    RC_ASSERT((result.v - rows.v).cwiseAbs().maxCoeff() <= 1e-10 * rows.v.cwiseAbs().maxCoeff());
+    RC_ASSERT((result.P - rows.P).cwiseAbs().maxCoeff() <= 1e-9 * small.contact.g.cwiseAbs().maxCoeff());
+  }
+}
+
+RC_GTEST_PROP(ActiveSet, answer_does_not_depend_on_the_first_guess, (Random random)) {
+  const Small small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.3), random));
+  const int nodes = small.problem.line.node_count();
+  const ActiveSetResult reference = active_set_newton(small.contact, small.law, States(nodes, ContactState::stick));
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, random_states(nodes, random));
+  RC_ASSERT(reference.status == ContactStatus::converged);
+  RC_ASSERT(result.status == ContactStatus::converged);
+  RC_ASSERT((result.v - reference.v).cwiseAbs().maxCoeff() <= 1e-10 * reference.v.cwiseAbs().maxCoeff());
+}
+
+RC_GTEST_PROP(ActiveSet, converged_multipliers_are_in_the_law_exactly, (Random random)) {
+  const Small small(small_problem(*rc::gen::inRange(1, 7), *real(0, 1), random));
+  const States sticking(small.problem.line.node_count(), ContactState::stick);
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, sticking);
+  RC_PRE(result.status == ContactStatus::converged);
+  for (std::size_t i = 0; i < result.state.size(); ++i) {
+    const double Pn = result.P[2 * i], Pt = result.P[2 * i + 1];
+    RC_ASSERT(Pn <= 0);
+    RC_ASSERT(std::abs(Pt) <= small.law.bound(static_cast<int>(i), Pn));
+    if (result.state[i] == ContactState::open) RC_ASSERT(Pn == 0);
+  }
+}
+
+RC_GTEST_PROP(ActiveSet, a_solution_is_found_again_in_one_step, (Random random)) {
+  const Small small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.5), random));
+  const States sticking(small.problem.line.node_count(), ContactState::stick);
+  const ActiveSetResult first = active_set_newton(small.contact, small.law, sticking);
+  RC_PRE(first.status == ContactStatus::converged);
+  const ActiveSetResult again = active_set_newton(small.contact, small.law, first.state);
+  RC_ASSERT(again.iterations == 1);
+  RC_ASSERT(again.v == first.v);
+}
+
+TEST(ActiveSet, says_when_its_iterations_are_used_up) {
+  const Small small(example_1(Multiplier::force, 8));
+  const States sticking(small.problem.line.node_count(), ContactState::stick);
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, sticking, {1, 1e-10});
+  EXPECT_EQ(result.status, ContactStatus::not_converged);
+  EXPECT_EQ(result.iterations, 1);
+  EXPECT_GT(result.violation, 1e-10);
+}
+
+TEST(ActiveSet, frictionless_nodes_never_stick) {
+  const Small small(example_2(Multiplier::force, 0, 8));
+  const States sticking(small.problem.line.node_count(), ContactState::stick);
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, sticking);
+  ASSERT_EQ(result.status, ContactStatus::converged);
+  for (ContactState state : result.state) EXPECT_NE(state, ContactState::stick);
+}
+
+TEST(LawViolation, sees_every_spoiled_condition) {
+  const NodalLaw law{Eigen::VectorXd::Constant(3, 0.5), {}};
+  Eigen::VectorXd P(6), v(6);  // open, stick, slip forward
+  P << 0, 0, -4, 1, -2, -1;
+  v << -3, 1, 0, 0, 0, 2;
+  const auto with = [&](int row, double p, double w) {
+    Eigen::VectorXd P2 = P, v2 = v;
+    P2[row] += p;
+    v2[row] += w;
+    return law_violation(law, P2, v2, 1);
+  };
+  EXPECT_EQ(with(0, 0, 0), 0);
+  EXPECT_NEAR(with(0, 0.04, 0), 0.03, 1e-12);   // P_n > 0: 0.04 / 4, and P_n v_n = 3 times that
+  EXPECT_NEAR(with(2, 0, 0.01), 0.01, 1e-12);   // v_n > 0
+  EXPECT_NEAR(with(2, 0, -0.01), 0.01, 1e-12);  // P_n v_n
+  EXPECT_NEAR(with(3, 1.04, 0), 0.01, 1e-12);   // |P_t| > b
+  EXPECT_NEAR(with(3, 0, 0.01), 0.01, 1e-12);   // sticks but moves
+  EXPECT_NEAR(with(5, 0.04, 0), 0.01, 1e-12);   // slips below the bound
+  EXPECT_NEAR(with(5, 2, 0), 0.5, 1e-12);       // pushed along: P_t v_t > 0
+}
+
+}  // namespace
+}  // namespace ffcontact

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/balance.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/problems.hpp"
+#include "support/refusals.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// A block 4 x 2 that stands on the foundation, pressed by 1 MPa from the top, without any support.
+Problem standing_block(double mu) {
+  Problem problem = body(rectangle(8, 4, 4, 2), material(100, 0.3));
+  add_traction(problem, top, {0, -1});
+  set_friction(problem, mu);
+  return problem;
+}
+
+std::string refusal_of(const Problem& problem) {
+  return refusal([&] { require_balance(problem.mesh, problem.line, problem.law, problem.system()); });
+}
+
+std::string no_equilibrium(const std::string& motion) {
+  return "no equilibrium: the loads push the body in a " + motion +
+         ", which neither prescribed displacements nor contact forces oppose";
+}
+
+TEST(Balance, a_pressed_block_is_held) { EXPECT_EQ(refusal_of(standing_block(0)), "accepted"); }
+
+TEST(Balance, a_lifted_block_is_refused) {
+  Problem problem = example_2(Multiplier::force, 0.3, 4);
+  add_traction(problem, top, {0, 6});
+  EXPECT_EQ(refusal_of(problem), no_equilibrium("translation along (0, 1)"));
+}
+
+TEST(Balance, pushed_sideways_a_block_is_held_up_to_the_friction_of_its_weight) {
+  Problem problem = standing_block(0.5);  // 4 N/mm down, 2 N/mm of friction at most
+  add_body_force(problem, {1.99 / 8, 0});
+  EXPECT_EQ(refusal_of(problem), "accepted");
+  add_body_force(problem, {0.02 / 8, 0});
+  EXPECT_TRUE(says(refusal_of(problem), "no equilibrium: the loads push the body in a "));
+}
+
+TEST(Balance, without_friction_a_push_sideways_is_refused) {
+  Problem problem = standing_block(0);
+  add_body_force(problem, {0.1, 0});
+  EXPECT_TRUE(says(refusal_of(problem), "no equilibrium"));
+}
+
+TEST(Balance, a_block_that_tips_over_is_refused_with_its_rotation) {
+  Problem problem = body(rectangle(8, 4, 4, 2), material(100, 0.3));
+  add_body_force(problem, {0, -1});  // 8 N/mm in the middle
+  set_friction(problem, 10);
+  add_traction(problem, left, {5, 0});  // 10 N/mm at the height 1: moment 10 against 16 about the corner (4, 0)
+  EXPECT_EQ(refusal_of(problem), "accepted");
+  add_traction(problem, left, {5, 0});
+  EXPECT_TRUE(says(refusal_of(problem), "rotation about ("));
+}
+
+TEST(Balance, with_tresca_a_bounded_force_is_no_reason_to_refuse) {
+  Problem problem = standing_block(0);
+  problem.law.slip_bound = everywhere(problem.line, 1);
+  add_body_force(problem, {0.1, 0});
+  EXPECT_EQ(refusal_of(problem), "accepted");
+  problem.law.slip_bound.setZero();
+  EXPECT_TRUE(says(refusal_of(problem), "no equilibrium"));
+}
+
+TEST(Balance, a_spring_holds_a_body_as_a_support_does) {
+  Problem problem = standing_block(0);
+  add_body_force(problem, {0.1, 0});
+  EXPECT_EQ(unheld_motions(problem.mesh, problem.system()).cols(), 3);
+  problem.A.coeffRef(0, 0) += 1;  // along x
+  EXPECT_EQ(unheld_motions(problem.mesh, problem.system()).cols(), 2);
+  EXPECT_EQ(refusal_of(problem), "accepted");
+}
+
+TEST(Balance, loads_on_a_body_that_supports_hold_are_never_refused) {
+  Problem problem = example_1(Multiplier::force, 4);
+  add_traction(problem, left, {0, 1e6});
+  EXPECT_EQ(refusal_of(problem), "accepted");
+}
+
+}  // namespace
+}  // namespace ffcontact

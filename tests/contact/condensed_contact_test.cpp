@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/condensed_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/cases.hpp"
+#include "support/refusals.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// A problem, its factorisation and the condensed relation.
+struct Condensed {
+  Problem problem;
+  ElasticSystem system;
+  CondensedStiffness stiffness;
+  CondensedContact contact;
+  explicit Condensed(const Problem& p)
+      : problem(p),
+        system(p.system()),
+        stiffness(system, contact_dofs(p.line, system)),
+        contact(condensed_contact(p.line, p.law, system, stiffness)) {}
+};
+
+/// A rectangle in contact on two sides that meet in a corner, with a gap and a previous displacement.
+Problem cornered(Random& random, Multiplier multiplier) {
+  Problem problem = body(irregular(4, 3, 4, 3, random), material(100, 0.3), {bottom, left});
+  add_traction(problem, top, {-1, -2});
+  clamp(problem, right, [](const Eigen::Vector2d& x) { return Eigen::Vector2d(-0.01, 0.01 * x.y()); });
+  problem.law.multiplier = multiplier;
+  problem.law.gap = 0.01 * random_vector(problem.line.node_count(), random);
+  problem.law.previous = 0.01 * random_vector(problem.line.node_count(), random);
+  return problem;
+}
+
+Eigen::VectorXd weighted_trace(const Problem& problem, const Eigen::VectorXd& u) {
+  const Eigen::Matrix2Xd trace = displacement_against_foundation(problem.line, problem.law, u);
+  return weight_of_rows(problem.law.multiplier, problem.line) * trace.reshaped();
+}
+
+/// Loads on all dofs of multipliers on all rows.
+Eigen::VectorXd load_of(const Problem& problem, const Eigen::VectorXd& P) {
+  const Eigen::VectorXd force = weight_of_rows(problem.law.multiplier, problem.line) * P;
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.b.size());
+  for (int i = 0; i < problem.line.node_count(); ++i)
+    load.segment<2>(2 * problem.line.vertex[i]) +=
+        force[2 * i] * problem.line.normal.col(i) + force[2 * i + 1] * problem.line.tangent(i);
+  return load;
+}
+
+Problem random_problem(Random& random) {
+  const Multiplier multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  if (*rc::gen::arbitrary<bool>()) return cornered(random, multiplier);
+  return problem_of(*random_case(0.5));
+}
+
+RC_GTEST_PROP(CondensedContact, v_is_the_weighted_trace_of_the_extended_displacement, (Random random)) {
+  const Condensed c(random_problem(random));
+  const Eigen::VectorXd v = random_vector(c.contact.S.rows(), random);
+  const Eigen::VectorXd u =
+      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v)) + c.system.prescribed_value;
+  const Eigen::VectorXd trace = weighted_trace(c.problem, u);
+  const Eigen::VectorXd dependent = c.contact.E.transpose() * v + c.contact.dependent_offset;
+  const double scale = 1e-11 * std::max(trace.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
+  for (int row = 0; row < trace.size(); ++row) {
+    const int k = c.contact.position[row];
+    RC_ASSERT(std::abs(trace[row] - (k >= 0 ? v[k] : dependent[-1 - k])) < scale);
+  }
+}
+
+RC_GTEST_PROP(CondensedContact, multipliers_hold_the_displacement_in_equilibrium, (Random random)) {
+  const Condensed c(random_problem(random));
+  const Eigen::VectorXd v = random_vector(c.contact.S.rows(), random);
+  const Eigen::VectorXd q = random_vector(c.contact.E.cols(), random);
+  const Eigen::VectorXd P_primary = c.contact.S * v - c.contact.g - c.contact.E * q;
+  Eigen::VectorXd P(2 * c.problem.line.node_count());
+  for (int row = 0; row < P.size(); ++row) {
+    const int k = c.contact.position[row];
+    P[row] = k >= 0 ? P_primary[k] : q[-1 - k];
+  }
+  const Eigen::VectorXd u = c.stiffness.extended(c.system.load, kept_displacement(c.contact, v));
+  const Eigen::VectorXd load = load_of(c.problem, P), residual = c.system.stiffness * u - c.system.load - load;
+  const double scale = 1e-10 * std::max(load.cwiseAbs().maxCoeff(), c.system.load.cwiseAbs().maxCoeff());
+  for (int dof = 0; dof < c.system.dof_count(); ++dof)
+    RC_ASSERT((c.system.prescribed[dof] || std::abs(residual[dof]) < scale));
+}
+
+TEST(CondensedContact, rows_are_primary_or_dependent_and_as_many_as_free_dofs_are_primary) {
+  const Condensed c(example_1(Multiplier::force, 2));
+  EXPECT_EQ(c.contact.primary.size(), 9u);
+  EXPECT_EQ(c.contact.dependent, std::vector<int>{9});  // the tangential row on the symmetry line
+  EXPECT_TRUE(c.contact.is_primary(8));
+  EXPECT_EQ(c.contact.kept_dofs.size(), 9u);
+  EXPECT_EQ(c.contact.S, c.contact.S.transpose());
+}
+
+TEST(CondensedContact, second_node_of_a_corner_is_dependent) {
+  Random random(3);
+  const Condensed c(cornered(random, Multiplier::force));
+  const int corners = 1, prescribed = 2;  // the corner's second node; both rows of the vertex on the clamped side
+  EXPECT_EQ(static_cast<int>(c.contact.dependent.size()), 2 * corners + prescribed);
+}
+
+TEST(CondensedContact, refuses_a_line_without_free_dofs) {
+  Problem problem = body(rectangle(2, 2, 2, 2), material(1, 0));
+  clamp(problem, bottom);
+  const ElasticSystem system = problem.system();
+  const CondensedStiffness stiffness(system, contact_dofs(problem.line, system));
+  EXPECT_EQ(refusal([&] { condensed_contact(problem.line, problem.law, system, stiffness); }),
+            "every dof of the contact line is prescribed");
+}
+
+}  // namespace
+}  // namespace ffcontact

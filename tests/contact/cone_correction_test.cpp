@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/cone_correction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/problems.hpp"
+#include "support/random.hpp"
+#include "support/refusals.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// One contact edge of length 1 with its law.
+struct EdgeProblem {
+  ContactLine line;
+  ContactLaw law;
+};
+EdgeProblem one_edge(double mu) {
+  const Problem problem = body(rectangle(1, 1, 1, 1), material(1, 0));
+  EdgeProblem edge{problem.line, problem.law};
+  edge.law.friction = everywhere(problem.line, mu);
+  return edge;
+}
+
+EdgeProblem one_edge_of_tresca(double bound) {
+  EdgeProblem edge = one_edge(0);
+  edge.law.slip_bound = everywhere(edge.line, bound);
+  return edge;
+}
+
+ContactDensities densities_of(const Eigen::Vector2d& normal, const Eigen::Vector2d& tangential) {
+  return {normal, tangential};
+}
+
+ContactDensities random_densities(Eigen::Index edges, Random& random) {
+  return {random_matrix(2, edges, random).array() - 0.7, random_matrix(2, edges, random)};
+}
+
+bool inside(const Eigen::Vector2d& limits, const Eigen::Vector2d& tangential, double d) {
+  return std::abs(tangential[0] - d) <= limits[0] + 1e-12 && std::abs(tangential[1] + d) <= limits[1] + 1e-12;
+}
+
+/// Smallest |d| on a grid of steps 0.01 that brings both ends inside, or infinity.
+double smallest_shift_on_grid(const Eigen::Vector2d& limits, const Eigen::Vector2d& tangential) {
+  for (int step = 0; step <= 400; ++step)
+    for (double d : {0.01 * step, -0.01 * step})
+      if (inside(limits, tangential, d)) return std::abs(d);
+  return std::numeric_limits<double>::infinity();
+}
+
+RC_GTEST_PROP(ConeCorrection, shift_is_the_smallest_one_on_a_grid, (Random random)) {
+  // Values on the grid itself, so that the smallest shift is one of its points.
+  const auto on_grid = [&]() -> Eigen::Vector2d { return 0.01 * (100 * random_vector(2, random).array()).round(); };
+  const EdgeProblem edge = one_edge(1);
+  const Eigen::Vector2d limits = on_grid().cwiseAbs(), tangential = on_grid();
+  const ConeCorrection correction = correct_to_cone(edge.line, edge.law, densities_of(-limits, tangential));
+  const double smallest = smallest_shift_on_grid(limits, tangential);
+  RC_ASSERT(correction.uncorrected.empty() == std::isfinite(smallest));
+  if (std::isfinite(smallest)) RC_ASSERT(std::abs(std::abs(correction.shift[0]) - smallest) < 1e-12);
+}
+
+RC_GTEST_PROP(ConeCorrection, shift_exists_if_and_only_if_the_resultant_is_in_the_cone, (Random random)) {
+  const double mu = *real(0, 2);
+  const EdgeProblem edge = one_edge(mu);
+  const ContactDensities densities = random_densities(1, random);
+  const ConeCorrection correction = correct_to_cone(edge.line, edge.law, densities);
+  const bool exists =
+      densities.normal.maxCoeff() <= 0 && std::abs(densities.tangential.sum()) <= -mu * densities.normal.sum();
+  RC_ASSERT(correction.uncorrected.empty() == exists);
+}
+
+RC_GTEST_PROP(ConeCorrection, brings_corrected_edges_inside_and_leaves_the_others_alone, (Random random)) {
+  const Problem problem = body(irregular(6, 2, 6, 2, random), material(1, 0), {bottom, left});
+  ContactLaw law = problem.law;
+  law.friction = random_vector(problem.line.node_count(), random).cwiseAbs();
+  const ContactDensities densities = random_densities(problem.line.edge_count(), random);
+  ConeCorrection correction = correct_to_cone(problem.line, law, densities);
+  RC_ASSERT(correction.densities.normal == densities.normal);
+  for (int e : correction.uncorrected) {
+    RC_ASSERT(correction.densities.tangential.col(e) == densities.tangential.col(e));
+    RC_ASSERT(correction.shift[e] == 0);
+    correction.densities.normal.col(e).setZero();
+    correction.densities.tangential.col(e).setZero();
+  }
+  RC_ASSERT(cone_defect(problem.line, law, correction.densities) < 1e-12);
+}
+
+RC_GTEST_PROP(ConeCorrection, resultant_of_every_edge_is_unchanged, (Random random)) {
+  const Problem problem = body(irregular(6, 2, 6, 2, random), material(1, 0));
+  ContactLaw law = problem.law;
+  law.friction = everywhere(problem.line, *real(0, 2));
+  const ContactDensities densities = random_densities(problem.line.edge_count(), random);
+  const ConeCorrection correction = correct_to_cone(problem.line, law, densities);
+  const Eigen::RowVectorXd change =
+      correction.densities.tangential.colwise().sum() - densities.tangential.colwise().sum();
+  RC_ASSERT(change.cwiseAbs().maxCoeff() < 1e-15);
+  RC_ASSERT(correction.corrected_count() == (correction.shift.array() != 0).count());
+}
+
+RC_GTEST_PROP(ConeCorrection, a_corrected_density_is_not_corrected_again, (Random random)) {
+  const EdgeProblem edge = one_edge(*real(0, 2));
+  const ConeCorrection once = correct_to_cone(edge.line, edge.law, random_densities(1, random));
+  const ConeCorrection twice = correct_to_cone(edge.line, edge.law, once.densities);
+  RC_ASSERT(twice.shift[0] == 0);
+}
+
+TEST(ConeCorrection, with_tresca_compares_with_the_slip_bound) {
+  const EdgeProblem edge = one_edge_of_tresca(1);
+  const ConeCorrection correction = correct_to_cone(edge.line, edge.law, densities_of({-1, -1}, {1.5, 0.25}));
+  EXPECT_DOUBLE_EQ(correction.shift[0], 0.5);
+  EXPECT_EQ(correct_to_cone(edge.line, edge.law, densities_of({-9, -9}, {1.5, 0.75})).uncorrected, std::vector<int>{0});
+}
+
+TEST(ConeCorrection, tension_at_one_end_is_left_alone) {
+  const EdgeProblem edge = one_edge(1);
+  EXPECT_EQ(correct_to_cone(edge.line, edge.law, densities_of({-5, 0.1}, {0, 0})).uncorrected, std::vector<int>{0});
+}
+
+TEST(ConeDefect, is_zero_inside_and_sees_one_spoiled_number) {
+  const EdgeProblem edge = one_edge(0.5);
+  const auto defect = [&](const ContactDensities& densities) { return cone_defect(edge.line, edge.law, densities); };
+  ContactDensities densities = densities_of({-2, -4}, {1, -2});  // on the cone at both ends
+  EXPECT_EQ(defect(densities), 0);
+  densities.tangential(1, 0) = -2.004;
+  EXPECT_NEAR(defect(densities), 0.004 / 4, 1e-15);
+  densities = densities_of({0.004, -4}, {0, -2});
+  EXPECT_NEAR(defect(densities), 0.004 / 4, 1e-15);
+  EXPECT_EQ(defect(densities_of({0, 0}, {0, 0})), 0);
+}
+
+TEST(EdgeDensities, are_the_nodal_values_at_both_ends) {
+  const Problem problem = body(rectangle(3, 1, 3, 1), material(1, 0));
+  Eigen::Matrix2Xd pressure(2, 4);
+  pressure << 1, 2, 3, 4, 5, 6, 7, 8;
+  const ContactDensities densities = edge_densities(problem.line, pressure);
+  EXPECT_EQ(densities.normal, (Eigen::Matrix2Xd(2, 3) << 1, 2, 3, 2, 3, 4).finished());
+  EXPECT_EQ(densities.tangential, (Eigen::Matrix2Xd(2, 3) << 5, 6, 7, 6, 7, 8).finished());
+}
+
+TEST(ConeCorrection, refuses_densities_of_another_line_or_not_finite) {
+  const EdgeProblem edge = one_edge(1);
+  const auto refusal_of = [&](const ContactDensities& densities) {
+    return refusal([&] { correct_to_cone(edge.line, edge.law, densities); });
+  };
+  EXPECT_EQ(refusal_of({Eigen::Matrix2Xd::Zero(2, 2), Eigen::Matrix2Xd::Zero(2, 1)}),
+            "normal densities has 2 values where 1 are needed");
+  EXPECT_EQ(refusal_of(densities_of({0, 0}, {0, std::nan("")})), "tangential density[1] is nan, not a finite number");
+}
+
+}  // namespace
+}  // namespace ffcontact

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/friction_continuation.hpp"
+#include "support/cases.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+struct Condensed {
+  CondensedContact contact;
+  NodalLaw law;
+  std::vector<ContactState> sticking;
+};
+
+Condensed condensed(const Problem& problem) {
+  const ElasticSystem system = problem.system();
+  const CondensedStiffness stiffness(system, contact_dofs(problem.line, system));
+  return {condensed_contact(problem.line, problem.law, system, stiffness), nodal_law(problem.law, problem.line),
+          std::vector<ContactState>(problem.line.node_count(), ContactState::stick)};
+}
+
+RC_GTEST_PROP(StrongFriction, is_solved_and_certified, ()) {
+  const ContactSettings settings;
+  const Case c = *random_case(3);
+  const ContactSolution solution = solved(problem_of(c), settings);
+  RC_ASSERT(solution.accepted(settings));
+}
+
+RC_GTEST_PROP(StrongFriction, violation_and_residual_decide_the_status_of_a_run_cut_short, ()) {
+  ContactSettings settings;
+  settings.max_iterations = *rc::gen::inRange(1, 4);
+  settings.solver = *rc::gen::element(ContactSolver::newton, ContactSolver::fixed_point);
+  const ContactSolution solution = solved(problem_of(*random_case(3)), settings);
+  const bool within = solution.complementarity <= settings.tolerance && solution.residual <= settings.tolerance;
+  RC_ASSERT(within == (solution.status == ContactStatus::converged));
+  RC_ASSERT(solution.displacement.allFinite());
+}
+
+TEST(StrongFriction, example_1_up_to_friction_3) {
+  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
+    for (double mu = 0.25; mu <= 3; mu += 0.25) {
+      Problem problem = example_1(multiplier);
+      set_friction(problem, mu);
+      EXPECT_TRUE(solved(problem).accepted({})) << "mu " << mu << ", multiplier " << static_cast<int>(multiplier);
+    }
+}
+
+TEST(StrongFriction, example_1_where_newton_from_stick_cycles_weaker_friction_leads_the_way) {
+  Problem problem = example_1(Multiplier::pressure);
+  set_friction(problem, 2);
+  const Condensed c = condensed(problem);
+  EXPECT_EQ(active_set_newton(c.contact, c.law, c.sticking).status, ContactStatus::cycled);
+  const ActiveSetResult result = friction_continuation(c.contact, c.law, c.sticking, 4);
+  EXPECT_EQ(result.status, ContactStatus::converged);
+  EXPECT_LT(law_violation(c.law, result.P, result.v, result.v.cwiseAbs().maxCoeff()), 1e-12);
+}
+
+TEST(StrongFriction, damping_makes_the_fixed_point_converge_where_it_does_not_contract) {
+  Problem problem = example_1(Multiplier::force);
+  set_friction(problem, 3);
+  const Condensed c = condensed(problem);
+  const FixedPointResult path = fixed_point(c.contact, c.law, c.sticking, {500, 1e-10});
+  EXPECT_EQ(path.answer.status, ContactStatus::converged);
+  bool grew = false;
+  for (std::size_t k = 1; k < path.history.size(); ++k) grew = grew || path.history[k] > path.history[k - 1];
+  EXPECT_TRUE(grew);
+}
+
+/// Zones of a quarter of the mesh that are refined five times, so that edges differ by 2^5 on the line.
+TEST(StrongFriction, randomly_refined_mesh) {
+  std::mt19937 random(7);
+  Mesh mesh = rectangle(16, 8, 80, 40);
+  std::uniform_real_distribution<double> along(0, 80);
+  for (int level = 0; level < 5; ++level)
+    mesh = refined(mesh, triangles_near(mesh, {along(random), 0}, 5 / std::pow(2, level)));
+  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
+    for (const double mu : {0.3, 1.0, 2.0, 3.0}) {
+      Problem problem = body(mesh, material(13e3, 0.2));
+      add_traction(problem, left, {10, 0});
+      clamp(problem, top);
+      prescribe(problem, right, 0);
+      set_friction(problem, mu);
+      problem.law.multiplier = multiplier;
+      const ContactSolution solution = solved(problem);
+      EXPECT_TRUE(solution.accepted({})) << "mu " << mu << ", multiplier " << static_cast<int>(multiplier) << ", "
+                                         << in_words(solution.status) << ", violation " << solution.complementarity;
+    }
+}
+
+}  // namespace
+}  // namespace ffcontact

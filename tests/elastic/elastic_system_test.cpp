@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/elastic/elastic_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "support/problems.hpp"
+#include "support/random.hpp"
+#include "support/refusals.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// K, b and prescribed dofs before FreeFEM's boundary conditions.
+struct Assembled {
+  RowMatrix A;
+  Eigen::VectorXd b;
+};
+
+/// A row with nothing but its diagonal.
+void empty_row(RowMatrix& A, int row, double diagonal) {
+  for (RowMatrix::InnerIterator entry(A, row); entry; ++entry) entry.valueRef() = entry.col() == row ? diagonal : 0;
+}
+
+void empty_column(RowMatrix& A, int column) {
+  for (Eigen::Index row = 0; row < A.rows(); ++row)
+    for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
+      if (entry.col() == column && row != column) entry.valueRef() = 0;
+}
+
+/// FreeFEM's three ways to prescribe a dof: 1e30 penalises it, -1 empties its row, -2 its row and column.
+void prescribe(Assembled& system, int dof, double value, double tgv) {
+  if (tgv > 0) {
+    system.A.coeffRef(dof, dof) = tgv;
+    system.b[dof] = tgv * value;
+    return;
+  }
+  empty_row(system.A, dof, 1);
+  system.b[dof] = value;
+  if (tgv == -2) empty_column(system.A, dof);
+}
+
+/// A square whose left side is prescribed to `value`, pulled at the right.
+Assembled pulled_square(double tgv, double value) {
+  Problem problem = body(rectangle(3, 3, 3, 3), material(100, 0.3));
+  add_traction(problem, right, {1, 0.5});
+  Assembled system{problem.A, problem.b};
+  for (int v = 0; v < problem.mesh.vertex_count(); ++v)
+    if (problem.mesh.vertices(0, v) == 0)
+      for (int c = 0; c < 2; ++c) prescribe(system, 2 * v + c, (c + 1) * value, tgv);
+  return system;
+}
+
+ElasticSystem read(const Assembled& system) { return elastic_system(system.A, system.b); }
+
+Eigen::VectorXd displacement(const ElasticSystem& system) {
+  return CondensedStiffness(system, {}).extended(system.load, Eigen::VectorXd()) + system.prescribed_value;
+}
+
+std::string refusal_of(const Assembled& system) {
+  return refusal([&] { read(system); });
+}
+
+RC_GTEST_PROP(Stiffness, is_symmetric_and_has_the_rigid_motions_in_its_kernel, (Random random)) {
+  const Mesh mesh = irregular(4, 3, 4, 3, random);
+  const Hooke hooke(mesh.triangle_count(), isotropic(3, 2));
+  const RowMatrix K = stiffness(mesh, hooke);
+  const auto residual = [&](const Field& motion) { return (K * nodal_values(mesh, motion)).cwiseAbs().maxCoeff(); };
+  const double scale = K.coeffs().cwiseAbs().maxCoeff();
+  RC_ASSERT((Eigen::MatrixXd(K) - Eigen::MatrixXd(K).transpose()).cwiseAbs().maxCoeff() <= 1e-15 * scale);
+  RC_ASSERT(residual([](const Eigen::Vector2d&) { return Eigen::Vector2d(1, 0); }) < 1e-13 * scale);
+  RC_ASSERT(residual([](const Eigen::Vector2d&) { return Eigen::Vector2d(0, 1); }) < 1e-13 * scale);
+  RC_ASSERT(residual([](const Eigen::Vector2d& x) { return Eigen::Vector2d(-x.y(), x.x()); }) < 1e-13 * scale);
+}
+
+RC_GTEST_PROP(Stiffness, is_the_energy_of_the_strains, (Random random)) {
+  const Mesh mesh = irregular(3, 3, 3, 3, random);
+  const Hooke hooke(mesh.triangle_count(), isotropic(3, 2));
+  const Eigen::VectorXd u = random_vector(2 * mesh.vertices.cols(), random);
+  double energy = 0;
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    energy += signed_area(mesh, t) * strain(mesh, u, t).dot(hooke[t] * strain(mesh, u, t));
+  RC_ASSERT(std::abs(u.dot(stiffness(mesh, hooke) * u) - energy) < 1e-12 * energy);
+}
+
+TEST(ElasticSystem, tgv_of_1e30_and_minus_1_and_minus_2_are_read_alike) {
+  const ElasticSystem reference = read(pulled_square(1e30, 0));
+  for (double tgv : {-1.0, -2.0}) {
+    const ElasticSystem system = read(pulled_square(tgv, 0));
+    EXPECT_EQ(system.prescribed, reference.prescribed);
+    EXPECT_EQ(system.prescribed_value, reference.prescribed_value);
+    EXPECT_EQ(system.load, reference.load);
+    EXPECT_LT(relative_difference(displacement(system), displacement(reference)), 1e-14);
+  }
+}
+
+TEST(ElasticSystem, prescribed_values_are_read_alike_from_tgv_of_1e30_and_minus_1) {
+  const ElasticSystem penalised = read(pulled_square(1e30, 0.25)), emptied = read(pulled_square(-1, 0.25));
+  EXPECT_LT(relative_difference(emptied.prescribed_value, penalised.prescribed_value), 1e-15);
+  EXPECT_LT(relative_difference(emptied.load, penalised.load), 1e-14);
+}
+
+TEST(ElasticSystem, a_prescribed_motion_moves_the_body_rigidly) {
+  const ElasticSystem fixed = read(pulled_square(1e30, 0)), shifted = read(pulled_square(1e30, 0.25));
+  const Eigen::VectorXd by = displacement(shifted) - displacement(fixed);
+  for (Eigen::Index v = 0; v < by.size() / 2; ++v)
+    EXPECT_LT((by.segment<2>(2 * v) - Eigen::Vector2d(0.25, 0.5)).norm(), 1e-13);
+}
+
+TEST(ElasticSystem, free_dofs_carry_no_prescribed_value_and_prescribed_dofs_no_load) {
+  const ElasticSystem system = read(pulled_square(1e30, 0.25));
+  for (int dof = 0; dof < system.dof_count(); ++dof)
+    EXPECT_EQ(system.prescribed[dof] ? system.load[dof] : system.prescribed_value[dof], 0);
+}
+
+TEST(ElasticSystem, a_stiff_spring_is_no_prescribed_dof) {
+  Assembled system = pulled_square(1e30, 0);
+  system.A.coeffRef(10, 10) *= 1e6;
+  EXPECT_FALSE(prescribed_dofs(system.A)[10]);
+}
+
+TEST(ElasticSystem, values_at_a_corner_whose_neighbours_are_all_prescribed_are_read_from_tgv_of_minus_1) {
+  const Problem problem = body(rectangle(2, 2, 2, 2), material(100, 0.3));
+  Assembled system{problem.A, problem.b};
+  for (int v = 0; v < problem.mesh.vertex_count(); ++v)
+    if (problem.mesh.vertices.col(v) != Eigen::Vector2d(1, 1))
+      for (int c = 0; c < 2; ++c) prescribe(system, 2 * v + c, 0.1, -1);
+  EXPECT_EQ(refusal_of(system), "accepted");
+}
+
+TEST(ElasticSystem, refuses_prescribed_values_whose_columns_are_gone) {
+  EXPECT_EQ(refusal_of(pulled_square(-2, 0.25)),
+            "dof 0 is prescribed to 0.25 but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
+}
+
+TEST(ElasticSystem, refuses_numbers_that_are_not_finite) {
+  Assembled system = pulled_square(1e30, 0);
+  system.b[5] = std::nan("");
+  EXPECT_EQ(refusal_of(system), "b[5] is nan, not a finite number");
+  system = pulled_square(1e30, 0);
+  system.A.coeffRef(4, 5) = std::nan("");
+  EXPECT_EQ(refusal_of(system), "A(4,5) is nan, not finite");
+}
+
+TEST(ElasticSystem, refuses_a_matrix_that_is_not_symmetric_on_the_free_dofs) {
+  Assembled system = pulled_square(1e30, 0);
+  system.A.coeffRef(4, 5) += 1e-3 * system.A.coeff(4, 4);
+  EXPECT_EQ(refusal_of(system), "A is not symmetric on the free dofs");
+}
+
+TEST(ElasticSystem, refuses_sizes_that_do_not_fit) {
+  Assembled system = pulled_square(1e30, 0);
+  system.b.conservativeResize(31);
+  EXPECT_EQ(refusal_of(system), "b has 31 values where 32 are needed");
+  EXPECT_EQ(refusal([] { elastic_system(RowMatrix(2, 3), Eigen::Vector2d::Zero()); }),
+            "A has 2 rows and 3 columns, it must be square");
+}
+
+}  // namespace
+}  // namespace ffcontact

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/contact_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/problems.hpp"
+#include "support/random.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// Random tractions, displacements and law on a line of several edges.
+struct Fields {
+  Problem problem;
+  ContactDensities densities;
+  Eigen::VectorXd displacement;
+};
+
+Fields random_fields(Random& random, bool tresca) {
+  Fields f{body(rotated(irregular(5, 2, 5, 2, random), 0.3), material(1, 0), {bottom, left}), {}, {}};
+  const ContactLine& line = f.problem.line;
+  f.densities = {random_matrix(2, line.edge_count(), random), random_matrix(2, line.edge_count(), random)};
+  f.displacement = random_vector(2 * f.problem.mesh.vertices.cols(), random);
+  f.problem.law.friction = random_vector(line.node_count(), random).cwiseAbs();
+  f.problem.law.gap = random_vector(line.node_count(), random);
+  if (tresca) f.problem.law.slip_bound = random_vector(line.node_count(), random).cwiseAbs();
+  return f;
+}
+
+double between(double a, double b, double x) { return a + x * (b - a); }
+
+/// 2 int (mu |r_n||w_t| + r_t w_t + r_n (w_n - gap)) over edge e, by the midpoint rule.
+double by_midpoints(const Fields& f, int e) {
+  const ContactLine& line = f.problem.line;
+  const ContactLaw& law = f.problem.law;
+  const int i = line.edge_node(0, e), j = line.edge_node(1, e), steps = 20000;
+  Eigen::Matrix2Xd w = contact_components(line, f.displacement);
+  double sum = 0;
+  for (int s = 0; s < steps; ++s) {
+    const double x = (s + 0.5) / steps;
+    const double rn = between(f.densities.normal(0, e), f.densities.normal(1, e), x);
+    const double rt = between(f.densities.tangential(0, e), f.densities.tangential(1, e), x);
+    const double wn = between(w(0, i) - law.gap[i], w(0, j) - law.gap[j], x), wt = between(w(1, i), w(1, j), x);
+    const double bound = law.tresca() ? between(law.slip_bound[i], law.slip_bound[j], x)
+                                      : between(law.friction[i], law.friction[j], x) * std::abs(rn);
+    sum += bound * std::abs(wt) + rt * wt + rn * wn;
+  }
+  return 2 * line.length[e] * sum / steps;
+}
+
+RC_GTEST_PROP(ContactError, is_its_quadrature, (Random random)) {
+  const Fields f = random_fields(random, *rc::gen::arbitrary<bool>());
+  const Eigen::VectorXd error = contact_error(f.problem.line, f.problem.law, f.densities, f.displacement);
+  const int e = random() % f.problem.line.edge_count();
+  RC_ASSERT(std::abs(error[e] - by_midpoints(f, e)) < 1e-7);
+}
+
+RC_GTEST_PROP(ContactError, is_not_negative_in_the_cone_without_penetration, (Random random)) {
+  Fields f = random_fields(random, false);
+  const ContactLine& line = f.problem.line;
+  f.problem.law.friction.setConstant(0.5);
+  f.densities.normal = -f.densities.normal.cwiseAbs();
+  f.densities.tangential = f.densities.tangential.cwiseProduct(0.5 * f.densities.normal);
+  f.problem.law.gap =
+      contact_components(line, f.displacement).row(0).transpose() + random_vector(line.node_count(), random).cwiseAbs();
+  RC_ASSERT(contact_error(line, f.problem.law, f.densities, f.displacement).minCoeff() >= 0);
+}
+
+RC_GTEST_PROP(ContactError, in_the_cone_is_linear_in_the_tractions_with_the_costs, (Random random)) {
+  Fields f = random_fields(random, *rc::gen::arbitrary<bool>());
+  f.densities.normal = -f.densities.normal.cwiseAbs();
+  const TractionCosts costs = traction_costs(f.problem.line, f.problem.law, f.displacement);
+  const ContactDensities none{Eigen::Matrix2Xd::Zero(2, f.problem.line.edge_count()),
+                              Eigen::Matrix2Xd::Zero(2, f.problem.line.edge_count())};
+  const double error = (contact_error(f.problem.line, f.problem.law, f.densities, f.displacement) -
+                        contact_error(f.problem.line, f.problem.law, none, f.displacement))
+                           .sum();
+  const double linear =
+      costs.normal.cwiseProduct(f.densities.normal).sum() + costs.tangential.cwiseProduct(f.densities.tangential).sum();
+  RC_ASSERT(std::abs(error - linear) < 1e-12 * f.problem.line.edge_count());
+}
+
+TEST(ContactError, of_slip_at_the_bound_against_the_motion_is_zero) {
+  const Problem problem = body(rectangle(4, 1, 4, 1), material(1, 0));
+  ContactLaw law = problem.law;
+  law.friction = everywhere(problem.line, 0.5);
+  const Eigen::VectorXd u = nodal_values(problem.mesh, [](const Eigen::Vector2d&) { return Eigen::Vector2d(2, 0); });
+  ContactDensities densities{Eigen::Matrix2Xd::Constant(2, 4, -3), Eigen::Matrix2Xd::Constant(2, 4, -1.5)};
+  EXPECT_EQ(contact_error(problem.line, law, densities, u), Eigen::VectorXd::Zero(4));
+  densities.tangential(0, 1) += 0.1;  // spoiled: 2 int 0.1 phi 2 over an edge of length 1
+  EXPECT_NEAR(contact_error(problem.line, law, densities, u)[1], 0.2, 1e-14);
+}
+
+RC_GTEST_PROP(AdmissibleDisplacement, lowers_penetrating_nodes_to_the_foundation_and_nothing_else, (Random random)) {
+  const Fields f = random_fields(random, false);
+  Problem problem = body(f.problem.mesh, material(1, 0));
+  problem.law.gap = random_vector(problem.line.node_count(), random);
+  const Eigen::VectorXd u = admissible_displacement(problem.line, problem.law, f.displacement);
+  const Eigen::Matrix2Xd before = contact_components(problem.line, f.displacement);
+  const Eigen::Matrix2Xd after = contact_components(problem.line, u);
+  Eigen::VectorXd changed = u - f.displacement;
+  for (int i = 0; i < problem.line.node_count(); ++i) {
+    RC_ASSERT(std::abs(after(0, i) - std::min(before(0, i), problem.law.gap[i])) < 1e-14);
+    RC_ASSERT(std::abs(after(1, i) - before(1, i)) < 1e-14);
+    changed.segment<2>(2 * problem.line.vertex[i]).setZero();
+  }
+  RC_ASSERT(changed.isZero(0));
+}
+
+TEST(AdmissibleDisplacement, does_not_penetrate_at_a_sharp_corner) {
+  // A corner of 45 degrees: lowering along one normal pushes against the other.
+  Mesh mesh = rectangle(2, 2, 2, 2);
+  for (int v = 0; v < mesh.vertex_count(); ++v) mesh.vertices(0, v) += mesh.vertices(1, v);
+  const Problem problem = body(mesh, material(1, 0), {left, bottom});
+  const Eigen::VectorXd u = nodal_values(mesh, [](const Eigen::Vector2d&) { return Eigen::Vector2d(-1, -1); });
+  const Eigen::Matrix2Xd w = contact_components(problem.line, admissible_displacement(problem.line, problem.law, u));
+  EXPECT_LE(w.row(0).maxCoeff(), 1e-14);
+}
+
+}  // namespace
+}  // namespace ffcontact

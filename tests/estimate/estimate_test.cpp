@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/cases.hpp"
+#include "support/estimates.hpp"
+#include "support/refusals.hpp"
+#include "support/smooth_problem.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+constexpr Tractions all_tractions[] = {Tractions::free, Tractions::fixed, Tractions::published};
+
+double norm_of_sum(const Estimate& estimate) { return estimate.e / estimate.relative; }
+
+// ---- Property 2.3: the error of an exact pair is zero -------------------------------------------
+
+TEST(Estimate, of_uniform_compression_is_zero_to_rounding) {
+  Random random(21);
+  Problem problem = body(irregular(5, 4, 40, 40, random), material(13e3, 0.2));
+  add_traction(problem, top, {0, -5});
+  prescribe(problem, right, 0);
+  for (Tractions tractions : all_tractions) {
+    const Estimate estimate = estimated(problem, solved(problem), sweeps(1, tractions));
+    EXPECT_LT(estimate.elastic, 1e-10 * norm_of_sum(estimate));
+    EXPECT_LT(std::abs(estimate.contact), 1e-14 * std::pow(norm_of_sum(estimate), 2));
+    EXPECT_TRUE(estimate.admissible) << estimate.reason;
+  }
+}
+
+TEST(Estimate, of_a_sticking_patch_is_zero_to_rounding) {
+  Random random(22);
+  const Material steel = material(13e3, 0.2);
+  const double h = 1e-3, g = 1e-3;
+  Problem problem = body(irregular(5, 4, 40, 40, random), steel);
+  add_traction(problem, left, {steel.lambda * h, -steel.G * g});
+  add_traction(problem, right, {-steel.lambda * h, steel.G * g});
+  clamp(problem, top, [=](const Eigen::Vector2d& x) { return Eigen::Vector2d(g * x.y(), -h * x.y()); });
+  set_friction(problem, 0.5);
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(2));
+  EXPECT_LT(estimate.elastic, 1e-10 * norm_of_sum(estimate));
+  EXPECT_LT(std::abs(estimate.contact), 1e-14 * std::pow(norm_of_sum(estimate), 2));
+}
+
+// ---- what holds for every estimate --------------------------------------------------------------
+
+RC_GTEST_PROP(Estimate, is_admissible_with_tractions_in_the_cone, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  const ContactSolution solution = solved(problem);
+  RC_PRE(!solution.pressure.isZero(0));  // the next test is about bodies without contact
+  const Tractions tractions = *rc::gen::element(Tractions::free, Tractions::fixed);
+  const Estimate estimate = estimated(problem, solution, sweeps(2, tractions));
+  RC_ASSERT(estimate.equilibrium.largest() <= 1e-10);
+  RC_ASSERT(estimate.cone <= 1e-12);
+  RC_ASSERT(estimate.admissible);
+  RC_ASSERT(estimate.reason.empty());
+}
+
+TEST(Estimate, of_a_body_that_the_loads_lift_off_is_admissible) {
+  Problem problem = body(rectangle(4, 3, 4, 3), material(1000, 0.3));
+  clamp(problem, top);
+  add_body_force(problem, {0, 0.1});
+  set_friction(problem, 0.3);
+  const ContactSolution solution = solved(problem);
+  ASSERT_TRUE(solution.pressure.isZero(0));
+  for (Tractions tractions : all_tractions) {
+    const Estimate estimate = estimated(problem, solution, sweeps(2, tractions));
+    EXPECT_TRUE(estimate.admissible) << estimate.reason;
+  }
+}
+
+RC_GTEST_PROP(Estimate, local_errors_add_up_to_the_whole, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(1));
+  RC_ASSERT(std::abs(estimate.local.squaredNorm() - std::pow(estimate.relative, 2)) <
+            1e-12 * std::pow(estimate.relative, 2));
+  const double parts = std::pow(estimate.elastic, 2) + estimate.contact;
+  RC_ASSERT(std::abs(std::pow(estimate.e, 2) - parts) < 1e-13 * parts);
+  RC_ASSERT(estimate.contact >= -1e-14 * std::pow(norm_of_sum(estimate), 2));
+}
+
+RC_GTEST_PROP(Estimate, parts_are_those_of_its_fields, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(1));
+  const Eigen::Matrix3Xd sigma = stresses(problem.mesh, problem.hooke, estimate.displacement);
+  double elastic = 0, sum = 0;
+  for (int t = 0; t < problem.mesh.triangle_count(); ++t) {
+    const Eigen::Matrix3d compliance = problem.hooke[t].inverse();
+    const CompositeStress constant = sigma.col(t).replicate<1, 9>();
+    elastic += energy(corners_of(problem.mesh, t), compliance, estimate.stress[t] - constant);
+    sum += energy(corners_of(problem.mesh, t), compliance, estimate.stress[t] + constant);
+  }
+  RC_ASSERT(std::abs(elastic - std::pow(estimate.elastic, 2)) < 1e-12 * sum);
+  RC_ASSERT(std::abs(estimate.e / std::sqrt(sum) - estimate.relative) < 1e-10 * estimate.relative);
+  const double contact = contact_error(problem.line, problem.law, estimate.tractions, estimate.displacement).sum();
+  RC_ASSERT(std::abs(contact - estimate.contact) < 1e-13 * sum);
+}
+
+RC_GTEST_PROP(Estimate, history_never_rises_and_ends_at_the_error, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  const ContactSolution solution = solved(problem);
+  const Estimate estimate = estimated(problem, solution, sweeps(4));
+  RC_ASSERT(estimate.history.size() == 5u);
+  for (int k = 0; k < 4; ++k) {
+    RC_ASSERT(estimate.history[k + 1] <= estimate.history[k] * (1 + 1e-13));
+    const double again = estimated(problem, solution, sweeps(k)).e;
+    RC_ASSERT(std::abs(again - estimate.history[k]) < 1e-8 * estimate.history[0]);
+  }
+  RC_ASSERT(estimate.history[4] == estimate.e);
+}
+
+RC_GTEST_PROP(Estimate, does_not_depend_on_the_scale_of_the_loads, ()) {
+  const Case c = *random_case(0.5);
+  const double factor = *rc::gen::element(1e-4, 20.0, 1e5);
+  const auto relative = [](const Case& c) {
+    const Problem problem = problem_of(c);
+    return estimated(problem, solved(problem), sweeps(2)).relative;
+  };
+  const double one = relative(c);
+  RC_ASSERT(std::abs(relative(scaled(c, factor)) - one) < 1e-7 * one);
+}
+
+RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same, ()) {
+  Case c = *random_case(0.5);
+  if (c.support == Support::symmetric_right) c.support = Support::clamped_top;
+  const Problem upright = problem_of(c), turned = problem_of(rotated(c, *real(-3, 3)));
+  const double expected = estimated(upright, solved(upright), sweeps(2)).relative;
+  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative - expected) < 1e-7 * expected);
+}
+
+RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  const ContactSolution solution = solved(problem);
+  const Estimate estimate = estimated(problem, solution, sweeps(0));
+  const double scale = solution.displacement.cwiseAbs().maxCoeff();
+  RC_ASSERT(contact_components(problem.line, estimate.displacement).row(0).maxCoeff() <= 1e-12 * scale);
+  const ElasticSystem system = problem.system();
+  for (int dof = 0; dof < system.dof_count(); ++dof)
+    if (system.prescribed[dof])
+      RC_ASSERT(std::abs(estimate.displacement[dof] - system.prescribed_value[dof]) <= 1e-12 * scale);
+}
+
+// ---- against an exact solution ------------------------------------------------------------------
+
+TEST(Estimate, of_the_smooth_problem_in_contact_is_a_tight_bound) {
+  const Manufactured exact = smooth_solution(0.3);
+  for (int n : {8, 16, 24}) {
+    const Problem problem = with_contact(exact, rectangle(n, n, 2, 2));
+    const ContactSolution solution = solved(problem);
+    const double error = error_of(exact, problem, solution.displacement), tightness[] = {1.16, 1.04, 1.02};
+    for (int k = 1; k <= 3; ++k) {
+      const double e = estimated(problem, solution, sweeps(k)).e;
+      EXPECT_GE(e, error);
+      EXPECT_LE(e, tightness[k - 1] * error) << "n " << n << ", sweeps " << k;
+    }
+  }
+}
+
+TEST(Estimate, of_a_nearly_incompressible_body_stays_a_bound) {
+  const Manufactured exact = smooth_solution(0.49);
+  const Problem problem = with_contact(exact, rectangle(8, 8, 2, 2));
+  const ContactSolution solution = solved(problem);
+  const double error = error_of(exact, problem, solution.displacement), e = estimated(problem, solution, sweeps(4)).e;
+  EXPECT_GE(e, error);
+  EXPECT_LE(e, 1.5 * error);
+}
+
+RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction, (Random random)) {
+  const Manufactured exact = cubic_solution(*real(0, 0.45));  // its data are those of the discrete problem
+  Problem problem = loaded_in_contact(exact, irregular(*rc::gen::inRange(2, 7), 4, 2, 2, random));
+  problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  const ContactSolution solution = solved(problem);
+  RC_ASSERT(solution.status == ContactStatus::converged);
+  const Estimate estimate = estimated(problem, solution, sweeps(*rc::gen::inRange(0, 4)));
+  RC_ASSERT(estimate.admissible);
+  const double of_stress = distance(exact, problem.mesh, estimate.stress);
+  const double of_displacement = error_of(exact, problem, estimate.displacement);
+  RC_ASSERT(std::hypot(of_stress, of_displacement) <= estimate.e * (1 + 1e-10));  // (2.20)
+}
+
+// ---- the published meshes -----------------------------------------------------------------------
+
+double published_percentage(const Problem& problem, int count) {
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(count, Tractions::published));
+  EXPECT_LT(estimate.equilibrium.largest(), 1e-10);
+  return 100 * estimate.relative;
+}
+
+TEST(Estimate, of_the_published_meshes_after_one_sweep_with_correction_41_alone) {
+  EXPECT_NEAR(published_percentage(example_1(Multiplier::force), 1) / 8.57, 1, 0.03);
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.2), 1) / 1.21, 1, 0.03);
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.3), 1) / 1.39, 1, 0.03);
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.4), 1) / 1.46, 1, 0.03);
+}
+
+TEST(Estimate, of_the_published_mesh_without_sweeps) {
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.4), 0) / 3.0, 1, 0.03);
+}
+
+TEST(Estimate, with_tractions_in_the_cone_is_sharper_than_published) {
+  const auto percentage = [](const Problem& problem) {
+    return 100 * estimated(problem, solved(problem), sweeps(2)).relative;
+  };
+  EXPECT_NEAR(percentage(example_1(Multiplier::force)) / 7.93, 1, 0.03);       // published 9.74
+  EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.3)) / 1.20, 1, 0.03);  // 1.46
+  EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.4)) / 1.17, 1, 0.03);  // 1.50
+}
+
+TEST(Estimate, effectivity_on_the_meshes_of_table_1_is_at_most_120_after_three_sweeps) {
+  const std::pair<double, double> exact[] = {
+      {0.2, 0.93}, {0.4, 1.02}, {0.6, 1.02}, {0.8, 1.02}};  // mu, exact error in %
+  for (const auto& [mu, percentage] : exact) {
+    const Problem problem = example_2(Multiplier::force, mu);
+    EXPECT_LE(100 * estimated(problem, solved(problem), sweeps(3)).relative, 1.20 * percentage) << "mu " << mu;
+  }
+}
+
+TEST(Estimate, of_example_2_falls_with_the_mesh_for_both_methods) {
+  for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+    const auto relative = [&](int cells) {
+      const Problem problem = example_2(multiplier, 0.6, cells);
+      return estimated(problem, solved(problem), sweeps(2)).relative;
+    };
+    EXPECT_LT(relative(16), 0.65 * relative(8));
+  }
+}
+
+// ---- checks and refusals ------------------------------------------------------------------------
+
+TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {
+  const Problem problem = example_2(Multiplier::force, 0.2);
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(1, Tractions::published));
+  if (estimate.cone <= 1e-12) GTEST_SKIP() << "every edge could be mended by (4.1)";
+  EXPECT_FALSE(estimate.admissible);
+  EXPECT_EQ(estimate.reason, std::to_string(estimate.unmended.size()) +
+                                 " contact edges have tractions outside the friction cone that (4.1) cannot mend");
+  EXPECT_FALSE(estimate.unmended.empty());
+}
+
+TEST(Estimate, refuses_what_does_not_fit) {
+  const Problem problem = example_1(Multiplier::force, 2);
+  const ContactSolution solution = solved(problem);
+  const auto refusal_of = [&](auto spoil) {
+    SolvedBody body = solved_body(problem, solution);
+    EstimateSettings settings;
+    spoil(body, settings);
+    return refusal(
+        [&] { estimate_error(problem.mesh, problem.edges, problem.line, problem.system(), body, settings); });
+  };
+  EXPECT_EQ(refusal_of([](SolvedBody&, EstimateSettings&) {}), "accepted");
+  EXPECT_TRUE(
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.displacement[3] = std::nan(""); }), "u[3] is nan"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.displacement.resize(7); }), "u has 7 values"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.pressure.resize(2, 4); }), "4 values where 5"));
+  EXPECT_TRUE(
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.law.friction[1] = -1; }), "friction must be finite"));
+  EXPECT_TRUE(
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.hooke[2].setZero(); }), "triangle 2 is not symmetric"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody&, EstimateSettings& s) { s.relaxation.sweeps = -1; }),
+                   "sweeps must not be negative"));
+  EXPECT_TRUE(
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.neumann *= 2; }), "do not balance the stresses"));
+}
+
+}  // namespace
+}  // namespace ffcontact

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/mesh/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/meshes.hpp"
+#include "support/random.hpp"
+#include "support/refusals.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+std::string refusal_of(const Mesh& mesh) {
+  return refusal([&] { require_valid(mesh); });
+}
+
+RC_GTEST_PROP(Mesh, areas_of_irregular_triangles_add_up_to_the_body, (Random random)) {
+  const Mesh mesh = irregular(4, 3, 8, 6, random);
+  double area = 0;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    RC_ASSERT(signed_area(mesh, t) > 0);
+    area += signed_area(mesh, t);
+  }
+  RC_ASSERT(std::abs(area - 48) < 48e-14);
+}
+
+RC_GTEST_PROP(Mesh, hat_gradients_reproduce_linear_functions, (Random random)) {
+  const Mesh mesh = irregular(3, 3, 3, 3, random);
+  const Eigen::Vector2d slope = random_vector(2, random);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    Eigen::Vector3d values;
+    for (int k = 0; k < 3; ++k) values[k] = 1 + slope.dot(mesh.corner(t, k));
+    RC_ASSERT((hat_gradients(mesh, t) * values - slope).norm() < 1e-11);
+  }
+}
+
+TEST(Mesh, accepts_a_rectangle) { EXPECT_EQ(refusal_of(rectangle(3, 2, 3, 2)), "accepted"); }
+
+TEST(Mesh, refuses_a_mesh_without_triangles) { EXPECT_EQ(refusal_of(Mesh{}), "the mesh has no triangles"); }
+
+TEST(Mesh, refuses_a_coordinate_that_is_not_finite) {
+  Mesh mesh = rectangle(1, 1, 1, 1);
+  mesh.vertices(1, 2) = std::nan("");
+  EXPECT_EQ(refusal_of(mesh), "the mesh has a vertex whose coordinates are not finite");
+}
+
+TEST(Mesh, refuses_a_triangle_that_turns_clockwise) {
+  Mesh mesh = rectangle(1, 1, 1, 1);
+  std::swap(mesh.triangles(0, 1), mesh.triangles(1, 1));
+  EXPECT_EQ(refusal_of(mesh), "triangle 1 has the area -0.5, not positive");
+}
+
+TEST(Mesh, refuses_a_vertex_out_of_range) {
+  Mesh mesh = rectangle(1, 1, 1, 1);
+  mesh.triangles(2, 0) = 4;
+  EXPECT_EQ(refusal_of(mesh), "triangle 0 names vertex 4 of a mesh with 4 vertices");
+  mesh = rectangle(1, 1, 1, 1);
+  mesh.boundary(0, 3) = -1;
+  EXPECT_EQ(refusal_of(mesh), "boundary edge 3 names vertex -1 of a mesh with 4 vertices");
+}
+
+TEST(Mesh, refuses_boundary_edges_without_label) {
+  Mesh mesh = rectangle(1, 1, 1, 1);
+  mesh.boundary_label.conservativeResize(3);
+  EXPECT_EQ(refusal_of(mesh), "boundary_label has 3 values where 4 are needed");
+}
+
+}  // namespace
+}  // namespace ffcontact
