@@ -13,7 +13,7 @@ namespace {
 /// Below this, relative to the largest multiplier (or load on the line) or displacement, a contradiction is rounding.
 constexpr double relative_rounding = 1e-12;
 /// A closed node that moves by more than this, relative to the largest displacement, is moved by a prescribed dof.
-constexpr double moved = 1e-11;
+constexpr double relative_motion = 1e-11;
 /// Steps in which all contradicted nodes may change although the contradictions do not get fewer.
 constexpr int patience = 10;
 
@@ -21,6 +21,7 @@ using States = std::vector<ContactState>;
 
 struct Rounding {
   double P, v;
+  double motion;  ///< of a closed node
 };
 
 /// Which way a node slides, 0 if it does not move.
@@ -39,13 +40,13 @@ ContactState open_state(int slip) {
 /// What the answer makes of the slip of a node that friction holds.
 int next_slip(double Pt, double vt, double bound, int slip, const Rounding& rounding) {
   if (slip != 0) return slip * vt < -rounding.v ? 0 : slip;
-  if (std::abs(vt) > moved / relative_rounding * rounding.v) return direction(vt, rounding);
+  if (std::abs(vt) > rounding.motion) return direction(vt, rounding);
   if (std::abs(Pt) <= bound + rounding.P) return 0;
   return Pt < 0 ? 1 : -1;
 }
 
 bool next_open(double Pn, double vn, bool open, const Rounding& rounding) {
-  return open ? vn <= rounding.v : Pn > rounding.P || vn < -moved / relative_rounding * rounding.v;
+  return open ? vn <= rounding.v : Pn > rounding.P || vn < -rounding.motion;
 }
 
 ContactState next_state(const NodalLaw& law, int node, ContactState now, const ContactRows& rows,
@@ -71,7 +72,8 @@ ContactState start_state(const NodalLaw& law, int node, ContactState state) {
 
 Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
   const double P_largest = std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
-  return {relative_rounding * P_largest, relative_rounding * rows.v.cwiseAbs().maxCoeff()};
+  const double v_largest = rows.v.cwiseAbs().maxCoeff();
+  return {relative_rounding * P_largest, relative_rounding * v_largest, relative_motion * v_largest};
 }
 
 States next_states(const CondensedContact& contact, const NodalLaw& law, const States& state, const ContactRows& rows) {
@@ -134,7 +136,7 @@ void keep(const States& state, const ContactRows& rows, double violation, Active
 States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw& law, const ContactRows& rows,
                                  States state) {
   const Rounding rounding = rounding_of(contact, rows);
-  const auto touches = [&](int node) { return std::abs(rows.v[2 * node]) <= moved / relative_rounding * rounding.v; };
+  const auto touches = [&](int node) { return std::abs(rows.v[2 * node]) <= rounding.motion; };
   for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
     if (contact.dependent[d] % 2 != 0 || contact.continued[d] < 0) continue;
     if (contact.E.col(static_cast<Eigen::Index>(d)).isZero(0)) continue;
