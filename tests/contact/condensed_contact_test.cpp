@@ -60,7 +60,8 @@ RC_GTEST_PROP(CondensedContact, v_is_the_weighted_trace_of_the_extended_displace
   const Condensed c(random_problem(random));
   const Eigen::VectorXd v = random_vector(c.contact.S.rows(), random);
   const Eigen::VectorXd u =
-      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v)) + c.system.prescribed_value;
+      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, Eigen::VectorXd::Zero(c.contact.E.cols()))) +
+      c.system.prescribed_value;
   const Eigen::VectorXd trace = weighted_trace(c.problem, u);
   const Eigen::VectorXd dependent = c.contact.E.transpose() * v + c.contact.dependent_offset;
   const double scale = 1e-11 * std::max(trace.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
@@ -80,7 +81,8 @@ RC_GTEST_PROP(CondensedContact, multipliers_hold_the_displacement_in_equilibrium
     const int k = c.contact.position[row];
     P[row] = k >= 0 ? P_primary[k] : q[-1 - k];
   }
-  const Eigen::VectorXd u = c.stiffness.extended(c.system.load, kept_displacement(c.contact, v));
+  const Eigen::VectorXd u =
+      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, Eigen::VectorXd::Zero(c.contact.E.cols())));
   const Eigen::VectorXd load = load_of(c.problem, P), residual = c.system.stiffness * u - c.system.load - load;
   const double scale = 1e-10 * std::max(load.cwiseAbs().maxCoeff(), c.system.load.cwiseAbs().maxCoeff());
   for (int dof = 0; dof < c.system.dof_count(); ++dof)

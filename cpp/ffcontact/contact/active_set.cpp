@@ -139,7 +139,7 @@ States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw
   const auto touches = [&](int node) { return std::abs(rows.v[2 * node]) <= rounding.motion; };
   for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
     if (contact.dependent[d] % 2 != 0 || contact.continued[d] < 0) continue;
-    if (contact.E.col(static_cast<Eigen::Index>(d)).isZero(0)) continue;
+    if (!contact.loads_the_body(static_cast<Eigen::Index>(d))) continue;
     const int end = contact.dependent[d] / 2, neighbour = contact.continued[d] / 2;
     if (is_open(state[end]) == is_open(state[neighbour]) || !touches(end) || !touches(neighbour)) continue;
     const int node = is_open(state[end]) ? end : neighbour;

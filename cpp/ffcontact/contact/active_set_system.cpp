@@ -47,7 +47,7 @@ class LinearStep {
       if (!conditions_[contact.primary[k]].on_displacement) unknown_.push_back(static_cast<int>(k));
     q_scale_.resize(contact.E.cols());
     for (Eigen::Index d = 0; d < contact.E.cols(); ++d) {
-      const double reach = contact.E.col(d).cwiseProduct(v_scale_).norm();
+      const double reach = std::hypot(contact.E.col(d).cwiseProduct(v_scale_).norm(), std::sqrt(contact.F(d, d)));
       q_scale_[d] = 1 / (reach > 0 ? reach : v_scale_.mean());
     }
   }
@@ -92,10 +92,14 @@ class LinearStep {
       matrix_(e, j) = q_scale_[d] * contact_.E(unknown_[j], d) * v_scale_[unknown_[j]];
       steering += std::abs(contact_.E(unknown_[j], d));
     }
+    for (Eigen::Index j = 0; j < contact_.F.cols(); ++j) {
+      matrix_(e, n + j) = q_scale_[d] * contact_.F(d, j) * q_scale_[j];
+      steering += std::abs(matrix_(e, n + j));
+    }
     if (steering < unsteered) {
       matrix_.row(e).setZero();
       add_multiplier(e, contact_.dependent[d], 1 / q_scale_[d]);
-      const bool loads_the_body = !contact_.E.col(d).isZero(0);
+      const bool loads_the_body = contact_.loads_the_body(d);
       if (loads_the_body && contact_.continued[d] >= 0) add_multiplier(e, contact_.continued[d], -1 / q_scale_[d]);
     } else {
       right_[e] = -q_scale_[d] * contact_.dependent_offset[d];
@@ -133,7 +137,7 @@ class LinearStep {
 
   void spread(const Eigen::VectorXd& v, const Eigen::VectorXd& q, ContactRows& rows) const {
     const Eigen::VectorXd P = contact_.S * v - contact_.g - contact_.E * q;
-    const Eigen::VectorXd v_dependent = contact_.E.transpose() * v + contact_.dependent_offset;
+    const Eigen::VectorXd v_dependent = contact_.E.transpose() * v + contact_.F * q + contact_.dependent_offset;
     rows.P.resize(contact_.position.size());
     rows.v.resize(contact_.position.size());
     for (int row = 0; row < contact_.position.size(); ++row) {

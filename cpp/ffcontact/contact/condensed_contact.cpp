@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/condensed_contact.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <map>
+#include <stdexcept>
 
 #include "ffcontact/base/require.hpp"
 
@@ -89,16 +91,38 @@ std::vector<int> continued_rows(const ContactLine& line, const std::vector<char>
   return continued;
 }
 
-/// Trace operator of all rows, u_rows = T w.
+/// The opposite vertices that carry no rows move by their free components. Returns the number of all unknowns.
+int number_opposite(const ContactLine& line, const std::vector<char>& prescribed, int unknowns,
+                    std::map<int, VertexMotion>& motions) {
+  for (const int v : opposite_vertices(line)) {
+    if (motions.count(v)) continue;
+    VertexMotion motion;
+    motion.column = unknowns;
+    motion.directions.resize(2, 2 - prescribed[2 * v] - prescribed[2 * v + 1]);
+    for (int c = 0, column = 0; c < 2; ++c)
+      if (!prescribed[2 * v + c]) motion.directions.col(column++) = Eigen::Vector2d::Unit(c);
+    unknowns += static_cast<int>(motion.directions.cols());
+    motions.emplace(v, std::move(motion));
+  }
+  return unknowns;
+}
+
+/// Trace operator of all rows, [u]_rows = T w.
 Eigen::SparseMatrix<double> trace_operator(const ContactLine& line, const std::map<int, VertexMotion>& motions,
                                            Eigen::Index unknowns) {
   Triplets entries;
-  for (int i = 0; i < line.node_count(); ++i) {
-    const VertexMotion& motion = motions.at(line.vertex[i]);
+  const auto add_motion = [&](int node, int vertex, double factor) {
+    const VertexMotion& motion = motions.at(vertex);
     for (Eigen::Index k = 0; k < motion.directions.cols(); ++k) {
-      entries.emplace_back(2 * i, motion.column + k, line.normal.col(i).dot(motion.directions.col(k)));
-      entries.emplace_back(2 * i + 1, motion.column + k, line.tangent(i).dot(motion.directions.col(k)));
+      entries.emplace_back(2 * node, motion.column + k, factor * line.normal.col(node).dot(motion.directions.col(k)));
+      entries.emplace_back(2 * node + 1, motion.column + k, factor * line.tangent(node).dot(motion.directions.col(k)));
     }
+  };
+  for (int i = 0; i < line.node_count(); ++i) {
+    add_motion(i, line.vertex[i], 1);
+    if (line.against_a_body())
+      for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
+        add_motion(i, static_cast<int>(part.col()), -part.value());
   }
   Eigen::SparseMatrix<double> T(2 * line.node_count(), unknowns);
   T.setFromTriplets(entries.begin(), entries.end());
@@ -136,7 +160,8 @@ Eigen::SparseMatrix<double> kept_operator(const std::map<int, VertexMotion>& mot
 using Factor = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
 
 void factorise_primary(const CondensedContact& contact, Factor& factor) {
-  Eigen::SparseMatrix<double> A_primary = selected_rows(contact.A, contact.primary);
+  const auto f = static_cast<Eigen::Index>(contact.primary.size());
+  Eigen::SparseMatrix<double> A_primary = selected_rows(contact.A, contact.primary).leftCols(f);
   A_primary.makeCompressed();
   factor.compute(A_primary);
   if (factor.info() != Eigen::Success)
@@ -144,13 +169,82 @@ void factorise_primary(const CondensedContact& contact, Factor& factor) {
         "the contact multipliers are not independent: the contact line turns too sharply between prescribed vertices");
 }
 
+/// X with A_primary^T X = right; SparseLU does not take zero columns.
+Eigen::MatrixXd solved_transposed(Factor& factor, const Eigen::MatrixXd& right) {
+  if (right.cols() == 0) return right;
+  return factor.transpose().solve(right);
+}
+
+/// The relation between v, w_o and the multipliers before w_o is condensed:
+///     S v + V' w_o = g + P + E q,   V v + O w_o = h + E_o q,   v_dependent = E' v + E_o' w_o + offset.
+struct OppositeTerms {
+  Eigen::MatrixXd V, O, E;
+  Eigen::VectorXd h;
+};
+
+/// Fills S, g, E and dependent_offset as if w_o were given.
+OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
+                                     CondensedContact& contact) {
+  const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
+  Factor factor;
+  factorise_primary(contact, factor);
+  const Eigen::SparseMatrix<double> Qt = contact.to_kept.transpose();
+  const Eigen::MatrixXd S_w = Qt * stiffness.schur() * contact.to_kept;
+  Eigen::VectorXd w_prescribed = Eigen::VectorXd::Zero(f + o);
+  w_prescribed.head(f) = factor.solve(selected(contact.v_prescribed, contact.primary));
+  const Eigen::VectorXd g_w = Qt * stiffness.condensed_load(load) + S_w * w_prescribed;
+
+  const Eigen::MatrixXd half = factor.transpose().solve(S_w.topLeftCorner(f, f));  // A^-T S_w
+  const Eigen::MatrixXd half_transposed = half.transpose();
+  contact.S = factor.transpose().solve(half_transposed);
+  contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
+  contact.g = factor.transpose().solve(Eigen::VectorXd(g_w.head(f)));
+  const Eigen::MatrixXd A_dependent = selected_rows(contact.A, contact.dependent);
+  contact.E = solved_transposed(factor, A_dependent.leftCols(f).transpose());
+  contact.dependent_offset = selected(contact.v_prescribed, contact.dependent) - A_dependent * w_prescribed;
+
+  // w = A^-1 (v - v_prescribed) - X w_o with X = A^-1 A_o.
+  OppositeTerms terms;
+  const Eigen::MatrixXd A_o = Eigen::MatrixXd(selected_rows(contact.A, contact.primary).rightCols(o));
+  const Eigen::MatrixXd X = o > 0 ? Eigen::MatrixXd(factor.solve(A_o)) : A_o;
+  const Eigen::MatrixXd S_ow = S_w.bottomLeftCorner(o, f) - X.transpose() * S_w.topLeftCorner(f, f);
+  terms.V = solved_transposed(factor, S_ow.transpose()).transpose();
+  terms.O = S_w.bottomRightCorner(o, o) - S_ow * X - X.transpose() * S_w.topRightCorner(f, o);
+  terms.h = g_w.tail(o) - X.transpose() * g_w.head(f);
+  terms.E = A_dependent.rightCols(o).transpose() - X.transpose() * A_dependent.leftCols(f).transpose();
+  return terms;
+}
+
+/// w_o = O^-1 (h + E_o q - V v) put into the relation.
+void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
+  contact.opposite_of_v = Eigen::MatrixXd::Zero(terms.V.rows(), terms.V.cols());
+  contact.opposite_of_q = Eigen::MatrixXd::Zero(terms.E.rows(), terms.E.cols());
+  contact.opposite_offset = Eigen::VectorXd::Zero(terms.h.size());
+  contact.F = Eigen::MatrixXd::Zero(terms.E.cols(), terms.E.cols());
+  if (terms.h.size() == 0) return;
+  const Eigen::LLT<Eigen::MatrixXd> O(0.5 * (terms.O + terms.O.transpose()));
+  if (O.info() != Eigen::Success || O.rcond() < 1e-15)
+    throw std::runtime_error("the bodies are not held, even with their contact lines glued to each other");
+  contact.opposite_of_v = -O.solve(terms.V);
+  contact.opposite_of_q = O.solve(terms.E);
+  contact.opposite_offset = O.solve(terms.h);
+  contact.S += terms.V.transpose() * contact.opposite_of_v;
+  contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
+  contact.g -= terms.V.transpose() * contact.opposite_offset;
+  contact.dependent_offset += terms.E.transpose() * contact.opposite_offset;
+  contact.E += contact.opposite_of_v.transpose() * terms.E;
+  contact.F = terms.E.transpose() * contact.opposite_of_q;
+}
+
 }  // namespace
 
 std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system) {
-  std::vector<int> dofs;
+  std::vector<int> vertices(line.vertex.begin(), line.vertex.end()), dofs;
+  const std::vector<int> opposite = opposite_vertices(line);
+  vertices.insert(vertices.end(), opposite.begin(), opposite.end());
   std::vector<char> seen(system.prescribed.size(), 0);
-  for (int i = 0; i < line.node_count(); ++i)
-    for (int dof = 2 * line.vertex[i]; dof < 2 * line.vertex[i] + 2; ++dof)
+  for (int v : vertices)
+    for (int dof = 2 * v; dof < 2 * v + 2; ++dof)
       if (!system.prescribed[dof] && !seen[dof]) {
         seen[dof] = 1;
         dofs.push_back(dof);
@@ -162,39 +256,28 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
                                    const CondensedStiffness& stiffness) {
   CondensedContact contact;
   contact.kept_dofs = contact_dofs(line, system);
-  if (contact.kept_dofs.empty()) refuse("every dof of the contact line is prescribed");
-  const std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
+  std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
+  if (contact.primary.empty()) refuse("every dof of the contact line is prescribed");
   contact.continued = continued_rows(line, system.prescribed, contact.dependent);
-  const auto f = static_cast<Eigen::Index>(contact.primary.size());
+  const int unknowns = number_opposite(line, system.prescribed, static_cast<int>(contact.primary.size()), motions);
 
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
-  contact.A = W * trace_operator(line, motions, f);
+  contact.A = W * trace_operator(line, motions, unknowns);
   contact.v_prescribed = W * displacement_against_foundation(line, law, system.prescribed_value).reshaped();
-  contact.to_kept = kept_operator(motions, contact.kept_dofs, f);
-
-  Factor factor;
-  factorise_primary(contact, factor);
-  const Eigen::SparseMatrix<double> Qt = contact.to_kept.transpose();
-  const Eigen::MatrixXd S_w = Qt * stiffness.schur() * contact.to_kept;
-  const Eigen::VectorXd g_w = Qt * stiffness.condensed_load(system.load);
-  const Eigen::VectorXd w_prescribed = factor.solve(selected(contact.v_prescribed, contact.primary));
-  const Eigen::MatrixXd half = factor.transpose().solve(S_w);  // A^-T S_w
-  const Eigen::MatrixXd half_transposed = half.transpose();
-  contact.S = factor.transpose().solve(half_transposed);
-  contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
-  contact.g = factor.transpose().solve(Eigen::VectorXd(g_w + S_w * w_prescribed));
-  const Eigen::MatrixXd A_dependent = selected_rows(contact.A, contact.dependent);
-  contact.E.resize(f, A_dependent.rows());
-  if (!contact.dependent.empty())  // SparseLU does not take zero right-hand sides
-    contact.E = factor.transpose().solve(Eigen::MatrixXd(A_dependent.transpose()));
-  contact.dependent_offset = selected(contact.v_prescribed, contact.dependent) - A_dependent * w_prescribed;
+  contact.to_kept = kept_operator(motions, contact.kept_dofs, unknowns);
+  condense_opposite(relation_with_opposite(stiffness, system.load, contact), contact);
   return contact;
 }
 
-Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v_primary) {
+Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v, const Eigen::VectorXd& q) {
+  const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
   Factor factor;
   factorise_primary(contact, factor);
-  return contact.to_kept * factor.solve(Eigen::VectorXd(v_primary - selected(contact.v_prescribed, contact.primary)));
+  Eigen::VectorXd w(f + o);
+  w.tail(o) = contact.opposite_offset + contact.opposite_of_v * v + contact.opposite_of_q * q;
+  const Eigen::VectorXd from_opposite = selected_rows(contact.A, contact.primary).rightCols(o) * w.tail(o);
+  w.head(f) = factor.solve(Eigen::VectorXd(v - selected(contact.v_prescribed, contact.primary) - from_opposite));
+  return contact.to_kept * w;
 }
 
 }  // namespace ffcontact

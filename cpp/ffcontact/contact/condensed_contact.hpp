@@ -16,6 +16,13 @@ namespace ffcontact {
 /// from CondensedStiffness and v = A w in terms of the free components w,
 ///     P = S v - g - E q,    v_dependent = E' v + offset,    E = A_primary^-T A_dependent',
 /// where P and v are those of the primary rows and q are the multipliers of the dependent rows.
+///
+/// Against other bodies v = A w + A_o w_o with the free components w_o of the opposite vertices, which carry no multipliers of
+/// their own. In the unknowns (v, w_o) the stiffness is S~, and w_o is condensed too,
+///     w_o = S~_oo^-1 (g~_o + E_o q - S~_ov v),
+/// which leaves the same relation, with F = E_o' S~_oo^-1 E_o added:   v_dependent = E' v + F q + offset.
+/// S~_oo is the stiffness with the traces glued to each other, hence definite when contact can hold the bodies at all.
+///
 /// At a vertex with one free dof the primary row is the normal one unless the dof is tangential.
 ///
 /// Where no equation determines the multiplier of a prescribed dof, lambda_t = 0 at a vertex that may move along n (symmetry
@@ -28,23 +35,29 @@ struct CondensedContact {
   Eigen::MatrixXd S;           ///< [f x f]
   Eigen::VectorXd g;           ///< [f]
   Eigen::MatrixXd E;           ///< [f x d]
-  Eigen::VectorXd dependent_offset;     ///< [d]
-  std::vector<int> kept_dofs;           ///< free dofs of the contact vertices, the unknowns of CondensedStiffness
-  Eigen::SparseMatrix<double> to_kept;  ///< displacement of the kept dofs = to_kept w [kept x f]
-  Eigen::SparseMatrix<double> A;        ///< v of all rows = A w + v_prescribed [2 p x f]
+  Eigen::MatrixXd F;           ///< [d x d], zero on a rigid foundation
+  Eigen::VectorXd dependent_offset;  ///< [d]
+  std::vector<int> kept_dofs;  ///< free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
+  Eigen::SparseMatrix<double> to_kept;  ///< displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]
+  Eigen::SparseMatrix<double> A;        ///< v of all rows = A (w, w_o) + v_prescribed [2 p x f + o]
   Eigen::VectorXd v_prescribed;         ///< v of the prescribed values, gap and previous displacement included [2 p]
+  Eigen::VectorXd opposite_offset;      ///< w_o = opposite_offset + opposite_of_v v + opposite_of_q q [o]
+  Eigen::MatrixXd opposite_of_v;        ///< [o x f]
+  Eigen::MatrixXd opposite_of_q;        ///< [o x d]
 
   bool is_primary(int row) const { return position[row] >= 0; }
+  /// Does the multiplier of dependent row d do anything to a body? Nodal forces on prescribed dofs do not.
+  bool loads_the_body(Eigen::Index d) const { return !E.col(d).isZero(0) || !F.col(d).isZero(0); }
 };
 
-/// The free dofs of the vertices on the line, in the order of its nodes.
+/// The free dofs of the vertices on the line, in the order of its nodes, then those of the opposite vertices.
 std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system);
 
 /// @throws std::invalid_argument  if the contact line has no free dof
 CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
                                    const CondensedStiffness& stiffness);
 
-/// Displacement of the kept dofs that has the given v on the primary rows [kept].
-Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v_primary);
+/// Displacement of the kept dofs that has the given v on the primary rows under the multipliers q of the dependent rows [kept].
+Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v, const Eigen::VectorXd& q);
 
 }  // namespace ffcontact

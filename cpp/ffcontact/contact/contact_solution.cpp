@@ -19,7 +19,7 @@ Eigen::Array<bool, 2, Eigen::Dynamic> immovable(const CondensedContact& contact,
   Eigen::Array<bool, 2, Eigen::Dynamic> absent(2, nodes);
   absent.setConstant(false);
   for (std::size_t k = 0; k < contact.dependent.size(); ++k) {
-    if (contact.E.col(static_cast<Eigen::Index>(k)).cwiseAbs().sum() > 0) continue;
+    if (contact.loads_the_body(static_cast<Eigen::Index>(k))) continue;
     const int row = contact.dependent[k];
     absent(row % 2, row / 2) = true;
     if (contact.continued[k] >= 0) continued.emplace(row, contact.continued[k]);
@@ -27,17 +27,22 @@ Eigen::Array<bool, 2, Eigen::Dynamic> immovable(const CondensedContact& contact,
   return absent;
 }
 
-Eigen::VectorXd primary_values(const CondensedContact& contact, const Eigen::VectorXd& rows) {
-  Eigen::VectorXd values(contact.S.rows());
-  for (Eigen::Index k = 0; k < values.size(); ++k) values[k] = rows[contact.primary[k]];
-  return values;
+Eigen::VectorXd selected(const Eigen::VectorXd& values, const std::vector<int>& rows) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
+  for (Eigen::Index k = 0; k < result.size(); ++k) result[k] = values[rows[k]];
+  return result;
 }
 
-/// Contact forces on all dofs, sum over nodes of F_n n + F_t t.
+/// Contact forces on all dofs: F_n n + F_t t at every node, and against it on the opposite body.
 Eigen::VectorXd contact_load(const ContactLine& line, const Eigen::Matrix2Xd& force, Eigen::Index dofs) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(dofs);
-  for (int i = 0; i < line.node_count(); ++i)
-    load.segment<2>(2 * line.vertex[i]) += force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
+  for (int i = 0; i < line.node_count(); ++i) {
+    const Eigen::Vector2d F = force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
+    load.segment<2>(2 * line.vertex[i]) += F;
+    if (line.against_a_body())
+      for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
+        load.segment<2>(2 * part.col()) -= part.value() * F;
+  }
   return load;
 }
 
@@ -163,8 +168,9 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   for (ContactState state : answer.state) solution.state.push_back(is_open(state) ? ContactState::open : state);
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
-  solution.displacement =
-      stiffness.extended(system.load, kept_displacement(contact, primary_values(contact, answer.v)));
+  solution.displacement = stiffness.extended(
+      system.load,
+      kept_displacement(contact, selected(answer.v, contact.primary), selected(answer.P, contact.dependent)));
   solution.displacement += system.prescribed_value;
   const Eigen::Matrix2Xd P = answer.P.reshaped(2, line.node_count());
   put_multipliers(line, law, contact, P, solution);

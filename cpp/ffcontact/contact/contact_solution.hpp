@@ -41,8 +41,10 @@ struct ContactSolution {
   }
 };
 
-/// Solves K u = b + B' P under the conditions of Prop. 3.4 / 3.5 for one body on a rigid foundation:
-/// one factorisation, the condensed relation between P and v, the chosen solver on it, one back-substitution.
+/// Solves K u = b + B' P under the conditions of Prop. 3.4 / 3.5 for a body on a rigid foundation, or for bodies against each
+/// other (a joined mesh and system, and lines with their opposite bodies; u_n and u_t are then the jumps [u] . n and [u] . t, and
+/// -P acts on the opposite body): one factorisation, the condensed relation between P and v, the chosen solver on it, one
+/// back-substitution.
 ///
 /// The quasi-static path of a load that changes direction is a sequence of such problems with ContactLaw::previous and
 /// ContactSettings::initial_state taken from the step before.

@@ -106,4 +106,29 @@ RowMatrix stiffness(const Mesh& mesh, const Hooke& hooke) {
   return K;
 }
 
+ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
+  Eigen::Index dofs = 0, entries = 0;
+  for (const ElasticSystem& body : bodies) {
+    dofs += body.dof_count();
+    entries += body.stiffness.nonZeros();
+  }
+  ElasticSystem joined{RowMatrix(dofs, dofs), Eigen::VectorXd(dofs), {}, Eigen::VectorXd(dofs)};
+  joined.stiffness.reserve(entries);
+  Eigen::Index first = 0;
+  for (const ElasticSystem& body : bodies) {
+    const Eigen::Index size = body.dof_count();
+    joined.load.segment(first, size) = body.load;
+    joined.prescribed_value.segment(first, size) = body.prescribed_value;
+    joined.prescribed.insert(joined.prescribed.end(), body.prescribed.begin(), body.prescribed.end());
+    for (Eigen::Index row = 0; row < size; ++row) {
+      joined.stiffness.startVec(first + row);
+      for (RowMatrix::InnerIterator e(body.stiffness, row); e; ++e)
+        joined.stiffness.insertBack(first + row, first + e.col()) = e.value();
+    }
+    first += size;
+  }
+  joined.stiffness.finalize();
+  return joined;
+}
+
 }  // namespace ffcontact

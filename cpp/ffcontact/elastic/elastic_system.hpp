@@ -29,6 +29,9 @@ struct ElasticSystem {
 ///                                prescribed value is not zero where the columns of A are gone (tgv = -2)
 ElasticSystem elastic_system(const RowMatrixView& A, const Eigen::Ref<const Eigen::VectorXd>& b);
 
+/// Several bodies as one system of separate blocks, in the order of joined_mesh.
+ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);
+
 /// 1 where the row of A prescribes its dof.
 std::vector<char> prescribed_dofs(const RowMatrixView& A);
 

@@ -159,6 +159,14 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine l
   return line;
 }
 
+std::vector<int> opposite_vertices(const ContactLine& line) {
+  std::set<int> vertices;
+  for (int i = 0; i < line.opposite.outerSize(); ++i)
+    for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
+      vertices.insert(static_cast<int>(part.col()));
+  return {vertices.begin(), vertices.end()};
+}
+
 Eigen::SparseMatrix<double> contact_mass(const ContactLine& line) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * line.edge_count());
@@ -174,7 +182,10 @@ Eigen::SparseMatrix<double> contact_mass(const ContactLine& line) {
 Eigen::Matrix2Xd contact_components(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& field) {
   Eigen::Matrix2Xd components(2, line.node_count());
   for (int i = 0; i < line.node_count(); ++i) {
-    const Eigen::Vector2d value = field.segment<2>(2 * line.vertex[i]);
+    Eigen::Vector2d value = field.segment<2>(2 * line.vertex[i]);
+    if (line.against_a_body())
+      for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
+        value -= part.value() * field.segment<2>(2 * part.col());
     components.col(i) << value.dot(line.normal.col(i)), value.dot(line.tangent(i));
   }
   return components;

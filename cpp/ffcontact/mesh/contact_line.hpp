@@ -23,9 +23,14 @@ struct ContactLine {
   Eigen::Matrix2Xi edge_node;  ///< first and second node of each contact edge [2 x m]
   Eigen::VectorXi edge;        ///< mesh edge of each contact edge [m]
   Eigen::VectorXd length;      ///< of each contact edge [mm]
+  /// Displacement of the opposite body at each node from that of the vertices, the same for both components [p x vertices]; no
+  /// rows where all of the foundation is rigid.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> opposite;
+  Eigen::VectorXi opposite_edge;  ///< mesh edge that faces each contact edge as a whole, or -1 [m]; empty as `opposite`
 
   int node_count() const { return static_cast<int>(vertex.size()); }
   int edge_count() const { return static_cast<int>(edge.size()); }
+  bool against_a_body() const { return opposite.rows() > 0; }
   Eigen::Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
   /// Both nodes of a contact edge have its normal, except on a line of given directions.
   Eigen::Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
@@ -46,10 +51,14 @@ ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges, const std:
 ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
                              const Eigen::Ref<const Eigen::Matrix2Xd>& direction);
 
+/// The vertices of opposite bodies that take part in contact, each once.
+std::vector<int> opposite_vertices(const ContactLine& line);
+
 /// Mass matrix on Gamma_C [mm], m_ij = int psi_i psi_j, tridiagonal [CHH01, (3.9)].
 Eigen::SparseMatrix<double> contact_mass(const ContactLine& line);
 
-/// Normal and tangential components u_n = u . n and u_t = u . t at the nodes [2 x p] of a vertex field (2 * vertex + component).
+/// Normal and tangential components at the nodes [2 x p] of a vertex field (2 * vertex + component) against the opposite body:
+/// [u] . n and [u] . t for [u] = u - opposite u, with u = 0 in a rigid foundation. [u] . n > 0 is penetration.
 Eigen::Matrix2Xd contact_components(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& field);
 
 }  // namespace ffcontact

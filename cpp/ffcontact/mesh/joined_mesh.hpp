@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/mesh/mesh.hpp"
+
+namespace ffcontact {
+
+/// Several bodies as one mesh of separate parts: all that is done vertex by vertex, edge by edge or triangle by triangle is
+/// then done for all bodies at once. Vertices, triangles and boundary edges of body k follow those of body k - 1; labels are
+/// shifted so that no two bodies share one.
+struct JoinedMesh {
+  Mesh mesh;
+  std::vector<int> first_vertex, first_triangle,
+      first_boundary;  ///< of each body, and the total at the end [bodies + 1]
+  int label_stride = 0;
+
+  int body_count() const { return static_cast<int>(first_vertex.size()) - 1; }
+  /// The joined mesh's label for a label of one body.
+  int label(int body, int own_label) const { return own_label + body * label_stride; }
+};
+
+JoinedMesh joined_mesh(const std::vector<Mesh>& bodies);
+
+}  // namespace ffcontact
