@@ -120,9 +120,7 @@ Eigen::SparseMatrix<double> trace_operator(const ContactLine& line, const std::m
   };
   for (int i = 0; i < line.node_count(); ++i) {
     add_motion(i, line.vertex[i], 1);
-    if (line.against_a_body())
-      for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
-        add_motion(i, static_cast<int>(part.col()), -part.value());
+    visit_opposite(line, i, [&](int vertex, double weight) { add_motion(i, vertex, -weight); });
   }
   Eigen::SparseMatrix<double> T(2 * line.node_count(), unknowns);
   T.setFromTriplets(entries.begin(), entries.end());

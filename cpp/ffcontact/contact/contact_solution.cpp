@@ -39,9 +39,7 @@ Eigen::VectorXd contact_load(const ContactLine& line, const Eigen::Matrix2Xd& fo
   for (int i = 0; i < line.node_count(); ++i) {
     const Eigen::Vector2d F = force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
     load.segment<2>(2 * line.vertex[i]) += F;
-    if (line.against_a_body())
-      for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
-        load.segment<2>(2 * part.col()) -= part.value() * F;
+    visit_opposite(line, i, [&](int vertex, double weight) { load.segment<2>(2 * vertex) -= weight * F; });
   }
   return load;
 }

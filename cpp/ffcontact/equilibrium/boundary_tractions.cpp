@@ -56,6 +56,10 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const
         contact.normal(1, k) * n + contact.tangential(1, k) * t;
     result.known.col(line.edge[k]).setConstant(true);
     result.moments.col(line.edge[k]) = moments_of_density(density, line.length[k]);
+    if (!line.against_a_body() || line.opposite_edge[k] < 0) continue;
+    result.known.col(line.opposite_edge[k]).setConstant(true);
+    result.moments.col(line.opposite_edge[k]) << -result.moments.col(line.edge[k]).tail<2>(),
+        -result.moments.col(line.edge[k]).head<2>();
   }
   return result;
 }

@@ -25,6 +25,7 @@ struct BoundaryTractions {
 /// @param prescribed  1 where the dof is prescribed [2 * vertices]
 /// @param neumann     moments of the given tractions at the two vertices of each column of Mesh::boundary [4 x boundary];
 ///                    not read on contact edges and on prescribed components
+/// @param line        where it faces whole edges of another body, these carry the opposite forces
 /// @param contact     densities on the contact edges
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const std::vector<char>& prescribed,
                                      const Eigen::Ref<const Eigen::Matrix4Xd>& neumann, const ContactLine& line,

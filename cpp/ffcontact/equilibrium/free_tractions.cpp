@@ -24,7 +24,10 @@ ConeConditions cone_conditions(const ContactLaw& law, int node) {
 
 std::vector<int> contact_edge_numbers(const ContactLine& line, const Edges& edges) {
   std::vector<int> numbers(edges.count(), -1);
-  for (int e = 0; e < line.edge_count(); ++e) numbers[line.edge[e]] = e;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    numbers[line.edge[e]] = e;
+    if (line.against_a_body() && line.opposite_edge[e] >= 0) numbers[line.opposite_edge[e]] = e;
+  }
   return numbers;
 }
 

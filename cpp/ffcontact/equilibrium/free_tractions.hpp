@@ -17,7 +17,7 @@ struct FreeTractions {
   ContactDensities densities;    ///< r_hat, inside the cone before and after [MPa]
   Eigen::Matrix2Xd normal_cost;  ///< cost_n at the two ends of each contact edge [mm^2]
   Eigen::Matrix2Xd tangential_cost;
-  std::vector<int> contact_edge;  ///< of each mesh edge: its number on the contact line, or -1
+  std::vector<int> contact_edge;  ///< contact_edge_numbers
 };
 
 /// Linear conditions C r >= d on the density (r_n, r_t) at one end of an edge. Without friction r_t = 0 is no inequality: it
@@ -29,7 +29,7 @@ struct ConeConditions {
 };
 ConeConditions cone_conditions(const ContactLaw& law, int node);
 
-/// Number on the contact line of each mesh edge, or -1.
+/// Number on the contact line of each mesh edge, that of an opposite body which a contact edge faces included, or -1.
 std::vector<int> contact_edge_numbers(const ContactLine& line, const Edges& edges);
 
 }  // namespace ffcontact

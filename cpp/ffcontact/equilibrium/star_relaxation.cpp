@@ -6,6 +6,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "ffcontact/base/quadratic_minimum.hpp"
 
@@ -97,67 +99,126 @@ double relax_inner(const Setting& setting, const StarCorrections& star, EdgeLoad
   return -y.dot(energy.g);
 }
 
-/// A linear condition on the moments of one spoke at one of its ends: (component . moment) does not change.
-void fix_moment(const StarCorrections& star, int spoke, const Eigen::Vector2d& component, Eigen::MatrixXd& conditions,
-                int& row) {
-  for (int end = 0; end < 2; ++end, ++row) {  // psi_i and psi_m vanish exactly when b_i and b_j do
-    const Eigen::RowVector4d moment = component.transpose() * star.moments(spoke).middleRows<2>(2 * end);
-    const std::array<int, 4> columns = star.columns_of_spoke(spoke);
-    for (int c = 0; c < 4; ++c) conditions(row, columns[c]) = moment[c];
-  }
-}
+/// The vertices that are relaxed together: one, or those that contact edges join across two bodies. The unknowns of their stars
+/// follow each other.
+struct Group {
+  std::vector<StarCorrections> stars;
+  std::vector<int> first;  ///< unknown of each star, and the number of all
 
-/// The contact edge that a boundary spoke is, or -1.
-int free_edge(const StarCorrections& star, int spoke, const FreeContact* contact) {
-  return contact ? contact->tractions.contact_edge[star.spoke(spoke)] : -1;
-}
-
-/// Basis of the corrections that leave known boundary tractions alone [unknowns x n].
-Eigen::MatrixXd admissible_corrections(const StarCorrections& star, const BoundaryTractions& boundary,
-                                       const FreeContact* contact) {
-  Eigen::MatrixXd conditions = Eigen::MatrixXd::Zero(8, star.unknowns());
-  int row = 0;
-  for (int k : {0, star.spoke_count() - 1}) {
-    const int e = free_edge(star, k, contact);
-    if (e >= 0) {
-      if (cone_conditions(contact->law, contact->line.edge_node(0, e)).frictionless)
-        fix_moment(star, k, contact->line.edge_tangent(e), conditions, row);
-      continue;
+  Group(const Setting& setting, const std::vector<int>& vertices) : first(1, 0) {
+    for (int v : vertices) {
+      stars.emplace_back(setting.mesh, setting.edges, setting.stars, v);
+      first.push_back(first.back() + stars.back().unknowns());
     }
-    for (int c = 0; c < 2; ++c)
-      if (boundary.known(c, star.spoke(k))) fix_moment(star, k, Eigen::Vector2d::Unit(c), conditions, row);
   }
-  if (row == 0) return Eigen::MatrixXd::Identity(star.unknowns(), star.unknowns());
-  Eigen::FullPivLU<Eigen::MatrixXd> lu(conditions.topRows(row));
-  lu.setThreshold(1e-10);
-  if (lu.dimensionOfKernel() == 0) return Eigen::MatrixXd(star.unknowns(), 0);
-  return lu.kernel();
+  int unknowns() const { return first.back(); }
+};
+
+/// A boundary edge at the vertex of a star.
+struct Spoke {
+  const StarCorrections& star;
+  int number;
+  int first;  ///< unknown of the star
+
+  int edge() const { return star.spoke(number); }
+  /// The outward normal is to the right of the first spoke and to the left of the last one, which runs against its edge.
+  bool runs_along_edge() const { return number == 0; }
+  /// Moments of the traction at the vertex and at the other end for the four unknowns of the spoke.
+  Eigen::Matrix4d moments() const { return (runs_along_edge() ? 1 : -1) * star.moments(number); }
+  /// Adds the four columns of a matrix for the spoke's unknowns to one for all unknowns.
+  template <class Local, class All>
+  void spread(const Local& local, All&& all) const {
+    const std::array<int, 4> columns = star.columns_of_spoke(number);
+    for (int c = 0; c < 4; ++c) all.col(first + columns[c]) += local.col(c);
+  }
+};
+
+std::vector<Spoke> boundary_spokes(const Group& group) {
+  std::vector<Spoke> spokes;
+  for (std::size_t s = 0; s < group.stars.size(); ++s)
+    for (int k : {0, group.stars[s].spoke_count() - 1}) spokes.push_back({group.stars[s], k, group.first[s]});
+  return spokes;
 }
 
-/// What the corrections of a star do to the end values (r_n, r_t) of one free contact edge.
+/// The contact edge that a boundary spoke is on either body, or -1.
+int free_edge(const Spoke& spoke, const FreeContact* contact) {
+  return contact ? contact->tractions.contact_edge[spoke.edge()] : -1;
+}
+
+bool carries_multipliers(const Spoke& spoke, int contact_edge, const FreeContact& contact) {
+  return contact.line.edge[contact_edge] == spoke.edge();
+}
+
+/// Homogeneous linear conditions on the corrections of a group.
+class Conditions {
+ public:
+  Conditions(const Group& group) : rows_(Eigen::MatrixXd::Zero(16 * group.stars.size(), group.unknowns())) {}
+
+  /// component . moment does not change at either end: psi_i and psi_m vanish exactly when b_i and b_j do.
+  void fix(const Spoke& spoke, const Eigen::Vector2d& component) {
+    for (int end = 0; end < 2; ++end)
+      spoke.spread(component.transpose() * spoke.moments().middleRows<2>(2 * end), rows_.row(count_++));
+  }
+  /// Both bodies feel opposite forces.
+  void balance(const Spoke& one, const Spoke& other) {
+    one.spread(one.moments(), rows_.middleRows<4>(count_));
+    other.spread(other.moments(), rows_.middleRows<4>(count_));
+    count_ += 4;
+  }
+  Eigen::MatrixXd kernel() const {
+    if (count_ == 0) return Eigen::MatrixXd::Identity(rows_.cols(), rows_.cols());
+    Eigen::FullPivLU<Eigen::MatrixXd> lu(rows_.topRows(count_));
+    lu.setThreshold(1e-10);
+    if (lu.dimensionOfKernel() == 0) return Eigen::MatrixXd(rows_.cols(), 0);
+    return lu.kernel();
+  }
+
+ private:
+  Eigen::MatrixXd rows_;
+  Eigen::Index count_ = 0;
+};
+
+/// Basis of the corrections that leave known boundary tractions alone and load both bodies of a contact edge oppositely
+/// [unknowns x n].
+Eigen::MatrixXd admissible_corrections(const Group& group, const BoundaryTractions& boundary,
+                                       const FreeContact* contact) {
+  Conditions conditions(group);
+  const std::vector<Spoke> spokes = boundary_spokes(group);
+  for (const Spoke& spoke : spokes) {
+    const int e = free_edge(spoke, contact);
+    if (e < 0) {
+      for (int c = 0; c < 2; ++c)
+        if (boundary.known(c, spoke.edge())) conditions.fix(spoke, Eigen::Vector2d::Unit(c));
+    } else if (carries_multipliers(spoke, e, *contact)) {
+      if (cone_conditions(contact->law, contact->line.edge_node(0, e)).frictionless)
+        conditions.fix(spoke, contact->line.edge_tangent(e));
+      for (const Spoke& other : spokes)
+        if (other.edge() != spoke.edge() && free_edge(other, contact) == e) conditions.balance(spoke, other);
+    }
+  }
+  return conditions.kernel();
+}
+
+/// What the corrections of a group do to the end values (r_n, r_t) of one free contact edge.
 struct EdgeEnds {
   int edge;
   Eigen::Matrix<double, 2, Eigen::Dynamic> change[2];  ///< per end of the contact edge [2 x unknowns]
 };
 
-std::vector<EdgeEnds> free_ends(const StarCorrections& star, const FreeContact& contact) {
+std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) {
   std::vector<EdgeEnds> result;
-  for (int k : {0, star.spoke_count() - 1}) {
-    const int e = free_edge(star, k, &contact);
-    if (e < 0) continue;
-    // The outward normal is to the right of the first spoke and to the left of the last one, which runs against its edge.
-    const bool first = k == 0;
+  for (const Spoke& spoke : boundary_spokes(group)) {
+    const int e = free_edge(spoke, &contact);
+    if (e < 0 || !carries_multipliers(spoke, e, contact)) continue;
     Eigen::Matrix2d frame;
     frame << contact.line.edge_normal(e).transpose(), contact.line.edge_tangent(e).transpose();
-    const Eigen::Matrix4d moments = (first ? 1 : -1) * star.moments(k);
+    const Eigen::Matrix4d moments = spoke.moments();
     Eigen::Matrix4d density;
     for (int c = 0; c < 4; ++c) density.col(c) = density_of_moments(moments.col(c), contact.line.length[e]);
-    const std::array<int, 4> columns = star.columns_of_spoke(k);
     EdgeEnds ends{e, {}};
     for (int end = 0; end < 2; ++end) {
-      ends.change[end].setZero(2, star.unknowns());
-      const Eigen::Matrix<double, 2, 4> local = frame * density.middleRows<2>(2 * (first ? end : 1 - end));
-      for (int c = 0; c < 4; ++c) ends.change[end].col(columns[c]) = local.col(c);
+      ends.change[end].setZero(2, group.unknowns());
+      spoke.spread(frame * density.middleRows<2>(2 * (spoke.runs_along_edge() ? end : 1 - end)), ends.change[end]);
     }
     result.push_back(ends);
   }
@@ -171,16 +232,17 @@ struct ContactTerms {
   Eigen::VectorXd d;
 };
 
-ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, const FreeContact& contact) {
-  ContactTerms terms{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd(12, unknowns), Eigen::VectorXd(12)};
+ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, const FreeContact* contact) {
+  const auto most = 6 * static_cast<Eigen::Index>(ends.size());
+  ContactTerms terms{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd(most, unknowns), Eigen::VectorXd(most)};
   Eigen::Index row = 0;
-  const FreeTractions& tractions = contact.tractions;
   for (const EdgeEnds& edge : ends)
     for (int end = 0; end < 2; ++end) {
+      const FreeTractions& tractions = contact->tractions;
       const Eigen::Vector2d r(tractions.densities.normal(end, edge.edge),
                               tractions.densities.tangential(end, edge.edge));
       const Eigen::Vector2d cost(tractions.normal_cost(end, edge.edge), tractions.tangential_cost(end, edge.edge));
-      const ConeConditions cone = cone_conditions(contact.law, contact.line.edge_node(end, edge.edge));
+      const ConeConditions cone = cone_conditions(contact->law, contact->line.edge_node(end, edge.edge));
       terms.cost += edge.change[end].transpose() * cost;
       terms.C.middleRows(row, cone.C.rows()) = cone.C * edge.change[end];
       terms.d.segment(row, cone.d.size()) = cone.d - cone.C * r;
@@ -191,25 +253,30 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, cons
   return terms;
 }
 
-/// A boundary vertex; free contact edges at it stay in the cone.
-double relax_boundary(const Setting& setting, const StarCorrections& star, EdgeLoadsOfAll& difference,
-                      FreeContact* contact) {
-  const Eigen::MatrixXd Z = admissible_corrections(star, setting.boundary, contact);
+/// Vertices on the boundary; free contact edges at them stay in the cone.
+double relax(const Setting& setting, const std::vector<int>& vertices, EdgeLoadsOfAll& difference,
+             FreeContact* contact) {
+  const Group group(setting, vertices);
+  const Eigen::MatrixXd Z = admissible_corrections(group, setting.boundary, contact);
   if (Z.cols() == 0) return 0;
-  const std::vector<EdgeEnds> ends = contact ? free_ends(star, *contact) : std::vector<EdgeEnds>{};
-  const ContactTerms terms =
-      ends.empty() ? ContactTerms{Eigen::VectorXd::Zero(star.unknowns()), Eigen::MatrixXd(0, star.unknowns()), {}}
-                   : contact_terms(ends, star.unknowns(), *contact);
+  const std::vector<EdgeEnds> ends = contact ? free_ends(group, *contact) : std::vector<EdgeEnds>{};
+  const ContactTerms terms = contact_terms(ends, group.unknowns(), contact);
 
-  const StarEnergy<Eigen::Dynamic> energy(setting, star, difference);
-  const Eigen::VectorXd slope = 2 * energy.g + terms.cost;
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(group.unknowns(), group.unknowns());
+  Eigen::VectorXd slope = terms.cost;
+  for (std::size_t s = 0; s < group.stars.size(); ++s) {
+    const StarEnergy<Eigen::Dynamic> energy(setting, group.stars[s], difference);
+    H.block(group.first[s], group.first[s], energy.g.size(), energy.g.size()) = energy.H;
+    slope.segment(group.first[s], energy.g.size()) += 2 * energy.g;
+  }
   const std::optional<Eigen::VectorXd> x =
-      quadratic_minimum(2 * Z.transpose() * energy.H * Z, Z.transpose() * slope, terms.C * Z, terms.d);
+      quadratic_minimum(2 * Z.transpose() * H * Z, Z.transpose() * slope, terms.C * Z, terms.d);
   if (!x) return 0;
   const Eigen::VectorXd y = Z * *x;
-  const double fall = -y.dot(energy.H * y) - y.dot(slope);
+  const double fall = -y.dot(H * y) - y.dot(slope);
   if (!(fall > 0)) return 0;
-  apply(star, y, difference);
+  for (std::size_t s = 0; s < group.stars.size(); ++s)
+    apply(group.stars[s], y.segment(group.first[s], group.stars[s].unknowns()), difference);
   for (const EdgeEnds& edge : ends)
     for (int end = 0; end < 2; ++end) {
       const Eigen::Vector2d change = edge.change[end] * y;
@@ -222,18 +289,22 @@ double relax_boundary(const Setting& setting, const StarCorrections& star, EdgeL
 double relax(const Setting& setting, int vertex, EdgeLoadsOfAll& difference, FreeContact* contact) {
   constexpr int usual = 16;
   if (setting.stars.triangle_count(vertex) == 0) return 0;
+  if (setting.stars.on_boundary(vertex)) return relax(setting, std::vector<int>{vertex}, difference, contact);
   const StarCorrections star(setting.mesh, setting.edges, setting.stars, vertex);
-  if (setting.stars.on_boundary(vertex)) return relax_boundary(setting, star, difference, contact);
   return star.unknowns() <= usual ? relax_inner<usual>(setting, star, difference)
                                   : relax_inner<Eigen::Dynamic>(setting, star, difference);
 }
 
-using Colours = std::vector<std::vector<int>>;
+/// What is relaxed, single vertices or groups of them, by colours: members of one colour share no triangle.
+template <class Member>
+using Colours = std::vector<std::vector<Member>>;
 
-/// Relaxes the vertices colour by colour; returns by how much e^2 fell.
-double relax_all(const Setting& setting, const Colours& colours, EdgeLoadsOfAll& difference, FreeContact* contact) {
+/// Relaxes colour by colour; returns by how much e^2 fell.
+template <class Member>
+double relax_all(const Setting& setting, const Colours<Member>& colours, EdgeLoadsOfAll& difference,
+                 FreeContact* contact) {
   double fallen = 0;
-  for (const std::vector<int>& colour : colours) {
+  for (const std::vector<Member>& colour : colours) {
     std::vector<double> fall(colour.size());
 #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < colour.size(); ++k) fall[k] = relax(setting, colour[k], difference, contact);
@@ -242,18 +313,66 @@ double relax_all(const Setting& setting, const Colours& colours, EdgeLoadsOfAll&
   return fallen;
 }
 
-/// Vertices on free contact edges apart from the others.
-std::pair<Colours, Colours> split_colours(const Setting& setting, const FreeContact* contact) {
-  std::pair<Colours, Colours> split{vertex_colours(setting.mesh, setting.stars), {}};
-  if (!contact) return split;
-  std::vector<char> on_line(setting.mesh.vertex_count(), 0);
-  for (int i = 0; i < contact->line.node_count(); ++i) on_line[contact->line.vertex[i]] = 1;
-  for (std::vector<int>& colour : split.first) {
-    const auto middle = std::stable_partition(colour.begin(), colour.end(), [&](int v) { return !on_line[v]; });
-    split.second.emplace_back(middle, colour.end());
-    colour.erase(middle, colour.end());
+/// The vertices of each free contact node and what it faces, joined where nodes share a vertex.
+std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
+  std::vector<std::vector<int>> groups;
+  std::map<int, std::size_t> group_of;
+  const auto join = [&](int vertex, std::size_t group) {
+    const auto [place, is_new] = group_of.emplace(vertex, group);
+    if (is_new) {
+      groups[group].push_back(vertex);
+    } else if (place->second != group) {
+      const std::size_t old = place->second;
+      for (int v : groups[old]) {
+        group_of[v] = group;
+        groups[group].push_back(v);
+      }
+      groups[old].clear();
+    }
+  };
+  for (int i = 0; i < line.node_count(); ++i) {
+    groups.emplace_back();
+    join(line.vertex[i], groups.size() - 1);
+    visit_opposite(line, i, [&](int vertex, double) { join(vertex, groups.size() - 1); });
   }
-  return split;
+  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& group) { return group.empty(); }),
+               groups.end());
+  return groups;
+}
+
+/// Groups of contact vertices, coloured greedily in the order of the line.
+Colours<std::vector<int>> coloured_groups(const Setting& setting, const ContactLine& line) {
+  Colours<std::vector<int>> colours;
+  std::vector<std::set<int>> taken;  // triangles of each colour
+  for (const std::vector<int>& group : contact_groups(line)) {
+    std::set<int> triangles;
+    for (int v : group)
+      triangles.insert(setting.stars.triangle.begin() + setting.stars.triangle_start[v],
+                       setting.stars.triangle.begin() + setting.stars.triangle_start[v + 1]);
+    const auto is_free = [&](const std::set<int>& colour) {
+      return std::none_of(triangles.begin(), triangles.end(), [&](int t) { return colour.count(t) > 0; });
+    };
+    const auto colour = static_cast<std::size_t>(std::find_if(taken.begin(), taken.end(), is_free) - taken.begin());
+    if (colour == taken.size()) {
+      taken.emplace_back();
+      colours.emplace_back();
+    }
+    taken[colour].insert(triangles.begin(), triangles.end());
+    colours[colour].push_back(group);
+  }
+  return colours;
+}
+
+/// The vertices by colours, those in the groups left out.
+Colours<int> other_vertices(const Setting& setting, const Colours<std::vector<int>>& groups) {
+  std::vector<char> in_group(setting.mesh.vertex_count(), 0);
+  for (const auto& colour : groups)
+    for (const std::vector<int>& group : colour)
+      for (int v : group) in_group[v] = 1;
+  Colours<int> others = vertex_colours(setting.mesh, setting.stars);
+  for (std::vector<int>& colour : others)
+    colour.erase(std::remove_if(colour.begin(), colour.end(), [&](int v) { return in_group[v]; }), colour.end());
+  return others;
 }
 
 /// e^2 up to the constant of Tresca's contact part: what `tightness` is relative to.
@@ -327,7 +446,9 @@ std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Star
                                 const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings, EdgeLoadsOfAll& difference, FreeContact* contact) {
   const Setting setting = make_setting(mesh, edges, stars, hooke, boundary, body_loads);
-  const auto [others, on_contact] = split_colours(setting, contact);
+  const Colours<std::vector<int>> on_contact =
+      contact ? coloured_groups(setting, contact->line) : Colours<std::vector<int>>{};
+  const Colours<int> others = other_vertices(setting, on_contact);
   Acceleration accelerate;
   std::vector<double> falls;
   double square = settings.tightness > 0 ? square_of_error(setting, body_loads, difference, hooke, contact) : 0;

@@ -36,7 +36,8 @@ struct FreeContact {
 /// contact edges the sum d of the sweep's corrections and the last combined direction p are weighed once more,
 ///     min over alpha, beta of e(sigma_hat + alpha d + beta p),
 /// which nearly incompressible bodies need: without it their error falls by half as much in a sweep. At a vertex on free
-/// contact edges the end values of r_hat are unknowns too, kept in the cone by linear inequalities.
+/// contact edges the end values of r_hat are unknowns too, kept in the cone by linear inequalities; where the line faces
+/// another body, whose trace must match, the facing vertices are relaxed together, with r_hat on one and -r_hat on the other.
 ///
 /// Vertices of one colour share no triangle and run in parallel; the result does not depend on the number of threads.
 /// @param body_loads  int f phi_i per triangle

@@ -56,14 +56,21 @@ Eigen::Vector2d nearest_within(const Eigen::Vector2d& values, const Eigen::Vecto
   return nearest.cwiseMin(bound).cwiseMax(-bound);  // rounding
 }
 
-/// int z . r over each edge, one row per motion [k x m].
+/// [z] of vertex fields at a node, one column per field.
+Eigen::Matrix2Xd jump(const ContactLine& line, int node, const Eigen::MatrixXd& fields) {
+  Eigen::Matrix2Xd value = fields.middleRows<2>(2 * line.vertex[node]);
+  visit_opposite(line, node, [&](int vertex, double weight) { value -= weight * fields.middleRows<2>(2 * vertex); });
+  return value;
+}
+
+/// int [z] . r over each edge, one row per motion [k x m].
 Eigen::MatrixXd resultants(const ContactLine& line, const ContactDensities& densities, const Eigen::MatrixXd& motions) {
   Eigen::MatrixXd result(motions.cols(), line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
     const Eigen::Matrix2d moments = end_moments(line, densities, e);
     result.col(e).setZero();
     for (int end = 0; end < 2; ++end)
-      result.col(e) += motions.middleRows(2 * line.vertex[line.edge_node(end, e)], 2).transpose() * moments.col(end);
+      result.col(e) += jump(line, line.edge_node(end, e), motions).transpose() * moments.col(end);
   }
   return result;
 }
@@ -152,7 +159,12 @@ Eigen::VectorXd nodal_forces(const Mesh& mesh, const ContactLine& line, const Co
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(2 * mesh.vertices.cols());
   for (int e = 0; e < line.edge_count(); ++e) {
     const Eigen::Matrix2d moments = end_moments(line, densities, e);
-    for (int end = 0; end < 2; ++end) forces.segment<2>(2 * line.vertex[line.edge_node(end, e)]) += moments.col(end);
+    for (int end = 0; end < 2; ++end) {
+      const int node = line.edge_node(end, e);
+      forces.segment<2>(2 * line.vertex[node]) += moments.col(end);
+      visit_opposite(line, node,
+                     [&](int vertex, double weight) { forces.segment<2>(2 * vertex) -= weight * moments.col(end); });
+    }
   }
   return forces;
 }

@@ -99,6 +99,16 @@ std::vector<double> error_history(double last_square, const std::vector<double>&
   return squares;
 }
 
+/// Adds the contact part of each edge to its triangle, or half of it to each of the two that face each other there.
+void share_contact_part(const Edges& edges, const ContactLine& line, const Eigen::VectorXd& contact_part,
+                        Eigen::VectorXd& local) {
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int opposite = line.against_a_body() ? line.opposite_edge[e] : -1;
+    local[edges.triangles(0, line.edge[e])] += (opposite < 0 ? 1 : 0.5) * contact_part[e];
+    if (opposite >= 0) local[edges.triangles(0, opposite)] += 0.5 * contact_part[e];
+  }
+}
+
 /// Contact tractions beside the largest stress: makes what is relative to the former relative to the latter, where an open
 /// contact line carries nothing but rounding.
 double share_of_contact(const ContactDensities& densities, const Eigen::Matrix3Xd& stress) {
@@ -141,12 +151,14 @@ Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine&
   EdgeMoments moments =
       equilibrated_moments(mesh, edges, stars, start.stress, body.body_loads, boundary_with(start.balanced));
   const BoundaryTractions boundary = boundary_with(start.densities);
-  for (int e = 0; e < line.edge_count(); ++e) moments.col(line.edge[e]) = boundary.moments.col(line.edge[e]);
+  const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
+  for (int e = 0; e < edges.count(); ++e)
+    if (contact_edge[e] >= 0) moments.col(e) = boundary.moments.col(e);
 
   // 4. Star relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
   EdgeLoadsOfAll difference = difference_loads(mesh, edges, moments, stress);
   const TractionCosts costs = traction_costs(line, body.law, estimate.displacement);
-  FreeTractions tractions{start.densities, costs.normal, costs.tangential, contact_edge_numbers(line, edges)};
+  FreeTractions tractions{start.densities, costs.normal, costs.tangential, contact_edge};
   FreeContact contact{line, body.law, tractions};
   const std::vector<double> falls =
       relax_stars(mesh, edges, stars, body.hooke, boundary, body.body_loads, settings.relaxation, difference,
@@ -163,7 +175,7 @@ Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine&
   estimate.relative = estimate.e / std::sqrt(scale);
   estimate.history = error_history(square, falls);
   estimate.local = norms.difference;
-  for (int e = 0; e < line.edge_count(); ++e) estimate.local[edges.triangles(0, line.edge[e])] += contact_part[e];
+  share_contact_part(edges, line, contact_part, estimate.local);
   estimate.local = (estimate.local.cwiseMax(0.0) / scale).cwiseSqrt();
 
   // 6. What the theory promises, measured.

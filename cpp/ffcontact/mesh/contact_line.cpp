@@ -161,9 +161,8 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine l
 
 std::vector<int> opposite_vertices(const ContactLine& line) {
   std::set<int> vertices;
-  for (int i = 0; i < line.opposite.outerSize(); ++i)
-    for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
-      vertices.insert(static_cast<int>(part.col()));
+  for (int i = 0; i < line.node_count(); ++i)
+    visit_opposite(line, i, [&](int vertex, double) { vertices.insert(vertex); });
   return {vertices.begin(), vertices.end()};
 }
 
@@ -183,9 +182,7 @@ Eigen::Matrix2Xd contact_components(const ContactLine& line, const Eigen::Ref<co
   Eigen::Matrix2Xd components(2, line.node_count());
   for (int i = 0; i < line.node_count(); ++i) {
     Eigen::Vector2d value = field.segment<2>(2 * line.vertex[i]);
-    if (line.against_a_body())
-      for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
-        value -= part.value() * field.segment<2>(2 * part.col());
+    visit_opposite(line, i, [&](int vertex, double weight) { value -= weight * field.segment<2>(2 * vertex); });
     components.col(i) << value.dot(line.normal.col(i)), value.dot(line.tangent(i));
   }
   return components;

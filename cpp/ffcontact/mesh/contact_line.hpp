@@ -8,6 +8,9 @@
 
 namespace ffcontact {
 
+/// Weights of vertices, one row per contact node.
+using WeightsByNode = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
 /// The boundary part Gamma_C on which contact may occur, as a list of nodes that carry multipliers.
 ///
 /// Nodes follow t = (-n2, n1), counter-clockwise around the body; several separate lines come one after the other. Between
@@ -25,7 +28,7 @@ struct ContactLine {
   Eigen::VectorXd length;      ///< of each contact edge [mm]
   /// Displacement of the opposite body at each node from that of the vertices, the same for both components [p x vertices]; no
   /// rows where all of the foundation is rigid.
-  Eigen::SparseMatrix<double, Eigen::RowMajor> opposite;
+  WeightsByNode opposite;
   Eigen::VectorXi opposite_edge;  ///< mesh edge that faces each contact edge as a whole, or -1 [m]; empty as `opposite`
 
   int node_count() const { return static_cast<int>(vertex.size()); }
@@ -50,6 +53,14 @@ ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges, const std:
 /// @throws std::invalid_argument  naming the first vertex whose direction is zero, not finite, or points into the body
 ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
                              const Eigen::Ref<const Eigen::Matrix2Xd>& direction);
+
+/// Calls visit(vertex, weight) for the vertices of the opposite body that make up its displacement at a node.
+template <class Visit>
+void visit_opposite(const ContactLine& line, int node, Visit&& visit) {
+  if (!line.against_a_body()) return;
+  for (WeightsByNode::InnerIterator part(line.opposite, node); part; ++part)
+    visit(static_cast<int>(part.col()), part.value());
+}
 
 /// The vertices of opposite bodies that take part in contact, each once.
 std::vector<int> opposite_vertices(const ContactLine& line);

@@ -188,8 +188,8 @@ Eigen::SparseMatrix<double> coupling(const Mesh& mesh, const Edges& edges, const
 }
 
 /// Pi = M^-1 D; its entries decay by a factor of about four a node, and those below rounding are dropped.
-Eigen::SparseMatrix<double, Eigen::RowMajor> projection(const Mesh& mesh, const Edges& edges, const ContactLine& line,
-                                                        const std::vector<FacingPiece>& pieces) {
+WeightsByNode projection(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+                         const std::vector<FacingPiece>& pieces) {
   constexpr double rounding = 1e-18;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> mass(contact_mass(line));
   const Eigen::SparseMatrix<double> D = coupling(mesh, edges, line, pieces);
@@ -200,19 +200,18 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> projection(const Mesh& mesh, const 
     for (Eigen::Index i = 0; i < column.size(); ++i)
       if (std::abs(column[i]) > rounding) entries.emplace_back(static_cast<int>(i), j, column[i]);
   }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> Pi(line.node_count(), mesh.vertex_count());
+  WeightsByNode Pi(line.node_count(), mesh.vertex_count());
   Pi.setFromTriplets(entries.begin(), entries.end());
   return Pi;
 }
 
-Eigen::SparseMatrix<double, Eigen::RowMajor> facing_vertices(const Mesh& mesh, const Edges& edges,
-                                                             const ContactLine& line,
-                                                             const std::vector<FacingPiece>& pieces) {
+WeightsByNode facing_vertices(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+                              const std::vector<FacingPiece>& pieces) {
   Triplets entries;
   for (const FacingPiece& piece : pieces)
     for (int end = 0; end < 2; ++end)
       entries.emplace_back(line.edge_node(end, piece.contact_edge), edges.vertices(1 - end, piece.opposite_edge), 1.0);
-  Eigen::SparseMatrix<double, Eigen::RowMajor> Pi(line.node_count(), mesh.vertex_count());
+  WeightsByNode Pi(line.node_count(), mesh.vertex_count());
   Pi.setFromTriplets(entries.begin(), entries.end(), [](double first, double) { return first; });
   return Pi;
 }
@@ -260,9 +259,8 @@ ContactLine joined_lines(const std::vector<ContactLine>& lines) {
     joined.edge.segment(edge, line.edge_count()) = line.edge;
     joined.length.segment(edge, line.edge_count()) = line.length;
     if (line.against_a_body()) joined.opposite_edge.segment(edge, line.edge_count()) = line.opposite_edge;
-    for (int i = 0; i < line.opposite.outerSize(); ++i)
-      for (decltype(line.opposite)::InnerIterator part(line.opposite, i); part; ++part)
-        entries.emplace_back(node + i, part.col(), part.value());
+    for (int i = 0; i < line.node_count(); ++i)
+      visit_opposite(line, i, [&](int vertex, double weight) { entries.emplace_back(node + i, vertex, weight); });
     node += line.node_count();
     edge += line.edge_count();
   }
