@@ -7,6 +7,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"
+#include "ffcontact/equilibrium/refined_moments.hpp"
 #include "ffcontact/estimate/rebalancing_displacement.hpp"
 
 namespace ffcontact {
@@ -33,36 +34,116 @@ void require_valid(const Mesh& mesh, const ContactLine& line, const ElasticSyste
     refuse("tightness must be in [0, 1), got ", relaxation.tightness);
 }
 
-/// Contact tractions r_hat, those to build nodal equilibrium with, and the stresses that are in equilibrium with them.
-struct Start {
-  ContactDensities densities, balanced;
-  Eigen::Matrix3Xd stress;
+/// The computed solution and, where facing traces do not match, their common refinement.
+struct Origin {
+  const Mesh& mesh;
+  const Edges& edges;
+  const ContactLine& line;
+  const ElasticSystem& system;
+  const SolvedBody& body;
+  const CommonRefinement* refinement;  ///< null where traces match
 };
 
-Start start_published(const Mesh& mesh, const ContactLine& line, const SolvedBody& body, Estimate& estimate) {
-  const ContactDensities computed = edge_densities(line, body.pressure);
-  const ConeCorrection correction = correct_to_cone(line, body.law, computed);
-  estimate.shift = correction.shift;
-  estimate.unmended = correction.uncorrected;
-  return {correction.densities, computed, stresses(mesh, body.hooke, body.displacement)};
+/// What admissible fields are built on: the same bodies, with matching traces.
+struct Setting {
+  const Mesh& mesh;
+  const Edges& edges;
+  const ContactLine& line;
+  const std::vector<char>& prescribed;
+  const SolvedBody& body;
+
+  BoundaryTractions boundary_with(const ContactDensities& densities) const {
+    return boundary_tractions(mesh, edges, prescribed, body.neumann, line, densities);
+  }
+};
+
+/// A vertex field on the refinement.
+Eigen::VectorXd refined_field(const CommonRefinement& refinement, const Eigen::VectorXd& field) {
+  return (field.reshaped(2, field.size() / 2) * refinement.vertex_weights.transpose()).reshaped();
 }
 
-Start start_in_cone(const Mesh& mesh, const ContactLine& line, const ElasticSystem& system, const SolvedBody& body,
-                    Estimate& estimate) {
-  const ContactDensities computed = edge_densities(line, body.pressure);
-  const Eigen::MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
-  const AdmissibleTractions tractions = admissible_tractions(line, body.law, computed, motions);
+/// The same forces on the old vertices.
+Eigen::VectorXd unrefined_forces(const CommonRefinement& refinement, const Eigen::VectorXd& forces) {
+  return (forces.reshaped(2, forces.size() / 2) * refinement.vertex_weights).reshaped();
+}
+
+Eigen::VectorXd refined_values(const CommonRefinement& refinement, const Eigen::VectorXd& values) {
+  return values.size() > 0 ? Eigen::VectorXd(refinement.node_weights * values) : values;
+}
+
+SolvedBody refined_body(const Origin& origin) {
+  const CommonRefinement& refinement = *origin.refinement;
+  const SolvedBody& old = origin.body;
+  SolvedBody body;
+  for (int t : refinement.parent) body.hooke.push_back(old.hooke[t]);
+  body.displacement = refined_field(refinement, old.displacement);
+  body.pressure = (refinement.node_weights * old.pressure.transpose()).transpose();
+  body.law = {old.law.multiplier, refined_values(refinement, old.law.friction),
+              refined_values(refinement, old.law.slip_bound), refined_values(refinement, old.law.gap),
+              refined_values(refinement, old.law.previous)};
+  body.neumann = refined_boundary_moments(origin.mesh, refinement, old.neumann);
+  body.body_loads = refined_body_loads(origin.mesh, refinement, old.body_loads);
+  return body;
+}
+
+/// A new vertex is held where both ends of its edge are.
+std::vector<char> refined_prescribed(const CommonRefinement& refinement, const std::vector<char>& old) {
+  std::vector<char> prescribed(2 * refinement.mesh.vertices.cols(), 1);
+  for (int v = 0; v < refinement.mesh.vertex_count(); ++v)
+    for (WeightsByNode::InnerIterator part(refinement.vertex_weights, v); part; ++part)
+      for (int c = 0; c < 2; ++c) prescribed[2 * v + c] = prescribed[2 * v + c] && old[2 * part.col() + c];
+  return prescribed;
+}
+
+/// Contact tractions r_hat, those to build nodal equilibrium with, and the computed displacement whose stresses are in
+/// equilibrium with them.
+struct Start {
+  ContactDensities densities, balanced;
+  Eigen::VectorXd displacement;  ///< on the dofs of the origin
+};
+
+Start start_published(const Origin& origin, const Setting& setting, Estimate& estimate) {
+  const ContactDensities computed = edge_densities(setting.line, setting.body.pressure);
+  const ConeCorrection correction = correct_to_cone(setting.line, setting.body.law, computed);
+  estimate.shift = correction.shift;
+  estimate.unmended = correction.uncorrected;
+  return {correction.densities, computed, origin.body.displacement};
+}
+
+Start start_in_cone(const Origin& origin, const Setting& setting, Estimate& estimate) {
+  const ContactDensities computed = edge_densities(setting.line, setting.body.pressure);
+  const AdmissibleTractions tractions = admissible_tractions(setting.line, setting.body.law, computed,
+                                                             free_rigid_motions(setting.mesh, setting.prescribed));
   estimate.shift = tractions.shift;
   estimate.mended = tractions.mended;
   if (!tractions.resultants_kept)
     refuse(
         "no tractions in the cone have the resultants of the computed contact forces: the body stands on a single "
         "point");
-  Eigen::VectorXd u = body.displacement;
-  if (!tractions.mended.empty())
-    u += rebalancing_displacement(
-        system, line, nodal_forces(mesh, line, tractions.balanced) - nodal_forces(mesh, line, computed), motions);
-  return {tractions.densities, tractions.balanced, stresses(mesh, body.hooke, u)};
+  Start start{tractions.densities, tractions.balanced, origin.body.displacement};
+  if (tractions.mended.empty()) return start;
+  Eigen::VectorXd change =
+      nodal_forces(setting.mesh, setting.line, tractions.balanced) - nodal_forces(setting.mesh, setting.line, computed);
+  if (origin.refinement) change = unrefined_forces(*origin.refinement, change);
+  start.displacement += rebalancing_displacement(origin.system, origin.line, change,
+                                                 free_rigid_motions(origin.mesh, origin.system.prescribed));
+  return start;
+}
+
+/// Edge tractions in equilibrium with the balanced contact tractions.
+EdgeMoments first_moments(const Origin& origin, const Setting& setting, const Stars& stars, const Start& start) {
+  const Eigen::Matrix3Xd stress = stresses(origin.mesh, origin.body.hooke, start.displacement);
+  const BoundaryTractions boundary = setting.boundary_with(start.balanced);
+  if (!origin.refinement)
+    return equilibrated_moments(setting.mesh, setting.edges, stars, stress, setting.body.body_loads, boundary);
+  const ContactLine none;
+  const BoundaryTractions uncut =
+      tractions_of_parts(origin.edges, *origin.refinement, boundary,
+                         boundary_tractions(origin.mesh, origin.edges, origin.system.prescribed, origin.body.neumann,
+                                            none, ContactDensities{}));
+  const EdgeMoments moments = equilibrated_moments(origin.mesh, origin.edges, stars_of(origin.mesh, origin.edges),
+                                                   stress, origin.body.body_loads, uncut);
+  return refined_moments(origin.edges, *origin.refinement, moments, stress, setting.body.body_loads, boundary);
 }
 
 /// Squares of |sigma_hat - C eps(u_hat)| per triangle and of |sigma_hat + C eps(u_hat)| in all; fills sigma_hat.
@@ -109,6 +190,14 @@ void share_contact_part(const Edges& edges, const ContactLine& line, const Eigen
   }
 }
 
+/// Sums over the parts of the computed solution's triangles.
+Eigen::VectorXd local_sums(const Origin& origin, const Eigen::VectorXd& local) {
+  if (!origin.refinement) return local;
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(origin.mesh.triangles.cols());
+  for (Eigen::Index t = 0; t < local.size(); ++t) sums[origin.refinement->parent[t]] += local[t];
+  return sums;
+}
+
 /// Contact tractions beside the largest stress: makes what is relative to the former relative to the latter, where an open
 /// contact line carries nothing but rounding.
 double share_of_contact(const ContactDensities& densities, const Eigen::Matrix3Xd& stress) {
@@ -127,30 +216,23 @@ void judge(Estimate& estimate) {
     estimate.reason = "the stress is not in equilibrium to 1e-10";
 }
 
-}  // namespace
-
-Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system,
-                        const SolvedBody& body, const EstimateSettings& settings) {
-  require_valid(mesh, line, system, body, settings);
-  Estimate estimate;
-  const auto boundary_with = [&](const ContactDensities& densities) {
-    return boundary_tractions(mesh, edges, system.prescribed, body.neumann, line, densities);
-  };
+/// Steps 1 to 6 of the estimate.
+void put_estimate(const Origin& origin, const Setting& setting, const EstimateSettings& settings, Estimate& estimate) {
+  const auto& [mesh, edges, line, prescribed, body] = setting;
 
   // 1. Admissible displacement [CHH01, 4.1].
-  estimate.displacement = admissible_displacement(line, body.law, body.displacement, system.prescribed);
+  estimate.displacement = admissible_displacement(line, body.law, body.displacement, prescribed);
   const Eigen::Matrix3Xd stress = stresses(mesh, body.hooke, estimate.displacement);
 
   // 2. Contact tractions in the cone [CHH01, (4.1)] and stresses that balance them at every node.
-  const Start start = settings.tractions == Tractions::published ? start_published(mesh, line, body, estimate)
-                                                                 : start_in_cone(mesh, line, system, body, estimate);
+  const Start start = settings.tractions == Tractions::published ? start_published(origin, setting, estimate)
+                                                                 : start_in_cone(origin, setting, estimate);
 
   // 3. Edge tractions in equilibrium, before the shifts of (4.1); then the shifted ones: the change of an edge has neither
   //    resultant nor moment, so every triangle stays balanced.
   const Stars stars = stars_of(mesh, edges);
-  EdgeMoments moments =
-      equilibrated_moments(mesh, edges, stars, start.stress, body.body_loads, boundary_with(start.balanced));
-  const BoundaryTractions boundary = boundary_with(start.densities);
+  EdgeMoments moments = first_moments(origin, setting, stars, start);
+  const BoundaryTractions boundary = setting.boundary_with(start.densities);
   const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
   for (int e = 0; e < edges.count(); ++e)
     if (contact_edge[e] >= 0) moments.col(e) = boundary.moments.col(e);
@@ -174,15 +256,34 @@ Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine&
   estimate.e = std::sqrt(std::max(0.0, square));
   estimate.relative = estimate.e / std::sqrt(scale);
   estimate.history = error_history(square, falls);
-  estimate.local = norms.difference;
-  share_contact_part(edges, line, contact_part, estimate.local);
-  estimate.local = (estimate.local.cwiseMax(0.0) / scale).cwiseSqrt();
+  Eigen::VectorXd local = norms.difference;
+  share_contact_part(edges, line, contact_part, local);
+  estimate.local = (local_sums(origin, local) / scale).cwiseMax(0.0).cwiseSqrt();
 
   // 6. What the theory promises, measured.
   estimate.equilibrium =
-      equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, boundary_with(estimate.tractions));
+      equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, setting.boundary_with(estimate.tractions));
   estimate.cone = cone_defect(line, body.law, estimate.tractions) * share_of_contact(estimate.tractions, stress);
   judge(estimate);
+}
+
+}  // namespace
+
+Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system,
+                        const SolvedBody& body, const EstimateSettings& settings) {
+  require_valid(mesh, line, system, body, settings);
+  Estimate estimate;
+  if (line.matches()) {
+    put_estimate({mesh, edges, line, system, body, nullptr}, {mesh, edges, line, system.prescribed, body}, settings,
+                 estimate);
+    return estimate;
+  }
+  estimate.refinement = common_refinement(mesh, edges, line);
+  const CommonRefinement& refinement = *estimate.refinement;
+  const Origin origin{mesh, edges, line, system, body, &refinement};
+  const std::vector<char> prescribed = refined_prescribed(refinement, system.prescribed);
+  const SolvedBody cut = refined_body(origin);
+  put_estimate(origin, {refinement.mesh, refinement.edges, refinement.line, prescribed, cut}, settings, estimate);
   return estimate;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "ffcontact/equilibrium/star_relaxation.hpp"
 #include "ffcontact/estimate/admissible_tractions.hpp"
 #include "ffcontact/estimate/contact_error.hpp"
+#include "ffcontact/mesh/common_refinement.hpp"
 
 namespace ffcontact {
 
@@ -47,6 +49,8 @@ struct Estimate {
   Eigen::VectorXd local;        ///< eps_E per triangle [-]; 0 where a negative contact part exceeds the elastic one
   std::vector<double> history;  ///< e before the first and after every sweep
 
+  /// The bodies cut so that their facing traces match, where they do not; the fields below are then on its mesh and line.
+  std::optional<CommonRefinement> refinement;
   Eigen::VectorXd displacement;         ///< u_hat on all dofs [mm]
   std::vector<CompositeStress> stress;  ///< sigma_hat [MPa]
   ContactDensities tractions;           ///< r_hat [MPa]
@@ -62,6 +66,11 @@ struct Estimate {
 };
 
 /// Builds the admissible pair and evaluates it, as the numbered steps in the body.
+///
+/// Bodies against each other come as one joined mesh and system, with lines that face other bodies: u_n, u_t and w are jumps,
+/// r_hat acts on the line's body and -r_hat on the opposite one, pointwise. Where the traces do not match all this is done on
+/// their common refinement: non-penetration holds at each of its nodes, r_hat is linear on each of its edges, and the triangles
+/// beside it are the fans of the refinement.
 /// @param system  the stiffness and the prescribed dofs u_h was computed with
 /// @throws std::invalid_argument  for input that does not fit or is not in equilibrium with its loads
 /// @throws std::runtime_error     if tractions had to be mended and a part of the body is held by nothing

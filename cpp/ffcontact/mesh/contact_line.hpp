@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <vector>
 
 #include "ffcontact/mesh/edges.hpp"
@@ -10,6 +11,18 @@ namespace ffcontact {
 
 /// Weights of vertices, one row per contact node.
 using WeightsByNode = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// A piece of the common refinement of two facing traces: the part (begin, end) of a contact edge and the part of the edge of
+/// the opposite body that it faces, which runs the other way. Parameters go from 0 at the first to 1 at the second vertex of
+/// their mesh edge; between the ends of a piece they correspond linearly.
+struct FacingPiece {
+  int contact_edge;                     ///< number on the contact line
+  double begin, end;                    ///< begin < end
+  int opposite_edge;                    ///< mesh edge
+  double opposite_begin, opposite_end;  ///< opposite_begin > opposite_end
+
+  bool is_whole() const { return begin == 0 && end == 1 && opposite_begin == 1 && opposite_end == 0; }
+};
 
 /// The boundary part Gamma_C on which contact may occur, as a list of nodes that carry multipliers.
 ///
@@ -30,10 +43,15 @@ struct ContactLine {
   /// rows where all of the foundation is rigid.
   WeightsByNode opposite;
   Eigen::VectorXi opposite_edge;  ///< mesh edge that faces each contact edge as a whole, or -1 [m]; empty as `opposite`
+  std::vector<FacingPiece> pieces;  ///< what the contact edges face, in their order; none on a rigid foundation
 
   int node_count() const { return static_cast<int>(vertex.size()); }
   int edge_count() const { return static_cast<int>(edge.size()); }
   bool against_a_body() const { return opposite.rows() > 0; }
+  /// Does every contact edge that faces another body face one whole edge?
+  bool matches() const {
+    return std::all_of(pieces.begin(), pieces.end(), [](const FacingPiece& p) { return p.is_whole(); });
+  }
   Eigen::Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
   /// Both nodes of a contact edge have its normal, except on a line of given directions.
   Eigen::Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }

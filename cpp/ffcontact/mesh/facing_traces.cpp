@@ -82,10 +82,6 @@ class Pairing {
     FacingTraces result;
     result.gap = Eigen::VectorXd::Constant(line_.node_count(), std::numeric_limits<double>::infinity());
     for (int e = 0; e < line_.edge_count(); ++e) add_edge(e, result);
-    result.matching = result.pieces.size() == static_cast<std::size_t>(line_.edge_count()) &&
-                      std::all_of(result.pieces.begin(), result.pieces.end(), [](const FacingPiece& piece) {
-                        return piece.opposite_begin == 1 && piece.opposite_end == 0;
-                      });
     return result;
   }
 
@@ -224,8 +220,9 @@ FacingTraces facing_traces(const Mesh& mesh, const Edges& edges, const ContactLi
 }
 
 ContactLine facing_line(const Mesh& mesh, const Edges& edges, ContactLine line, const FacingTraces& traces) {
+  line.pieces = traces.pieces;
   line.opposite_edge = Eigen::VectorXi::Constant(line.edge_count(), -1);
-  if (traces.matching) {
+  if (line.matches()) {
     line.opposite = facing_vertices(mesh, edges, line, traces.pieces);
     for (const FacingPiece& piece : traces.pieces) line.opposite_edge[piece.contact_edge] = piece.opposite_edge;
   } else {
@@ -259,6 +256,10 @@ ContactLine joined_lines(const std::vector<ContactLine>& lines) {
     joined.edge.segment(edge, line.edge_count()) = line.edge;
     joined.length.segment(edge, line.edge_count()) = line.length;
     if (line.against_a_body()) joined.opposite_edge.segment(edge, line.edge_count()) = line.opposite_edge;
+    for (FacingPiece piece : line.pieces) {
+      piece.contact_edge += edge;
+      joined.pieces.push_back(piece);
+    }
     for (int i = 0; i < line.node_count(); ++i)
       visit_opposite(line, i, [&](int vertex, double weight) { entries.emplace_back(node + i, vertex, weight); });
     node += line.node_count();

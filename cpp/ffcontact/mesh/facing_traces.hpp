@@ -7,22 +7,11 @@
 
 namespace ffcontact {
 
-/// A piece of the common refinement of two facing traces: the part (begin, end) of a contact edge and the part of the edge of
-/// the opposite body that it faces, which runs the other way. Parameters go from 0 at the first to 1 at the second vertex of
-/// their mesh edge; between the ends of a piece they correspond linearly.
-struct FacingPiece {
-  int contact_edge;                     ///< number on the contact line
-  double begin, end;                    ///< begin < end
-  int opposite_edge;                    ///< mesh edge
-  double opposite_begin, opposite_end;  ///< opposite_begin > opposite_end
-};
-
 /// Two traces in contact, paired along the contact directions n of the first: x faces y = x + s n, s > 0 where they are apart.
 /// The traces need not lie on each other (curved bodies, initial gaps) and their vertices need not match.
 struct FacingTraces {
   std::vector<FacingPiece> pieces;  ///< contact edge by contact edge, each from 0 to 1 without holes
   Eigen::VectorXd gap;              ///< s at each node of the line [mm]
-  bool matching;                    ///< every contact edge faces exactly one whole edge
 };
 
 /// @param line             of the body that carries the multipliers
@@ -31,7 +20,7 @@ struct FacingTraces {
 FacingTraces facing_traces(const Mesh& mesh, const Edges& edges, const ContactLine& line,
                            const std::vector<int>& opposite_labels);
 
-/// The line with the opposite body behind it (ContactLine::opposite): displacements of the opposite trace are projected in L2
+/// The line with the opposite body behind it (ContactLine::opposite, opposite_edge, pieces): displacements of the opposite trace are projected in L2
 /// of the line's trace onto its continuous linear functions,
 ///     sum_k (int psi_i psi_k) (Pi u)_k = int psi_i u_opposite        (sums over nodes on one straight line),
 /// so that v = M (u - Pi u_opposite) are the exact integrals int psi_i [u] on the common refinement, for any mesh of either

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/mesh/common_refinement.hpp"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace ffcontact {
+
+namespace {
+
+/// Places on an edge that differ by less are the same.
+constexpr double same_place = 1e-10;
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// The vertices along one old edge, from its first to its second, by their places.
+using CutEdge = std::map<double, int>;
+
+class Refiner {
+ public:
+  Refiner(const Mesh& mesh, const Edges& edges, const ContactLine& line)
+      : old_(mesh), old_edges_(edges), old_line_(line) {
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      vertices_.push_back(mesh.vertices.col(v));
+      vertex_weights_.emplace_back(v, v, 1.0);
+    }
+    for (const FacingPiece& piece : line.pieces) {
+      for (double place : {piece.begin, piece.end}) cut(line.edge[piece.contact_edge], place);
+      for (double place : {piece.opposite_begin, piece.opposite_end}) cut(piece.opposite_edge, place);
+    }
+  }
+
+  CommonRefinement refinement() {
+    number_new_vertices();
+    cut_triangles();
+    CommonRefinement result;
+    put_mesh(result);
+    result.edges = edges_of(result.mesh);
+    put_parent_edges(result);
+    put_line(result);
+    return result;
+  }
+
+ private:
+  void cut(int edge, double place) {
+    CutEdge& places = cuts_[edge];
+    if (places.empty()) places = {{0.0, old_edges_.vertices(0, edge)}, {1.0, old_edges_.vertices(1, edge)}};
+    if (find(places, place) == places.end()) places.emplace(place, -1);
+  }
+
+  static CutEdge::const_iterator find(const CutEdge& places, double place) {
+    const auto found = places.lower_bound(place - same_place);
+    return found != places.end() && found->first < place + same_place ? found : places.end();
+  }
+
+  int vertex_at(int edge, double place) const { return find(cuts_.at(edge), place)->second; }
+
+  void number_new_vertices() {
+    for (auto& [edge, places] : cuts_)
+      for (auto& [place, vertex] : places) {
+        if (vertex >= 0) continue;
+        vertex = static_cast<int>(vertices_.size());
+        const int first = old_edges_.vertices(0, edge), second = old_edges_.vertices(1, edge);
+        vertices_.push_back((1 - place) * old_.vertices.col(first) + place * old_.vertices.col(second));
+        vertex_weights_.emplace_back(vertex, first, 1 - place);
+        vertex_weights_.emplace_back(vertex, second, place);
+      }
+  }
+
+  void cut_triangles() {
+    for (int t = 0; t < old_.triangle_count(); ++t) {
+      triangles_.push_back(old_.triangles.col(t));
+      parent_.push_back(t);
+    }
+    for (const auto& [edge, places] : cuts_)
+      if (places.size() > 2) cut_triangle(old_edges_.triangles(0, edge), places);
+  }
+
+  /// Replaces the part of an old triangle that lies on an edge by a fan. The edge has its triangle on the left.
+  void cut_triangle(int old_triangle, const CutEdge& places) {
+    const int first = places.begin()->second, second = places.rbegin()->second;
+    std::vector<int>& parts = parts_.try_emplace(old_triangle, 1, old_triangle).first->second;
+    for (int part : parts)
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3i triangle = triangles_[part];
+        if (triangle[k] != first || triangle[(k + 1) % 3] != second) continue;
+        const int apex = triangle[(k + 2) % 3];
+        for (auto a = places.begin(), b = std::next(a); b != places.end(); ++a, ++b) {
+          const Eigen::Vector3i piece(a->second, b->second, apex);
+          if (a == places.begin()) {
+            triangles_[part] = piece;
+            continue;
+          }
+          parts.push_back(static_cast<int>(triangles_.size()));
+          triangles_.push_back(piece);
+          parent_.push_back(old_triangle);
+        }
+        return;
+      }
+  }
+
+  void put_mesh(CommonRefinement& result) const {
+    Mesh& mesh = result.mesh;
+    mesh.vertices.resize(2, static_cast<Eigen::Index>(vertices_.size()));
+    for (std::size_t v = 0; v < vertices_.size(); ++v) mesh.vertices.col(v) = vertices_[v];
+    mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles_.size()));
+    for (std::size_t t = 0; t < triangles_.size(); ++t) mesh.triangles.col(t) = triangles_[t];
+    result.parent = Eigen::Map<const Eigen::VectorXi>(parent_.data(), static_cast<Eigen::Index>(parent_.size()));
+    result.vertex_weights.resize(mesh.vertices.cols(), old_.vertices.cols());
+    result.vertex_weights.setFromTriplets(vertex_weights_.begin(), vertex_weights_.end());
+
+    std::vector<int> edge_of_column(old_.boundary.cols(), -1);
+    for (const auto& [edge, places] : cuts_) edge_of_column[old_edges_.boundary_index[edge]] = edge;
+    std::vector<Eigen::Vector2i> boundary;
+    std::vector<int> parent;
+    for (int b = 0; b < old_.boundary.cols(); ++b) {
+      const int edge = edge_of_column[b];
+      if (edge < 0) {
+        boundary.push_back(old_.boundary.col(b));
+        parent.push_back(b);
+        continue;
+      }
+      const CutEdge& places = cuts_.at(edge);
+      for (auto first = places.begin(), second = std::next(first); second != places.end(); ++first, ++second) {
+        boundary.emplace_back(first->second, second->second);
+        parent.push_back(b);
+      }
+    }
+    const auto columns = static_cast<Eigen::Index>(boundary.size());
+    mesh.boundary.resize(2, columns);
+    mesh.boundary_label.resize(columns);
+    result.parent_boundary = Eigen::Map<const Eigen::VectorXi>(parent.data(), columns);
+    for (Eigen::Index b = 0; b < columns; ++b) {
+      mesh.boundary.col(b) = boundary[b];
+      mesh.boundary_label[b] = old_.boundary_label[parent[b]];
+    }
+  }
+
+  bool lies_on(int vertex, int edge) const {
+    if (vertex < old_.vertex_count())
+      return old_edges_.vertices(0, edge) == vertex || old_edges_.vertices(1, edge) == vertex;
+    const auto places = cuts_.find(edge);
+    if (places == cuts_.end()) return false;
+    return std::any_of(places->second.begin(), places->second.end(),
+                       [&](const auto& at) { return at.second == vertex; });
+  }
+
+  void put_parent_edges(CommonRefinement& result) const {
+    result.parent_edge = Eigen::VectorXi::Constant(result.edges.count(), -1);
+    for (int t = 0; t < result.mesh.triangle_count(); ++t) {
+      const int old = result.parent[t];
+      for (int k = 0; k < 3; ++k) {
+        const int edge = result.edges.of_triangle(k, t);
+        for (int side : old_edges_.of_triangle.col(old))
+          if (lies_on(result.edges.vertices(0, edge), side) && lies_on(result.edges.vertices(1, edge), side))
+            result.parent_edge[edge] = side;
+      }
+    }
+  }
+
+  void put_line(CommonRefinement& result) const {
+    std::map<std::pair<int, int>, int> boundary_edge;
+    for (int e = 0; e < result.edges.count(); ++e)
+      if (result.edges.on_boundary(e))
+        boundary_edge.emplace(std::pair(result.edges.vertices(0, e), result.edges.vertices(1, e)), e);
+
+    LineParts parts(old_line_);
+    auto piece = old_line_.pieces.begin();
+    for (int e = 0; e < old_line_.edge_count(); ++e) {
+      const int edge = old_line_.edge[e];
+      if (piece == old_line_.pieces.end() || piece->contact_edge != e) {
+        const std::pair ends(old_edges_.vertices(0, edge), old_edges_.vertices(1, edge));
+        parts.add_edge(e, old_line_.edge_node(0, e), old_line_.edge_node(1, e), boundary_edge.at(ends), -1, 1);
+        continue;
+      }
+      int node = old_line_.edge_node(0, e);
+      for (; piece != old_line_.pieces.end() && piece->contact_edge == e; ++piece) {
+        const int first = vertex_at(edge, piece->begin), second = vertex_at(edge, piece->end);
+        const int facing_first = vertex_at(piece->opposite_edge, piece->opposite_begin);
+        const int facing_second = vertex_at(piece->opposite_edge, piece->opposite_end);
+        const int next = piece->end == 1 ? old_line_.edge_node(1, e) : parts.add_node(second, e, piece->end, old_line_);
+        parts.face(node, facing_first);
+        parts.face(next, facing_second);
+        parts.add_edge(e, node, next, boundary_edge.at({first, second}),
+                       boundary_edge.at({facing_second, facing_first}), piece->end - piece->begin);
+        node = next;
+      }
+    }
+    parts.put(result, old_line_);
+  }
+
+  /// The refined line while it grows.
+  struct LineParts {
+    std::vector<int> vertex, edge, opposite_edge, parent_edge;
+    std::vector<Eigen::Vector2i> edge_node;
+    std::vector<double> share;  ///< of the parent's length
+    std::map<int, int> facing;  ///< vertex that a node faces
+    Triplets weights;           ///< node_weights
+
+    explicit LineParts(const ContactLine& line) : vertex(line.vertex.begin(), line.vertex.end()) {
+      for (int i = 0; i < line.node_count(); ++i) weights.emplace_back(i, i, 1.0);
+    }
+    int add_node(int at, int e, double place, const ContactLine& line) {
+      const int node = static_cast<int>(vertex.size());
+      vertex.push_back(at);
+      weights.emplace_back(node, line.edge_node(0, e), 1 - place);
+      weights.emplace_back(node, line.edge_node(1, e), place);
+      return node;
+    }
+    void face(int node, int opposite_vertex) { facing.emplace(node, opposite_vertex); }
+    void add_edge(int parent, int first, int second, int mesh_edge, int opposite, double part) {
+      parent_edge.push_back(parent);
+      edge_node.emplace_back(first, second);
+      edge.push_back(mesh_edge);
+      opposite_edge.push_back(opposite);
+      share.push_back(part);
+    }
+    void put(CommonRefinement& result, const ContactLine& old) const {
+      const auto p = static_cast<Eigen::Index>(vertex.size()), m = static_cast<Eigen::Index>(edge.size());
+      result.node_weights.resize(p, old.node_count());
+      result.node_weights.setFromTriplets(weights.begin(), weights.end());
+      ContactLine& line = result.line;
+      line.vertex = Eigen::Map<const Eigen::VectorXi>(vertex.data(), p);
+      line.normal = (result.node_weights * old.normal.transpose()).transpose();
+      line.normal.colwise().normalize();
+      line.normal.leftCols(old.node_count()) = old.normal;
+      line.abscissa = result.node_weights * old.abscissa;
+      line.edge = Eigen::Map<const Eigen::VectorXi>(edge.data(), m);
+      line.opposite_edge = Eigen::Map<const Eigen::VectorXi>(opposite_edge.data(), m);
+      line.edge_node.resize(2, m);
+      line.length.resize(m);
+      for (Eigen::Index e = 0; e < m; ++e) {
+        line.edge_node.col(e) = edge_node[e];
+        line.length[e] = share[e] * old.length[parent_edge[e]];
+        if (opposite_edge[e] >= 0) line.pieces.push_back({static_cast<int>(e), 0, 1, opposite_edge[e], 1, 0});
+      }
+      Triplets selection;
+      for (const auto& [node, opposite_vertex] : facing) selection.emplace_back(node, opposite_vertex, 1.0);
+      line.opposite.resize(p, result.mesh.vertices.cols());
+      line.opposite.setFromTriplets(selection.begin(), selection.end());
+    }
+  };
+
+  const Mesh& old_;
+  const Edges& old_edges_;
+  const ContactLine& old_line_;
+  std::map<int, CutEdge> cuts_;  ///< by old edge
+  std::vector<Eigen::Vector2d> vertices_;
+  std::vector<Eigen::Vector3i> triangles_;
+  std::vector<int> parent_;
+  std::map<int, std::vector<int>> parts_;  ///< triangles that an old triangle was cut into
+  Triplets vertex_weights_;
+};
+
+}  // namespace
+
+CommonRefinement common_refinement(const Mesh& mesh, const Edges& edges, const ContactLine& line) {
+  return Refiner(mesh, edges, line).refinement();
+}
+
+}  // namespace ffcontact

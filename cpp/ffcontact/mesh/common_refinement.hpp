@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/mesh/contact_line.hpp"
+
+namespace ffcontact {
+
+/// Bodies in contact, cut so that their facing traces match.
+///
+/// Every contact edge and every edge it faces is cut where the pieces of the line end, and its triangle becomes the fan of
+/// triangles between the pieces and the opposite vertex. Functions that are linear on the old triangles are linear on the new
+/// ones. Old vertices and old nodes keep their numbers, new ones follow; the first triangle of a fan keeps that of its parent.
+struct CommonRefinement {
+  Mesh mesh;
+  Edges edges;
+  ContactLine line;        ///< with matching traces
+  Eigen::VectorXi parent;  ///< old triangle of each triangle
+  Eigen::VectorXi
+      parent_edge;  ///< old edge that each edge is a part of; -1 for the edges between the triangles of a fan
+  Eigen::VectorXi parent_boundary;  ///< old column of Mesh::boundary of each column
+  WeightsByNode vertex_weights;     ///< old vertices that each vertex lies between [vertices x old vertices]
+  WeightsByNode node_weights;       ///< old contact nodes that each node lies between [p x old p]
+
+  /// Place of a vertex on an old edge: 0 at its first, 1 at its second vertex.
+  double place(const Edges& old_edges, int vertex, int old_edge) const {
+    return vertex_weights.coeff(vertex, old_edges.vertices(1, old_edge));
+  }
+};
+
+/// @param line  with the pieces of facing_line
+CommonRefinement common_refinement(const Mesh& mesh, const Edges& edges, const ContactLine& line);
+
+}  // namespace ffcontact
