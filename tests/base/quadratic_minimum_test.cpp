@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <limits>
 
 #include "support/random.hpp"
@@ -76,6 +77,33 @@ RC_GTEST_PROP(QuadraticMinimum, does_not_depend_on_the_scale_of_its_conditions, 
   const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
   const auto z = quadratic_minimum(q.H, q.g, factor.asDiagonal() * q.C, factor.asDiagonal() * q.d);
   RC_ASSERT((y && z && (*y - *z).norm() < 1e-8 * (1 + y->norm())));
+}
+
+/// |y_t| <= -mu y_n for two pairs (y_n, y_t), as for the tractions at the ends of an edge.
+RC_GTEST_PROP(QuadraticMinimum, meets_the_conditions_of_a_thin_cone_to_rounding, (Random random)) {
+  const double mu = std::pow(10.0, -*real(0, 7));
+  Quadratic q = random_quadratic(4, 4, random);
+  q.C.setZero();
+  for (int pair = 0; pair < 2; ++pair) q.C.block<2, 2>(2 * pair, 2 * pair) << -mu, 1, -mu, -1;
+  q.d.setZero();
+  const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
+  RC_ASSERT(y.has_value());
+  RC_ASSERT(q.violation(*y) <= 1e-14 * (1 + y->norm()));
+  // Optimality: the gradient is a combination of the active conditions with multipliers >= 0.
+  const Eigen::VectorXd gradient = q.H * *y + q.g, slack = q.C * *y - q.d;
+  Eigen::MatrixXd active(4, 0);
+  for (int row = 0; row < 4; ++row)
+    if (slack[row] <= 1e-13 * (1 + y->norm())) {
+      active.conservativeResize(Eigen::NoChange, active.cols() + 1);
+      active.rightCols<1>() = q.C.row(row).transpose();
+    }
+  Eigen::VectorXd left_over = gradient;
+  if (active.cols() > 0) {
+    const Eigen::VectorXd multipliers = active.completeOrthogonalDecomposition().solve(gradient);
+    RC_ASSERT(multipliers.minCoeff() >= -1e-7 * (1 + multipliers.maxCoeff()));
+    left_over -= active * multipliers;
+  }
+  RC_ASSERT(left_over.norm() <= 1e-8 * (q.g.norm() + q.H.norm() * y->norm()));
 }
 
 TEST(QuadraticMinimum, without_conditions_solves_the_linear_system) {

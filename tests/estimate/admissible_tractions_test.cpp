@@ -73,7 +73,7 @@ TEST(NearestInCone, of_trescas_law_lets_one_end_make_up_for_the_other) {
 RC_GTEST_PROP(AdmissibleTractions, are_in_the_cone, (Random random)) {
   const Problem problem = random_line(random, *rc::gen::arbitrary<bool>());
   const AdmissibleTractions result =
-      admissible_tractions(problem.line, problem.law, random_densities(problem.line.edge_count(), random),
+      admissible_tractions(problem.mesh, problem.line, problem.law, random_densities(problem.line.edge_count(), random),
                            Eigen::MatrixXd(problem.b.size(), 0));
   RC_ASSERT(cone_defect(problem.line, problem.law, result.densities) <= 1e-12);
 }
@@ -84,7 +84,7 @@ RC_GTEST_PROP(AdmissibleTractions, are_those_of_the_cone_correction_where_it_suf
   computed.normal = -computed.normal.cwiseAbs();
   computed.tangential = computed.tangential.cwiseProduct(problem.law.friction[0] * computed.normal);
   const AdmissibleTractions result =
-      admissible_tractions(problem.line, problem.law, computed, Eigen::MatrixXd(problem.b.size(), 0));
+      admissible_tractions(problem.mesh, problem.line, problem.law, computed, Eigen::MatrixXd(problem.b.size(), 0));
   RC_ASSERT(result.mended.empty());
   RC_ASSERT(result.densities.tangential == computed.tangential);
   RC_ASSERT(result.corrected_count() == 0);
@@ -93,7 +93,7 @@ RC_GTEST_PROP(AdmissibleTractions, are_those_of_the_cone_correction_where_it_suf
 RC_GTEST_PROP(AdmissibleTractions, shifts_change_no_nodal_balance, (Random random)) {
   const Problem problem = random_line(random, false);
   const AdmissibleTractions result =
-      admissible_tractions(problem.line, problem.law, random_densities(problem.line.edge_count(), random),
+      admissible_tractions(problem.mesh, problem.line, problem.law, random_densities(problem.line.edge_count(), random),
                            Eigen::MatrixXd(problem.b.size(), 0));
   RC_ASSERT(result.densities.normal == result.balanced.normal);
   const Eigen::RowVectorXd change =
@@ -108,7 +108,7 @@ RC_GTEST_PROP(AdmissibleTractions, keep_the_resultants_on_motions_that_contact_a
   const Eigen::MatrixXd motions = free_rigid_motions(problem.mesh, prescribed);
   ContactDensities computed = random_densities(problem.line.edge_count(), random);
   computed.normal.array() -= 1;  // on the whole compressive
-  const AdmissibleTractions result = admissible_tractions(problem.line, problem.law, computed, motions);
+  const AdmissibleTractions result = admissible_tractions(problem.mesh, problem.line, problem.law, computed, motions);
   const auto resultant = [&](const ContactDensities& densities) -> Eigen::VectorXd {
     return motions.transpose() * nodal_forces(problem.mesh, problem.line, densities);
   };

@@ -10,14 +10,11 @@ ConeConditions cone_conditions(const ContactLaw& law, int node) {
   if (conditions.frictionless) {
     conditions.C = Eigen::RowVector2d(-1, 0);
     conditions.d = Eigen::VectorXd::Zero(1);
-  } else if (law.tresca()) {
-    conditions.C.resize(3, 2);
-    conditions.C << -1, 0, 0, 1, 0, -1;
-    conditions.d = Eigen::Vector3d(0, -bound, -bound);
   } else {
-    conditions.C.resize(2, 2);
-    conditions.C << -slope, 1, -slope, -1;  // their sum is r_n <= 0
-    conditions.d = Eigen::Vector2d::Zero();
+    // For Coulomb's law the last two imply the first, but in a thin cone their rounding divided by mu is its.
+    conditions.C.resize(3, 2);
+    conditions.C << -1, 0, -slope, 1, -slope, -1;
+    conditions.d = Eigen::Vector3d(0, -bound, -bound);
   }
   return conditions;
 }

@@ -178,6 +178,12 @@ class Conditions {
   Eigen::Index count_ = 0;
 };
 
+/// r_t = 0 on the whole edge.
+bool frictionless(const FreeContact& contact, int e) {
+  return cone_conditions(contact.law, contact.line.edge_node(0, e)).frictionless ||
+         cone_conditions(contact.law, contact.line.edge_node(1, e)).frictionless;
+}
+
 /// Basis of the corrections that leave known boundary tractions alone and load both bodies of a contact edge oppositely
 /// [unknowns x n].
 Eigen::MatrixXd admissible_corrections(const Group& group, const BoundaryTractions& boundary,
@@ -190,8 +196,7 @@ Eigen::MatrixXd admissible_corrections(const Group& group, const BoundaryTractio
       for (int c = 0; c < 2; ++c)
         if (boundary.known(c, spoke.edge())) conditions.fix(spoke, Eigen::Vector2d::Unit(c));
     } else if (carries_multipliers(spoke, e, *contact)) {
-      if (cone_conditions(contact->law, contact->line.edge_node(0, e)).frictionless)
-        conditions.fix(spoke, contact->line.edge_tangent(e));
+      if (frictionless(*contact, e)) conditions.fix(spoke, contact->line.edge_tangent(e));
       for (const Spoke& other : spokes)
         if (other.edge() != spoke.edge() && free_edge(other, contact) == e) conditions.balance(spoke, other);
     }
@@ -245,12 +250,27 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, cons
       const ConeConditions cone = cone_conditions(contact->law, contact->line.edge_node(end, edge.edge));
       terms.cost += edge.change[end].transpose() * cost;
       terms.C.middleRows(row, cone.C.rows()) = cone.C * edge.change[end];
-      terms.d.segment(row, cone.d.size()) = cone.d - cone.C * r;
+      terms.d.segment(row, cone.d.size()) = (cone.d - cone.C * r).cwiseMin(0);  // r is inside: the rest is rounding
       row += cone.d.size();
     }
   terms.C.conservativeResize(row, Eigen::NoChange);
   terms.d.conservativeResize(row);
   return terms;
+}
+
+/// The conditions on x for y = Z x, without those that no x can change.
+void restrict(const Eigen::MatrixXd& Z, ContactTerms& terms) {
+  constexpr double rounding = 1e-13;
+  Eigen::Index kept = 0;
+  const Eigen::MatrixXd C = terms.C * Z;
+  const double size = Z.norm();
+  for (Eigen::Index row = 0; row < C.rows(); ++row)
+    if (C.row(row).norm() > rounding * size * terms.C.row(row).norm()) {
+      terms.d[kept] = terms.d[row];
+      terms.C.row(kept++) = terms.C.row(row);
+    }
+  terms.C = (terms.C.topRows(kept) * Z).eval();
+  terms.d.conservativeResize(kept);
 }
 
 /// Vertices on the boundary; free contact edges at them stay in the cone.
@@ -260,7 +280,8 @@ double relax(const Setting& setting, const std::vector<int>& vertices, EdgeLoads
   const Eigen::MatrixXd Z = admissible_corrections(group, setting.boundary, contact);
   if (Z.cols() == 0) return 0;
   const std::vector<EdgeEnds> ends = contact ? free_ends(group, *contact) : std::vector<EdgeEnds>{};
-  const ContactTerms terms = contact_terms(ends, group.unknowns(), contact);
+  ContactTerms terms = contact_terms(ends, group.unknowns(), contact);
+  restrict(Z, terms);
 
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(group.unknowns(), group.unknowns());
   Eigen::VectorXd slope = terms.cost;
@@ -270,7 +291,7 @@ double relax(const Setting& setting, const std::vector<int>& vertices, EdgeLoads
     slope.segment(group.first[s], energy.g.size()) += 2 * energy.g;
   }
   const std::optional<Eigen::VectorXd> x =
-      quadratic_minimum(2 * Z.transpose() * H * Z, Z.transpose() * slope, terms.C * Z, terms.d);
+      quadratic_minimum(2 * Z.transpose() * H * Z, Z.transpose() * slope, terms.C, terms.d);
   if (!x) return 0;
   const Eigen::VectorXd y = Z * *x;
   const double fall = -y.dot(H * y) - y.dot(slope);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/admissible_tractions.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
 
-#include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 
 namespace ffcontact {
@@ -13,6 +13,9 @@ namespace {
 
 /// Resultants are kept to this part of their scale.
 constexpr double resultant_tolerance = 1e-12;
+
+/// Sine of the angle below which a contact tangent is that of its edge.
+constexpr double parallel = 1e-13;
 
 Eigen::Matrix2d end_values(const ContactDensities& densities, int e) {
   Eigen::Matrix2d r;
@@ -33,27 +36,18 @@ Eigen::Matrix2d end_moments(const ContactLine& line, const ContactDensities& den
   return line.length[e] / 6 * (r + r.rowwise().sum().replicate<1, 2>());
 }
 
-/// Upper factor R of the mass matrix of an edge of length 1, |values|^2 = |R values|^2.
-Eigen::Matrix2d mass_factor() {
-  Eigen::Matrix2d mass;
-  mass << 1.0 / 3, 1.0 / 6, 1.0 / 6, 1.0 / 3;
-  return mass.llt().matrixU();
-}
-
-/// Nonpositive values nearest to the given ones in L2.
-Eigen::Vector2d nearest_nonpositive(const Eigen::Vector2d& values) {
-  const Eigen::Matrix2d R = mass_factor();
-  return -nonnegative_least_squares(R, -R * values);
-}
-
-/// Values between -bound and bound nearest to the given ones in L2.
-Eigen::Vector2d nearest_within(const Eigen::Vector2d& values, const Eigen::Vector2d& bound) {
-  const Eigen::Matrix2d R = mass_factor(), mass = R.transpose() * R;
-  Eigen::Matrix<double, 4, 2> sides;
-  sides << Eigen::Matrix2d::Identity(), -Eigen::Matrix2d::Identity();
-  const Eigen::Vector2d nearest =
-      *quadratic_minimum(mass, -mass * values, sides, Eigen::Vector4d(-bound.replicate<2, 1>()));
-  return nearest.cwiseMin(bound).cwiseMax(-bound);  // rounding
+/// Whether the contact tangent is not that of the edge or of the edge that it faces, as on a line of given directions.
+bool skew(const Mesh& mesh, const ContactLine& line, int e) {
+  const int i = line.edge_node(0, e), j = line.edge_node(1, e);
+  const Eigen::Vector2d side = mesh.vertices.col(line.vertex[j]) - mesh.vertices.col(line.vertex[i]);
+  const auto off_tangent = [&](const Eigen::Vector2d& along) {
+    return std::abs(line.edge_normal(e).dot(along)) > parallel * line.length[e];
+  };
+  if (off_tangent(side)) return true;
+  Eigen::Vector2d facing = Eigen::Vector2d::Zero();
+  visit_opposite(line, j, [&](int vertex, double weight) { facing += weight * mesh.vertices.col(vertex); });
+  visit_opposite(line, i, [&](int vertex, double weight) { facing -= weight * mesh.vertices.col(vertex); });
+  return off_tangent(facing);
 }
 
 /// [z] of vertex fields at a node, one column per field.
@@ -129,30 +123,38 @@ void restore_resultants(const ContactLine& line, const ContactLaw& law, const Co
 
 Eigen::Matrix2d nearest_in_cone(const ContactLaw& law, int first_node, int second_node,
                                 const Eigen::Matrix2d& density) {
-  Eigen::Matrix2d nearest;
+  // int |r - density|^2 over an edge of length 1; unknowns (r_n, r_t) at the first and at the second end.
+  Eigen::Matrix4d mass = Eigen::Matrix4d::Identity() / 3;
+  mass.topRightCorner<2, 2>() = mass.bottomLeftCorner<2, 2>() = Eigen::Matrix2d::Identity() / 6;
+  Eigen::Matrix<double, 6, 4> C = Eigen::Matrix<double, 6, 4>::Zero();
+  Eigen::Matrix<double, 6, 1> d = Eigen::Matrix<double, 6, 1>::Zero();
   const int nodes[2] = {first_node, second_node};
-  if (law.tresca()) {
-    nearest.row(0) = nearest_nonpositive(density.row(0).transpose()).transpose();
-    const Eigen::Vector2d bound(law.slip_bound[first_node], law.slip_bound[second_node]);
-    nearest.row(1) = nearest_within(density.row(1).transpose(), bound).transpose();
-    return nearest;
-  }
-  // r = a (-1, mu) + b (-1, -mu) with a, b >= 0 at both ends.
-  const Eigen::Matrix2d R = mass_factor();
-  Eigen::Matrix4d G = Eigen::Matrix4d::Zero();  // rows: normal at both ends, tangential at both ends
-  for (int end = 0; end < 2; ++end)
-    for (int ray = 0; ray < 2; ++ray) {
-      G.block<2, 1>(0, 2 * end + ray) = -R.col(end);
-      G.block<2, 1>(2, 2 * end + ray) = (ray == 0 ? 1 : -1) * law.friction[nodes[end]] * R.col(end);
-    }
-  Eigen::Vector4d target;
-  target << R * density.row(0).transpose(), R * density.row(1).transpose();
-  const Eigen::Vector4d rays = nonnegative_least_squares(G, target);
   for (int end = 0; end < 2; ++end) {
-    nearest(0, end) = -rays[2 * end] - rays[2 * end + 1];
-    nearest(1, end) = law.friction[nodes[end]] * (rays[2 * end] - rays[2 * end + 1]);
+    const double slope = law.tresca() ? 0 : law.friction[nodes[end]];
+    C.block<3, 2>(3 * end, 2 * end) << -1, 0, -slope, 1, -slope, -1;
+    if (law.tresca()) d.segment<2>(3 * end + 1).setConstant(-law.slip_bound[nodes[end]]);
+  }
+  const Eigen::Vector4d wanted = density.reshaped();
+  Eigen::Matrix2d nearest = quadratic_minimum(mass, -mass * wanted, C, d)->reshaped(2, 2);
+  for (int end = 0; end < 2; ++end) {  // rounding
+    nearest(0, end) = std::min(nearest(0, end), 0.0);
+    const double bound = law.tresca() ? law.slip_bound[nodes[end]] : -law.friction[nodes[end]] * nearest(0, end);
+    nearest(1, end) = std::clamp(nearest(1, end), -bound, bound);
   }
   return nearest;
+}
+
+ConeCorrection correct_edges_to_cone(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                                     const ContactDensities& computed) {
+  ConeCorrection correction = correct_to_cone(line, law, computed);
+  for (int e = 0; e < line.edge_count(); ++e) {
+    if (correction.shift[e] == 0 || !skew(mesh, line, e)) continue;
+    set_end_values(correction.densities, e, end_values(computed, e));
+    correction.shift[e] = 0;
+    correction.uncorrected.push_back(e);
+  }
+  std::sort(correction.uncorrected.begin(), correction.uncorrected.end());
+  return correction;
 }
 
 Eigen::VectorXd nodal_forces(const Mesh& mesh, const ContactLine& line, const ContactDensities& densities) {
@@ -169,9 +171,9 @@ Eigen::VectorXd nodal_forces(const Mesh& mesh, const ContactLine& line, const Co
   return forces;
 }
 
-AdmissibleTractions admissible_tractions(const ContactLine& line, const ContactLaw& law,
+AdmissibleTractions admissible_tractions(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
                                          const ContactDensities& computed, const Eigen::MatrixXd& motions) {
-  const ConeCorrection correction = correct_to_cone(line, law, computed);
+  const ConeCorrection correction = correct_edges_to_cone(mesh, line, law, computed);
   AdmissibleTractions result{correction.densities, computed, correction.shift, correction.uncorrected};
   if (result.mended.empty()) return result;
   for (int e : result.mended) {

@@ -9,7 +9,7 @@ namespace ffcontact {
 
 /// Contact tractions in the cone, made from those of the solver.
 ///
-/// 1. Correction (4.1), edge by edge; it changes neither resultant nor moment of an edge.
+/// 1. Correction (4.1), edge by edge; it changes neither resultant nor moment of an edge (correct_edges_to_cone).
 /// 2. Edges that (4.1) cannot mend (lambda_n tensile at an end, as happens with M''_h) get the density in the cone that is
 ///    nearest to lambda_h in L2 of the edge. That changes the nodal forces, so that stresses have to be rebalanced.
 /// 3. Where a rigid motion z of the body is held by contact alone, int z . r must stay as it was: every edge's density is
@@ -26,8 +26,13 @@ struct AdmissibleTractions {
 };
 
 /// @param motions  rigid motions that no prescribed dof stops [2 * vertices x k]
-AdmissibleTractions admissible_tractions(const ContactLine& line, const ContactLaw& law,
+AdmissibleTractions admissible_tractions(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
                                          const ContactDensities& computed, const Eigen::MatrixXd& motions);
+
+/// Correction (4.1) where it keeps the balance of a triangle. Where the contact tangent is not that of the edge (given
+/// directions), a shift d of r_t has the moment d l/6 times the edge's part along n: such an edge is listed as uncorrected.
+ConeCorrection correct_edges_to_cone(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                                     const ContactDensities& computed);
 
 /// The density in the cone that is nearest to the given one in L2 of one edge.
 /// @param density  (r_n, r_t) at the two ends, one column each [MPa]

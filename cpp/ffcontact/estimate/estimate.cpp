@@ -3,6 +3,8 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
@@ -104,7 +106,7 @@ struct Start {
 
 Start start_published(const Origin& origin, const Setting& setting, Estimate& estimate) {
   const ContactDensities computed = edge_densities(setting.line, setting.body.pressure);
-  const ConeCorrection correction = correct_to_cone(setting.line, setting.body.law, computed);
+  const ConeCorrection correction = correct_edges_to_cone(setting.mesh, setting.line, setting.body.law, computed);
   estimate.shift = correction.shift;
   estimate.unmended = correction.uncorrected;
   return {correction.densities, computed, origin.body.displacement};
@@ -112,7 +114,7 @@ Start start_published(const Origin& origin, const Setting& setting, Estimate& es
 
 Start start_in_cone(const Origin& origin, const Setting& setting, Estimate& estimate) {
   const ContactDensities computed = edge_densities(setting.line, setting.body.pressure);
-  const AdmissibleTractions tractions = admissible_tractions(setting.line, setting.body.law, computed,
+  const AdmissibleTractions tractions = admissible_tractions(setting.mesh, setting.line, setting.body.law, computed,
                                                              free_rigid_motions(setting.mesh, setting.prescribed));
   estimate.shift = tractions.shift;
   estimate.mended = tractions.mended;
@@ -205,15 +207,23 @@ double share_of_contact(const ContactDensities& densities, const Eigen::Matrix3X
   return contact > 0 ? contact / std::max(contact, stress.cwiseAbs().maxCoeff()) : 0;
 }
 
+std::string in_digits(double value) {
+  std::ostringstream text;
+  text << std::setprecision(2) << value;
+  return text.str();
+}
+
 void judge(Estimate& estimate) {
   const bool in_equilibrium = estimate.equilibrium.largest() <= equilibrium_tolerance;
   const bool in_cone = estimate.cone <= cone_tolerance;
   estimate.admissible = in_equilibrium && in_cone;
   if (!in_cone)
-    estimate.reason = std::to_string(estimate.unmended.size()) +
-                      " contact edges have tractions outside the friction cone that (4.1) cannot mend";
+    estimate.reason =
+        "contact tractions leave the friction cone by " + in_digits(estimate.cone) + " of the largest stress" +
+        (estimate.unmended.empty() ? "" : ": (4.1) cannot mend " + std::to_string(estimate.unmended.size()) + " edges");
   else if (!in_equilibrium)
-    estimate.reason = "the stress is not in equilibrium to 1e-10";
+    estimate.reason =
+        "the stress is out of equilibrium by " + in_digits(estimate.equilibrium.largest()) + " of the largest traction";
 }
 
 /// Steps 1 to 6 of the estimate.
