@@ -320,6 +320,9 @@ double relax(const Setting& setting, int vertex, EdgeLoadsOfAll& difference, Fre
 template <class Member>
 using Colours = std::vector<std::vector<Member>>;
 
+/// Vertices of a colour (about a millisecond of work) below which starting threads costs more than it saves.
+constexpr std::size_t worth_threads = 500;
+
 /// Relaxes colour by colour; returns by how much e^2 fell.
 template <class Member>
 double relax_all(const Setting& setting, const Colours<Member>& colours, EdgeLoadsOfAll& difference,
@@ -327,7 +330,7 @@ double relax_all(const Setting& setting, const Colours<Member>& colours, EdgeLoa
   double fallen = 0;
   for (const std::vector<Member>& colour : colours) {
     std::vector<double> fall(colour.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (colour.size() >= worth_threads)
     for (std::size_t k = 0; k < colour.size(); ++k) fall[k] = relax(setting, colour[k], difference, contact);
     for (double f : fall) fallen += f;  // in a fixed order
   }
