@@ -2,12 +2,36 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "freefem.hpp"
 
 namespace ffcontact::plugin {
+
+/// Positional arguments of these types, any number of them.
+class ArgumentTypes : public ArrayOfaType {
+ public:
+  explicit ArgumentTypes(const std::vector<aType>& types) : ArrayOfaType(false) {
+    n = static_cast<int>(types.size());
+    t = new aType[n];  // deleted by the base
+    std::copy(types.begin(), types.end(), t);
+  }
+};
+
+template <class T>
+T value_of(Stack stack, Expression expression) {
+  return GetAny<T>((*expression)(stack));
+}
+
+/// The values of several expressions, as T or as what it converts to.
+template <class T, class As = T>
+std::vector<As> values_of(Stack stack, const std::vector<Expression>& expressions) {
+  std::vector<As> values;
+  for (Expression expression : expressions) values.push_back(value_of<T>(stack, expression));
+  return values;
+}
 
 /// The named parameters of one call of a script function, decoded by name.
 ///

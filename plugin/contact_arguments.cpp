@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/facing_traces.hpp"
 //
+#include <set>
+
 #include "contact_arguments.hpp"
 
 namespace ffcontact::plugin {
@@ -8,46 +11,121 @@ namespace ffcontact::plugin {
 namespace {
 
 /// The line by its own normals, or along the directions of normal=.
-ContactLine line_of(Stack stack, const NamedArguments& named, const Fem2D::Mesh& fem_mesh, const Mesh& mesh,
-                    const Edges& edges) {
-  const std::vector<int> labels = named.integers(stack, "label");
+ContactLine line_of(Stack stack, const NamedArguments& named, const BodyPart& part, const Mesh& mesh,
+                    const Edges& edges, const std::vector<int>& labels) {
   if (!named.given("normal")) return contact_line(mesh, edges, labels);
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Eigen::Matrix2Xd direction(2, line.node_count());
   for (int c = 0; c < 2; ++c)
-    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), fem_mesh, edges, line, 0).transpose();
+    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part, edges, line, 0).transpose();
   return along_directions(mesh, edges, line, direction);
+}
+
+JoinedMesh joined_meshes(const std::vector<const Fem2D::Mesh*>& fem_meshes) {
+  std::vector<Mesh> meshes;
+  for (const Fem2D::Mesh* fem_mesh : fem_meshes) meshes.push_back(mesh_of(fem_mesh));
+  return joined_mesh(meshes);
+}
+
+void append(const Eigen::VectorXd& values, Eigen::VectorXd& all) {
+  const Eigen::Index before = all.size();
+  all.conservativeResize(before + values.size());
+  all.tail(values.size()) = values;
 }
 
 }  // namespace
 
-NamedArguments::Table ContactArguments::table(const NamedArguments::Table& own) {
-  NamedArguments::Table table{{"label", &typeid(KN_<long>)},  {"friction", &typeid(double)},
-                              {"slipbound", &typeid(double)}, {"gap", &typeid(double)},
-                              {"normal", &typeid(E_Array)},   {"previous", &typeid(KN<double>*)}};
+const char* name_of_body(const char* name, int body, int bodies) {
+  static std::set<std::string> names;  // those of the tables, made while scripts are parsed
+  return bodies == 1 ? name : names.insert(name + std::to_string(body + 1)).first->c_str();
+}
+
+NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, int bodies) {
+  NamedArguments::Table table;
+  for (int body = 0; body < bodies; ++body)
+    for (const auto& parameter : parameters)
+      table.push_back({name_of_body(parameter.name, body, bodies), parameter.type});
+  return table;
+}
+
+NamedArguments::Table ContactArguments::table(const NamedArguments::Table& own, int bodies) {
+  NamedArguments::Table table = for_bodies({{"label", &typeid(KN_<long>)}, {"previous", &typeid(KN<double>*)}}, bodies);
+  if (bodies == 1) table.push_back({"opposite", &typeid(KN_<long>)});
+  table.insert(table.end(), {{"friction", &typeid(double)},
+                             {"slipbound", &typeid(double)},
+                             {"gap", &typeid(double)},
+                             {"normal", &typeid(E_Array)}});
   table.insert(table.end(), own.begin(), own.end());
   return table;
 }
 
-ContactArguments::ContactArguments(Stack stack, const NamedArguments& named, const Fem2D::Mesh* fem_mesh)
-    : mesh(mesh_of(fem_mesh)), edges(edges_of(mesh)), line(line_of(stack, named, *fem_mesh, mesh, edges)) {
-  law.friction = at_nodes(stack, named.expression("friction"), *fem_mesh, edges, line, 0);
-  if (const Expression bound = named.expression("slipbound"))
-    law.slip_bound = at_nodes(stack, bound, *fem_mesh, edges, line, 0);
-  if (const Expression gap = named.expression("gap")) law.gap = at_nodes(stack, gap, *fem_mesh, edges, line, 0);
-  if (const Expression previous = named.expression("previous")) {
-    KN<double>* u = GetAny<KN<double>*>((*previous)(stack));
-    if (u->N() > 0) {
-      require_dofs("previous", u->N());
-      law.previous = contact_components(line, vector_of(u)).row(1);
-    }
+ContactArguments::ContactArguments(Stack stack, const NamedArguments& named,
+                                   const std::vector<const Fem2D::Mesh*>& meshes)
+    : joined(joined_meshes(meshes)), fem_meshes(meshes), edges(edges_of(joined.mesh)) {
+  const int bodies = body_count();
+  std::vector<std::vector<int>> labels;
+  for (int k = 0; k < bodies; ++k) {
+    labels.push_back(named.integers(stack, name_of_body("label", k, bodies)));
+    for (int& label : labels[k]) label = joined.label(k, label);
+    if (k > 0 && k + 1 < bodies && labels[k].size() != 2)
+      refuse("label", k + 1, " must be two labels: the first faces body ", k, ", the second body ", k + 2);
   }
+  std::vector<ContactLine> lines;
+  if (bodies == 1) {
+    const std::vector<int> opposite = named.given("opposite") ? named.integers(stack, "opposite") : std::vector<int>{};
+    add_pair(stack, named, 0, labels[0], 0, opposite, lines);
+  }
+  for (int k = 0; k + 1 < bodies; ++k)
+    add_pair(stack, named, k, k == 0 ? labels[k] : std::vector<int>{labels[k][1]}, k + 1,
+             k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]}, lines);
+  line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
+
+  Eigen::VectorXd previous = Eigen::VectorXd::Zero(2 * mesh.vertices.cols());
+  bool incremental = false;
+  for (int k = 0; k < bodies; ++k) {
+    const char* name = name_of_body("previous", k, bodies);
+    const Expression expression = named.expression(name);
+    KN<double>* u = expression ? GetAny<KN<double>*>((*expression)(stack)) : nullptr;
+    if (!u || u->N() == 0) continue;
+    require_dofs(name, k, u->N());
+    previous.segment(first_dof(k), dof_count(k)) = vector_of(u);
+    incremental = true;
+  }
+  if (incremental) law.previous = contact_components(line, previous).row(1);
   require_valid(law, line);
 }
 
-void ContactArguments::require_dofs(const char* name, Eigen::Index count) const {
-  const Eigen::Index dofs = 2 * mesh.vertices.cols();
-  if (count != dofs) refuse(name, " has size ", count, " but [P1, P1] has ", dofs, " dofs on this mesh");
+void ContactArguments::add_pair(Stack stack, const NamedArguments& named, int body, const std::vector<int>& labels,
+                                int opposite_body, const std::vector<int>& opposite_labels,
+                                std::vector<ContactLine>& lines) {
+  const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
+  ContactLine own = line_of(stack, named, part, mesh, edges, labels);
+  for (int v : own.vertex) own_vertex.push_back(v - joined.first_vertex[body]);
+  if (opposite_labels.empty() && opposite_body == body) {
+    add_coefficients(stack, named, body, own, {});
+    lines.push_back(std::move(own));
+    return;
+  }
+  const FacingTraces traces = facing_traces(mesh, edges, own, opposite_labels);
+  add_coefficients(stack, named, body, own, traces.gap);
+  lines.push_back(facing_line(mesh, edges, std::move(own), traces));
+}
+
+void ContactArguments::add_coefficients(Stack stack, const NamedArguments& named, int body, const ContactLine& own,
+                                        const Eigen::VectorXd& mesh_gap) {
+  const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
+  append(at_nodes(stack, named.expression("friction"), part, edges, own, 0), law.friction);
+  if (const Expression bound = named.expression("slipbound"))
+    append(at_nodes(stack, bound, part, edges, own, 0), law.slip_bound);
+  if (const Expression gap = named.expression("gap"))
+    append(at_nodes(stack, gap, part, edges, own, 0), law.gap);
+  else
+    append(mesh_gap, law.gap);
+}
+
+void ContactArguments::require_dofs(const char* name, int body, Eigen::Index count) const {
+  if (count != dof_count(body))
+    refuse(name, " has size ", count, " but [P1, P1] has ", dof_count(body), " dofs on this mesh");
 }
 
 Eigen::Matrix2Xd ContactArguments::pressures(KN<double>* normal, KN<double>* tangential) const {

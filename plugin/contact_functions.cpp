@@ -52,7 +52,9 @@ ContactState state_of_number(long number) {
   }
 }
 
-/// iterations = contactsolve(Th, A, b, u, label=, friction=, ...)
+/// iterations = contactsolve(Th, A, b, u, label=, friction=, ...), or with mesh, matrix, load and displacement of each of
+/// several bodies.
+template <int bodies>
 class ContactSolve : public E_F0mps {
  public:
   using Result = long;
@@ -68,14 +70,22 @@ class ContactSolve : public E_F0mps {
                                         {"abscissa", &typeid(KN<double>*)}, {"state", &typeid(KN<long>*)},
                                         {"violation", &typeid(double*)},    {"status", &typeid(long*)},
                                         {"history", &typeid(KN<double>*)},  {"open", &typeid(long*)},
-                                        {"stick", &typeid(long*)},          {"slip", &typeid(long*)}})),
-        mesh_(to<pmesh>(arguments[0])),
-        matrix_(to<Matrice_Creuse<double>*>(arguments[1])),
-        load_(to<KN<double>*>(arguments[2])),
-        displacement_(to<KN<double>*>(arguments[3])) {}
+                                        {"stick", &typeid(long*)},          {"slip", &typeid(long*)}},
+                                       bodies)) {
+    for (int k = 0; k < bodies; ++k) {
+      mesh_.push_back(to<pmesh>(arguments[4 * k]));
+      matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[4 * k + 1]));
+      load_.push_back(to<KN<double>*>(arguments[4 * k + 2]));
+      displacement_.push_back(to<KN<double>*>(arguments[4 * k + 3]));
+    }
+  }
 
   static ArrayOfaType typeargs() {
-    return ArrayOfaType(atype<pmesh>(), atype<Matrice_Creuse<double>*>(), atype<KN<double>*>(), atype<KN<double>*>());
+    std::vector<aType> types;
+    for (int k = 0; k < bodies; ++k)
+      types.insert(types.end(),
+                   {atype<pmesh>(), atype<Matrice_Creuse<double>*>(), atype<KN<double>*>(), atype<KN<double>*>()});
+    return ArgumentTypes(types);
   }
   static E_F0* f(const basicAC_F0& arguments) { return new ContactSolve(arguments); }
 
@@ -86,23 +96,28 @@ class ContactSolve : public E_F0mps {
  private:
   long run(Stack stack) const {
     const double start = CPUtime();
-    const ContactArguments contact(stack, named_, GetAny<pmesh>((*mesh_)(stack)));
-    KN<double>* u = GetAny<KN<double>*>((*displacement_)(stack));
-    const RowMatrix A = matrix_of(GetAny<Matrice_Creuse<double>*>((*matrix_)(stack)));
-    contact.require_dofs("A", A.rows());
-    contact.require_dofs("u", u->N());
+    const ContactArguments contact(stack, named_, values_of<pmesh, const Fem2D::Mesh*>(stack, mesh_));
+    const std::vector<KN<double>*> u = values_of<KN<double>*>(stack, displacement_);
+    std::vector<ElasticSystem> systems;
+    for (int k = 0; k < bodies; ++k) {
+      const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
+      contact.require_dofs("A", k, A.rows());
+      contact.require_dofs("u", k, u[k]->N());
+      systems.push_back(elastic_system(A, vector_of(value_of<KN<double>*>(stack, load_[k]))));
+    }
+    const ElasticSystem system = bodies == 1 ? std::move(systems.front()) : joined_systems(systems);
 
     ContactLaw law = contact.law;
     law.multiplier = multiplier_named(named_.text(stack, "multiplier", "force"));
     const ContactSettings settings = settings_of(stack, contact.line);
-    const ElasticSystem system = elastic_system(A, vector_of(GetAny<KN<double>*>((*load_)(stack))));
     const ContactSolution solution = solve_contact(contact.mesh, contact.line, law, system, settings);
     if (!solution.accepted(settings) && !named_.given("status"))
       refuse("no solution after ", solution.iterations, " iterations (", in_words(solution.status),
              "), largest violation ", solution.complementarity, ", residual ", solution.residual);
 
-    vector_of(u) = solution.displacement;
-    put(stack, contact.line, solution);
+    for (int k = 0; k < bodies; ++k)
+      vector_of(u[k]) = solution.displacement.segment(contact.first_dof(k), contact.dof_count(k));
+    put(stack, contact, solution);
     report(stack, contact, solution, CPUtime() - start);
     return solution.iterations;
   }
@@ -120,14 +135,14 @@ class ContactSolve : public E_F0mps {
     return settings;
   }
 
-  void put(Stack stack, const ContactLine& line, const ContactSolution& solution) const {
+  void put(Stack stack, const ContactArguments& contact, const ContactSolution& solution) const {
     const Counts counts = counted(solution.state);
     named_.put(stack, "pn", Eigen::VectorXd(solution.pressure.row(0)));
     named_.put(stack, "pt", Eigen::VectorXd(solution.pressure.row(1)));
     named_.put(stack, "fn", Eigen::VectorXd(solution.force.row(0)));
     named_.put(stack, "ft", Eigen::VectorXd(solution.force.row(1)));
-    named_.put_integers(stack, "node", {line.vertex.data(), line.vertex.data() + line.vertex.size()});
-    named_.put(stack, "abscissa", line.abscissa);
+    named_.put_integers(stack, "node", contact.own_vertex);
+    named_.put(stack, "abscissa", contact.line.abscissa);
     named_.put_integers(stack, "state", state_numbers(solution.state));
     named_.put(stack, "violation", solution.complementarity);
     named_.put(stack, "status", static_cast<long>(solution.status));
@@ -152,7 +167,7 @@ class ContactSolve : public E_F0mps {
   }
 
   NamedArguments named_;
-  Expression mesh_, matrix_, load_, displacement_;
+  std::vector<Expression> mesh_, matrix_, load_, displacement_;
 };
 
 /// nodes outside = contactproject(Th, pn, pt, label=, friction=, multiplier=, g=, ...): pn and pt are projected in place; empty
@@ -180,7 +195,7 @@ class ContactProject : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const ContactArguments contact(stack, named_, GetAny<pmesh>((*mesh_)(stack)));
+    const ContactArguments contact(stack, named_, {value_of<pmesh>(stack, mesh_)});
     ContactLaw law = contact.law;
     law.multiplier = multiplier_named(named_.text(stack, "multiplier", "force"));
     KN<double>*pn = GetAny<KN<double>*>((*normal_)(stack)), *pt = GetAny<KN<double>*>((*tangential_)(stack));
@@ -195,7 +210,7 @@ class ContactProject : public E_F0mps {
     pt->resize(nodes);
     vector_of(pn) = projection.pressure.row(0);
     vector_of(pt) = projection.pressure.row(1);
-    named_.put_integers(stack, "node", {contact.line.vertex.data(), contact.line.vertex.data() + nodes});
+    named_.put_integers(stack, "node", contact.own_vertex);
     named_.put(stack, "abscissa", contact.line.abscissa);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
       cout << "contactproject: " << nodes << " nodes, " << projection.outside << " were outside" << endl;
@@ -231,7 +246,7 @@ class ConeCorrectionFunction : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const ContactArguments contact(stack, named_, GetAny<pmesh>((*mesh_)(stack)));
+    const ContactArguments contact(stack, named_, {value_of<pmesh>(stack, mesh_)});
     const Eigen::Matrix2Xd pressure =
         contact.pressures(GetAny<KN<double>*>((*normal_)(stack)), GetAny<KN<double>*>((*tangential_)(stack)));
     const ConeCorrection correction =
@@ -256,7 +271,9 @@ class ConeCorrectionFunction : public E_F0mps {
 }  // namespace
 
 void register_contact_functions() {
-  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve>());
+  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve<1>>());
+  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve<2>>());
+  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve<3>>());
   Global.Add("contactproject", "(", new OneOperatorCode<ContactProject>());
   Global.Add("conecorrection", "(", new OneOperatorCode<ConeCorrectionFunction>());
 }

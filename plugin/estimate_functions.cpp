@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
@@ -14,38 +16,39 @@ namespace {
 /// Sweeps at most when the script asks for a tightness and not for a number of sweeps.
 constexpr int most_sweeps = 20;
 
-/// eps = contacterror(Th, A, u, pn, pt, label=, friction=, lambda=, G=, traction=[Fx, Fy], eps=, ...)
+/// The components of one body's Hooke tensor, loads and body forces.
+struct BodyExpressions {
+  Expression traction[2], body_force[2], hooke[6];
+};
+
+/// eps = contacterror(Th, A, u, pn, pt, label=, friction=, lambda=, G=, traction=[Fx, Fy], eps=, ...), or with mesh, matrix and
+/// displacement of each of several bodies.
+template <int bodies>
 class ContactErrorFunction : public E_F0mps {
  public:
   using Result = double;
 
-  explicit ContactErrorFunction(const basicAC_F0& arguments)
-      : named_(arguments,
-               ContactArguments::table(
-                   {{"lambda", &typeid(double)},    {"G", &typeid(double)},          {"hooke", &typeid(E_Array)},
-                    {"traction", &typeid(E_Array)}, {"bodyforce", &typeid(E_Array)}, {"tractions", &typeid(string*)},
-                    {"sweeps", &typeid(long)},      {"tightness", &typeid(double)},  {"verbosity", &typeid(long)},
-                    {"eps", &typeid(KN<double>*)},  {"rate", &typeid(KN<double>*)},  {"e", &typeid(double*)},
-                    {"elastic", &typeid(double*)},  {"contact", &typeid(double*)},   {"history", &typeid(KN<double>*)},
-                    {"rn", &typeid(KN<double>*)},   {"rt", &typeid(KN<double>*)},    {"corrected", &typeid(long*)},
-                    {"mended", &typeid(long*)},     {"unmended", &typeid(long*)},    {"oscillation", &typeid(double*)},
-                    {"sxx", &typeid(KN<double>*)},  {"syy", &typeid(KN<double>*)},   {"sxy", &typeid(KN<double>*)},
-                    {"balance", &typeid(double*)},  {"cone", &typeid(double*)},      {"admissible", &typeid(bool*)}})),
-        mesh_(to<pmesh>(arguments[0])),
-        matrix_(to<Matrice_Creuse<double>*>(arguments[1])),
-        displacement_(to<KN<double>*>(arguments[2])),
-        normal_(to<KN<double>*>(arguments[3])),
-        tangential_(to<KN<double>*>(arguments[4])) {
-    for (int c = 0; c < 2; ++c) {
-      traction_[c] = named_.component("traction", c, 2);
-      body_force_[c] = named_.component("bodyforce", c, 2);
+  explicit ContactErrorFunction(const basicAC_F0& arguments) : named_(arguments, table()) {
+    for (int k = 0; k < bodies; ++k) {
+      mesh_.push_back(to<pmesh>(arguments[3 * k]));
+      matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[3 * k + 1]));
+      displacement_.push_back(to<KN<double>*>(arguments[3 * k + 2]));
+      for (int c = 0; c < 2; ++c) {
+        body_[k].traction[c] = named_.component(name("traction", k), c, 2);
+        body_[k].body_force[c] = named_.component(name("bodyforce", k), c, 2);
+      }
+      for (int c = 0; c < 6; ++c) body_[k].hooke[c] = named_.component(name("hooke", k), c, 6);
     }
-    for (int c = 0; c < 6; ++c) hooke_[c] = named_.component("hooke", c, 6);
+    normal_ = to<KN<double>*>(arguments[3 * bodies]);
+    tangential_ = to<KN<double>*>(arguments[3 * bodies + 1]);
   }
 
   static ArrayOfaType typeargs() {
-    return ArrayOfaType(atype<pmesh>(), atype<Matrice_Creuse<double>*>(), atype<KN<double>*>(), atype<KN<double>*>(),
-                        atype<KN<double>*>());
+    std::vector<aType> types;
+    for (int k = 0; k < bodies; ++k)
+      types.insert(types.end(), {atype<pmesh>(), atype<Matrice_Creuse<double>*>(), atype<KN<double>*>()});
+    types.insert(types.end(), {atype<KN<double>*>(), atype<KN<double>*>()});
+    return ArgumentTypes(types);
   }
   static E_F0* f(const basicAC_F0& arguments) { return new ContactErrorFunction(arguments); }
 
@@ -54,20 +57,58 @@ class ContactErrorFunction : public E_F0mps {
   }
 
  private:
+  static const char* name(const char* parameter, int body) { return name_of_body(parameter, body, bodies); }
+
+  static NamedArguments::Table table() {
+    NamedArguments::Table own = for_bodies({{"lambda", &typeid(double)},
+                                            {"G", &typeid(double)},
+                                            {"hooke", &typeid(E_Array)},
+                                            {"traction", &typeid(E_Array)},
+                                            {"bodyforce", &typeid(E_Array)},
+                                            {"eps", &typeid(KN<double>*)},
+                                            {"rate", &typeid(KN<double>*)},
+                                            {"sxx", &typeid(KN<double>*)},
+                                            {"syy", &typeid(KN<double>*)},
+                                            {"sxy", &typeid(KN<double>*)}},
+                                           bodies);
+    own.insert(own.end(), {{"tractions", &typeid(string*)},
+                           {"sweeps", &typeid(long)},
+                           {"tightness", &typeid(double)},
+                           {"verbosity", &typeid(long)},
+                           {"e", &typeid(double*)},
+                           {"elastic", &typeid(double*)},
+                           {"contact", &typeid(double*)},
+                           {"history", &typeid(KN<double>*)},
+                           {"rn", &typeid(KN<double>*)},
+                           {"rt", &typeid(KN<double>*)},
+                           {"rabscissa", &typeid(KN<double>*)},
+                           {"corrected", &typeid(long*)},
+                           {"mended", &typeid(long*)},
+                           {"unmended", &typeid(long*)},
+                           {"oscillation", &typeid(double*)},
+                           {"balance", &typeid(double*)},
+                           {"cone", &typeid(double*)},
+                           {"admissible", &typeid(bool*)}});
+    return ContactArguments::table(own, bodies);
+  }
+
   double run(Stack stack) const {
     const double start = CPUtime();
-    const pmesh fem_mesh = GetAny<pmesh>((*mesh_)(stack));
-    const ContactArguments contact(stack, named_, fem_mesh);
+    const ContactArguments contact(stack, named_, values_of<pmesh, const Fem2D::Mesh*>(stack, mesh_));
     const EstimateSettings settings = estimate_settings(stack);
-    const RowMatrix A = matrix_of(GetAny<Matrice_Creuse<double>*>((*matrix_)(stack)));
-    contact.require_dofs("A", A.rows());
-    const BodyForce force = body_force_loads(stack, body_force_[0], body_force_[1], *fem_mesh, contact.mesh);
-    const ElasticSystem system = elastic_system(A, Eigen::VectorXd::Zero(A.rows()));
-    const SolvedBody body = solved_body(stack, contact, *fem_mesh, force.loads);
+    std::vector<ElasticSystem> systems;
+    for (int k = 0; k < bodies; ++k) {
+      const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
+      contact.require_dofs("A", k, A.rows());
+      systems.push_back(elastic_system(A, Eigen::VectorXd::Zero(A.rows())));
+    }
+    const ElasticSystem system = bodies == 1 ? std::move(systems.front()) : joined_systems(systems);
+    double oscillation = 0;
+    const SolvedBody body = solved_body(stack, contact, oscillation);
     const Estimate estimate = estimate_error(contact.mesh, contact.edges, contact.line, system, body, settings);
-    put(stack, estimate);
-    if (named_.given("rate")) named_.put(stack, "rate", rates(contact, system, body, estimate));
-    named_.put(stack, "oscillation", force.oscillation);
+    put(stack, contact, estimate);
+    put_rates(stack, contact, system, body);
+    named_.put(stack, "oscillation", oscillation);
     report(stack, contact, estimate, CPUtime() - start);
     return estimate.relative;
   }
@@ -88,61 +129,82 @@ class ContactErrorFunction : public E_F0mps {
     return settings;
   }
 
-  SolvedBody solved_body(Stack stack, const ContactArguments& contact, const Fem2D::Mesh& fem_mesh,
-                         const BodyLoadsOfAll& body_loads) const {
-    KN<double>* u = GetAny<KN<double>*>((*displacement_)(stack));
-    contact.require_dofs("u", u->N());
+  SolvedBody solved_body(Stack stack, const ContactArguments& contact, double& oscillation) const {
+    const JoinedMesh& joined = contact.joined;
     SolvedBody body;
-    body.hooke = hooke(stack, fem_mesh);
-    body.displacement = vector_of(u);
-    body.pressure =
-        contact.pressures(GetAny<KN<double>*>((*normal_)(stack)), GetAny<KN<double>*>((*tangential_)(stack)));
+    body.displacement.resize(contact.first_dof(bodies));
+    body.neumann.resize(4, joined.first_boundary.back());
+    body.body_loads.resize(6, joined.first_triangle.back());
+    for (int k = 0; k < bodies; ++k) {
+      const Fem2D::Mesh& fem_mesh = *contact.fem_meshes[k];
+      KN<double>* u = value_of<KN<double>*>(stack, displacement_[k]);
+      contact.require_dofs("u", k, u->N());
+      body.displacement.segment(contact.first_dof(k), contact.dof_count(k)) = vector_of(u);
+      add_hooke(stack, k, fem_mesh, body.hooke);
+      const Mesh mesh = mesh_of(&fem_mesh);
+      body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
+          traction_moments(stack, body_[k].traction[0], body_[k].traction[1], fem_mesh, mesh);
+      const BodyForce force = body_force_loads(stack, body_[k].body_force[0], body_[k].body_force[1], fem_mesh, mesh);
+      body.body_loads.middleCols(joined.first_triangle[k], mesh.triangles.cols()) = force.loads;
+      oscillation = std::hypot(oscillation, force.oscillation);
+    }
+    body.pressure = contact.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));
     body.law = contact.law;
-    body.neumann = traction_moments(stack, traction_[0], traction_[1], fem_mesh, contact.mesh);
-    body.body_loads = body_loads;
     return body;
   }
 
-  Hooke hooke(Stack stack, const Fem2D::Mesh& fem_mesh) const {
-    const bool lame = named_.given("lambda") && named_.given("G");
-    if (lame == named_.given("hooke"))
-      refuse("give either lambda= and G= (Lame's constants) or hooke=[C11, C12, C13, C22, C23, C33]");
+  /// Appends the tensors of one body's triangles.
+  void add_hooke(Stack stack, int body, const Fem2D::Mesh& fem_mesh, Hooke& all) const {
+    const Expression lambda = named_.expression(name("lambda", body)), G = named_.expression(name("G", body));
+    const bool lame = lambda && G;
+    if (lame == named_.given(name("hooke", body)))
+      refuse("give either ", name("lambda", body), "= and ", name("G", body), "= (Lame's constants) or ",
+             name("hooke", body), "=[C11, C12, C13, C22, C23, C33]");
     Hooke hooke(fem_mesh.nt);
     if (lame) {
-      const Eigen::VectorXd lambda = at_triangles(stack, named_.expression("lambda"), fem_mesh, 0);
-      const Eigen::VectorXd G = at_triangles(stack, named_.expression("G"), fem_mesh, 0);
-      for (Eigen::Index t = 0; t < G.size(); ++t) hooke[t] = isotropic(lambda[t], G[t]);
-      return hooke;
+      const Eigen::VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0);
+      const Eigen::VectorXd Gs = at_triangles(stack, G, fem_mesh, 0);
+      for (Eigen::Index t = 0; t < Gs.size(); ++t) hooke[t] = isotropic(lambdas[t], Gs[t]);
+    } else {
+      constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
+      for (int c = 0; c < 6; ++c) {
+        const Eigen::VectorXd values = at_triangles(stack, body_[body].hooke[c], fem_mesh, 0);
+        for (Eigen::Index t = 0; t < values.size(); ++t)
+          hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
+      }
     }
-    constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
-    for (int c = 0; c < 6; ++c) {
-      const Eigen::VectorXd values = at_triangles(stack, hooke_[c], fem_mesh, 0);
-      for (Eigen::Index t = 0; t < values.size(); ++t)
-        hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
-    }
-    return hooke;
+    all.insert(all.end(), hooke.begin(), hooke.end());
   }
 
-  static Eigen::VectorXd rates(const ContactArguments& contact, const ElasticSystem& system, const SolvedBody& body,
-                               const Estimate& estimate) {
+  void put_rates(Stack stack, const ContactArguments& contact, const ElasticSystem& system,
+                 const SolvedBody& body) const {
+    bool wanted = false;
+    for (int k = 0; k < bodies; ++k) wanted = wanted || named_.given(name("rate", k));
+    if (!wanted) return;
     const Stars stars = stars_of(contact.mesh, contact.edges);
     const BoundaryTractions boundary = boundary_tractions(contact.mesh, contact.edges, system.prescribed, body.neumann,
-                                                          contact.line, estimate.tractions);
-    return local_rates(contact.mesh, stars,
-                       singular_vertices(contact.mesh, contact.edges, stars, body.hooke,
-                                         stresses(contact.mesh, body.hooke, body.displacement), boundary,
-                                         contact_edge_numbers(contact.line, contact.edges)));
+                                                          contact.line, edge_densities(contact.line, body.pressure));
+    const std::vector<SingularVertex> singular = singular_vertices(
+        contact.mesh, contact.edges, stars, body.hooke, stresses(contact.mesh, body.hooke, body.displacement), boundary,
+        contact_edge_numbers(contact.line, contact.edges));
+    put_by_triangles(stack, contact, "rate", local_rates(contact.mesh, stars, singular));
+  }
+
+  void put_by_triangles(Stack stack, const ContactArguments& contact, const char* parameter,
+                        const Eigen::VectorXd& values) const {
+    const std::vector<int>& first = contact.joined.first_triangle;
+    for (int k = 0; k < bodies; ++k)
+      named_.put(stack, name(parameter, k), values.segment(first[k], first[k + 1] - first[k]));
   }
 
   /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is triangle t with vertex k moved to the
   /// centroid. FreeFEM keeps P1dc values at the vertices shrunk by 1 % towards the triangle's centroid.
-  static Eigen::VectorXd stress_component(const Estimate& estimate, int component) {
+  static Eigen::VectorXd stress_component(const std::vector<CompositeStress>& stress, int component) {
     constexpr double shrink = 0.01;
-    Eigen::VectorXd values(9 * static_cast<Eigen::Index>(estimate.stress.size()));
-    for (std::size_t t = 0; t < estimate.stress.size(); ++t)
+    Eigen::VectorXd values(9 * static_cast<Eigen::Index>(stress.size()));
+    for (std::size_t t = 0; t < stress.size(); ++t)
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d corners =
-            estimate.stress[t].block<1, 3>(component, 3 * k).transpose();  // k+1, k+2, centroid
+        const Eigen::Vector3d corners = stress[t].block<1, 3>(component, 3 * k).transpose();  // k+1, k+2, centroid
         for (int c = 0; c < 3; ++c) {
           const int vertex = (k + 1 + c) % 3;
           values[9 * static_cast<Eigen::Index>(t) + 3 * k + vertex] =
@@ -152,8 +214,35 @@ class ContactErrorFunction : public E_F0mps {
     return values;
   }
 
-  void put(Stack stack, const Estimate& estimate) const {
-    named_.put(stack, "eps", estimate.local);
+  void put_stress(Stack stack, const ContactArguments& contact, const Estimate& estimate) const {
+    constexpr const char* parameter[] = {"sxx", "syy", "sxy"};
+    bool wanted = false;
+    for (const char* p : parameter)
+      for (int k = 0; k < bodies; ++k) wanted = wanted || named_.given(name(p, k));
+    if (!wanted) return;
+    const std::vector<CompositeStress> stress = stress_on_triangles(contact.mesh, estimate);
+    const std::vector<int>& first = contact.joined.first_triangle;
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::VectorXd values = stress_component(stress, c);
+      for (int k = 0; k < bodies; ++k)
+        named_.put(stack, name(parameter[c], k), values.segment(9 * first[k], 9 * (first[k + 1] - first[k])));
+    }
+  }
+
+  /// Abscissae of the ends of the edges on which r_hat is linear, two an edge.
+  static Eigen::VectorXd abscissae(const ContactLine& line) {
+    Eigen::VectorXd values(2 * line.edge_count());
+    for (int e = 0; e < line.edge_count(); ++e) {
+      values[2 * e] = line.abscissa[line.edge_node(0, e)];
+      values[2 * e + 1] = values[2 * e] + line.length[e];
+    }
+    return values;
+  }
+
+  void put(Stack stack, const ContactArguments& contact, const Estimate& estimate) const {
+    put_by_triangles(stack, contact, "eps", estimate.local);
+    put_stress(stack, contact, estimate);
+    named_.put(stack, "rabscissa", abscissae(estimate.refinement ? estimate.refinement->line : contact.line));
     named_.put(stack, "e", estimate.e);
     named_.put(stack, "elastic", estimate.elastic);
     named_.put(stack, "contact", estimate.contact);
@@ -163,9 +252,6 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "corrected", static_cast<long>(estimate.corrected_count()));
     named_.put(stack, "mended", static_cast<long>(estimate.mended.size()));
     named_.put(stack, "unmended", static_cast<long>(estimate.unmended.size()));
-    if (named_.given("sxx")) named_.put(stack, "sxx", stress_component(estimate, 0));
-    if (named_.given("syy")) named_.put(stack, "syy", stress_component(estimate, 1));
-    if (named_.given("sxy")) named_.put(stack, "sxy", stress_component(estimate, 2));
     named_.put(stack, "balance", estimate.equilibrium.largest());
     named_.put(stack, "cone", estimate.cone);
     named_.put(stack, "admissible", estimate.admissible);
@@ -184,12 +270,17 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   NamedArguments named_;
-  Expression mesh_, matrix_, displacement_, normal_, tangential_;
-  Expression traction_[2], body_force_[2], hooke_[6];
+  std::vector<Expression> mesh_, matrix_, displacement_;
+  Expression normal_, tangential_;
+  BodyExpressions body_[bodies];
 };
 
 }  // namespace
 
-void register_estimate_functions() { Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction>()); }
+void register_estimate_functions() {
+  Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction<1>>());
+  Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction<2>>());
+  Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction<3>>());
+}
 
 }  // namespace ffcontact::plugin

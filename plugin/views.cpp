@@ -99,16 +99,17 @@ RowMatrix matrix_of(Matrice_Creuse<double>* matrix) {
 
 Eigen::Map<Eigen::VectorXd> vector_of(KN<double>* array) { return {static_cast<double*>(*array), array->N()}; }
 
-Eigen::VectorXd at_nodes(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, const Edges& edges,
+Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
                          const ContactLine& line, double otherwise) {
   Eigen::VectorXd values = Eigen::VectorXd::Constant(line.node_count(), otherwise);
   if (!expression) return values;
-  PointEvaluator point(stack, fem_mesh);
+  PointEvaluator point(stack, part.fem_mesh);
   for (int e = line.edge_count() - 1; e >= 0;
        --e)  // backwards: a node between two edges ends with the value of the first
     for (int end = 1; end >= 0; --end) {
-      const int element = edges.boundary_index[line.edge[e]], node = line.edge_node(end, e);
-      point.go_to_boundary(element, point.first_vertex(element) == line.vertex[node] ? 1 : 0);
+      const int element = edges.boundary_index[line.edge[e]] - part.first_boundary, node = line.edge_node(end, e);
+      const int vertex = line.vertex[node] - part.first_vertex;
+      point.go_to_boundary(element, point.first_vertex(element) == vertex ? 1 : 0);
       values[node] = point.value(expression);
     }
   return values;

@@ -19,9 +19,15 @@ RowMatrix matrix_of(Matrice_Creuse<double>* matrix);
 
 Eigen::Map<Eigen::VectorXd> vector_of(KN<double>* array);
 
-/// An expression of the script on a contact line, at its nodes (x, y, label, N as on the boundary) [p].
+/// A FreeFEM mesh as a part of a joined mesh.
+struct BodyPart {
+  const Fem2D::Mesh& fem_mesh;
+  int first_vertex, first_boundary;
+};
+
+/// An expression of the script on a contact line of one body, at its nodes (x, y, label, N as on the boundary) [p].
 /// @return an array of `otherwise` where the expression is null
-Eigen::VectorXd at_nodes(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, const Edges& edges,
+Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
                          const ContactLine& line, double otherwise);
 
 /// An expression at the centroid of each triangle (x, y, region) [triangles].

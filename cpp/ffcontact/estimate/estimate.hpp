@@ -77,4 +77,8 @@ struct Estimate {
 Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system,
                         const SolvedBody& body, const EstimateSettings& settings = {});
 
+/// sigma_hat at the corners of the subtriangles of the computed solution's triangles: estimate.stress, and on a triangle that
+/// was cut for a common refinement the values of the cut stress there, as seen from the subtriangle's centroid.
+std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh, const Estimate& estimate);
+
 }  // namespace ffcontact
