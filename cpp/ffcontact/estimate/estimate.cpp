@@ -12,6 +12,7 @@
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"
 #include "ffcontact/equilibrium/refined_moments.hpp"
+#include "ffcontact/estimate/local_mending.hpp"
 #include "ffcontact/estimate/rebalancing_displacement.hpp"
 
 namespace ffcontact {
@@ -99,55 +100,69 @@ std::vector<char> refined_prescribed(const CommonRefinement& refinement, const s
   return prescribed;
 }
 
-/// Contact tractions r_hat, those to build nodal equilibrium with, and the computed displacement whose stresses are in
-/// equilibrium with them.
+/// Contact tractions r_hat, those to build nodal equilibrium with, and the stresses that are in equilibrium with them.
 struct Start {
   ContactDensities densities, balanced;
-  Eigen::VectorXd displacement;  ///< on the dofs of the origin
+  Eigen::Matrix3Xd stress;  ///< on the triangles of the origin
 };
+
+Eigen::Matrix3Xd computed_stresses(const Origin& origin) {
+  return stresses(origin.mesh, origin.body.hooke, origin.body.displacement);
+}
 
 Start start_published(const Origin& origin, const Setting& setting, Estimate& estimate) {
   const ContactDensities computed = edge_densities(setting.line, setting.body.pressure);
   const ConeCorrection correction = correct_edges_to_cone(setting.mesh, setting.line, setting.body.law, computed);
   estimate.shift = correction.shift;
   estimate.unmended = correction.uncorrected;
-  return {correction.densities, computed, origin.body.displacement};
+  return {correction.densities, computed, computed_stresses(origin)};
 }
 
-Start start_in_cone(const Origin& origin, const Setting& setting, Estimate& estimate) {
-  const ContactDensities computed = edge_densities(setting.line, setting.body.pressure);
-  const AdmissibleTractions tractions = admissible_tractions(setting.mesh, setting.line, setting.body.law, computed,
-                                                             free_rigid_motions(setting.mesh, setting.prescribed));
+Start start_in_cone(const Origin& origin, const Setting& setting, const Stars& stars, Estimate& estimate) {
+  const auto& [mesh, edges, line, prescribed, body] = setting;
+  const ContactDensities computed = edge_densities(line, body.pressure);
+  Start start{{}, {}, computed_stresses(origin)};
+  const auto mending = line.against_a_body() ? std::nullopt : mend_locally(mesh, line, body.law, computed);
+  if (mending) {
+    estimate.shift = mending->tractions.shift;
+    estimate.mended = mending->tractions.mended;
+    start.densities = mending->tractions.densities;
+    start.balanced = mending->tractions.balanced;
+    add_balancing_stresses(mesh, stars, body.hooke, line, computed, *mending, start.stress);
+    return start;
+  }
+  const AdmissibleTractions tractions =
+      admissible_tractions(mesh, line, body.law, computed, free_rigid_motions(mesh, prescribed));
   estimate.shift = tractions.shift;
   estimate.mended = tractions.mended;
   if (!tractions.resultants_kept)
     refuse(
         "no tractions in the cone have the resultants of the computed contact forces: the body stands on a single "
         "point");
-  Start start{tractions.densities, tractions.balanced, origin.body.displacement};
+  start.densities = tractions.densities;
+  start.balanced = tractions.balanced;
   if (tractions.mended.empty()) return start;
-  Eigen::VectorXd change =
-      nodal_forces(setting.mesh, setting.line, tractions.balanced) - nodal_forces(setting.mesh, setting.line, computed);
+  Eigen::VectorXd change = nodal_forces(mesh, line, tractions.balanced) - nodal_forces(mesh, line, computed);
   if (origin.refinement) change = unrefined_forces(*origin.refinement, change);
-  start.displacement += rebalancing_displacement(origin.system, origin.line, change,
-                                                 free_rigid_motions(origin.mesh, origin.system.prescribed));
+  start.stress += stresses(origin.mesh, origin.body.hooke,
+                           rebalancing_displacement(origin.system, origin.line, change,
+                                                    free_rigid_motions(origin.mesh, origin.system.prescribed)));
   return start;
 }
 
 /// Edge tractions in equilibrium with the balanced contact tractions.
 EdgeMoments first_moments(const Origin& origin, const Setting& setting, const Stars& stars, const Start& start) {
-  const Eigen::Matrix3Xd stress = stresses(origin.mesh, origin.body.hooke, start.displacement);
   const BoundaryTractions boundary = setting.boundary_with(start.balanced);
   if (!origin.refinement)
-    return equilibrated_moments(setting.mesh, setting.edges, stars, stress, setting.body.body_loads, boundary);
+    return equilibrated_moments(setting.mesh, setting.edges, stars, start.stress, setting.body.body_loads, boundary);
   const ContactLine none;
   const BoundaryTractions uncut =
       tractions_of_parts(origin.edges, *origin.refinement, boundary,
                          boundary_tractions(origin.mesh, origin.edges, origin.system.prescribed, origin.body.neumann,
                                             none, ContactDensities{}));
   const EdgeMoments moments = equilibrated_moments(origin.mesh, origin.edges, stars_of(origin.mesh, origin.edges),
-                                                   stress, origin.body.body_loads, uncut);
-  return refined_moments(origin.edges, *origin.refinement, moments, stress, setting.body.body_loads, boundary);
+                                                   start.stress, origin.body.body_loads, uncut);
+  return refined_moments(origin.edges, *origin.refinement, moments, start.stress, setting.body.body_loads, boundary);
 }
 
 /// Squares of |sigma_hat - C eps(u_hat)| per triangle and of |sigma_hat + C eps(u_hat)| in all; fills sigma_hat.
@@ -264,12 +279,12 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
   const Eigen::Matrix3Xd stress = stresses(mesh, body.hooke, estimate.displacement);
 
   // 2. Contact tractions in the cone [CHH01, (4.1)] and stresses that balance them at every node.
+  const Stars stars = stars_of(mesh, edges);
   const Start start = settings.tractions == Tractions::published ? start_published(origin, setting, estimate)
-                                                                 : start_in_cone(origin, setting, estimate);
+                                                                 : start_in_cone(origin, setting, stars, estimate);
 
   // 3. Edge tractions in equilibrium, before the shifts of (4.1); then the shifted ones: the change of an edge has neither
   //    resultant nor moment, so every triangle stays balanced.
-  const Stars stars = stars_of(mesh, edges);
   EdgeMoments moments = first_moments(origin, setting, stars, start);
   const BoundaryTractions boundary = setting.boundary_with(start.densities);
   const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
