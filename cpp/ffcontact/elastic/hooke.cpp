@@ -34,6 +34,7 @@ Eigen::Vector3d strain(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>
 
 Eigen::Matrix3Xd stresses(const Mesh& mesh, const Hooke& hooke, const Eigen::Ref<const Eigen::VectorXd>& displacement) {
   Eigen::Matrix3Xd result(3, mesh.triangles.cols());
+#pragma omp parallel for
   for (int t = 0; t < mesh.triangle_count(); ++t) result.col(t) = hooke[t] * strain(mesh, displacement, t);
   return result;
 }

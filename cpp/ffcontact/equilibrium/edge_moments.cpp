@@ -59,8 +59,9 @@ EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Sta
                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
                                  const BoundaryTractions& boundary) {
   EdgeMoments moments = boundary.moments;
-  double scale = moments.cwiseAbs().maxCoeff(), worst = 0;
-  int worst_vertex = -1;
+  double scale = moments.cwiseAbs().maxCoeff();
+  Eigen::VectorXd left_over = Eigen::VectorXd::Zero(mesh.vertex_count());
+#pragma omp parallel for reduction(max : scale)
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (stars.triangle_count(v) == 0) continue;
     const StarChain chain = star_chain(mesh, edges, stars, v, stress, body_loads);
@@ -76,19 +77,18 @@ EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Sta
       const double start = at_first  ? given(0)
                            : at_last ? given(last) + chain.sum(c, last)
                                      : (chain.target.row(c) + chain.sum.row(c)).mean();
-      const double left_over = !stars.on_boundary(v)   ? chain.load.row(c).sum()
-                               : (at_first && at_last) ? start - chain.sum(c, last) - given(last)
-                                                       : 0;
-      if (std::abs(left_over) > worst) {
-        worst = std::abs(left_over);
-        worst_vertex = v;
-      }
+      const double left = !stars.on_boundary(v)   ? chain.load.row(c).sum()
+                          : (at_first && at_last) ? start - chain.sum(c, last) - given(last)
+                                                  : 0;
+      left_over[v] = std::max(left_over[v], std::abs(left));
       for (int k = 0; k <= last; ++k)
         if (!boundary.known(c, spokes[k]))
           moments(rows_of(edges, spokes[k], v) + c, spokes[k]) =
               direction(edges, spokes[k], v) * (start - chain.sum(c, k));
     }
   }
+  Eigen::Index worst_vertex = 0;
+  const double worst = left_over.maxCoeff(&worst_vertex);
   if (worst > unbalanced * scale)
     refuse("the loads do not balance the stresses at vertex ", worst_vertex, " (", mesh.vertices(0, worst_vertex), ", ",
            mesh.vertices(1, worst_vertex), "): ", worst,

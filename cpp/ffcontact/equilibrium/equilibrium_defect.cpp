@@ -80,30 +80,27 @@ EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const
                                      const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary) {
   require_size("stress", static_cast<Eigen::Index>(stress.size()), mesh.triangle_count());
   require_size("body loads", body_loads.cols(), mesh.triangle_count());
-  EquilibriumDefect defect;
+  double divergence = 0, jump = 0, at_boundary = 0, largest_traction = 0;
+#pragma omp parallel for reduction(max : divergence, jump)
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    defect.divergence = std::max(defect.divergence, divergence_of_triangle(mesh, t, stress[t], body_loads.col(t)));
-    defect.jump = std::max(defect.jump, jump_inside(mesh, t, stress[t]));
+    divergence = std::max(divergence, divergence_of_triangle(mesh, t, stress[t], body_loads.col(t)));
+    jump = std::max(jump, jump_inside(mesh, t, stress[t]));
   }
-  double largest_traction = 0;
+#pragma omp parallel for reduction(max : jump, at_boundary, largest_traction)
   for (int e = 0; e < edges.count(); ++e) {
     const Eigen::Vector4d left = traction_beside(mesh, edges, e, edges.triangles(0, e), stress);
     largest_traction = std::max(largest_traction, left.cwiseAbs().maxCoeff());
     if (edges.on_boundary(e)) {
       const Eigen::Vector4d given = density_of_moments(boundary.moments.col(e), edge_vector(mesh, edges, e).norm());
       for (int k = 0; k < 4; ++k)
-        if (boundary.known(k % 2, e)) defect.boundary = std::max(defect.boundary, std::abs(left[k] - given[k]));
+        if (boundary.known(k % 2, e)) at_boundary = std::max(at_boundary, std::abs(left[k] - given[k]));
     } else {
       const Eigen::Vector4d right = traction_beside(mesh, edges, e, edges.triangles(1, e), stress);
-      defect.jump = std::max(defect.jump, (left - right).cwiseAbs().maxCoeff());
+      jump = std::max(jump, (left - right).cwiseAbs().maxCoeff());
     }
   }
-  if (largest_traction > 0) {
-    defect.divergence /= largest_traction;
-    defect.jump /= largest_traction;
-    defect.boundary /= largest_traction;
-  }
-  return defect;
+  const double scale = largest_traction > 0 ? largest_traction : 1;
+  return {divergence / scale, jump / scale, at_boundary / scale};
 }
 
 }  // namespace ffcontact

@@ -25,7 +25,7 @@ struct Setting {
   EdgeLoadsOfAll body_gradient;  ///< no columns when there is no body force
 
   EdgeLoads gradient(const EdgeLoadsOfAll& difference, int t) const {
-    const EdgeLoads g = energies[t] * difference.col(t);
+    const EdgeLoads g = energies[t].lazyProduct(EdgeLoads(difference.col(t)));
     return body_gradient.cols() > 0 ? EdgeLoads(g + body_gradient.col(t)) : g;
   }
 };
@@ -66,9 +66,9 @@ struct StarEnergy {
         for (int r = 0; r < 8; ++r) A(r, c) = setting.energies[t](rows[r], rows[c]);
         gradient_rows[c] = gradient[rows[c]];
       }
-      const Eigen::Matrix<double, 8, 5> A_loads = A * loads;
-      const Eigen::Matrix<double, 5, 5> H_local = loads.transpose() * A_loads;
-      const Eigen::Matrix<double, 5, 1> g_local = loads.transpose() * gradient_rows;
+      const Eigen::Matrix<double, 8, 5> A_loads = A.lazyProduct(loads);
+      const Eigen::Matrix<double, 5, 5> H_local = loads.transpose().lazyProduct(A_loads);
+      const Eigen::Matrix<double, 5, 1> g_local = loads.transpose().lazyProduct(gradient_rows);
       for (int a = 0; a < 5; ++a) {
         g[columns[a]] += g_local[a];
         for (int b = 0; b < 5; ++b) H(columns[b], columns[a]) += H_local(b, a);
@@ -83,7 +83,7 @@ void apply(const StarCorrections& star, const Eigen::Ref<const Eigen::VectorXd>&
     const std::array<int, 8> rows = star.rows(k);
     Eigen::Matrix<double, 5, 1> y_local;
     for (int a = 0; a < 5; ++a) y_local[a] = y[columns[a]];
-    const Eigen::Matrix<double, 8, 1> change = star.triangle_loads(k) * y_local;
+    const Eigen::Matrix<double, 8, 1> change = star.triangle_loads(k).lazyProduct(y_local);
     for (int r = 0; r < 8; ++r) difference(rows[r], star.triangle(k)) += change[r];
   }
 }
@@ -416,14 +416,14 @@ double square_of_error(const Setting& setting, const BodyLoadsOfAll& body_loads,
 /// The best combination of a sweep's corrections and the previous direction.
 class Acceleration {
  public:
-  double operator()(const Setting& setting, const EdgeLoadsOfAll& before, EdgeLoadsOfAll& difference) {
-    const EdgeLoadsOfAll sweep = difference - before;
+  /// @param sweep  the sweep's corrections; its memory is used up
+  double operator()(const Setting& setting, EdgeLoadsOfAll&& sweep, EdgeLoadsOfAll& difference) {
     if (direction_.cols() == 0) direction_ = EdgeLoadsOfAll::Zero(12, sweep.cols());
     Eigen::Matrix<double, 5, Eigen::Dynamic> parts(5, sweep.cols());  // d'Ad, d'Ap, p'Ap, d'g, p'g
 #pragma omp parallel for
     for (Eigen::Index t = 0; t < sweep.cols(); ++t) {
       const EdgeLoads d = sweep.col(t), p = direction_.col(t), g = setting.gradient(difference, static_cast<int>(t));
-      const EdgeLoads A_d = setting.energies[t] * d, A_p = setting.energies[t] * p;
+      const EdgeLoads A_d = setting.energies[t].lazyProduct(d), A_p = setting.energies[t].lazyProduct(p);
       parts.col(t) << d.dot(A_d), p.dot(A_d), p.dot(A_p), d.dot(g), p.dot(g);
     }
     const Eigen::Matrix<double, 5, 1> sum = parts.rowwise().sum();
@@ -434,7 +434,8 @@ class Acceleration {
     const double fall = -step.dot(M * step) - 2 * step.dot(slope);
     if (!(fall > 0)) return 0;
     difference += step[0] * sweep + step[1] * direction_;
-    direction_ = (1 + step[0]) * sweep + step[1] * direction_;
+    direction_ *= step[1];
+    direction_ += (1 + step[0]) * sweep;
     return fall;
   }
 
@@ -453,6 +454,7 @@ TriangleCorners corners_of(const Mesh& mesh, int triangle) {
 EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress) {
   EdgeLoadsOfAll loads(12, mesh.triangles.cols());
+#pragma omp parallel for
   for (int t = 0; t < mesh.triangle_count(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int edge = edges.of_triangle(k, t);
@@ -477,9 +479,10 @@ std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Star
   std::vector<double> falls;
   double square = settings.tightness > 0 ? square_of_error(setting, body_loads, difference, hooke, contact) : 0;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
-    const EdgeLoadsOfAll before = difference;
+    EdgeLoadsOfAll change = -difference;
     double fall = relax_all(setting, others, difference, contact);
-    fall += accelerate(setting, before, difference);
+    change += difference;
+    fall += accelerate(setting, std::move(change), difference);
     fall += relax_all(setting, on_contact, difference, contact);
     falls.push_back(fall);
     const double e_before = std::sqrt(std::max(square, 0.0)), e_after = std::sqrt(std::max(square - fall, 0.0));
