@@ -31,16 +31,18 @@ plt.rcParams.update({
 
 
 class Step:
-    """One mesh of a run."""
+    """One mesh of a run, or the meshes of both bodies."""
 
     def __init__(self, folder, row):
         number = row["step"]
-        arrays = read_vtu(folder / f"step{number}.vtu")
-        is_triangle = arrays["types"] == 5
-        self.points = arrays["points"][:, :2]
-        self.triangles = arrays["connectivity"][:3 * is_triangle.sum()].reshape(-1, 3)
-        self.displacement = arrays["displacement"][:, :2]
-        self.error = arrays["eps_E"][is_triangle]
+        files = [folder / f"step{number}{suffix}.vtu" for suffix in ("", "b")]
+        bodies = [read_body(file) for file in files if file.is_file()]
+        self.on_foundation = len(bodies) == 1
+        first = np.cumsum([0] + [len(body["points"]) for body in bodies])
+        self.points = np.vstack([body["points"] for body in bodies])
+        self.triangles = np.vstack([body["triangles"] + start for body, start in zip(bodies, first)])
+        self.displacement = np.vstack([body["displacement"] for body in bodies])
+        self.error = np.hstack([body["error"] for body in bodies])
         self.nodes = np.loadtxt(folder / f"contact{number}.txt", ndmin=2)
         self.edges = np.loadtxt(folder / f"tractions{number}.txt", ndmin=2).reshape(-1, 2, 3)
         self.eps, self.friction = float(row["eps"]), float(row["friction"])
@@ -69,6 +71,15 @@ def read_vtu(path):
         components = int(node.get("NumberOfComponents", 1))
         arrays[node.get("Name") or "points"] = values.reshape(-1, components) if components > 1 else values
     return arrays
+
+
+def read_body(path):
+    """Points, triangles, displacements and contributions to the error of one body."""
+    arrays = read_vtu(path)
+    is_triangle = arrays["types"] == 5
+    return {"points": arrays["points"][:, :2], "displacement": arrays["displacement"][:, :2],
+            "triangles": arrays["connectivity"][:3 * is_triangle.sum()].reshape(-1, 3),
+            "error": arrays["eps_E"][is_triangle]}
 
 
 def round_down(value):
@@ -114,8 +125,9 @@ def draw_deformed(axes, step):
     axes.add_collection(PolyCollection(shapes, facecolors="#e6ecf2", edgecolors=INK, linewidths=0.3))
     axes.add_collection(outline(step.moved, step.boundary()))
     axes.add_collection(outline(step.points, step.boundary(), colors=RED, linewidths=0.8, linestyles=(0, (5, 3))))
-    draw_foundation(axes, step.nodes[:, 6:8])
-    finish(axes, f"Deformed body, displacement × {step.scale:g}")
+    if step.on_foundation:
+        draw_foundation(axes, step.nodes[:, 6:8])
+    finish(axes, f"Deformed {'body' if step.on_foundation else 'bodies'}, displacement × {step.scale:g}")
 
 
 def draw_error(axes, step):

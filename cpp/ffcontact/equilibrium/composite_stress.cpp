@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <array>
+#include <cmath>
 
 namespace ffcontact {
 
@@ -35,42 +36,68 @@ Eigen::Matrix3d force_per_moment(double area) {
   return (area / 3 * means).inverse();
 }
 
-/// The conditions of the header on the reference triangle (0,0), (1,0), (0,1), solved for every unit load.
-StressMap solve_reference() {
-  Eigen::Matrix<double, 2, 4> x;
-  x << 0, 1, 0, 1.0 / 3, 0, 0, 1, 1.0 / 3;
-  Eigen::MatrixXd conditions = Eigen::MatrixXd::Zero(30, 27), right = Eigen::MatrixXd::Zero(30, all_loads);
-  int row = 0;
-  const Eigen::Matrix3d forces = force_per_moment(0.5);
-  for (int k = 0; k < 3; ++k) {  // div sigma = sum of sigma grad(phi) = -f
-    const std::array<int, 3> s = subtriangle(k);
-    constexpr double twice_area = 1.0 / 3;
-    for (int c = 0; c < 3; ++c) {
-      const Eigen::Vector2d opposite = x.col(s[(c + 2) % 3]) - x.col(s[(c + 1) % 3]);
-      add_traction(conditions, row, k, c, -turned_right(opposite) / twice_area, 1);
-    }
-    for (int i = 0; i < 3; ++i) right(row, edge_loads + 2 * i) = right(row + 1, edge_loads + 2 * i + 1) = -forces(k, i);
-    row += 2;
+/// The conditions of the header on a triangle, conditions * stress = right * loads, as tractions: divergences times the root of
+/// the area, jumps of unit normals, moments over lengths.
+struct Conditions {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(30, 27), right = Eigen::MatrixXd::Zero(30, all_loads);
+
+  explicit Conditions(const TriangleCorners& corners) {
+    x_ << corners, corners.rowwise().mean();
+    twice_area_ = turned_right(x_.col(2) - x_.col(0)).dot(x_.col(1) - x_.col(0));
+    int row = 0;
+    for (int k = 0; k < 3; ++k, row += 2) add_divergence(row, k);
+    for (int vertex = 0; vertex < 3; ++vertex, row += 4) add_continuity(row, vertex);
+    for (int k = 0; k < 3; ++k, row += 4) add_edge(row, k);
   }
-  for (int vertex = 0; vertex < 3; ++vertex) {  // continuity on the edge from a vertex to the centroid, at both ends
-    const Eigen::Vector2d n = turned_right(x.col(3) - x.col(vertex));
+
+ private:
+  /// div sigma = sum of sigma grad(phi) = -f in subtriangle k.
+  void add_divergence(int row, int k) {
+    const std::array<int, 3> s = subtriangle(k);
+    const double root = std::sqrt(twice_area_ / 2);
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::Vector2d opposite = x_.col(s[(c + 2) % 3]) - x_.col(s[(c + 1) % 3]);
+      add_traction(matrix, row, k, c, -turned_right(opposite) / (twice_area_ / 3), root);
+    }
+    const Eigen::Matrix3d forces = root * force_per_moment(twice_area_ / 2);
+    for (int i = 0; i < 3; ++i) right(row, edge_loads + 2 * i) = right(row + 1, edge_loads + 2 * i + 1) = -forces(k, i);
+  }
+
+  /// Continuity on the edge from a vertex to the centroid, at both ends.
+  void add_continuity(int row, int vertex) {
+    const Eigen::Vector2d n = turned_right(x_.col(3) - x_.col(vertex)).normalized();
     const int before = (vertex + 2) % 3, after = (vertex + 1) % 3;  // the two subtriangles that have this vertex
     for (int end = 0; end < 2; ++end, row += 2)
       for (int k : {before, after}) {
-        const std::array<int, 3> s = subtriangle(k);
-        const int corner = end == 1 ? 2 : (s[0] == vertex ? 0 : 1);
-        add_traction(conditions, row, k, corner, n, k == before ? 1 : -1);
+        const int corner = end == 1 ? 2 : (subtriangle(k)[0] == vertex ? 0 : 1);
+        add_traction(matrix, row, k, corner, n, k == before ? 1 : -1);
       }
   }
-  for (int k = 0; k < 3; ++k) {  // moments b_i = l (2 F_i + F_j) / 6 on the outer edge k
-    const Eigen::Vector2d n_times_length = turned_right(x.col((k + 2) % 3) - x.col((k + 1) % 3));
+
+  /// Moments b_i = l (2 F_i + F_j) / 6 on the outer edge k.
+  void add_edge(int row, int k) {
+    const Eigen::Vector2d side = x_.col((k + 2) % 3) - x_.col((k + 1) % 3), n = turned_right(side).normalized();
     for (int end = 0; end < 2; ++end, row += 2) {
-      add_traction(conditions, row, k, end, n_times_length, 2.0 / 6);
-      add_traction(conditions, row, k, 1 - end, n_times_length, 1.0 / 6);
-      right(row, 4 * k + 2 * end) = right(row + 1, 4 * k + 2 * end + 1) = 1;
+      add_traction(matrix, row, k, end, n, 2.0 / 6);
+      add_traction(matrix, row, k, 1 - end, n, 1.0 / 6);
+      right(row, 4 * k + 2 * end) = right(row + 1, 4 * k + 2 * end + 1) = 1 / side.norm();
     }
   }
-  return conditions.completeOrthogonalDecomposition().solve(right);
+
+  Eigen::Matrix<double, 2, 4> x_;
+  double twice_area_;
+};
+
+TriangleCorners reference_triangle() {
+  TriangleCorners corners;
+  corners << 0, 1, 0, 0, 0, 1;
+  return corners;
+}
+
+/// The conditions on the reference triangle (0,0), (1,0), (0,1), solved for every unit load.
+StressMap solve_reference() {
+  const Conditions conditions(reference_triangle());
+  return conditions.matrix.completeOrthogonalDecomposition().solve(conditions.right);
 }
 
 const StressMap& reference_map() {
@@ -135,13 +162,28 @@ std::array<double, 6> product_weights(const Eigen::Matrix2d& B, const Eigen::Mat
   return {w(0, 0), w(0, 1), w(0, 2), w(1, 1), w(1, 2), w(2, 2)};
 }
 
+/// Height over longest side below which Piola's map spoils the equilibrium: it carries the rounding of the forces on the long
+/// edges over to the short one, where it grows with the square of this ratio.
+constexpr double thin = 0.02;
+
+bool is_thin(const TriangleCorners& corners) {
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) longest = std::max(longest, (corners.col((k + 1) % 3) - corners.col(k)).squaredNorm());
+  return piola_matrix(corners).determinant() < thin * longest;
+}
+
 }  // namespace
 
 CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
                                  const BodyLoads& body_loads) {
-  const Eigen::Matrix2d B = piola_matrix(corners);
   Eigen::Matrix<double, all_loads, 1> loads;
   loads << on_edges, body_loads;
+  if (is_thin(corners)) {  // backward stable: what is left of each condition is of the size of rounding
+    const Conditions conditions(corners.colwise() - corners.rowwise().mean());
+    const Eigen::VectorXd stress = conditions.matrix.colPivHouseholderQr().solve(conditions.right * loads);
+    return Eigen::Map<const CompositeStress>(stress.data());
+  }
+  const Eigen::Matrix2d B = piola_matrix(corners);
   Eigen::Map<Eigen::Matrix<double, 2, all_loads / 2>> forces(loads.data());
   forces = (B.inverse() * forces).eval();
   const Eigen::Matrix<double, 27, 1> s = reference_map() * loads;

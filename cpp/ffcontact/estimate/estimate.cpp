@@ -300,6 +300,8 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
       relax_stars(mesh, edges, stars, body.hooke, boundary, body.body_loads, settings.relaxation, difference,
                   settings.tractions == Tractions::free ? &contact : nullptr);
   estimate.tractions = tractions.densities;
+  const BoundaryTractions relaxed = setting.boundary_with(estimate.tractions);
+  take_known_tractions(mesh, edges, relaxed, stress, difference);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const Norms norms = measure(mesh, body.hooke, stress, difference, body.body_loads, estimate.stress);
@@ -315,8 +317,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
   estimate.local = (local_sums(origin, local) / scale).cwiseMax(0.0).cwiseSqrt();
 
   // 6. What the theory promises, measured.
-  estimate.equilibrium =
-      equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, setting.boundary_with(estimate.tractions));
+  estimate.equilibrium = equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, relaxed);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) * share_of_contact(estimate.tractions, stress);
   judge(estimate);
 }
