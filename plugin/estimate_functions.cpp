@@ -72,6 +72,7 @@ class ContactErrorFunction : public E_F0mps {
                                             {"sxy", &typeid(KN<double>*)}},
                                            bodies);
     own.insert(own.end(), {{"tractions", &typeid(string*)},
+                           {"construction", &typeid(string*)},
                            {"sweeps", &typeid(long)},
                            {"tightness", &typeid(double)},
                            {"verbosity", &typeid(long)},
@@ -122,6 +123,11 @@ class ContactErrorFunction : public E_F0mps {
       settings.tractions = Tractions::published;
     else if (tractions != "free")
       refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"", tractions, "\"");
+    const std::string construction = named_.text(stack, "construction", "composite");
+    if (construction == "polynomial")
+      settings.construction = Construction::polynomial;
+    else if (construction != "composite")
+      refuse("construction must be \"composite\" or \"polynomial\", got \"", construction, "\"");
     RelaxationSettings& relaxation = settings.relaxation;
     relaxation.tightness = named_.number(stack, "tightness", relaxation.tightness);
     const int sweeps = relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;

@@ -240,6 +240,25 @@ TEST(Estimate, of_example_2_falls_with_the_mesh_for_both_methods) {
   }
 }
 
+// ---- the numerical construction of [CHH01, 4.2.2] -----------------------------------------------
+
+TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
+  const Problem problem = example_1(Multiplier::force);
+  const ContactSolution solution = solved(problem);
+  EstimateSettings settings = sweeps(2);
+  const Estimate composite = estimated(problem, solution, settings);
+  settings.construction = Construction::polynomial;
+  const Estimate polynomial = estimated(problem, solution, settings);
+  EXPECT_LT(polynomial.e, composite.e);
+  EXPECT_GT(polynomial.e, 0.8 * composite.e);
+  EXPECT_EQ(polynomial.history, composite.history);
+  EXPECT_TRUE(composite.admissible);
+  EXPECT_FALSE(polynomial.admissible);
+  EXPECT_TRUE(says(polynomial.reason, "the polynomial construction is in equilibrium in the mean only"));
+  EXPECT_NEAR(polynomial.local.norm(), polynomial.relative, 1e-12);
+  RecordProperty("ratio", std::to_string(polynomial.e / composite.e));
+}
+
 // ---- checks and refusals ------------------------------------------------------------------------
 
 TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {

@@ -32,9 +32,17 @@ enum class Tractions {
               ///< (2.11) are dropped, and the result is then not admissible
 };
 
+/// How sigma_hat is built inside the triangles from the edge tractions [CHH01, 4.2.2].
+enum class Construction {
+  composite,  ///< in equilibrium at every point (CompositeStress)
+  polynomial,  ///< C eps(w), w of degree 4, in equilibrium in the mean only (PolynomialStress): e is lower and no bound, and the
+               ///< result is not admissible
+};
+
 struct EstimateSettings {
   RelaxationSettings relaxation;
   Tractions tractions = Tractions::free;
+  Construction construction = Construction::composite;
 };
 
 /// The error in the constitutive relation of an admissible pair ((u_hat, w_hat), (sigma_hat, r_hat)) [CHH01, 2.2].
@@ -47,12 +55,12 @@ struct Estimate {
   double elastic = 0;           ///< |sigma_hat - C eps(u_hat)|, same unit as e
   double contact = 0;           ///< the contact part of e^2; negative values are possible only outside the cone
   Eigen::VectorXd local;        ///< eps_E per triangle [-]; 0 where a negative contact part exceeds the elastic one
-  std::vector<double> history;  ///< e before the first and after every sweep
+  std::vector<double> history;  ///< e before the first and after every sweep, with composite stresses
 
   /// The bodies cut so that their facing traces match, where they do not; the fields below are then on its mesh and line.
   std::optional<CommonRefinement> refinement;
   Eigen::VectorXd displacement;         ///< u_hat on all dofs [mm]
-  std::vector<CompositeStress> stress;  ///< sigma_hat [MPa]
+  std::vector<CompositeStress> stress;  ///< sigma_hat [MPa]; of the polynomial construction its values at these corners
   ContactDensities tractions;           ///< r_hat [MPa]
   Eigen::VectorXd shift;                ///< d of (4.1) per contact edge [MPa], 0 where none
   std::vector<int> mended;              ///< contact edges brought into the cone by another way than (4.1)

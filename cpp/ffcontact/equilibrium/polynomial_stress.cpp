@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/polynomial_stress.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+namespace ffcontact {
+
+namespace {
+
+constexpr int monomials = 15, unknowns = 2 * monomials;
+using Products = Eigen::Matrix<double, monomials, monomials>;
+using LongProducts = Eigen::Matrix<long double, monomials, monomials>;
+
+struct Powers {
+  int p, q;
+};
+
+/// 1, xi, eta, xi^2, xi eta, eta^2, ...
+std::array<Powers, monomials> powers() {
+  std::array<Powers, monomials> result{};
+  int next = 0;
+  for (int degree = 0; degree <= 4; ++degree)
+    for (int q = 0; q <= degree; ++q) result[next++] = {degree - q, q};
+  return result;
+}
+
+const std::array<Powers, monomials> exponents = powers();
+
+using Point = Eigen::Matrix<long double, 2, 1>;
+
+/// xi^p eta^q; 0 for a negative power, which has the factor 0 in a derivative.
+long double monomial(int p, int q, const Point& xi) {
+  return p < 0 || q < 0 ? 0 : std::pow(xi.x(), p) * std::pow(xi.y(), q);
+}
+
+/// int xi^p eta^q over the reference triangle.
+long double integral(int p, int q) {
+  if (p < 0 || q < 0) return 0;
+  long double value = 1;  // p! q! / (p + q + 2)!
+  for (int k = 2; k <= q; ++k) value *= k;
+  for (int k = p + 1; k <= p + q + 2; ++k) value /= k;
+  return value;
+}
+
+/// Derivative of monomial i along axis a as factor and powers.
+std::pair<double, Powers> derivative(int i, int a) {
+  const Powers m = exponents[i];
+  return a == 0 ? std::make_pair(double(m.p), Powers{m.p - 1, m.q}) : std::make_pair(double(m.q), Powers{m.p, m.q - 1});
+}
+
+/// Integrals on the reference triangle that all triangles share, for the basis functions b = T m that are orthonormal in
+/// int (grad b_i . grad b_j + b_i b_j): the monomials m themselves would cost six digits.
+struct Reference {
+  Products basis;                                    ///< T
+  std::array<std::array<Products, 2>, 2> gradients;  ///< int d_a b_i d_b b_j
+  Eigen::Matrix<double, monomials, 2> slopes;        ///< int d_a b_i
+  Eigen::Matrix<double, monomials, 6> edges;         ///< int (1 - s) b_i ds and int s b_i ds on the three edges
+  Eigen::Matrix<double, monomials, 3> body;          ///< load on b_i of f with unit moment at one vertex
+  Eigen::Matrix<double, monomials, 3> linear;        ///< coefficients of 1, xi, eta
+};
+
+/// int d_a m_i d_b m_j
+LongProducts products_of_derivatives(int a, int b) {
+  LongProducts products;
+  for (int i = 0; i < monomials; ++i)
+    for (int j = 0; j < monomials; ++j) {
+      const auto [di, m] = derivative(i, a);
+      const auto [dj, k] = derivative(j, b);
+      products(i, j) = di * dj == 0 ? 0 : di * dj * integral(m.p + k.p, m.q + k.q);
+    }
+  return products;
+}
+
+/// int (1 - s) m_i ds and int s m_i ds on the three edges, by Gauss points that are exact up to degree 5.
+Eigen::Matrix<long double, monomials, 6> edge_integrals() {
+  Eigen::Matrix<long double, monomials, 6> edges = Eigen::Matrix<long double, monomials, 6>::Zero();
+  const Eigen::Matrix<long double, 2, 3> vertex = (Eigen::Matrix<long double, 2, 3>() << 0, 1, 0, 0, 0, 1).finished();
+  const long double root = std::sqrt(0.15L), gauss[] = {0.5L - root, 0.5L, 0.5L + root};
+  const long double weight[] = {5.0L / 18, 8.0L / 18, 5.0L / 18};
+  for (int k = 0; k < 3; ++k)
+    for (int g = 0; g < 3; ++g) {
+      const long double s = gauss[g];
+      const Point x = (1 - s) * vertex.col((k + 1) % 3) + s * vertex.col((k + 2) % 3);
+      for (int i = 0; i < monomials; ++i) {
+        const long double value = weight[g] * monomial(exponents[i].p, exponents[i].q, x);
+        edges(i, 2 * k) += (1 - s) * value;
+        edges(i, 2 * k + 1) += s * value;
+      }
+    }
+  return edges;
+}
+
+Reference solve_reference() {
+  LongProducts mass;
+  Eigen::Matrix<long double, monomials, 3> hats;  // int phi_v m_i
+  Eigen::Matrix<long double, monomials, 2> slopes;
+  for (int i = 0; i < monomials; ++i) {
+    const auto [p, q] = exponents[i];
+    for (int j = 0; j < monomials; ++j) mass(i, j) = integral(p + exponents[j].p, q + exponents[j].q);
+    hats(i, 1) = integral(p + 1, q);
+    hats(i, 2) = integral(p, q + 1);
+    hats(i, 0) = integral(p, q) - hats(i, 1) - hats(i, 2);
+    for (int a = 0; a < 2; ++a) {
+      const auto [factor, m] = derivative(i, a);
+      slopes(i, a) = factor * integral(m.p, m.q);
+    }
+  }
+  const LongProducts gram = mass + products_of_derivatives(0, 0) + products_of_derivatives(1, 1);
+  const Eigen::LLT<LongProducts> llt(gram);
+  const LongProducts T = llt.matrixL().solve(LongProducts::Identity());
+  const Eigen::Matrix<long double, 3, 3> hat_mass =
+      (Eigen::Matrix<long double, 3, 3>::Ones() + Eigen::Matrix<long double, 3, 3>::Identity()) / 24;
+  Reference result;
+  result.basis = T.cast<double>();
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b)
+      result.gradients[a][b] = (T * products_of_derivatives(a, b) * T.transpose()).cast<double>();
+  result.slopes = (T * slopes).cast<double>();
+  result.edges = (T * edge_integrals()).cast<double>();
+  result.body = (T * hats * hat_mass.inverse()).cast<double>();
+  result.linear = LongProducts(llt.matrixL()).topRows<3>().transpose().cast<double>();  // m = L b
+  return result;
+}
+
+const Reference& reference() {
+  static const Reference integrals = solve_reference();
+  return integrals;
+}
+
+Eigen::Matrix2d map_of(const TriangleCorners& corners) {
+  Eigen::Matrix2d B;
+  B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
+  return B;
+}
+
+/// Voigt strain of u grad' with engineering shear: strain = E(gradient) u.
+Eigen::Matrix<double, 3, 2> strain_operator(const Eigen::Vector2d& gradient) {
+  Eigen::Matrix<double, 3, 2> E;
+  E << gradient.x(), 0, 0, gradient.y(), gradient.y(), gradient.x();
+  return E;
+}
+
+/// int C eps(b_j e_d) : eps(b_i e_c), unknown 2 i + c.
+Eigen::MatrixXd stiffness_of(const Eigen::Matrix2d& B, const Eigen::Matrix3d& hooke) {
+  const Eigen::Matrix2d inverse = B.inverse();
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) {
+      const Eigen::Matrix2d block =
+          B.determinant() * strain_operator(inverse.row(a)).transpose() * hooke * strain_operator(inverse.row(b));
+      for (int i = 0; i < monomials; ++i)
+        for (int j = 0; j < monomials; ++j) K.block<2, 2>(2 * i, 2 * j) += reference().gradients[a][b](i, j) * block;
+    }
+  return K;
+}
+
+/// Translations and the rotation (-y, x) about x_0, scaled to the size of the triangle.
+Eigen::Matrix<double, unknowns, 3> rigid_motions(const Eigen::Matrix2d& B) {
+  Eigen::Matrix<double, unknowns, 3> Z = Eigen::Matrix<double, unknowns, 3>::Zero();
+  const auto& linear = reference().linear;
+  for (int i = 0; i < monomials; ++i) {
+    Z(2 * i, 0) = Z(2 * i + 1, 1) = linear(i, 0);
+    for (int a = 0; a < 2; ++a)
+      Z.block<2, 1>(2 * i, 2) += linear(i, 1 + a) * Eigen::Vector2d(-B(1, a), B(0, a)) / B.norm();
+  }
+  return Z;
+}
+
+Eigen::VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
+  Eigen::Matrix<double, 2, monomials> load = Eigen::Matrix<double, 2, monomials>::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector4d density = density_of_moments(on_edges.segment<4>(4 * k), 1);  // times the edge's length
+    for (int end = 0; end < 2; ++end)
+      load += density.segment<2>(2 * end) * reference().edges.col(2 * k + end).transpose();
+    load += body_loads.segment<2>(2 * k) * reference().body.col(k).transpose();
+  }
+  return load.reshaped();
+}
+
+}  // namespace
+
+PolynomialStress polynomial_stress(const TriangleCorners& corners, const Eigen::Matrix3d& hooke,
+                                   const EdgeLoads& on_edges, const BodyLoads& body_loads) {
+  const Eigen::Matrix2d B = map_of(corners);
+  Eigen::MatrixXd K = stiffness_of(B, hooke);
+  const Eigen::Matrix<double, unknowns, 3> Z = rigid_motions(B);
+  K += K.trace() / unknowns * Z * Z.transpose();  // balanced loads: w without rigid motion solves both systems
+  PolynomialStress stress{corners, hooke, {}};
+  stress.displacement.reshaped() = K.llt().solve(load_of(on_edges, body_loads));
+  return stress;
+}
+
+Eigen::Vector3d stress_at(const PolynomialStress& stress, const Eigen::Vector2d& point) {
+  const Eigen::Matrix2d inverse = map_of(stress.corners).inverse();
+  const Eigen::Vector2d xi = inverse * (point - stress.corners.col(0));
+  const Eigen::Matrix<double, 2, monomials> w = stress.displacement * reference().basis;  // on the monomials
+  Eigen::Vector3d strain = Eigen::Vector3d::Zero();
+  for (int i = 0; i < monomials; ++i)
+    for (int a = 0; a < 2; ++a) {
+      const auto [factor, m] = derivative(i, a);
+      const auto value = static_cast<double>(factor * monomial(m.p, m.q, xi.cast<long double>()));
+      strain += value * strain_operator(inverse.row(a)) * w.col(i);
+    }
+  return stress.hooke * strain;
+}
+
+CompositeStress corner_values(const PolynomialStress& stress) {
+  CompositeStress values;
+  for (int k = 0; k < 3; ++k) {
+    for (int c = 0; c < 2; ++c) values.col(3 * k + c) = stress_at(stress, stress.corners.col((k + 1 + c) % 3));
+    values.col(3 * k + 2) = stress_at(stress, stress.corners.rowwise().mean());
+  }
+  return values;
+}
+
+double energy(const PolynomialStress& stress, const Eigen::Vector3d& constant) {
+  const Eigen::Matrix2d B = map_of(stress.corners), inverse = B.inverse();
+  const Eigen::VectorXd w = stress.displacement.reshaped();
+  Eigen::Vector3d strain = Eigen::Vector3d::Zero();  // int eps(w)
+  for (int a = 0; a < 2; ++a)
+    strain += B.determinant() * strain_operator(inverse.row(a)) * (stress.displacement * reference().slopes.col(a));
+  return w.dot(stiffness_of(B, stress.hooke) * w) + 2 * constant.dot(strain) +
+         B.determinant() / 2 * constant.dot(stress.hooke.inverse() * constant);
+}
+
+}  // namespace ffcontact
