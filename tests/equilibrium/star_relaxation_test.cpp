@@ -160,6 +160,23 @@ TEST(StarRelaxation, makes_the_bound_of_a_nearly_incompressible_body_tight) {
   EXPECT_GE(effectivity[4], 1);
 }
 
+TEST(StarRelaxation, makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_nu_0499) {
+  for (const auto& [nu, tightness] : {std::make_pair(0.49, 1.15), std::make_pair(0.499, 1.3)}) {
+    const std::vector<double> effectivity = effectivities(smooth_solution(nu), 32, 4);
+    EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
+    EXPECT_GE(effectivity[4], 1) << "nu " << nu;
+  }
+}
+
+TEST(StarRelaxation, on_a_coarse_mesh_of_an_incompressible_body_stays_a_bound) {
+  for (const auto& [nu, tightness] : {std::make_pair(0.49, 1.4), std::make_pair(0.499, 2.5)}) {
+    const std::vector<double> effectivity = effectivities(smooth_solution(nu), 8, 4);
+    RecordProperty("nu_" + std::to_string(nu), std::to_string(effectivity[4]));
+    EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
+    EXPECT_GE(effectivity[4], 1) << "nu " << nu;
+  }
+}
+
 TEST(StarRelaxation, stops_when_a_sweep_lowers_the_error_by_less_than_its_tightness) {
   const Problem problem = example_2(Multiplier::force, 0.6, 8);
   const Equilibrated fields = equilibrated(problem, solved(problem));
