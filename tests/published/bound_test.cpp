@@ -11,32 +11,6 @@ namespace {
 
 constexpr int nx = 8, ny = 4, finer = 16;
 
-/// |sigma - sigma_hat|^2 with sigma the stress of the reference, constant on the fine triangles, and sigma_hat linear on the
-/// subtriangles of the coarse ones, by the midpoint rule on a subdivision of each fine triangle.
-double stress_distance_square(const Problem& coarse, const Estimate& estimate, const Problem& fine,
-                              const Eigen::VectorXd& reference) {
-  const Eigen::Matrix3Xd sigma = stresses(fine.mesh, fine.hooke, reference);
-  double square = 0;
-  for (int t = 0; t < fine.mesh.triangle_count(); ++t) {
-    Eigen::Vector2d x = Eigen::Vector2d::Zero();
-    for (int k = 0; k < 3; ++k) x += fine.mesh.corner(t, k) / 3;
-    for (int T = 0; T < coarse.mesh.triangle_count(); ++T) {
-      const TriangleCorners corners = corners_of(coarse.mesh, T);
-      Eigen::Matrix2d B;
-      B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
-      const Eigen::Vector2d xi = B.inverse() * (x - corners.col(0));
-      const Eigen::Vector3d phi(1 - xi.sum(), xi[0], xi[1]);
-      Eigen::Index k;
-      if (phi.minCoeff(&k) < 0) continue;
-      const Eigen::Vector3d weights(phi[(k + 1) % 3] - phi[k], phi[(k + 2) % 3] - phi[k], 3 * phi[k]);
-      const Eigen::Vector3d difference = sigma.col(t) - estimate.stress[T].middleCols<3>(3 * k) * weights;
-      square += signed_area(fine.mesh, t) * difference.dot(fine.hooke[t].inverse() * difference);
-      break;
-    }
-  }
-  return square;
-}
-
 /// 2 mu int (r_n - r_hat_n)(|w_hat_t| - |w_t|) with r, w of the reference: the term of (2.14) without a sign.
 double coulomb_term(const Problem& coarse, const Estimate& estimate, const Problem& fine,
                     const ContactSolution& reference) {
@@ -88,10 +62,9 @@ Bound bound(const Law& law, unsigned seed) {
   EXPECT_EQ(reference.status, ContactStatus::converged);
   const Estimate estimate = estimated(coarse, solution, sweeps(2));
   EXPECT_TRUE(estimate.admissible) << estimate.reason;
-  const double u_distance =
-      energy_norm(fine, reference.displacement - on_finer_rectangle(estimate.displacement, nx, ny, finer));
-  return {estimate.e * estimate.e, stress_distance_square(coarse, estimate, fine, reference.displacement),
-          u_distance * u_distance, coulomb_term(coarse, estimate, fine, reference)};
+  const SquaredDistances squares = squared_distances(coarse, estimate, fine, reference.displacement);
+  return {estimate.e * estimate.e, squares.stress, squares.displacement,
+          coulomb_term(coarse, estimate, fine, reference)};
 }
 
 TEST(bound, holds_for_tresca_and_without_friction) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "support/estimates.hpp"
 
@@ -30,6 +31,87 @@ inline Eigen::VectorXd on_finer_rectangle(const Eigen::VectorXd& coarse, int nx,
 /// |v| = a(v, v)^(1/2).
 inline double energy_norm(const Problem& problem, const Eigen::VectorXd& v) {
   return std::sqrt(v.dot(stiffness(problem.mesh, problem.hooke) * v));
+}
+
+/// Squares of |sigma - sigma_hat| and |u - u_hat| in the energy norm.
+struct SquaredDistances {
+  double stress, displacement;
+};
+
+using Polygon = std::vector<Eigen::Vector2d>;
+
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// The part of a convex polygon on the left of the line from a to b (Sutherland, Hodgman).
+inline Polygon left_part(const Polygon& polygon, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  Polygon part;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Eigen::Vector2d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
+    if (at_p >= 0) part.push_back(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) part.push_back(p + at_p / (at_p - at_q) * (q - p));
+  }
+  return part;
+}
+
+inline Polygon intersection(const TriangleCorners& a, const TriangleCorners& b) {
+  const Eigen::Array2d apart =
+      (a.rowwise().minCoeff() - b.rowwise().maxCoeff()).cwiseMax(b.rowwise().minCoeff() - a.rowwise().maxCoeff());
+  if (apart.maxCoeff() >= 0) return {};
+  Polygon part{a.col(0), a.col(1), a.col(2)};
+  for (int k = 0; k < 3; ++k) part = left_part(part, b.col(k), b.col((k + 1) % 3));
+  return part;
+}
+
+/// Integral over a convex polygon of a quadratic function: three points a triangle are exact.
+template <class Function>
+double integral(const Polygon& polygon, Function&& f) {
+  double sum = 0;
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    const Eigen::Vector2d &a = polygon[0], &b = polygon[k - 1], &c = polygon[k];
+    sum += cross(b - a, c - a) / 6 * (f(0.5 * (a + b)) + f(0.5 * (b + c)) + f(0.5 * (c + a)));
+  }
+  return sum;
+}
+
+inline Eigen::Vector3d barycentric(const TriangleCorners& corners, const Eigen::Vector2d& x) {
+  Eigen::Matrix3d system;
+  system << corners, Eigen::RowVector3d::Ones();
+  return system.inverse() * Eigen::Vector3d(x.x(), x.y(), 1);
+}
+
+/// Distances, exactly, of an admissible pair from a reference solution whose stress is constant on the fine triangles. The pair
+/// is on the bodies or on their common refinement.
+inline SquaredDistances squared_distances(const Problem& coarse, const Estimate& estimate, const Problem& fine,
+                                          const Eigen::VectorXd& reference) {
+  const Mesh& mesh = estimate.refinement ? estimate.refinement->mesh : coarse.mesh;
+  Hooke hooke = coarse.hooke;
+  if (estimate.refinement) {
+    hooke.clear();
+    for (int t : estimate.refinement->parent) hooke.push_back(coarse.hooke[t]);
+  }
+  const Eigen::Matrix3Xd sigma = stresses(fine.mesh, fine.hooke, reference);
+  const Eigen::Matrix3Xd sigma_of_u_hat = stresses(mesh, hooke, estimate.displacement);
+  SquaredDistances squares{0, 0};
+  for (int T = 0; T < mesh.triangle_count(); ++T) {
+    const TriangleCorners corners = corners_of(mesh, T);
+    const Eigen::Matrix3d compliance = hooke[T].inverse();
+    for (int k = 0; k < 3; ++k) {
+      TriangleCorners sub;
+      sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
+      for (int t = 0; t < fine.mesh.triangle_count(); ++t) {
+        const Polygon part = intersection(corners_of(fine.mesh, t), sub);
+        if (part.size() < 3) continue;
+        const Eigen::Vector3d of_fine = sigma.col(t), d_u = of_fine - sigma_of_u_hat.col(T);
+        squares.displacement += integral(part, [&](const Eigen::Vector2d&) { return d_u.dot(compliance * d_u); });
+        squares.stress += integral(part, [&](const Eigen::Vector2d& x) {
+          const Eigen::Vector3d d = of_fine - estimate.stress[T].middleCols<3>(3 * k) * barycentric(sub, x);
+          return d.dot(compliance * d);
+        });
+      }
+    }
+  }
+  return squares;
 }
 
 }  // namespace ffcontact::test
