@@ -72,7 +72,7 @@ ContactState start_state(const NodalLaw& law, int node, ContactState state) {
 
 Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
   const double P_largest = std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
-  const double v_largest = rows.v.cwiseAbs().maxCoeff();
+  const double v_largest = motion_scale(contact, rows.v);
   return {relative_rounding * P_largest, relative_rounding * v_largest, relative_motion * v_largest};
 }
 
@@ -157,7 +157,7 @@ void close_touching_ends(const CondensedContact& contact, const NodalLaw& law, A
   ++result.iterations;
   const SystemKind kind = solve_active_set(contact, law, closed, rows);
   if (kind == SystemKind::inconsistent || next_states(contact, law, closed, rows) != closed) return;
-  keep(closed, rows, law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff()), result);
+  keep(closed, rows, law_violation(law, rows.P, rows.v, motion_scale(contact, rows.v)), result);
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
     ++result.iterations;
     const SystemKind kind = solve_active_set(contact, law, state, rows);
     const bool held = kind != SystemKind::inconsistent;
-    const double violation = held ? law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff())
+    const double violation = held ? law_violation(law, rows.P, rows.v, motion_scale(contact, rows.v))
                                   : std::numeric_limits<double>::infinity();
     const States next = next_states(contact, law, state, rows);
     const bool settled = next == state;

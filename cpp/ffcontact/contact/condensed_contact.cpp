@@ -78,17 +78,15 @@ Eigen::VectorXi neighbours(const ContactLine& line) {
   return neighbour;
 }
 
-/// CondensedContact::continued.
-std::vector<int> continued_rows(const ContactLine& line, const std::vector<char>& prescribed,
-                                const std::vector<int>& dependent) {
+/// Fills beside and continued.
+void put_continued_rows(const ContactLine& line, const std::vector<char>& prescribed, CondensedContact& contact) {
   const Eigen::VectorXi neighbour = neighbours(line);
-  std::vector<int> continued;
-  for (int row : dependent) {
+  for (int row : contact.dependent) {
     const int v = line.vertex[row / 2];
     const bool clamped = prescribed[2 * v] && prescribed[2 * v + 1], held = prescribed[2 * v] || prescribed[2 * v + 1];
-    continued.push_back(clamped || (held && row % 2 == 0) ? 2 * neighbour[row / 2] + row % 2 : -1);
+    contact.beside.push_back(2 * neighbour[row / 2] + row % 2);
+    contact.continued.push_back(clamped || (held && row % 2 == 0) ? contact.beside.back() : -1);
   }
-  return continued;
 }
 
 /// The opposite vertices that carry no rows move by their free components. Returns the number of all unknowns.
@@ -250,13 +248,20 @@ std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& syst
   return dofs;
 }
 
+double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v) {
+  double scale = v.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < contact.g.size(); ++i)
+    if (contact.S(i, i) > 0) scale = std::max(scale, std::abs(contact.g[i]) / contact.S(i, i));
+  return scale;
+}
+
 CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
                                    const CondensedStiffness& stiffness) {
   CondensedContact contact;
   contact.kept_dofs = contact_dofs(line, system);
   std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
   if (contact.primary.empty()) refuse("every dof of the contact line is prescribed");
-  contact.continued = continued_rows(line, system.prescribed, contact.dependent);
+  put_continued_rows(line, system.prescribed, contact);
   const int unknowns = number_opposite(line, system.prescribed, static_cast<int>(contact.primary.size()), motions);
 
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);

@@ -30,6 +30,7 @@ namespace ffcontact {
 struct CondensedContact {
   std::vector<int> primary;    ///< row of each primary unknown [f]
   std::vector<int> dependent;  ///< row of each dependent unknown [d]
+  std::vector<int> beside;     ///< row of the same component at the next node of the line [d]
   std::vector<int> continued;  ///< row whose multiplier a dependent row takes where nothing determines it, or -1: 0 [d]
   Eigen::VectorXi position;    ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
   Eigen::MatrixXd S;           ///< [f x f]
@@ -52,6 +53,10 @@ struct CondensedContact {
 
 /// The free dofs of the vertices on the line, in the order of its nodes, then those of the opposite vertices.
 std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system);
+
+/// What v is small against: its largest value, or what the loads would move a node alone, max |g_i| / S_ii. Where all nodes
+/// stick v is nothing but rounding.
+double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v);
 
 /// @throws std::invalid_argument  if the contact line has no free dof
 CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,

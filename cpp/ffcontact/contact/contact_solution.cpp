@@ -67,7 +67,9 @@ void improve(FixedPointResult& result, ActiveSetResult other) {
   result.answer.iterations = systems;
 }
 
-/// Newton; where it cycles, friction raised in few, then in many steps, then Newton from the states of the fixed point.
+/// Newton; where it cycles, friction raised in few, then in many steps, then Newton from the states of the fixed point. At last
+/// the multipliers that nothing determines are all continued: where nearly all nodes stick, 0 may leave its neighbours too much
+/// to carry.
 FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
                                     const std::vector<ContactState>& start, const NewtonSettings& settings) {
   FixedPointResult result{active_set_newton(contact, law, start, settings), {}};
@@ -79,6 +81,11 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact, const Nodal
     improve(result, std::move(path.answer));
     improve(result, active_set_newton(contact, law, states, settings));
     result.history = std::move(path.history);
+  }
+  if (may_be_mended(result.answer) && contact.continued != contact.beside) {
+    CondensedContact other = contact;
+    other.continued = other.beside;
+    improve(result, active_set_newton(other, law, start, settings));
   }
   return result;
 }
@@ -177,8 +184,9 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   solution.complementarity = complementarity_defect(line, law, solution.displacement, P);
   solution.residual =
       relative_residual(system, solution.displacement, contact_load(line, solution.force, system.dof_count()));
-  if (solution.status == ContactStatus::converged && !solution.accepted(settings))
-    solution.status = ContactStatus::inaccurate;
+  const bool fulfilled = solution.complementarity <= settings.tolerance && solution.residual <= settings.tolerance;
+  if (fulfilled && solution.status != ContactStatus::singular) solution.status = ContactStatus::converged;
+  if (!fulfilled && solution.status == ContactStatus::converged) solution.status = ContactStatus::inaccurate;
   return solution;
 }
 

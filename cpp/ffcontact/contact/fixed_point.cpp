@@ -40,7 +40,7 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     result.history.push_back(change);
     g += damping * (image - g);
 
-    step.violation = law_violation(law, step.P, step.v, step.v.cwiseAbs().maxCoeff());
+    step.violation = law_violation(law, step.P, step.v, motion_scale(contact, step.v));
     const bool solved = step.status == ContactStatus::converged;
     if (step.violation < result.answer.violation || result.history.size() == 1) result.answer = std::move(step);
     if (solved && (law.tresca() || result.answer.violation <= settings.tolerance)) break;
