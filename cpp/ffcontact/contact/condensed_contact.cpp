@@ -78,15 +78,17 @@ Eigen::VectorXi neighbours(const ContactLine& line) {
   return neighbour;
 }
 
-/// Fills beside and continued.
-void put_continued_rows(const ContactLine& line, const std::vector<char>& prescribed, CondensedContact& contact) {
+/// CondensedContact::continued.
+std::vector<int> continued_rows(const ContactLine& line, const std::vector<char>& prescribed,
+                                const std::vector<int>& dependent) {
   const Eigen::VectorXi neighbour = neighbours(line);
-  for (int row : contact.dependent) {
+  std::vector<int> continued;
+  for (int row : dependent) {
     const int v = line.vertex[row / 2];
     const bool clamped = prescribed[2 * v] && prescribed[2 * v + 1], held = prescribed[2 * v] || prescribed[2 * v + 1];
-    contact.beside.push_back(2 * neighbour[row / 2] + row % 2);
-    contact.continued.push_back(clamped || (held && row % 2 == 0) ? contact.beside.back() : -1);
+    continued.push_back(clamped || (held && row % 2 == 0) ? 2 * neighbour[row / 2] + row % 2 : -1);
   }
+  return continued;
 }
 
 /// The opposite vertices that carry no rows move by their free components. Returns the number of all unknowns.
@@ -261,7 +263,7 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
   contact.kept_dofs = contact_dofs(line, system);
   std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
   if (contact.primary.empty()) refuse("every dof of the contact line is prescribed");
-  put_continued_rows(line, system.prescribed, contact);
+  contact.continued = continued_rows(line, system.prescribed, contact.dependent);
   const int unknowns = number_opposite(line, system.prescribed, static_cast<int>(contact.primary.size()), motions);
 
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);

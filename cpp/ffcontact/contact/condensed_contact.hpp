@@ -30,7 +30,6 @@ namespace ffcontact {
 struct CondensedContact {
   std::vector<int> primary;    ///< row of each primary unknown [f]
   std::vector<int> dependent;  ///< row of each dependent unknown [d]
-  std::vector<int> beside;     ///< row of the same component at the next node of the line [d]
   std::vector<int> continued;  ///< row whose multiplier a dependent row takes where nothing determines it, or -1: 0 [d]
   Eigen::VectorXi position;    ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
   Eigen::MatrixXd S;           ///< [f x f]

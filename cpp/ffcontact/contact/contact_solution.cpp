@@ -67,9 +67,7 @@ void improve(FixedPointResult& result, ActiveSetResult other) {
   result.answer.iterations = systems;
 }
 
-/// Newton; where it cycles, friction raised in few, then in many steps, then Newton from the states of the fixed point. At last
-/// the multipliers that nothing determines are all continued: where nearly all nodes stick, 0 may leave its neighbours too much
-/// to carry.
+/// Newton; where it cycles, friction raised in few, then in many steps, then Newton from the states of the fixed point.
 FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
                                     const std::vector<ContactState>& start, const NewtonSettings& settings) {
   FixedPointResult result{active_set_newton(contact, law, start, settings), {}};
@@ -81,11 +79,6 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact, const Nodal
     improve(result, std::move(path.answer));
     improve(result, active_set_newton(contact, law, states, settings));
     result.history = std::move(path.history);
-  }
-  if (may_be_mended(result.answer) && contact.continued != contact.beside) {
-    CondensedContact other = contact;
-    other.continued = other.beside;
-    improve(result, active_set_newton(other, law, start, settings));
   }
   return result;
 }
