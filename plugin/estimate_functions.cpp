@@ -3,6 +3,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 //
 #include "contact_arguments.hpp"

@@ -164,7 +164,7 @@ std::array<double, 6> product_weights(const Eigen::Matrix2d& B, const Eigen::Mat
 
 /// Height over longest side below which Piola's map spoils the equilibrium: it carries the rounding of the forces on the long
 /// edges over to the short one, where it grows with the square of this ratio.
-constexpr double thin = 0.02;
+constexpr double thin = 0.06;
 
 bool is_thin(const TriangleCorners& corners) {
   double longest = 0;

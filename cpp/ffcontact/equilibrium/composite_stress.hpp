@@ -29,7 +29,7 @@ using TriangleCorners = Eigen::Matrix<double, 2, 3>;
 ///
 /// Computed once on the reference triangle and carried over by Piola's map x = B xi + x_0:
 ///     sigma = B s B' / det B,   forces = B (forces)_ref,
-/// which keeps symmetry, equilibrium and edge forces. On triangles thinner than 1 : 50 the conditions are solved directly.
+/// which keeps symmetry, equilibrium and edge forces. On triangles thinner than 1 : 16 the conditions are solved directly.
 CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
                                  const BodyLoads& body_loads);
 

@@ -20,6 +20,13 @@ struct FreeTractions {
   std::vector<int> contact_edge;  ///< contact_edge_numbers
 };
 
+/// Contact tractions that take part in the relaxation.
+struct FreeContact {
+  const ContactLine& line;
+  const ContactLaw& law;
+  FreeTractions& tractions;
+};
+
 /// Linear conditions C r >= d on the density (r_n, r_t) at one end of an edge. Without friction r_t = 0 is no inequality: it
 /// counts as known (`frictionless`), and C has the normal row only.
 struct ConeConditions {

@@ -4,34 +4,15 @@
 #include <vector>
 
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/free_tractions.hpp"
-#include "ffcontact/equilibrium/star_corrections.hpp"
+#include "ffcontact/mesh/stars.hpp"
 
 namespace ffcontact {
-
-using EdgeLoadsOfAll = Eigen::Matrix<double, 12, Eigen::Dynamic>;  ///< EdgeLoads per triangle
-
-/// The edge loads of sigma_hat - sigma on each triangle, where sigma_hat has the given edge moments and sigma is constant per
-/// triangle. With the body loads they are in equilibrium on every triangle when sigma_hat is.
-EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
-                                const Eigen::Ref<const Eigen::Matrix3Xd>& stress);
-
-/// Puts the known boundary tractions into the edge loads of sigma_hat - sigma, where they stand but for the rounding of the
-/// relaxation: on an edge much shorter than its neighbours that is much of its traction.
-void take_known_tractions(const Mesh& mesh, const Edges& edges, const BoundaryTractions& boundary,
-                          const Eigen::Ref<const Eigen::Matrix3Xd>& stress, EdgeLoadsOfAll& difference);
 
 struct RelaxationSettings {
   int sweeps = 2;        ///< at most
   double tightness = 0;  ///< stop when the last sweep lowered e by less than this fraction; 0: do all sweeps
-};
-
-/// Contact tractions that take part in the relaxation.
-struct FreeContact {
-  const ContactLine& line;
-  const ContactLaw& law;
-  FreeTractions& tractions;
 };
 
 /// Star relaxation: lowers e^2 = |sigma_hat - C eps(u_hat)|^2 + contact part, and keeps equilibrium exactly.
@@ -52,7 +33,5 @@ struct FreeContact {
 std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
                                 const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings, EdgeLoadsOfAll& difference, FreeContact* contact);
-
-TriangleCorners corners_of(const Mesh& mesh, int triangle);
 
 }  // namespace ffcontact

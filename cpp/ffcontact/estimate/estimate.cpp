@@ -4,8 +4,6 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <iomanip>
-#include <limits>
-#include <map>
 #include <sstream>
 
 #include "ffcontact/base/require.hpp"
@@ -15,6 +13,7 @@
 #include "ffcontact/equilibrium/refined_moments.hpp"
 #include "ffcontact/estimate/local_mending.hpp"
 #include "ffcontact/estimate/rebalancing_displacement.hpp"
+#include "ffcontact/estimate/refined_body.hpp"
 
 namespace ffcontact {
 
@@ -62,44 +61,6 @@ struct Setting {
     return boundary_tractions(mesh, edges, prescribed, body.neumann, line, densities);
   }
 };
-
-/// A vertex field on the refinement.
-Eigen::VectorXd refined_field(const CommonRefinement& refinement, const Eigen::VectorXd& field) {
-  return (field.reshaped(2, field.size() / 2) * refinement.vertex_weights.transpose()).reshaped();
-}
-
-/// The same forces on the old vertices.
-Eigen::VectorXd unrefined_forces(const CommonRefinement& refinement, const Eigen::VectorXd& forces) {
-  return (forces.reshaped(2, forces.size() / 2) * refinement.vertex_weights).reshaped();
-}
-
-Eigen::VectorXd refined_values(const CommonRefinement& refinement, const Eigen::VectorXd& values) {
-  return values.size() > 0 ? Eigen::VectorXd(refinement.node_weights * values) : values;
-}
-
-SolvedBody refined_body(const Origin& origin) {
-  const CommonRefinement& refinement = *origin.refinement;
-  const SolvedBody& old = origin.body;
-  SolvedBody body;
-  for (int t : refinement.parent) body.hooke.push_back(old.hooke[t]);
-  body.displacement = refined_field(refinement, old.displacement);
-  body.pressure = (refinement.node_weights * old.pressure.transpose()).transpose();
-  body.law = {old.law.multiplier, refined_values(refinement, old.law.friction),
-              refined_values(refinement, old.law.slip_bound), refined_values(refinement, old.law.gap),
-              refined_values(refinement, old.law.previous)};
-  body.neumann = refined_boundary_moments(origin.mesh, refinement, old.neumann);
-  body.body_loads = refined_body_loads(origin.mesh, refinement, old.body_loads);
-  return body;
-}
-
-/// A new vertex is held where both ends of its edge are.
-std::vector<char> refined_prescribed(const CommonRefinement& refinement, const std::vector<char>& old) {
-  std::vector<char> prescribed(2 * refinement.mesh.vertices.cols(), 1);
-  for (int v = 0; v < refinement.mesh.vertex_count(); ++v)
-    for (WeightsByNode::InnerIterator part(refinement.vertex_weights, v); part; ++part)
-      for (int c = 0; c < 2; ++c) prescribed[2 * v + c] = prescribed[2 * v + c] && old[2 * part.col() + c];
-  return prescribed;
-}
 
 /// Contact tractions r_hat, those to build nodal equilibrium with, and the stresses that are in equilibrium with them.
 struct Start {
@@ -265,33 +226,6 @@ void judge(Construction construction, Estimate& estimate) {
         "the stress is out of equilibrium by " + in_digits(estimate.equilibrium.largest()) + " of the largest traction";
 }
 
-/// The smallest of the three barycentric coordinates of a point says how far inside it is.
-Eigen::Vector3d barycentric(const TriangleCorners& corners, const Eigen::Vector2d& x) {
-  Eigen::Matrix3d system;
-  system << corners, Eigen::RowVector3d::Ones();
-  return system.partialPivLu().solve(Eigen::Vector3d(x.x(), x.y(), 1));
-}
-
-/// The stress at a point of one of some triangles.
-Eigen::Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& stress,
-                          const std::vector<int>& triangles, const Eigen::Vector2d& x) {
-  int best = triangles.front();
-  Eigen::Vector3d place = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
-  for (int t : triangles) {
-    const Eigen::Vector3d coordinates = barycentric(corners_of(mesh, t), x);
-    if (coordinates.minCoeff() > place.minCoeff()) {
-      best = t;
-      place = coordinates;
-    }
-  }
-  int k;  // the subtriangle opposite to the vertex that is farthest away
-  place.minCoeff(&k);
-  const TriangleCorners corners = corners_of(mesh, best);
-  TriangleCorners sub;
-  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
-  return stress[best].middleCols<3>(3 * k) * barycentric(sub, x);
-}
-
 /// Steps 1 to 6 of the estimate.
 void put_estimate(const Origin& origin, const Setting& setting, const EstimateSettings& settings, Estimate& estimate) {
   const auto& [mesh, edges, line, prescribed, body] = setting;
@@ -361,36 +295,9 @@ Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine&
   const CommonRefinement& refinement = *estimate.refinement;
   const Origin origin{mesh, edges, line, system, body, &refinement};
   const std::vector<char> prescribed = refined_prescribed(refinement, system.prescribed);
-  const SolvedBody cut = refined_body(origin);
+  const SolvedBody cut = refined_body(mesh, body, refinement);
   put_estimate(origin, {refinement.mesh, refinement.edges, refinement.line, prescribed, cut}, settings, estimate);
   return estimate;
-}
-
-std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh, const Estimate& estimate) {
-  if (!estimate.refinement) return estimate.stress;
-  const CommonRefinement& refinement = *estimate.refinement;
-  std::vector<CompositeStress> stress(estimate.stress.begin(), estimate.stress.begin() + mesh.triangle_count());
-  std::map<int, std::vector<int>> parts;
-  for (int t = mesh.triangle_count(); t < refinement.mesh.triangle_count(); ++t) {
-    std::vector<int>& of_parent = parts[refinement.parent[t]];
-    if (of_parent.empty()) of_parent.push_back(refinement.parent[t]);
-    of_parent.push_back(t);
-  }
-  for (const auto& [parent, children] : parts) {
-    const TriangleCorners corners = corners_of(mesh, parent);
-    const Eigen::Vector2d centre = corners.rowwise().mean();
-    for (int k = 0; k < 3; ++k) {
-      Eigen::Matrix<double, 2, 3> sub;
-      sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), centre;
-      const Eigen::Vector2d middle = sub.rowwise().mean();
-      for (int c = 0; c < 3; ++c) {
-        constexpr double inwards = 1e-6;
-        const Eigen::Vector2d x = sub.col(c) + inwards * (middle - sub.col(c));
-        stress[parent].col(3 * k + c) = stress_at(refinement.mesh, estimate.stress, children, x);
-      }
-    }
-  }
-  return stress;
 }
 
 }  // namespace ffcontact

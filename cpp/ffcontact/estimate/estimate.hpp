@@ -10,19 +10,10 @@
 #include "ffcontact/equilibrium/star_relaxation.hpp"
 #include "ffcontact/estimate/admissible_tractions.hpp"
 #include "ffcontact/estimate/contact_error.hpp"
+#include "ffcontact/estimate/solved_body.hpp"
 #include "ffcontact/mesh/common_refinement.hpp"
 
 namespace ffcontact {
-
-/// A computed contact solution and what it was computed from.
-struct SolvedBody {
-  Hooke hooke;                   ///< per triangle [MPa]
-  Eigen::VectorXd displacement;  ///< u_h on all dofs [mm]
-  Eigen::Matrix2Xd pressure;     ///< (lambda_n, lambda_t) at the contact nodes [MPa]
-  ContactLaw law;
-  Eigen::Matrix4Xd neumann;   ///< moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
-  BodyLoadsOfAll body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
-};
 
 /// Which contact tractions r_hat the estimate uses.
 enum class Tractions {
@@ -84,9 +75,5 @@ struct Estimate {
 /// @throws std::runtime_error     if tractions had to be mended and a part of the body is held by nothing
 Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system,
                         const SolvedBody& body, const EstimateSettings& settings = {});
-
-/// sigma_hat at the corners of the subtriangles of the computed solution's triangles: estimate.stress, and on a triangle that
-/// was cut for a common refinement the values of the cut stress there, as seen from the subtriangle's centroid.
-std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh, const Estimate& estimate);
 
 }  // namespace ffcontact

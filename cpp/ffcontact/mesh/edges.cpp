@@ -23,6 +23,18 @@ struct Side {
   bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
 };
 
+/// By their low vertices first, which is counting; few sides have the same.
+std::vector<Side> sorted(const std::vector<Side>& sides, int vertices) {
+  std::vector<std::size_t> start(vertices + 1, 0);
+  for (const Side& side : sides) ++start[side.low + 1];
+  for (int v = 0; v < vertices; ++v) start[v + 1] += start[v];
+  std::vector<Side> result(sides.size());
+  std::vector<std::size_t> next(start.begin(), start.end() - 1);
+  for (const Side& side : sides) result[next[side.low]++] = side;
+  for (int v = 0; v < vertices; ++v) std::sort(result.begin() + start[v], result.begin() + start[v + 1]);
+  return result;
+}
+
 std::vector<Side> sorted_sides(const Mesh& mesh) {
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.cols() + mesh.boundary.cols());
@@ -35,8 +47,7 @@ std::vector<Side> sorted_sides(const Mesh& mesh) {
     const auto [low, high] = std::minmax({mesh.boundary(0, e), mesh.boundary(1, e)});
     sides.push_back({low, high, -1, e});
   }
-  std::sort(sides.begin(), sides.end());
-  return sides;
+  return sorted(sides, mesh.vertex_count());
 }
 
 }  // namespace

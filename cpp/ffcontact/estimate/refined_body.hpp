@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/estimate/solved_body.hpp"
+#include "ffcontact/mesh/common_refinement.hpp"
+
+namespace ffcontact {
+
+/// The same solution, law and loads on the common refinement of the facing traces.
+SolvedBody refined_body(const Mesh& old_mesh, const SolvedBody& old, const CommonRefinement& refinement);
+
+/// 1 where a dof of the refinement is prescribed: a new vertex is held where both ends of its edge are.
+std::vector<char> refined_prescribed(const CommonRefinement& refinement, const std::vector<char>& old);
+
+/// Forces on the vertices of the refinement as forces on the old vertices, with the same work on fields linear in between.
+Eigen::VectorXd unrefined_forces(const CommonRefinement& refinement, const Eigen::VectorXd& forces);
+
+}  // namespace ffcontact

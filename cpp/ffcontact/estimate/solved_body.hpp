@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/composite_stress.hpp"
+
+namespace ffcontact {
+
+/// A computed contact solution and what it was computed from.
+struct SolvedBody {
+  Hooke hooke;                   ///< per triangle [MPa]
+  Eigen::VectorXd displacement;  ///< u_h on all dofs [mm]
+  Eigen::Matrix2Xd pressure;     ///< (lambda_n, lambda_t) at the contact nodes [MPa]
+  ContactLaw law;
+  Eigen::Matrix4Xd neumann;   ///< moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
+  BodyLoadsOfAll body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
+};
+
+}  // namespace ffcontact
