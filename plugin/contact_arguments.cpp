@@ -2,7 +2,9 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/facing_traces.hpp"
 //
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "contact_arguments.hpp"
 
@@ -25,6 +27,20 @@ JoinedMesh joined_meshes(const std::vector<const Fem2D::Mesh*>& fem_meshes) {
   std::vector<Mesh> meshes;
   for (const Fem2D::Mesh* fem_mesh : fem_meshes) meshes.push_back(mesh_of(fem_mesh));
   return joined_mesh(meshes);
+}
+
+/// The labels of one body in the joined mesh's numbering.
+std::vector<int> joined_labels(Stack stack, const NamedArguments& named, const char* name, const JoinedMesh& joined,
+                               int body) {
+  std::vector<int> labels = named.integers(stack, name);
+  const int first = joined.first_boundary[body], end = joined.first_boundary[body + 1];
+  for (int& label : labels) {
+    const int own = std::exchange(label, joined.label(body, label));
+    const auto* all = joined.mesh.boundary_label.data();
+    if (joined.body_count() > 1 && std::find(all + first, all + end, label) == all + end)
+      refuse(name, " is ", own, ", which is on no boundary edge of mesh ", body + 1);
+  }
+  return labels;
 }
 
 void append(const Eigen::VectorXd& values, Eigen::VectorXd& all) {
@@ -65,14 +81,13 @@ ContactArguments::ContactArguments(Stack stack, const NamedArguments& named,
   const int bodies = body_count();
   std::vector<std::vector<int>> labels;
   for (int k = 0; k < bodies; ++k) {
-    labels.push_back(named.integers(stack, name_of_body("label", k, bodies)));
-    for (int& label : labels[k]) label = joined.label(k, label);
+    labels.push_back(joined_labels(stack, named, name_of_body("label", k, bodies), joined, k));
     if (k > 0 && k + 1 < bodies && labels[k].size() != 2)
       refuse("label", k + 1, " must be two labels: the first faces body ", k, ", the second body ", k + 2);
   }
   std::vector<ContactLine> lines;
   if (bodies == 1) {
-    const std::vector<int> opposite = named.given("opposite") ? named.integers(stack, "opposite") : std::vector<int>{};
+    const std::vector<int> opposite = joined_labels(stack, named, "opposite", joined, 0);
     add_pair(stack, named, 0, labels[0], 0, opposite, lines);
   }
   for (int k = 0; k + 1 < bodies; ++k)
