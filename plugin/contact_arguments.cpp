@@ -33,6 +33,7 @@ JoinedMesh joined_meshes(const std::vector<const Fem2D::Mesh*>& fem_meshes) {
 std::vector<int> joined_labels(Stack stack, const NamedArguments& named, const char* name, const JoinedMesh& joined,
                                int body) {
   std::vector<int> labels = named.integers(stack, name);
+  if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
   const int first = joined.first_boundary[body], end = joined.first_boundary[body + 1];
   for (int& label : labels) {
     const int own = std::exchange(label, joined.label(body, label));
@@ -41,6 +42,16 @@ std::vector<int> joined_labels(Stack stack, const NamedArguments& named, const c
       refuse(name, " is ", own, ", which is on no boundary edge of mesh ", body + 1);
   }
   return labels;
+}
+
+/// Bodies may overlap a little, as polygons of curves do and interference fits, but not by more than their contact edges.
+void require_apart(const Mesh& mesh, const ContactLine& line, const Eigen::VectorXd& gap) {
+  for (int i = 0; i < gap.size(); ++i) {
+    const Eigen::Vector2d x = mesh.vertices.col(line.vertex[i]);
+    if (gap[i] < -line.length.maxCoeff())
+      refuse("the bodies overlap by ", -gap[i], " at (", x.x(), ", ", x.y(),
+             "), more than a contact edge: is the facing edge behind the contact line? Give gap= if it is meant");
+  }
 }
 
 void append(const Eigen::VectorXd& values, Eigen::VectorXd& all) {
@@ -132,10 +143,12 @@ void ContactArguments::add_coefficients(Stack stack, const NamedArguments& named
   append(at_nodes(stack, named.expression("friction"), part, edges, own, 0), law.friction);
   if (const Expression bound = named.expression("slipbound"))
     append(at_nodes(stack, bound, part, edges, own, 0), law.slip_bound);
-  if (const Expression gap = named.expression("gap"))
+  if (const Expression gap = named.expression("gap")) {
     append(at_nodes(stack, gap, part, edges, own, 0), law.gap);
-  else
+  } else {
+    require_apart(mesh, own, mesh_gap);
     append(mesh_gap, law.gap);
+  }
 }
 
 void ContactArguments::require_dofs(const char* name, int body, Eigen::Index count) const {

@@ -9,7 +9,7 @@
 ///
 /// Modules, each using only those before it:
 ///   base         refusals, small dense problems
-///   mesh         triangulation, edges, stars, the contact line
+///   mesh         triangulation, edges, stars, the contact line, several bodies: joined meshes, facing traces, their refinement
 ///   elastic      Hooke's law, the linear system with its prescribed dofs, condensation on a few dofs
 ///   contact      the laws of contact and friction, the solver, tractions brought into the cone
 ///   equilibrium  edge tractions in equilibrium, the composite stress, star relaxation
@@ -20,5 +20,8 @@
 /// not penetrate.
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/estimate/stress_on_triangles.hpp"
+#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"

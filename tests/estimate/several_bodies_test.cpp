@@ -95,5 +95,29 @@ RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible
   }
 }
 
+/// Traces whose vertices all but meet are as good as matching ones, however small their distance is.
+TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
+  for (const Multiplier multiplier : both) {
+    const auto estimate_of = [&](double distance) {
+      Mesh lower = rectangle(8, 4, 8, 4);
+      for (int v = 4 * 9 + 1; v < 5 * 9 - 1; ++v) lower.vertices(0, v) += distance;  // the inner vertices of the top
+      Bodies two = bodies({shifted(rectangle(8, 3, 8, 3), {0, 4}), lower}, {material(70e3, 0.3), material(100e3, 0.2)},
+                          {{0, bottom, 1, top}});
+      add_traction(two.problem, two.label(0, top), {1, -10});
+      add_traction(two.problem, two.label(0, left), {1, 0.5});
+      clamp(two.problem, two.label(1, bottom));
+      set_friction(two.problem, 0.4);
+      two.problem.law.multiplier = multiplier;
+      return estimated(two.problem, solved(two.problem), sweeps(2));
+    };
+    const double matching = estimate_of(0).relative;
+    for (const double distance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+      const Estimate estimate = estimate_of(distance);
+      EXPECT_NEAR(estimate.relative, matching, 0.02 * matching) << distance;
+      EXPECT_TRUE(estimate.admissible) << distance << ": " << estimate.reason;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ffcontact

@@ -66,7 +66,7 @@ Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLi
 /// rotation from the frame of j to that of i, and W P is exactly the load of the vector density with nodal values P.
 Eigen::SparseMatrix<double> weight_of_rows(Multiplier multiplier, const ContactLine& line);
 
-/// (u_n - gap, u_t - previous) at the nodes [2 x p] of a displacement on all dofs.
+/// (u_n - gap, u_t - previous) at the nodes [2 x p] of a displacement on all dofs; jumps where the line faces another body.
 Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
                                                  const Eigen::Ref<const Eigen::VectorXd>& displacement);
 

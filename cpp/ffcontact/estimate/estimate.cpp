@@ -99,13 +99,16 @@ Start start_in_cone(const Origin& origin, const Setting& setting, const Stars& s
   estimate.mended = tractions.mended;
   if (!tractions.resultants_kept)
     refuse(
-        "no tractions in the cone have the resultants of the computed contact forces: the body stands on a single "
-        "point");
+        "no tractions in the cone near the computed ones have the same resultants: the law is not the one u was "
+        "computed "
+        "with, or bodies that contact alone holds stand on too few nodes");
   start.densities = tractions.densities;
   start.balanced = tractions.balanced;
-  if (tractions.mended.empty()) return start;
-  Eigen::VectorXd change = nodal_forces(mesh, line, tractions.balanced) - nodal_forces(mesh, line, computed);
-  if (origin.refinement) change = unrefined_forces(*origin.refinement, change);
+  if (tractions.mended.empty() && (!origin.refinement || origin.refinement->exact)) return start;
+  const Eigen::VectorXd balanced = nodal_forces(mesh, line, tractions.balanced);
+  const Eigen::VectorXd change =
+      (origin.refinement ? unrefined_forces(*origin.refinement, balanced) : balanced) -
+      nodal_forces(origin.mesh, origin.line, edge_densities(origin.line, origin.body.pressure));
   start.stress += stresses(origin.mesh, origin.body.hooke,
                            rebalancing_displacement(origin.system, origin.line, change,
                                                     free_rigid_motions(origin.mesh, origin.system.prescribed)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/common_refinement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -14,18 +15,81 @@ constexpr double same_place = 1e-10;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
+/// Pieces shorter than this part of both edges come of vertices that were meant to meet; as triangles they would be too thin to
+/// compute with.
+constexpr double sliver = 1e-4;
+
+/// The pieces without slivers: their neighbours on either edge take their place, if there are any, and what is left free of an
+/// opposite edge is no sliver either.
+class WithoutSlivers {
+ public:
+  WithoutSlivers(const Mesh& mesh, const Edges& edges, const ContactLine& line)
+      : mesh_(mesh), edges_(edges), line_(line), pieces_(line.pieces) {}
+
+  std::vector<FacingPiece> pieces() {
+    for (std::size_t k = 0; k < pieces_.size();)
+      if (!absorbed(k)) ++k;
+    for (FacingPiece& piece : pieces_) {
+      const double tolerance = smallest_length(piece) / opposite_length(piece);
+      if (piece.opposite_begin > 1 - tolerance) piece.opposite_begin = 1;
+      if (piece.opposite_end < tolerance) piece.opposite_end = 0;
+    }
+    return pieces_;
+  }
+
+ private:
+  double opposite_length(const FacingPiece& piece) const {
+    return edge_vector(mesh_, edges_, piece.opposite_edge).norm();
+  }
+  double smallest_length(const FacingPiece& piece) const {
+    return sliver * std::min(line_.length[piece.contact_edge], opposite_length(piece));
+  }
+
+  /// Gives a sliver to its neighbours.
+  bool absorbed(std::size_t k) {
+    const FacingPiece piece = pieces_[k];
+    if ((piece.end - piece.begin) * line_.length[piece.contact_edge] >= smallest_length(piece)) return false;
+    FacingPiece *before = k > 0 ? &pieces_[k - 1] : nullptr,
+                *after = k + 1 < pieces_.size() ? &pieces_[k + 1] : nullptr;
+    if (after && after->contact_edge == piece.contact_edge)
+      after->begin = piece.begin;
+    else if (before && before->contact_edge == piece.contact_edge)
+      before->end = piece.end;
+    else
+      return false;
+    if (before && before->opposite_edge == piece.opposite_edge)
+      before->opposite_end = piece.opposite_end;
+    else if (after && after->opposite_edge == piece.opposite_edge)
+      after->opposite_begin = piece.opposite_begin;
+    pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(k));
+    return true;
+  }
+
+  const Mesh& mesh_;
+  const Edges& edges_;
+  const ContactLine& line_;
+  std::vector<FacingPiece> pieces_;
+};
+
+bool same(const std::vector<FacingPiece>& a, const std::vector<FacingPiece>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const FacingPiece& p, const FacingPiece& q) {
+    return p.begin == q.begin && p.end == q.end && p.opposite_begin == q.opposite_begin &&
+           p.opposite_end == q.opposite_end;
+  });
+}
+
 /// The vertices along one old edge, from its first to its second, by their places.
 using CutEdge = std::map<double, int>;
 
 class Refiner {
  public:
   Refiner(const Mesh& mesh, const Edges& edges, const ContactLine& line)
-      : old_(mesh), old_edges_(edges), old_line_(line) {
+      : old_(mesh), old_edges_(edges), old_line_(line), pieces_(WithoutSlivers(mesh, edges, line).pieces()) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       vertices_.push_back(mesh.vertices.col(v));
       vertex_weights_.emplace_back(v, v, 1.0);
     }
-    for (const FacingPiece& piece : line.pieces) {
+    for (const FacingPiece& piece : pieces_) {
       for (double place : {piece.begin, piece.end}) cut(line.edge[piece.contact_edge], place);
       for (double place : {piece.opposite_begin, piece.opposite_end}) cut(piece.opposite_edge, place);
     }
@@ -39,6 +103,7 @@ class Refiner {
     result.edges = edges_of(result.mesh);
     put_parent_edges(result);
     put_line(result);
+    result.exact = same(pieces_, old_line_.pieces);
     return result;
   }
 
@@ -166,16 +231,16 @@ class Refiner {
         boundary_edge.emplace(std::pair(result.edges.vertices(0, e), result.edges.vertices(1, e)), e);
 
     LineParts parts(old_line_);
-    auto piece = old_line_.pieces.begin();
+    auto piece = pieces_.begin();
     for (int e = 0; e < old_line_.edge_count(); ++e) {
       const int edge = old_line_.edge[e];
-      if (piece == old_line_.pieces.end() || piece->contact_edge != e) {
+      if (piece == pieces_.end() || piece->contact_edge != e) {
         const std::pair ends(old_edges_.vertices(0, edge), old_edges_.vertices(1, edge));
         parts.add_edge(e, old_line_.edge_node(0, e), old_line_.edge_node(1, e), boundary_edge.at(ends), -1, 1);
         continue;
       }
       int node = old_line_.edge_node(0, e);
-      for (; piece != old_line_.pieces.end() && piece->contact_edge == e; ++piece) {
+      for (; piece != pieces_.end() && piece->contact_edge == e; ++piece) {
         const int first = vertex_at(edge, piece->begin), second = vertex_at(edge, piece->end);
         const int facing_first = vertex_at(piece->opposite_edge, piece->opposite_begin);
         const int facing_second = vertex_at(piece->opposite_edge, piece->opposite_end);
@@ -258,6 +323,7 @@ class Refiner {
   const Mesh& old_;
   const Edges& old_edges_;
   const ContactLine& old_line_;
+  const std::vector<FacingPiece> pieces_;
   std::map<int, CutEdge> cuts_;  ///< by old edge
   std::vector<Eigen::Vector2d> vertices_;
   std::vector<Eigen::Vector3i> triangles_;

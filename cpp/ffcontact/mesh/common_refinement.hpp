@@ -10,7 +10,8 @@ namespace ffcontact {
 /// Bodies in contact, cut so that their facing traces match.
 ///
 /// Every contact edge and every edge it faces is cut where the pieces of the line end, and its triangle becomes the fan of
-/// triangles between the pieces and the opposite vertex. Functions that are linear on the old triangles are linear on the new
+/// triangles between the pieces and the opposite vertex. Vertices of both bodies that all but meet, within 1e-4 of the shorter
+/// edge, face each other: `exact` is then false, and the forces on the opposite body are off by as little. Functions that are linear on the old triangles are linear on the new
 /// ones. Old vertices and old nodes keep their numbers, new ones follow; the first triangle of a fan keeps that of its parent.
 struct CommonRefinement {
   Mesh mesh;
@@ -22,6 +23,7 @@ struct CommonRefinement {
   Eigen::VectorXi parent_boundary;  ///< old column of Mesh::boundary of each column
   WeightsByNode vertex_weights;     ///< old vertices that each vertex lies between [vertices x old vertices]
   WeightsByNode node_weights;       ///< old contact nodes that each node lies between [p x old p]
+  bool exact = true;
 
   /// Place of a vertex on an old edge: 0 at its first, 1 at its second vertex.
   double place(const Edges& old_edges, int vertex, int old_edge) const {

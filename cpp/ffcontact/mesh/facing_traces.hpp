@@ -20,8 +20,8 @@ struct FacingTraces {
 FacingTraces facing_traces(const Mesh& mesh, const Edges& edges, const ContactLine& line,
                            const std::vector<int>& opposite_labels);
 
-/// The line with the opposite body behind it (ContactLine::opposite, opposite_edge, pieces): displacements of the opposite trace are projected in L2
-/// of the line's trace onto its continuous linear functions,
+/// The line with the opposite body behind it (ContactLine::opposite, opposite_edge, pieces): displacements of the opposite
+/// trace are projected in L2 of the line's trace onto its continuous linear functions,
 ///     sum_k (int psi_i psi_k) (Pi u)_k = int psi_i u_opposite        (sums over nodes on one straight line),
 /// so that v = M (u - Pi u_opposite) are the exact integrals int psi_i [u] on the common refinement, for any mesh of either
 /// body [CHH01, reference 5]. Where traces match Pi picks the facing vertex.
