@@ -95,6 +95,20 @@ RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible
   }
 }
 
+/// Friction alone holds the upper body sideways; its tangential resultant must survive the mending of tensile edges.
+TEST(SeveralBodiesEstimate, tresca_keeps_the_resultants_of_a_body_held_by_friction) {
+  for (const double slip_bound : {0.5, 1.0, 1.6, 2.5}) {
+    Bodies two = bodies({shifted(rectangle(8, 5, 4, 2), {2, 3}), rectangle(16, 6, 8, 3)},
+                        {material(70e3, 0.3), material(70e3, 0.3)}, {{0, bottom, 1, top}});
+    add_traction(two.problem, two.label(0, top), {0.2, -7});
+    clamp(two.problem, two.label(1, bottom));
+    two.problem.law.slip_bound = everywhere(two.problem.line, slip_bound);
+    const Estimate estimate = estimated(two.problem, solved(two.problem), sweeps(2));
+    EXPECT_TRUE(estimate.admissible) << slip_bound << ": " << estimate.reason;
+    EXPECT_LT(estimate.relative, 0.12);
+  }
+}
+
 /// Traces whose vertices all but meet are as good as matching ones, however small their distance is.
 TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
   for (const Multiplier multiplier : both) {

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ffcontact/base/quadratic_minimum.hpp"
 
@@ -95,28 +96,66 @@ Eigen::VectorXd restoring_factors(const Eigen::MatrixXd& C, const Eigen::VectorX
   return restored ? s : Eigen::VectorXd();
 }
 
-void scale_edges(const Eigen::VectorXd& factors, bool tresca, ContactDensities& densities) {
-  densities.normal *= factors.asDiagonal();
-  if (!tresca) densities.tangential *= factors.asDiagonal();
+void scale_edges(const Eigen::VectorXd& normal, const Eigen::VectorXd& tangential, ContactDensities& densities) {
+  densities.normal *= normal.asDiagonal();
+  densities.tangential *= tangential.asDiagonal();
+}
+
+/// Tresca's bound over |r_t| on each edge, at least 1: how far its tangential density can be multiplied.
+Eigen::VectorXd tangential_reserves(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities) {
+  Eigen::VectorXd reserve = Eigen::VectorXd::Constant(line.edge_count(), std::numeric_limits<double>::infinity());
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) {
+      const double r = std::abs(densities.tangential(end, e));
+      if (r > 0) reserve[e] = std::min(reserve[e], std::max(1.0, law.slip_bound[line.edge_node(end, e)] / r));
+    }
+  return reserve.cwiseMin(1e3);
+}
+
+/// For Tresca's law: factors (s, t) of the normal and tangential densities nearest to 1, s >= 0 and |t| within the reserves,
+/// that give the wanted resultants; empty when there are none [2 m].
+Eigen::VectorXd restoring_factors_tresca(const Eigen::MatrixXd& normal, const Eigen::MatrixXd& tangential,
+                                         const Eigen::VectorXd& reserve, const Eigen::VectorXd& wanted, double scale) {
+  const Eigen::Index m = normal.cols(), k = wanted.size();
+  Eigen::MatrixXd R(k, 2 * m), C = Eigen::MatrixXd::Zero(3 * m + 2 * k, 2 * m);
+  R << normal / scale, tangential / scale;
+  C.topRows(2 * m).setIdentity();
+  C.block(2 * m, m, m, m) = -Eigen::MatrixXd::Identity(m, m);
+  C.bottomRows(2 * k) << R, -R;
+  Eigen::VectorXd d(C.rows());
+  d << Eigen::VectorXd::Zero(m), -reserve, -reserve, wanted / scale, -wanted / scale;
+  const auto factors =
+      quadratic_minimum(Eigen::MatrixXd::Identity(2 * m, 2 * m), Eigen::VectorXd::Constant(2 * m, -1), C, d);
+  if (!factors || (R * *factors - wanted / scale).cwiseAbs().maxCoeff() > resultant_tolerance) return {};
+  Eigen::VectorXd inside = *factors;  // but for rounding
+  inside.head(m) = inside.head(m).cwiseMax(0);
+  inside.tail(m) = inside.tail(m).cwiseMin(reserve).cwiseMax(-reserve);
+  return inside;
 }
 
 void restore_resultants(const ContactLine& line, const ContactLaw& law, const ContactDensities& computed,
                         const Eigen::MatrixXd& motions, AdmissibleTractions& result) {
   const Eigen::MatrixXd before = resultants(line, computed, motions);
-  ContactDensities scaled = result.balanced;
-  Eigen::VectorXd wanted = before.rowwise().sum();
+  const Eigen::VectorXd wanted = before.rowwise().sum();
+  const double scale = before.cwiseAbs().sum();
+  Eigen::VectorXd normal, tangential;
   if (law.tresca()) {
-    ContactDensities tangential = result.balanced;
-    tangential.normal.setZero();
-    wanted -= resultants(line, tangential, motions).rowwise().sum();
-    scaled.tangential.setZero();
+    ContactDensities part = result.balanced;
+    part.tangential.setZero();
+    const Eigen::MatrixXd of_normal = resultants(line, part, motions);
+    const Eigen::MatrixXd of_tangential = resultants(line, result.balanced, motions) - of_normal;
+    const Eigen::VectorXd factors = restoring_factors_tresca(
+        of_normal, of_tangential, tangential_reserves(line, law, result.densities), wanted, scale);
+    normal = factors.head(factors.size() / 2);
+    tangential = factors.tail(factors.size() / 2);
+  } else {
+    normal = tangential = restoring_factors(resultants(line, result.balanced, motions), wanted, scale);
   }
-  const Eigen::VectorXd factors = restoring_factors(resultants(line, scaled, motions), wanted, before.cwiseAbs().sum());
-  result.resultants_kept = factors.size() > 0;
+  result.resultants_kept = normal.size() > 0;
   if (!result.resultants_kept) return;
-  scale_edges(factors, law.tresca(), result.balanced);
-  scale_edges(factors, law.tresca(), result.densities);
-  if (!law.tresca()) result.shift.array() *= factors.array();
+  scale_edges(normal, tangential, result.balanced);
+  scale_edges(normal, tangential, result.densities);
+  result.shift.array() *= tangential.array();
 }
 
 }  // namespace

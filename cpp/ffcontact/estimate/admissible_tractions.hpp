@@ -14,7 +14,7 @@ namespace ffcontact {
 ///    nearest to lambda_h in L2 of the edge. That changes the nodal forces, so that stresses have to be rebalanced.
 /// 3. Where a rigid motion z of the body is held by contact alone, int z . r must stay as it was: every edge's density is
 ///    multiplied by its own factor s_e >= 0, the nearest to 1 in least squares that restore these resultants. The cone is kept,
-///    being a cone (Tresca: only the normal part is multiplied).
+///    being a cone. With Tresca's law the tangential part has a factor of its own, within what its bound leaves.
 struct AdmissibleTractions {
   ContactDensities densities;   ///< r_hat
   ContactDensities balanced;    ///< before the shifts of (4.1): what nodal equilibrium is built with
