@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "support/nested_reference.hpp"
+#include "support/random.hpp"
 
 namespace ffcontact::test {
 namespace {
@@ -76,6 +77,31 @@ TEST(bound, holds_for_tresca_and_without_friction) {
                   b.e_square);
       EXPECT_LE(b.stress_square + b.displacement_square, b.e_square);
     }
+}
+
+/// Any mesh and any load: the reference is on the same mesh with every triangle cut into 64.
+RC_GTEST_PROP(bound, holds_on_random_meshes_under_random_loads, (Random random)) {
+  const Mesh mesh = irregular(*rc::gen::inRange(2, 6), *rc::gen::inRange(2, 5), 6, 4, random);
+  const Eigen::Vector2d on_left = random_vector(2, random) * 5, on_right = random_vector(2, random) * 5;
+  const double slip_bound = *rc::gen::element(0.0, 0.5, 2.0), nu = *real(0, 0.4);
+  const Multiplier multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  const auto problem_on = [&](const Mesh& body_mesh) {
+    Problem problem = body(body_mesh, material(1e3, nu));
+    clamp(problem, top, [](const Eigen::Vector2d&) { return Eigen::Vector2d(1e-3, -1e-2); });
+    add_traction(problem, left, on_left);
+    add_traction(problem, right, on_right);
+    if (slip_bound > 0) problem.law.slip_bound = everywhere(problem.line, slip_bound);
+    problem.law.multiplier = multiplier;
+    return problem;
+  };
+  const Problem coarse = problem_on(mesh), fine = problem_on(subdivided(mesh, 3));
+  const ContactSolution solution = solved(coarse), reference = solved(fine);
+  RC_ASSERT(solution.accepted({}) && reference.accepted({}));
+  const Estimate estimate = estimated(coarse, solution, sweeps(2));
+  RC_ASSERT(estimate.admissible);
+  const SquaredDistances squares = squared_distances(coarse, estimate, fine, reference.displacement);
+  constexpr double rounding = 1e-10;  // without friction, and where all contact is open or closed, both sides are equal
+  RC_ASSERT(squares.stress + squares.displacement <= (1 + rounding) * estimate.e * estimate.e);
 }
 
 TEST(bound, terms_for_coulomb) {

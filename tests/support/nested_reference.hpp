@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "support/estimates.hpp"
@@ -26,6 +29,37 @@ inline Eigen::VectorXd on_finer_rectangle(const Eigen::VectorXd& coarse, int nx,
                                                         : corner + (y - x) * (other - corner) + x * (opposite - corner);
     }
   return fine;
+}
+
+/// Every triangle cut into four, which nests; `times` times over.
+inline Mesh subdivided(Mesh mesh, int times) {
+  for (; times > 0; --times) {
+    std::map<std::pair<int, int>, int> middle;
+    std::vector<Eigen::Vector2d> vertices(mesh.vertices.colwise().begin(), mesh.vertices.colwise().end());
+    const auto between = [&](int a, int b) {
+      const auto [place, is_new] = middle.emplace(std::minmax(a, b), static_cast<int>(vertices.size()));
+      if (is_new) vertices.push_back(0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)));
+      return place->second;
+    };
+    Mesh fine;
+    fine.triangles.resize(3, 4 * mesh.triangles.cols());
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      const Eigen::Vector3i v = mesh.triangles.col(t);
+      const Eigen::Vector3i m(between(v[1], v[2]), between(v[2], v[0]), between(v[0], v[1]));
+      fine.triangles.middleCols<4>(4 * t) << v[0], v[1], v[2], m[0], m[2], m[0], m[1], m[1], m[1], m[2], m[0], m[2];
+    }
+    fine.boundary.resize(2, 2 * mesh.boundary.cols());
+    fine.boundary_label.resize(2 * mesh.boundary.cols());
+    for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e) {
+      const int a = mesh.boundary(0, e), b = mesh.boundary(1, e), m = between(a, b);
+      fine.boundary.middleCols<2>(2 * e) << a, m, m, b;
+      fine.boundary_label.segment<2>(2 * e).setConstant(mesh.boundary_label[e]);
+    }
+    fine.vertices.resize(2, static_cast<Eigen::Index>(vertices.size()));
+    for (std::size_t v = 0; v < vertices.size(); ++v) fine.vertices.col(v) = vertices[v];
+    mesh = std::move(fine);
+  }
+  return mesh;
 }
 
 /// |v| = a(v, v)^(1/2).
