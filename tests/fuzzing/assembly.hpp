@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "case.hpp"
+#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/mesh/joined_mesh.hpp"
+
+namespace ffcontact::fuzz {
+
+using Dense = Eigen::MatrixXd;
+
+/// A case as the library takes it, beside the same integrals by plain loops of our own.
+struct Assembled {
+  JoinedMesh joined;
+  Edges edges;
+  ContactLine line;
+  ContactLaw law;
+  std::vector<int> region;                  ///< per triangle of the joined mesh: its place in `elasticity`
+  std::vector<Eigen::Matrix3d> elasticity;  ///< C, Voigt with engineering shear, by our own formula
+  Hooke hooke;                              ///< C per triangle
+  Eigen::SparseMatrix<double> stiffness;    ///< K without supports, our own
+  Eigen::VectorXd load;                     ///< of tractions and body forces
+  std::vector<char> prescribed;             ///< per dof
+  Eigen::VectorXd value;                    ///< of prescribed dofs, 0 elsewhere
+  RowMatrix A;                              ///< with supports, as FreeFEM's tgv puts them
+  Eigen::VectorXd b;
+  Eigen::Matrix4Xd neumann;     ///< moments of the tractions at the ends of each boundary edge
+  Eigen::Matrix2Xd body_force;  ///< per triangle
+
+  const Mesh& mesh() const { return joined.mesh; }
+  SolvedBody solved(const ContactSolution& solution) const;
+};
+
+/// @throws std::invalid_argument  where the library refuses mesh, line or traces
+Assembled assembled(const Case& problem);
+
+/// The case on the mesh of which every triangle is cut into four, with the same line, law and loads: what is given at nodes
+/// is linear in between.
+struct Refined {
+  Case problem;
+  Assembled parts;
+};
+Refined refined(const Case& problem, const Assembled& coarse);
+
+/// Plane strain, by E and nu.
+Eigen::Matrix3d elasticity_of(const Material& material);
+
+}  // namespace ffcontact::fuzz

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace ffcontact::fuzz {
+
+namespace {
+
+constexpr const char* heading = "ffcontact-fuzz-1";
+
+/// Writes name and numbers, line by line.
+class Writer {
+ public:
+  Writer() { text_.precision(17); }
+  std::string text() const { return text_.str(); }
+
+  template <class... Values>
+  void line(const char* name, const Values&... values) {
+    text_ << name;
+    (add(values), ...);
+    text_ << '\n';
+  }
+
+ private:
+  template <class Value>
+  void add(const Value& value) {
+    text_ << ' ' << value;
+  }
+  void add(const Eigen::Vector2d& v) { text_ << ' ' << v.x() << ' ' << v.y(); }
+  void add(const Field& f) {
+    add(f.mean);
+    add(f.slope);
+    add(f.wave);
+    add(f.number);
+  }
+  void add(const std::vector<int>& values) {
+    add(values.size());
+    for (int value : values) add(value);
+  }
+
+  std::ostringstream text_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::string& text) : text_(text) {}
+
+  template <class... Values>
+  void line(const char* name, Values&... values) {
+    std::string found;
+    text_ >> found;
+    if (found != name) throw std::runtime_error("expected " + std::string(name) + ", found \"" + found + "\"");
+    (get(values), ...);
+    if (!text_) throw std::runtime_error("cannot read the values of " + std::string(name));
+  }
+
+ private:
+  template <class Value>
+  void get(Value& value) {
+    text_ >> value;
+  }
+  void get(Eigen::Vector2d& v) { text_ >> v.x() >> v.y(); }
+  void get(Field& f) {
+    text_ >> f.mean;
+    get(f.slope);
+    text_ >> f.wave;
+    get(f.number);
+  }
+  void get(std::vector<int>& values) {
+    std::size_t size = 0;
+    text_ >> size;
+    values.assign(size, 0);
+    for (int& value : values) text_ >> value;
+  }
+
+  std::istringstream text_;
+};
+
+void write(Writer& out, const Body& body) {
+  const Mesh& mesh = body.mesh;
+  out.line("body", mesh.vertices.cols(), mesh.triangles.cols(), mesh.boundary.cols(), body.materials.size(),
+           body.tractions.size(), body.supports.size());
+  for (int v = 0; v < mesh.vertex_count(); ++v) out.line("v", Eigen::Vector2d(mesh.vertices.col(v)));
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    out.line("t", mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t), body.region[t]);
+  for (int e = 0; e < mesh.boundary.cols(); ++e)
+    out.line("e", mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
+  for (const Material& m : body.materials) out.line("material", m.E, m.nu);
+  for (const Traction& t : body.tractions) out.line("traction", t.label, t.value);
+  for (const Support& s : body.supports) out.line("support", s.label, s.component, s.value);
+  out.line("force", body.force);
+}
+
+Body body_of(Reader& in) {
+  Body body;
+  Mesh& mesh = body.mesh;
+  Eigen::Index vertices = 0, triangles = 0, boundary = 0;
+  std::size_t materials = 0, tractions = 0, supports = 0;
+  in.line("body", vertices, triangles, boundary, materials, tractions, supports);
+  mesh.vertices.resize(2, vertices);
+  mesh.triangles.resize(3, triangles);
+  mesh.boundary.resize(2, boundary);
+  mesh.boundary_label.resize(boundary);
+  body.region.resize(triangles);
+  for (Eigen::Index v = 0; v < vertices; ++v) in.line("v", mesh.vertices(0, v), mesh.vertices(1, v));
+  for (Eigen::Index t = 0; t < triangles; ++t)
+    in.line("t", mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t), body.region[t]);
+  for (Eigen::Index e = 0; e < boundary; ++e)
+    in.line("e", mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
+  body.materials.resize(materials);
+  body.tractions.resize(tractions);
+  body.supports.resize(supports);
+  for (Material& m : body.materials) in.line("material", m.E, m.nu);
+  for (Traction& t : body.tractions) in.line("traction", t.label, t.value);
+  for (Support& s : body.supports) in.line("support", s.label, s.component, s.value);
+  in.line("force", body.force);
+  return body;
+}
+
+}  // namespace
+
+int Case::triangle_count() const {
+  int count = 0;
+  for (const Body& body : bodies) count += body.mesh.triangle_count();
+  return count;
+}
+
+std::string kind(const Case& problem) {
+  constexpr const char* laws[] = {"frictionless", "tresca", "coulomb"};
+  return std::string(laws[static_cast<int>(problem.law)]) +
+         (problem.multiplier == Multiplier::force ? " force " : " pressure ") + std::to_string(problem.bodies.size()) +
+         (problem.bodies.size() == 1 ? " body" : " bodies") +
+         (problem.promise == Promise::solution ? "" : " (soundness only)");
+}
+
+std::string text_of(const Case& c) {
+  Writer out;
+  out.line(heading);
+  out.line("law", static_cast<int>(c.law), static_cast<int>(c.multiplier), static_cast<int>(c.promise), c.sweeps,
+           c.with_reference, c.tgv);
+  out.line("place", c.origin, c.size);
+  out.line("friction", c.friction);
+  out.line("slipbound", c.slip_bound);
+  out.line("gap", c.has_gap, c.gap);
+  out.line("previous", c.has_previous, c.previous);
+  out.line("bodies", c.bodies.size(), c.contacts.size());
+  for (const Body& body : c.bodies) write(out, body);
+  for (const Contact& contact : c.contacts)
+    out.line("contact", contact.body, contact.opposite_body, contact.opposite_label, contact.labels);
+  return out.text();
+}
+
+Case case_of(const std::string& text) {
+  Reader in(text);
+  Case c;
+  int law = 0, multiplier = 0, promise = 0;
+  std::size_t bodies = 0, contacts = 0;
+  in.line(heading);
+  in.line("law", law, multiplier, promise, c.sweeps, c.with_reference, c.tgv);
+  c.law = static_cast<Law>(law);
+  c.multiplier = static_cast<Multiplier>(multiplier);
+  c.promise = static_cast<Promise>(promise);
+  in.line("place", c.origin, c.size);
+  in.line("friction", c.friction);
+  in.line("slipbound", c.slip_bound);
+  in.line("gap", c.has_gap, c.gap);
+  in.line("previous", c.has_previous, c.previous);
+  in.line("bodies", bodies, contacts);
+  while (c.bodies.size() < bodies) c.bodies.push_back(body_of(in));
+  c.contacts.resize(contacts);
+  for (Contact& contact : c.contacts)
+    in.line("contact", contact.body, contact.opposite_body, contact.opposite_label, contact.labels);
+  return c;
+}
+
+}  // namespace ffcontact::fuzz

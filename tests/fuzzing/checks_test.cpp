@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Spoilt answers are found: one number of an answer without a find is changed, and the check named must see it.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "generator.hpp"
+#include "ground.hpp"
+#include "trial.hpp"
+
+namespace ffcontact::fuzz {
+namespace {
+
+struct Answer {
+  Case problem;
+  Assembled parts;
+  ContactSolution solution;
+  Estimate estimate;
+};
+
+Finds finds_of(const Answer& answer) {
+  Finds all = line_finds(answer.problem, answer.parts);
+  for (const Finds& more : {solution_finds(answer.problem, answer.parts, answer.solution),
+                            estimate_finds(answer.problem, answer.parts, answer.estimate)})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+bool has(const Finds& finds, const std::string& check) {
+  return std::any_of(finds.begin(), finds.end(), [&](const Find& f) { return f.check == check; });
+}
+
+/// Is there something of everything: contact forces, stresses, an error?
+bool is_full(const Answer& answer) {
+  return answer.solution.force.row(0).minCoeff() < 0 && answer.estimate.relative > 1e-3 &&
+         answer.parts.mesh().triangle_count() > 8;
+}
+
+/// The first random problem that is as wanted and has an answer without a find.
+Answer clean_answer(const std::function<bool(const Case&)>& wanted) {
+  for (std::uint64_t index = 0; index < 5000; ++index) {
+    Answer answer{random_case(2001, index), {}, {}, {}};
+    if (answer.problem.promise != Promise::solution || !wanted(answer.problem)) continue;
+    if (!outcome_of(answer.problem).finds.empty()) continue;
+    answer.parts = assembled(answer.problem);
+    const ElasticSystem system = elastic_system(answer.parts.A, answer.parts.b);
+    try {
+      answer.solution = solve_contact(answer.parts.mesh(), answer.parts.line, answer.parts.law, system);
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+    answer.estimate = estimate_error(answer.parts.mesh(), answer.parts.edges, answer.parts.line, system,
+                                     answer.parts.solved(answer.solution));
+    if (is_full(answer) && finds_of(answer).empty()) return answer;
+  }
+  throw std::runtime_error("no such problem");
+}
+
+std::vector<Answer> answers() {
+  std::vector<Answer> result;
+  for (Law law : {Law::frictionless, Law::tresca, Law::coulomb})
+    for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
+      for (std::size_t bodies : {1, 2})
+        result.push_back(clean_answer(
+            [=](const Case& c) { return c.law == law && c.multiplier == multiplier && c.bodies.size() == bodies; }));
+  return result;
+}
+
+const std::vector<Answer>& all_answers() {
+  static const std::vector<Answer> all = answers();
+  return all;
+}
+
+void expect_found(const char* check, const std::function<void(Answer&)>& spoil) {
+  for (const Answer& answer : all_answers()) {
+    ASSERT_TRUE(finds_of(answer).empty());
+    Answer spoilt = answer;
+    spoil(spoilt);
+    EXPECT_TRUE(has(finds_of(spoilt), check)) << check << ", " << kind(answer.problem);
+  }
+}
+
+int free_dof(const Answer& answer) {
+  int dof = 0;
+  while (answer.parts.prescribed[dof]) ++dof;
+  return dof;
+}
+
+int pressed_node(const Answer& answer) {
+  Eigen::Index node;
+  answer.solution.force.row(0).minCoeff(&node);
+  return static_cast<int>(node);
+}
+
+double largest(const Eigen::Ref<const Eigen::MatrixXd>& values) { return values.cwiseAbs().maxCoeff(); }
+
+double stress_of_problem(const Answer& answer) {
+  return stress_scale(answer.parts, ground_of(answer.parts, answer.estimate), answer.estimate.displacement);
+}
+
+TEST(spoilt, displacement_is_out_of_balance) {
+  expect_found("balance",
+               [](Answer& a) { a.solution.displacement[free_dof(a)] += 1e-5 * largest(a.solution.displacement); });
+}
+
+TEST(spoilt, force_is_out_of_balance) {
+  expect_found("balance", [](Answer& a) {
+    const int node = pressed_node(a);
+    a.solution.force(0, node) *= 1 + 1e-3;
+  });
+}
+
+TEST(spoilt, support) {
+  expect_found("support", [](Answer& a) {
+    int dof = 0;
+    while (!a.parts.prescribed[dof]) ++dof;
+    a.solution.displacement[dof] += 1e-9 * largest(a.solution.displacement);
+  });
+}
+
+TEST(spoilt, tension) {
+  expect_found("law", [](Answer& a) {
+    for (Eigen::Matrix2Xd* P : {&a.solution.force, &a.solution.pressure}) (*P)(0, pressed_node(a)) = 1e-6 * largest(*P);
+  });
+}
+
+TEST(spoilt, friction) {
+  expect_found("law", [](Answer& a) {
+    for (Eigen::Matrix2Xd* P : {&a.solution.force, &a.solution.pressure})
+      (*P)(1, pressed_node(a)) += 10 * largest(*P) * (1 + largest(a.parts.law.friction));
+  });
+}
+
+TEST(spoilt, penetration_of_the_solution) {
+  expect_found("law", [](Answer& a) {
+    const int node = pressed_node(a), v = a.parts.line.vertex[node];
+    a.solution.displacement.segment<2>(2 * v) +=
+        1e-4 * largest(a.solution.displacement) * a.parts.line.normal.col(node);
+  });
+}
+
+TEST(spoilt, penetration_of_the_estimate) {
+  expect_found("displacement", [](Answer& a) {
+    const int node = pressed_node(a), v = a.parts.line.vertex[node];
+    a.estimate.displacement.segment<2>(2 * v) += 2 * largest(a.estimate.displacement) * a.parts.line.normal.col(node);
+  });
+}
+
+TEST(spoilt, stress_loses_its_divergence) {
+  expect_found("divergence", [](Answer& a) { a.estimate.stress[3](0, 4) += 1e-6 * stress_of_problem(a); });
+}
+
+TEST(spoilt, stress_jumps) {
+  expect_found("jump", [](Answer& a) { a.estimate.stress[3].row(2).array() += 1e-8 * stress_of_problem(a); });
+}
+
+TEST(spoilt, contact_traction_is_not_that_of_the_stress) {
+  expect_found("traction", [](Answer& a) { a.estimate.tractions.normal(0, 0) -= 1e-8 * stress_of_problem(a); });
+}
+
+TEST(spoilt, traction_outside_the_cone) {
+  expect_found("cone", [](Answer& a) { a.estimate.tractions.normal(1, 0) = 1e-9 * stress_of_problem(a); });
+}
+
+TEST(spoilt, error) {
+  expect_found("error", [](Answer& a) { a.estimate.e *= 1 + 1e-6; });
+  expect_found("error", [](Answer& a) { a.estimate.relative *= 1 + 1e-6; });
+  expect_found("error", [](Answer& a) { a.estimate.elastic *= 1.001; });
+  expect_found("error", [](Answer& a) { a.estimate.local[0] += 1e-3 * a.estimate.relative + 1e-5; });
+}
+
+TEST(spoilt, line) {
+  expect_found("line", [](Answer& a) { a.parts.line.normal.col(0) = -a.parts.line.normal.col(0); });
+  expect_found("line", [](Answer& a) { a.parts.line.length[0] *= 1 + 1e-6; });
+}
+
+TEST(spoilt, coupling) {
+  for (const Answer& answer : all_answers()) {
+    if (answer.problem.bodies.size() == 1) continue;
+    Answer spoilt = answer;
+    spoilt.parts.line.opposite.coeffRef(0, WeightsByNode::InnerIterator(spoilt.parts.line.opposite, 0).col()) += 1e-6;
+    EXPECT_TRUE(has(finds_of(spoilt), "coupling"));
+  }
+}
+
+/// e below the true error: with e at a hundredth no problem is left for which it might still be a bound.
+TEST(spoilt, bound) {
+  int tried = 0;
+  for (const Answer& answer : all_answers()) {
+    if (answer.problem.law == Law::coulomb || answer.estimate.refinement) continue;
+    EXPECT_TRUE(bound_finds(answer.problem, answer.parts, answer.estimate, 1).empty());
+    Estimate spoilt = answer.estimate;
+    spoilt.e *= 0.01;
+    spoilt.relative *= 0.01;
+    EXPECT_TRUE(has(bound_finds(answer.problem, answer.parts, spoilt, 1), "bound")) << kind(answer.problem);
+    ++tried;
+  }
+  EXPECT_GE(tried, 4);
+}
+
+TEST(text, keeps_every_digit) {
+  for (std::uint64_t index = 0; index < 50; ++index) {
+    const std::string text = text_of(random_case(5, index));
+    EXPECT_EQ(text_of(case_of(text)), text);
+  }
+  EXPECT_THROW(case_of("something else"), std::runtime_error);
+}
+
+TEST(messages, lose_their_numbers) {
+  EXPECT_EQ(without_numbers("vertex 28 (-21.5, 2.6e-12): M'_h 3"), "vertex # (#, #): M'_h #");
+}
+
+}  // namespace
+}  // namespace ffcontact::fuzz

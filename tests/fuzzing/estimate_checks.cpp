@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "ground.hpp"
+
+namespace ffcontact::fuzz {
+
+namespace {
+
+constexpr double displacement_tolerance = 1e-9, stress_tolerance = 1e-10, cone_tolerance = 1e-12,
+                 error_tolerance = 1e-8;
+
+Eigen::Vector2d traction_of(const Eigen::Vector3d& s, const Eigen::Vector2d& n) {
+  return {s[0] * n.x() + s[2] * n.y(), s[2] * n.x() + s[1] * n.y()};
+}
+
+/// Outward normal of the side from a to b of a counter-clockwise triangle.
+Eigen::Vector2d outward(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return Eigen::Vector2d(b.y() - a.y(), a.x() - b.x()).normalized();
+}
+
+/// Each triangle of the refinement is a part of its parent, and the parts fill it.
+void check_refinement(const Assembled& parts, const Ground& ground, Finds& finds) {
+  Eigen::VectorXd area = Eigen::VectorXd::Zero(parts.mesh().triangles.cols());
+  double outside = 0;
+  for (int t = 0; t < ground.mesh.triangle_count(); ++t) {
+    const Corners own = corners_at(ground.mesh, t), parent = corners_at(parts.mesh(), ground.parent[t]);
+    area[ground.parent[t]] += area_of(own) / area_of(parent);
+    for (int k = 0; k < 3; ++k) outside = std::max(outside, -weights_at(parent, own.col(k)).minCoeff());
+  }
+  if (!((area.array() - 1).abs().maxCoeff() <= 1e-8) || !(outside <= 1e-8))
+    finds.push_back(find("refinement", "triangles are not the parts of their parents"));
+}
+
+void check_displacement(const Assembled& parts, const Ground& ground, const Estimate& estimate, Finds& finds) {
+  const Eigen::VectorXd& u = estimate.displacement;
+  const Eigen::Matrix2Xd w = against_foundation(ground.line, ground.gap, {}, u);
+  const double scale = displacement_scale(parts, u);
+  Largest penetration, support;
+  for (int i = 0; i < w.cols(); ++i) penetration.note(w(0, i), i);
+  for (int dof = 0; dof < parts.value.size(); ++dof)
+    if (parts.prescribed[dof]) support.note(std::abs(u[dof] - parts.value[dof]), dof);
+  if (!(penetration.value <= displacement_tolerance * scale))
+    finds.push_back(find("displacement", "penetrates at node ", penetration.place, " by ", penetration.value / scale));
+  if (!(support.value <= 1e-12 * scale))
+    finds.push_back(find("displacement", "leaves the support of dof ", support.place, " by ", support.value / scale));
+}
+
+/// Stress at corner c (k+1, k+2, centroid) of subtriangle k.
+Eigen::Vector3d at_corner(const CompositeStress& stress, int k, int c) { return stress.col(3 * k + c); }
+
+double divergence_defect(const Corners& corners, const CompositeStress& stress, const Eigen::Vector2d& force) {
+  double defect = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Corners sub = subtriangle(corners, k);
+    Eigen::Vector2d divergence = force;
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::Vector2d side = sub.col((c + 2) % 3) - sub.col((c + 1) % 3);
+      const Eigen::Vector2d gradient = Eigen::Vector2d(-side.y(), side.x()) / (2 * area_of(sub));
+      divergence += traction_of(at_corner(stress, k, c), gradient);
+    }
+    defect = std::max(defect,
+                      divergence.norm() * area_of(corners) /
+                          std::max({(corners.col(0) - corners.col(1)).norm(), (corners.col(1) - corners.col(2)).norm(),
+                                    (corners.col(2) - corners.col(0)).norm()}));
+  }
+  return defect;
+}
+
+/// Across the side from vertex j to the centroid, between the subtriangles j + 1 and j + 2.
+double inner_jump(const Corners& corners, const CompositeStress& stress) {
+  double jump = 0;
+  for (int j = 0; j < 3; ++j) {
+    const Eigen::Vector2d n = outward(corners.col(j), corners.rowwise().mean());
+    const int a = (j + 1) % 3, b = (j + 2) % 3;
+    jump = std::max(jump, traction_of(at_corner(stress, a, 1) - at_corner(stress, b, 0), n).norm());
+    jump = std::max(jump, traction_of(at_corner(stress, a, 2) - at_corner(stress, b, 2), n).norm());
+  }
+  return jump;
+}
+
+/// Tractions at the two ends of a boundary edge, from vertex to vertex counter-clockwise; components may be open.
+struct Given {
+  Eigen::Matrix2d value;  ///< one column an end
+  bool known[2];
+};
+
+using GivenTractions = std::map<std::pair<int, int>, Given>;
+
+/// Label and component pairs that are prescribed at all vertices of the label.
+std::map<int, std::array<bool, 2>> held_labels(const Mesh& mesh, const std::vector<char>& prescribed) {
+  std::map<int, std::array<bool, 2>> held;
+  for (int e = 0; e < mesh.boundary.cols(); ++e)
+    for (int v : mesh.boundary.col(e))
+      for (int c = 0; c < 2; ++c) {
+        auto place = held.try_emplace(mesh.boundary_label[e], std::array<bool, 2>{true, true}).first;
+        place->second[c] = place->second[c] && prescribed[2 * v + c];
+      }
+  return held;
+}
+
+/// Given tractions by the case's data; contact tractions on both sides over them.
+GivenTractions given_tractions(const Case& problem, const Assembled& parts, const Ground& ground,
+                               const Estimate& estimate) {
+  GivenTractions given;
+  const auto held = held_labels(ground.mesh, ground.prescribed);
+  for (int e = 0; e < ground.mesh.boundary.cols(); ++e) {
+    const int label = ground.mesh.boundary_label[e];
+    Given here{Eigen::Matrix2d::Zero(), {!held.at(label)[0], !held.at(label)[1]}};
+    for (std::size_t k = 0; k < problem.bodies.size(); ++k)
+      for (const Traction& traction : problem.bodies[k].tractions)
+        if (label == parts.joined.label(static_cast<int>(k), traction.label)) here.value.colwise() += traction.value;
+    given[{ground.mesh.boundary(0, e), ground.mesh.boundary(1, e)}] = here;
+    given[{ground.mesh.boundary(1, e), ground.mesh.boundary(0, e)}] = here;
+  }
+  const ContactLine& line = ground.line;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int i = line.edge_node(0, e), j = line.edge_node(1, e), a = line.vertex[i], b = line.vertex[j];
+    const Eigen::Vector2d n = outward(ground.mesh.vertices.col(a), ground.mesh.vertices.col(b)), t(-n.y(), n.x());
+    Given here{Eigen::Matrix2d::Zero(), {true, true}};
+    for (int end = 0; end < 2; ++end)
+      here.value.col(end) = estimate.tractions.normal(end, e) * n + estimate.tractions.tangential(end, e) * t;
+    given[{a, b}] = here;
+    if (line.opposite.rows() == 0) continue;
+    const auto facing = [&](int node) {
+      return static_cast<int>(WeightsByNode::InnerIterator(line.opposite, node).col());
+    };
+    const Given opposite{-here.value.rowwise().reverse(), {true, true}};
+    given[{facing(j), facing(i)}] = opposite;
+  }
+  return given;
+}
+
+struct StressDefects {
+  Largest divergence, jump, traction;
+};
+
+/// Both ends of the side k of triangle t, from its counter-clockwise first vertex.
+Eigen::Matrix2d side_tractions(const Ground& ground, const Estimate& estimate, int t, int k) {
+  const Corners corners = corners_at(ground.mesh, t);
+  const Eigen::Vector2d n = outward(corners.col((k + 1) % 3), corners.col((k + 2) % 3));
+  Eigen::Matrix2d result;
+  for (int end = 0; end < 2; ++end) result.col(end) = traction_of(at_corner(estimate.stress[t], k, end), n);
+  return result;
+}
+
+StressDefects stress_defects(const Case& problem, const Assembled& parts, const Ground& ground,
+                             const Estimate& estimate) {
+  StressDefects defects;
+  std::map<std::pair<int, int>, Eigen::Matrix2d> sides;
+  for (int t = 0; t < ground.mesh.triangle_count(); ++t) {
+    const Corners corners = corners_at(ground.mesh, t);
+    defects.divergence.note(divergence_defect(corners, estimate.stress[t], parts.body_force.col(ground.parent[t])), t);
+    defects.jump.note(inner_jump(corners, estimate.stress[t]), t);
+    for (int k = 0; k < 3; ++k)
+      sides[{ground.mesh.triangles((k + 1) % 3, t), ground.mesh.triangles((k + 2) % 3, t)}] =
+          side_tractions(ground, estimate, t, k);
+  }
+  const GivenTractions given = given_tractions(problem, parts, ground, estimate);
+  for (const auto& [ends, tractions] : sides) {
+    const auto other = sides.find({ends.second, ends.first});
+    if (other != sides.end()) {
+      defects.jump.note((tractions + other->second.rowwise().reverse()).cwiseAbs().maxCoeff(), ends.first);
+      continue;
+    }
+    const Given& wanted = given.at(ends);
+    for (int c = 0; c < 2; ++c)
+      if (wanted.known[c]) defects.traction.note((tractions - wanted.value).row(c).cwiseAbs().maxCoeff(), ends.first);
+  }
+  return defects;
+}
+
+void check_stress(const Case& problem, const Assembled& parts, const Ground& ground, const Estimate& estimate,
+                  double scale, Finds& finds) {
+  const StressDefects defects = stress_defects(problem, parts, ground, estimate);
+  const auto judge = [&](const char* check, const Largest& defect) {
+    if (!(defect.value <= stress_tolerance * scale))
+      finds.push_back(find(check, "at ", defect.place, " by ", defect.value / scale, " of the largest stress"));
+  };
+  judge("divergence", defects.divergence);
+  judge("jump", defects.jump);
+  judge("traction", defects.traction);
+}
+
+/// What stands in the integrals along one contact edge, at s in [0, 1].
+struct AlongEdge {
+  double rn[2], rt[2], wn[2], wt[2], mu[2], k[2];
+  bool tresca;
+  static double at(const double* ends, double s) { return (1 - s) * ends[0] + s * ends[1]; }
+  double bound(double s) const { return tresca ? at(k, s) : at(mu, s) * std::abs(at(rn, s)); }
+  double integrand(double s) const {
+    return bound(s) * std::abs(at(wt, s)) + at(rt, s) * at(wt, s) + at(rn, s) * at(wn, s);
+  }
+  double size(double s) const {
+    return bound(s) * std::abs(at(wt, s)) + std::abs(at(rt, s) * at(wt, s)) + std::abs(at(rn, s) * at(wn, s));
+  }
+};
+
+AlongEdge along_edge(const Case& problem, const Ground& ground, const Estimate& estimate, const Eigen::Matrix2Xd& w,
+                     int e) {
+  AlongEdge edge{};
+  edge.tresca = problem.law == Law::tresca;
+  for (int end = 0; end < 2; ++end) {
+    const int node = ground.line.edge_node(end, e);
+    edge.rn[end] = estimate.tractions.normal(end, e);
+    edge.rt[end] = estimate.tractions.tangential(end, e);
+    edge.wn[end] = w(0, node);
+    edge.wt[end] = w(1, node);
+    edge.mu[end] = ground.friction[node];
+    edge.k[end] = edge.tresca ? ground.slip_bound[node] : 0;
+  }
+  return edge;
+}
+
+/// Simpson's rule between the places where the integrand has kinks: exact for cubics.
+template <class Function>
+double integral(const AlongEdge& edge, Function&& f) {
+  std::set<double> places{0, 1};
+  for (const double* ends : {edge.rn, edge.wt})
+    if (ends[0] * ends[1] < 0) places.insert(ends[0] / (ends[0] - ends[1]));
+  double sum = 0, before = 0;
+  for (double place : places) {
+    sum += (place - before) / 6 * (f(before) + 4 * f((before + place) / 2) + f(place));
+    before = place;
+  }
+  return sum;
+}
+
+void check_cone(const Case& problem, const Ground& ground, const Estimate& estimate, double scale, Finds& finds) {
+  const Eigen::Matrix2Xd w = Eigen::Matrix2Xd::Zero(2, ground.line.node_count());
+  Largest outside;
+  for (int e = 0; e < ground.line.edge_count(); ++e) {
+    const AlongEdge edge = along_edge(problem, ground, estimate, w, e);
+    for (int step = 0; step <= 20; ++step) {
+      const double s = step / 20.0;
+      outside.note(AlongEdge::at(edge.rn, s), e);
+      outside.note(std::abs(AlongEdge::at(edge.rt, s)) - edge.bound(s), e);
+    }
+  }
+  if (!(outside.value <= cone_tolerance * scale))
+    finds.push_back(find("cone", "left on contact edge ", outside.place, " by ", outside.value / scale));
+}
+
+/// int a : C^-1 a over a triangle of a stress that is linear on its subtriangles: the middles of sides are exact.
+double energy_of(const Corners& corners, const Eigen::Matrix3d& compliance, const CompositeStress& stress) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+    for (int c = 0; c < 3; ++c) {
+      const Eigen::Vector3d middle = 0.5 * (at_corner(stress, k, c) + at_corner(stress, k, (c + 1) % 3));
+      sum += area_of(subtriangle(corners, k)) / 3 * middle.dot(compliance * middle);
+    }
+  return sum;
+}
+
+struct OwnError {
+  double elastic = 0, contact = 0, sum = 0, contact_size = 0;  ///< squares
+};
+
+OwnError own_error(const Case& problem, const Assembled& parts, const Ground& ground, const Estimate& estimate) {
+  OwnError own;
+  for (int t = 0; t < ground.mesh.triangle_count(); ++t) {
+    const Eigen::Matrix3d& C = parts.elasticity[ground.region[t]];
+    const CompositeStress of_u = stress_of(ground.mesh, t, C, estimate.displacement).replicate<1, 9>();
+    const Corners corners = corners_at(ground.mesh, t);
+    own.elastic += energy_of(corners, C.inverse(), estimate.stress[t] - of_u);
+    own.sum += energy_of(corners, C.inverse(), estimate.stress[t] + of_u);
+  }
+  const Eigen::Matrix2Xd w = against_foundation(ground.line, ground.gap, ground.previous, estimate.displacement);
+  for (int e = 0; e < ground.line.edge_count(); ++e) {
+    const AlongEdge edge = along_edge(problem, ground, estimate, w, e);
+    const double length = (ground.mesh.vertices.col(ground.line.vertex[ground.line.edge_node(0, e)]) -
+                           ground.mesh.vertices.col(ground.line.vertex[ground.line.edge_node(1, e)]))
+                              .norm();
+    own.contact += 2 * length * integral(edge, [&](double s) { return edge.integrand(s); });
+    own.contact_size += 2 * length * integral(edge, [&](double s) { return edge.size(s); });
+  }
+  return own;
+}
+
+/// Squares that differ by rounding of what they are made of are the same.
+void check_error(const Case& problem, const Assembled& parts, const Ground& ground, const Estimate& estimate,
+                 Finds& finds) {
+  const OwnError own = own_error(problem, parts, ground, estimate);
+  const double rounding = 1e-12 * (own.sum + own.contact_size);
+  const auto compare = [&](const char* what, double theirs, double ours) {
+    if (!(std::abs(theirs - ours) <= error_tolerance * std::abs(ours) + rounding))
+      finds.push_back(find("error", what, " is ", theirs, ", by our integrals ", ours));
+  };
+  compare("elastic part", estimate.elastic * estimate.elastic, own.elastic);
+  compare("contact part", estimate.contact, own.contact);
+  compare("e^2", estimate.e * estimate.e, std::max(0.0, own.elastic + own.contact));
+  const double relative_square = estimate.relative * estimate.relative;
+  if (own.sum > 0) compare("eps^2 times the sum", relative_square * own.sum, std::max(0.0, own.elastic + own.contact));
+  if (!(std::abs(estimate.local.squaredNorm() - relative_square) <= error_tolerance * relative_square + 1e-12))
+    finds.push_back(find("error", "the sum of eps_E^2 is ", estimate.local.squaredNorm(), ", eps^2 ", relative_square));
+}
+
+}  // namespace
+
+Finds estimate_finds(const Case& problem, const Assembled& parts, const Estimate& estimate) {
+  Finds finds;
+  const Ground ground = ground_of(parts, estimate);
+  if (estimate.refinement) check_refinement(parts, ground, finds);
+  check_displacement(parts, ground, estimate, finds);
+  const double scale = stress_scale(parts, ground, estimate.displacement);
+  const double contact =
+      std::max(estimate.tractions.normal.cwiseAbs().maxCoeff(), estimate.tractions.tangential.cwiseAbs().maxCoeff());
+  check_stress(problem, parts, ground, estimate, scale, finds);
+  check_cone(problem, ground, estimate, std::max(scale, contact), finds);
+  check_error(problem, parts, ground, estimate, finds);
+  if (!estimate.admissible) finds.push_back(find("admissible", estimate.reason));
+  return finds;
+}
+
+}  // namespace ffcontact::fuzz

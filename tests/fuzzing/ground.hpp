@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "checks.hpp"
+
+/// What the checks share: geometry, W and values on the mesh that an answer is given on.
+namespace ffcontact::fuzz {
+
+using Corners = Eigen::Matrix<double, 2, 3>;
+using EdgeKey = std::pair<int, int>;
+inline EdgeKey key(int a, int b) { return std::minmax(a, b); }
+
+inline double area_of(const Corners& x) {
+  const Eigen::Vector2d u = x.col(1) - x.col(0), v = x.col(2) - x.col(0);
+  return (u.x() * v.y() - u.y() * v.x()) / 2;
+}
+
+/// Weights of the corners at a point.
+inline Eigen::Vector3d weights_at(const Corners& corners, const Eigen::Vector2d& x) {
+  Eigen::Vector3d w;
+  for (int k = 0; k < 3; ++k) {
+    Corners part = corners;
+    part.col(k) = x;
+    w[k] = area_of(part);
+  }
+  return w / area_of(corners);
+}
+
+template <class... Parts>
+Find find(const char* check, const Parts&... parts) {
+  std::ostringstream text;
+  text.precision(6);
+  ((text << parts), ...);
+  return {check, text.str()};
+}
+
+/// The largest of many values and where it was.
+struct Largest {
+  double value = 0;
+  int place = -1;
+  void note(double candidate, int where) {
+    if (!(candidate <= value)) {  // NaN is the largest
+      value = candidate;
+      place = where;
+    }
+  }
+};
+
+/// The mesh and line of the estimate with the case's data on them.
+struct Ground {
+  const Mesh& mesh;
+  const ContactLine& line;
+  std::vector<int> region;
+  std::vector<int> parent;                              ///< triangle of the case
+  Eigen::VectorXd friction, slip_bound, gap, previous;  ///< at the nodes; slip_bound may be empty
+  std::vector<char> prescribed;
+};
+Ground ground_of(const Assembled& parts, const Estimate& estimate);
+
+/// Value at a point of a function that is linear on the edges of the line, on its edge with this normal.
+double value_on_line(const Assembled& parts, const Eigen::VectorXd& values, const Eigen::Vector2d& point,
+                     const Eigen::Vector2d& normal);
+
+/// int psi_i psi_j over edges of given nodes and vertices.
+Dense mass_of(const Mesh& mesh, const ContactLine& line);
+
+/// (u_n - gap, u_t - previous) at the nodes.
+Eigen::Matrix2Xd against_foundation(const ContactLine& line, const Eigen::VectorXd& gap,
+                                    const Eigen::VectorXd& previous, const Eigen::VectorXd& u);
+
+/// C eps(u) of one triangle.
+Eigen::Vector3d stress_of(const Mesh& mesh, int triangle, const Eigen::Matrix3d& C, const Eigen::VectorXd& u);
+
+/// Largest displacement, given or found: what those that vanish are small against.
+double displacement_scale(const Assembled& parts, const Eigen::VectorXd& u);
+
+/// Largest stress of a displacement, and of the loads; not below what rounding of displacements makes of them.
+double stress_scale(const Assembled& parts, const Ground& ground, const Eigen::VectorXd& u);
+
+Corners corners_at(const Mesh& mesh, int triangle);
+/// Corners of subtriangle k: k+1, k+2, centroid.
+Corners subtriangle(const Corners& corners, int k);
+
+}  // namespace ffcontact::fuzz

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "ground.hpp"
+
+namespace ffcontact::fuzz {
+
+namespace {
+
+constexpr double of_the_whole = 1e-10, of_the_row = 1e-6, law_tolerance = 1e-9, geometry_tolerance = 1e-9;
+
+/// The contact label and opposite label of each boundary edge on the line, by its vertices in counter-clockwise order.
+struct Labelled {
+  int contact;  ///< which of Case::contacts
+  bool opposite;
+};
+std::map<std::pair<int, int>, Labelled> labelled_edges(const Case& problem, const Assembled& parts) {
+  std::map<EdgeKey, int> column;
+  const Mesh& mesh = parts.mesh();
+  for (int e = 0; e < mesh.boundary.cols(); ++e) column[key(mesh.boundary(0, e), mesh.boundary(1, e))] = e;
+  std::map<std::pair<int, int>, Labelled> result;
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t);
+      const auto found = column.find(key(a, b));
+      if (found == column.end()) continue;
+      const int label = mesh.boundary_label[found->second];
+      for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
+        const Contact& contact = problem.contacts[c];
+        for (int own : contact.labels)
+          if (label == parts.joined.label(contact.body, own)) result[{a, b}] = {static_cast<int>(c), false};
+        if (contact.opposite_body >= 0 && label == parts.joined.label(contact.opposite_body, contact.opposite_label))
+          result[{a, b}] = {static_cast<int>(c), true};
+      }
+    }
+  return result;
+}
+
+struct Segment {
+  Eigen::Vector2d a, b;
+  Eigen::Vector2d along() const { return (b - a).normalized(); }
+  Eigen::Vector2d outward() const { return {along().y(), -along().x()}; }
+  double length() const { return (b - a).norm(); }
+};
+
+Segment segment(const Mesh& mesh, const std::pair<int, int>& ends) {
+  return {mesh.vertices.col(ends.first), mesh.vertices.col(ends.second)};
+}
+
+/// int psi_i phi_j over the parts of the line that face edges of the opposite label along n.
+Dense coupling(const Case& problem, const Assembled& parts) {
+  const ContactLine& line = parts.line;
+  const auto labelled = labelled_edges(problem, parts);
+  Dense D = Dense::Zero(line.node_count(), parts.mesh().vertices.cols());
+  const double gauss = 0.5 / std::sqrt(3.0);
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const std::pair<int, int> ends(line.vertex[line.edge_node(0, e)], line.vertex[line.edge_node(1, e)]);
+    const Segment own = segment(parts.mesh(), ends);
+    for (const auto& [other_ends, what] : labelled) {
+      if (!what.opposite || what.contact != labelled.at(ends).contact) continue;
+      const Segment other = segment(parts.mesh(), other_ends);
+      if (own.outward().dot(other.outward()) > -0.99) continue;
+      const auto place = [&](const Eigen::Vector2d& y) { return (y - own.a).dot(own.along()) / own.length(); };
+      const double from = place(other.b), to = place(other.a);  // the other edge runs backwards
+      const double begin = std::max(0.0, from), end = std::min(1.0, to);
+      for (double x : {0.5 - gauss, 0.5 + gauss}) {
+        if (end <= begin) break;
+        const double s = begin + x * (end - begin), r = (s - from) / (to - from);
+        const double weight = 0.5 * (end - begin) * own.length();
+        for (int i = 0; i < 2; ++i) {
+          const double psi = weight * (i == 0 ? 1 - s : s);
+          D(line.edge_node(i, e), other_ends.second) += psi * (1 - r);
+          D(line.edge_node(i, e), other_ends.first) += psi * r;
+        }
+      }
+    }
+  }
+  return D;
+}
+
+void check_edges(const Case& problem, const Assembled& parts, Finds& finds) {
+  auto expected = labelled_edges(problem, parts);
+  const ContactLine& line = parts.line;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int i = line.edge_node(0, e), j = line.edge_node(1, e);
+    const auto found = expected.find({line.vertex[i], line.vertex[j]});
+    if (found == expected.end() || found->second.opposite) {
+      finds.push_back(find("line", "contact edge ", e, " is no edge of the contact labels, or is there twice"));
+      return;
+    }
+    const Segment edge = segment(parts.mesh(), found->first);
+    if (std::abs(line.length[e] - edge.length()) > geometry_tolerance * edge.length())
+      finds.push_back(find("line", "length of edge ", e));
+    for (int node : {i, j})
+      if ((line.normal.col(node) - edge.outward()).norm() > 1e-6)
+        finds.push_back(find("line", "normal of node ", node, " is not that of its edge"));
+    expected.erase(found);
+  }
+  for (const auto& [ends, what] : expected)
+    if (!what.opposite) finds.push_back(find("line", "the edge from ", ends.first, " to ", ends.second, " is missing"));
+}
+
+/// Two edges in a row share their node where they are straight to well above rounding, and only there.
+void check_corners(const Assembled& parts, Finds& finds) {
+  const ContactLine& line = parts.line;
+  const double far = parts.mesh().vertices.cwiseAbs().maxCoeff();
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int f = 0; f < line.edge_count(); ++f) {
+      const int end = line.edge_node(1, e), start = line.edge_node(0, f);
+      if (line.vertex[end] != line.vertex[start]) continue;
+      const Segment first = segment(parts.mesh(), {line.vertex[line.edge_node(0, e)], line.vertex[end]});
+      const Segment second = segment(parts.mesh(), {line.vertex[start], line.vertex[line.edge_node(1, f)]});
+      const double sine = std::abs(first.along().dot(second.outward()));
+      const double rounding = 4e-16 * far / std::min(first.length(), second.length());
+      if (end != start && sine < 2 * rounding + 1e-12)
+        finds.push_back(
+            find("line", "two nodes at vertex ", line.vertex[end], " where the line is straight to ", sine));
+      if (end == start && sine > 1e-3)
+        finds.push_back(find("line", "one node at vertex ", line.vertex[end], " where the line turns by ", sine));
+    }
+}
+
+void check_coupling(const Case& problem, const Assembled& parts, Finds& finds) {
+  if (problem.bodies.size() == 1) return;
+  const Dense M = mass_of(parts.mesh(), parts.line),
+              difference = M * Dense(parts.line.opposite) - coupling(problem, parts);
+  const double defect = difference.cwiseAbs().maxCoeff() / M.cwiseAbs().maxCoeff();
+  if (!(defect <= 1e-8)) finds.push_back(find("coupling", "int psi phi is off by ", defect));
+}
+
+Eigen::VectorXd contact_load(const Assembled& parts, const Eigen::Matrix2Xd& force) {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(parts.load.size());
+  for (int i = 0; i < parts.line.node_count(); ++i) {
+    const Eigen::Vector2d n = parts.line.normal.col(i), t(-n.y(), n.x());
+    const Eigen::Vector2d F = force(0, i) * n + force(1, i) * t;
+    load.segment<2>(2 * parts.line.vertex[i]) += F;
+    if (parts.line.opposite.rows() > 0)
+      for (WeightsByNode::InnerIterator part(parts.line.opposite, i); part; ++part)
+        load.segment<2>(2 * part.col()) -= part.value() * F;
+  }
+  return load;
+}
+
+void check_balance(const Assembled& parts, const ContactSolution& solution, Finds& finds) {
+  const Eigen::VectorXd contact = contact_load(parts, solution.force), &u = solution.displacement;
+  const Eigen::VectorXd residual = parts.stiffness * u - parts.load - contact;
+  const Eigen::VectorXd largest = Eigen::VectorXd::Constant(u.size(), displacement_scale(parts, u));
+  const Eigen::VectorXd size = parts.stiffness.cwiseAbs() * largest + parts.load.cwiseAbs() + contact.cwiseAbs();
+  Largest whole, row;
+  for (int dof = 0; dof < residual.size(); ++dof) {
+    if (parts.prescribed[dof]) continue;
+    const double of_vertex = std::max(size[dof], size[dof ^ 1]);
+    whole.note(std::abs(residual[dof]), dof);
+    row.note(of_vertex > 0 ? std::abs(residual[dof]) / of_vertex : std::abs(residual[dof]), dof);
+  }
+  const double scale = size.size() > 0 ? size.maxCoeff() : 0;
+  if (!(whole.value <= of_the_whole * scale))
+    finds.push_back(find("balance", "dof ", whole.place, " by ", whole.value / scale, " of the largest force"));
+  if (!(row.value <= of_the_row))
+    finds.push_back(find("balance", "dof ", row.place, " by ", row.value, " of the forces there"));
+}
+
+void check_supports(const Assembled& parts, const ContactSolution& solution, Finds& finds) {
+  for (int dof = 0; dof < parts.value.size(); ++dof)
+    if (parts.prescribed[dof] &&
+        !(std::abs(solution.displacement[dof] - parts.value[dof]) <= 1e-12 * parts.value.cwiseAbs().maxCoeff()))
+      finds.push_back(find("support", "dof ", dof, " is ", solution.displacement[dof], ", not ", parts.value[dof]));
+}
+
+/// Nodes at which complementarity is not asked: some prescribed value stands in W u.
+struct Held {
+  bool some, all;
+};
+Held held(const Assembled& parts, const Dense& W, int node) {
+  Held result{false, true};
+  for (int j = 0; j < W.cols(); ++j)
+    for (int c = 0; c < 2 && W(node, j) != 0; ++c) {
+      const bool fixed = parts.prescribed[2 * parts.line.vertex[j] + c];
+      result.some = result.some || (fixed && j == node);
+      result.all = result.all && fixed;
+    }
+  return result;
+}
+
+void check_law(const Case& problem, const Assembled& parts, const ContactSolution& solution, Finds& finds) {
+  const ContactLine& line = parts.line;
+  const int p = line.node_count();
+  const bool pressures = problem.multiplier == Multiplier::pressure;
+  const Dense M = mass_of(parts.mesh(), line), W = pressures ? M : Dense::Identity(p, p);
+  const Eigen::Matrix2Xd w = against_foundation(line, parts.law.gap, parts.law.previous, solution.displacement);
+  const Eigen::Matrix2Xd v = w * W.transpose(), &P = pressures ? solution.pressure : solution.force;
+  const double u_scale = displacement_scale(parts, solution.displacement);
+  const double v_scale = u_scale * W.rowwise().sum().maxCoeff();
+  Eigen::VectorXd bound = parts.law.friction.cwiseProduct((-P.row(0)).cwiseMax(0.0).transpose());
+  if (problem.law == Law::tresca) bound = pressures ? parts.law.slip_bound : Eigen::VectorXd(M * parts.law.slip_bound);
+  const double P_scale = std::max(P.cwiseAbs().maxCoeff(), problem.law == Law::tresca ? bound.maxCoeff() : 0.0);
+  const double P_zero = law_tolerance * P_scale, v_zero = law_tolerance * v_scale;
+  const auto complain = [&](int node, const char* what, double by, double scale) {
+    finds.push_back(find("law", what, " at node ", node, " by ", by / scale));
+  };
+  for (int i = 0; i < p; ++i) {
+    if (!(P(0, i) <= P_zero)) complain(i, "tension", P(0, i), P_scale);
+    if (!(v(0, i) <= v_zero)) complain(i, "penetration", v(0, i), v_scale);
+    if (!(std::abs(P(1, i)) <= bound[i] + P_zero))
+      complain(i, "friction beyond the bound", std::abs(P(1, i)) - bound[i], P_scale);
+    const Held fixed = held(parts, W, i);
+    if (pressures ? fixed.all : fixed.some) continue;
+    if (P(0, i) < -P_zero && v(0, i) < -v_zero) complain(i, "a force across the gap", v(0, i), v_scale);
+    if (std::abs(P(1, i)) < bound[i] - P_zero && std::abs(v(1, i)) > v_zero)
+      complain(i, "slip below the bound", v(1, i), v_scale);
+    if (std::abs(P(1, i)) > P_zero && std::abs(v(1, i)) > v_zero && P(1, i) * v(1, i) > 0)
+      complain(i, "friction along the slip", P(1, i), P_scale);
+  }
+  const double defect = pressures ? (solution.force - solution.pressure * M).cwiseAbs().maxCoeff() : 0;
+  if (!(defect <= 1e-9 * solution.force.cwiseAbs().maxCoeff()))
+    finds.push_back(find("law", "forces are not M times pressures"));
+}
+
+}  // namespace
+
+Finds line_finds(const Case& problem, const Assembled& parts) {
+  Finds finds;
+  check_edges(problem, parts, finds);
+  check_corners(parts, finds);
+  if (finds.empty()) check_coupling(problem, parts, finds);
+  return finds;
+}
+
+Feasible feasible(const Case& problem, const Assembled& parts) {
+  const ContactLine& line = parts.line;
+  const Eigen::VectorXd& gap = parts.law.gap;
+  const double scale = std::max(parts.value.cwiseAbs().maxCoeff(), gap.cwiseAbs().maxCoeff());
+  Feasible result = Feasible::yes;
+  const auto worsen = [&](Feasible to) {
+    if (result != Feasible::no) result = to;
+  };
+  const Eigen::Matrix2Xd w = against_foundation(line, gap, {}, parts.value);
+  for (int i = 0; i < line.node_count(); ++i) {
+    const int x = 2 * line.vertex[i];
+    bool movable = false;
+    for (int c = 0; c < 2; ++c) movable = movable || (!parts.prescribed[x + c] && std::abs(line.normal(c, i)) > 1e-6);
+    if (!movable && w(0, i) > 0)
+      worsen(w(0, i) > 1e-6 * scale && problem.bodies.size() == 1 ? Feasible::no : Feasible::unknown);
+    for (int j = 0; j < i && movable;
+         ++j)  // two nodes of one vertex with one free component may ask for opposite motions
+      if (line.vertex[j] == line.vertex[i] && (parts.prescribed[x] || parts.prescribed[x + 1]))
+        worsen(Feasible::unknown);
+  }
+  return result;
+}
+
+Finds solution_finds(const Case& problem, const Assembled& parts, const ContactSolution& solution) {
+  Finds finds;
+  check_balance(parts, solution, finds);
+  check_supports(parts, solution, finds);
+  check_law(problem, parts, solution, finds);
+  return finds;
+}
+
+}  // namespace ffcontact::fuzz
