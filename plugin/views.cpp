@@ -37,9 +37,15 @@ class PointEvaluator {
     const Fem2D::Triangle& triangle = mesh_[t];
     point_->set(mesh_, triangle(hat), hat, triangle, triangle.lab);
   }
+  /// What the evaluation made is freed at once: FreeFEM frees temporaries only at the end of the statement. Those that were there
+  /// before are the statement's own: texts of a sum, a mesh among the arguments.
   double value(Expression expression) const {
+    StackOfPtr2Free& temporaries = *WhereStackOfPtr2Free(stack_);
+    const auto own = static_cast<int>(temporaries.size());
+    const int own_memory = temporaries.topmemory4tmp;
     const double result = GetAny<double>((*expression)(stack_));
-    WhereStackOfPtr2Free(stack_)->clean();  // FreeFEM frees temporaries only at the end of the statement
+    temporaries.clean(own);
+    temporaries.topmemory4tmp = own_memory;  // clean() gives all of it away
     return result;
   }
 
