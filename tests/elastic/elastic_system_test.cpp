@@ -132,6 +132,45 @@ TEST(ElasticSystem, values_at_a_corner_whose_neighbours_are_all_prescribed_are_r
   EXPECT_EQ(refusal_of(system), "accepted");
 }
 
+/// A square of 2 x 2 cells held all around but for the vertical dof of the middle of its lower side, 2.
+constexpr int only_free = 2 * 1 + 1;
+Assembled held_but_for_one_dof(double tgv) {
+  const Problem problem = body(rectangle(2, 2, 2, 2), material(100, 0.3));
+  Assembled system{problem.A, problem.b};
+  for (int dof = 0; dof < 2 * problem.mesh.vertex_count(); ++dof)
+    if (dof != only_free) prescribe(system, dof, 0, tgv);
+  return system;
+}
+
+TEST(ElasticSystem, a_free_dof_without_free_neighbours_is_free_with_every_tgv) {
+  for (double tgv : {1e30, -1.0, -2.0}) {
+    const std::vector<char> prescribed = prescribed_dofs(held_but_for_one_dof(tgv).A);
+    for (int dof = 0; dof < 18; ++dof) EXPECT_EQ(prescribed[dof], dof != only_free) << "dof " << dof << ", tgv " << tgv;
+  }
+}
+
+TEST(ElasticSystem, a_dof_penalised_where_tgv_of_minus_2_left_nothing_else_is_prescribed) {
+  Assembled system = pulled_square(-2, 0);
+  system.A.coeffRef(0, 0) = 1e30;
+  EXPECT_TRUE(prescribed_dofs(system.A)[0]);
+}
+
+TEST(ElasticSystem, a_scaled_matrix_prescribes_the_same_dofs) {
+  for (double tgv : {1e30, -1.0, -2.0}) {
+    const RowMatrix scaled = 1e-3 * pulled_square(tgv, 0).A;
+    EXPECT_EQ(prescribed_dofs(scaled), prescribed_dofs(pulled_square(tgv, 0).A)) << "tgv " << tgv;
+  }
+}
+
+TEST(ElasticSystem, refuses_a_scaled_matrix_that_leaves_open_which_dofs_are_free) {
+  const Assembled system = held_but_for_one_dof(-2);
+  const RowMatrix scaled = 0.5 * system.A;
+  EXPECT_EQ(refusal([&] { elastic_system(scaled, system.b); }),
+            "dof 0 has nothing but its diagonal 0.5 in A, others have another value, and none is 1: which of them are "
+            "prescribed "
+            "cannot be told; assemble A and b with tgv=-1 or the default tgv");
+}
+
 TEST(ElasticSystem, refuses_prescribed_values_whose_columns_are_gone) {
   EXPECT_EQ(refusal_of(pulled_square(-2, 0.25)),
             "dof 0 is prescribed to 0.25 but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");

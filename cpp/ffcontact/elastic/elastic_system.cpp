@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/elastic_system.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ffcontact/base/require.hpp"
@@ -23,6 +24,43 @@ RowSums row_sums(const RowMatrixView& A, Eigen::Index row) {
   for (RowIterator entry(A, row); entry; ++entry)
     (entry.col() == row ? sums.diagonal : sums.others) += std::abs(entry.value());
   return sums;
+}
+
+/// Where the entries of A off its diagonal are.
+struct OffDiagonal {
+  std::vector<char> in_column;  ///< 1 where a column has any
+  double largest = 0;
+};
+
+OffDiagonal off_diagonal(const RowMatrixView& A) {
+  OffDiagonal result{std::vector<char>(A.cols(), 0)};
+  for (Eigen::Index row = 0; row < A.rows(); ++row)
+    for (RowIterator entry(A, row); entry; ++entry) {
+      if (entry.col() == row || entry.value() == 0) continue;
+      result.in_column[entry.col()] = 1;
+      result.largest = std::max(result.largest, std::abs(entry.value()));
+    }
+  return result;
+}
+
+/// Of the dofs that have nothing but a diagonal, neither in their row nor in their column, marks those that are prescribed: with
+/// tgv=-2 a free dof whose neighbours are all prescribed looks like them, but for its diagonal. FreeFEM prescribes with 1; in a
+/// matrix that was scaled afterwards with another value, which then is that of them all.
+void mark_isolated(const RowMatrixView& A, const std::vector<Eigen::Index>& isolated, std::vector<char>& prescribed) {
+  if (isolated.empty()) return;
+  double unit = A.coeff(isolated.front(), isolated.front());
+  bool one_value = true;
+  for (const Eigen::Index dof : isolated) {
+    const double diagonal = A.coeff(dof, dof);
+    one_value = one_value && diagonal == unit;
+    if (diagonal == 1) unit = 1;
+  }
+  if (unit != 1 && !one_value)
+    refuse("dof ", isolated.front(), " has nothing but its diagonal ", unit,
+           " in A, others have another value, and none is 1: which of them are prescribed cannot be told; assemble A "
+           "and b with "
+           "tgv=-1 or the default tgv");
+  for (const Eigen::Index dof : isolated) prescribed[dof] = A.coeff(dof, dof) == unit;
 }
 
 void require_finite_entries(const RowMatrixView& A) {
@@ -61,11 +99,18 @@ void require_columns(const RowMatrixView& A, const std::vector<char>& prescribed
 }  // namespace
 
 std::vector<char> prescribed_dofs(const RowMatrixView& A) {
-  std::vector<char> prescribed(A.rows());
+  const OffDiagonal others = off_diagonal(A);
+  std::vector<char> prescribed(A.rows(), 0);
+  std::vector<Eigen::Index> isolated;
   for (Eigen::Index row = 0; row < A.rows(); ++row) {
     const RowSums sums = row_sums(A, row);
-    prescribed[row] = sums.diagonal > 0 && sums.diagonal > penalty_ratio * sums.others;
+    if (sums.diagonal == 0) continue;
+    const bool alone = sums.others == 0 && !others.in_column[row];
+    const double scale = alone ? others.largest : sums.others;
+    prescribed[row] = sums.diagonal > penalty_ratio * scale && !(alone && scale == 0);
+    if (alone && !prescribed[row]) isolated.push_back(row);
   }
+  mark_isolated(A, isolated, prescribed);
   return prescribed;
 }
 

@@ -24,15 +24,18 @@ struct ElasticSystem {
 };
 
 /// The system as FreeFEM assembles it. A dof is prescribed when its row is penalised (tgv = 1e30: the diagonal exceeds the
-/// rest of the row by 1e12, value = b / diagonal) or has nothing but a diagonal (tgv = -1 or -2, value = b / diagonal).
-/// @throws std::invalid_argument  if sizes differ, a value of A or b is not finite, A is not symmetric on the free dofs, or a
-///                                prescribed value is not zero where the columns of A are gone (tgv = -2)
+/// rest of the row by 1e12, value = b / diagonal) or has nothing but a diagonal (tgv = -1 or -2, value = b / diagonal). With -2
+/// a free dof whose neighbours are all prescribed has nothing but a diagonal either: its stiffness, where the others have 1.
+/// @throws std::invalid_argument  if sizes differ, a value of A or b is not finite, A is not symmetric on the free dofs, a
+///                                prescribed value is not zero where the columns of A are gone (tgv = -2), or such a matrix was
+///                                scaled and has free dofs without free neighbours
 ElasticSystem elastic_system(const RowMatrixView& A, const Eigen::Ref<const Eigen::VectorXd>& b);
 
 /// Several bodies as one system of separate blocks, in the order of joined_mesh.
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);
 
 /// 1 where the row of A prescribes its dof.
+/// @throws std::invalid_argument  as elastic_system, for a scaled matrix
 std::vector<char> prescribed_dofs(const RowMatrixView& A);
 
 /// K without boundary conditions, K_ij = int C eps(phi_i) : eps(phi_j).
