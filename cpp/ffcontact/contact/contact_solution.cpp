@@ -7,6 +7,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/feasibility.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
 #include "ffcontact/contact/friction_continuation.hpp"
 
@@ -146,6 +147,7 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   std::vector<ContactState> start = settings.initial_state;
   if (start.empty()) start.assign(line.node_count(), ContactState::stick);
   require_size("initial state", static_cast<Eigen::Index>(start.size()), line.node_count());
+  require_feasible(mesh, line, law, system);
   require_balance(mesh, line, law, system);
 
   // 1. The body as the contact line sees it, P = S v - g.

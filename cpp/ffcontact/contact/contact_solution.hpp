@@ -55,7 +55,8 @@ struct ContactSolution {
 ///
 /// Where contact leaves a motion free on which no load works (a body on a frictionless plane), displacements are determined
 /// up to it, and one of them is returned.
-/// @throws std::invalid_argument  for input that does not fit, or loads that contact cannot balance (with the motion named)
+/// @throws std::invalid_argument  for input that does not fit, prescribed displacements that penetrate (require_feasible), or
+///                                loads that contact cannot balance (with the motion named)
 /// @throws std::runtime_error     if a part of the body is held by nothing
 ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
                               const ElasticSystem& system, const ContactSettings& settings = {});
