@@ -86,6 +86,13 @@ NamedArguments::Table ContactArguments::table(const NamedArguments::Table& own, 
   return table;
 }
 
+Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
+  const std::string name = named.text(stack, "multiplier", "force");
+  if (name == "pressure") return Multiplier::pressure;
+  if (name != "force") refuse("multiplier must be \"pressure\" or \"force\", got \"", name, "\"");
+  return Multiplier::force;
+}
+
 ContactArguments::ContactArguments(Stack stack, const NamedArguments& named,
                                    const std::vector<const Fem2D::Mesh*>& meshes)
     : joined(joined_meshes(meshes)), fem_meshes(meshes), edges(edges_of(joined.mesh)) {

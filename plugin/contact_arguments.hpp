@@ -14,6 +14,10 @@ const char* name_of_body(const char* name, int body, int bodies);
 /// Parameters that every body has, named for each of them.
 NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, int bodies);
 
+/// Reads multiplier=: what pn and pt stand for.
+/// @throws std::invalid_argument  if it is neither "force" nor "pressure"
+Multiplier multiplier_of(Stack stack, const NamedArguments& named);
+
 /// What every script function that knows of contact takes: one mesh or several, and label=, friction=, slipbound=, gap=,
 /// normal=[nx, ny] (one contact direction a vertex in place of the edges' normals), previous= (displacement of the load step
 /// before; an empty array is none).

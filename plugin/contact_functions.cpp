@@ -3,6 +3,7 @@
 #include "ffcontact/contact/cone_correction.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/multiplier_projection.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
 //
 #include "contact_arguments.hpp"
 #include "guard.hpp"
@@ -11,12 +12,6 @@
 namespace ffcontact::plugin {
 
 namespace {
-
-Multiplier multiplier_named(const std::string& name) {
-  if (name == "pressure") return Multiplier::pressure;
-  if (name == "force") return Multiplier::force;
-  refuse("multiplier must be \"pressure\" or \"force\", got \"", name, "\"");
-}
 
 ContactSolver solver_named(const std::string& name) {
   if (name == "newton") return ContactSolver::newton;
@@ -108,7 +103,7 @@ class ContactSolve : public E_F0mps {
     const ElasticSystem system = bodies == 1 ? std::move(systems.front()) : joined_systems(systems);
 
     ContactLaw law = contact.law;
-    law.multiplier = multiplier_named(named_.text(stack, "multiplier", "force"));
+    law.multiplier = multiplier_of(stack, named_);
     const ContactSettings settings = settings_of(stack, contact.line);
     const ContactSolution solution = solve_contact(contact.mesh, contact.line, law, system, settings);
     if (!solution.accepted(settings) && !named_.given("status"))
@@ -117,7 +112,7 @@ class ContactSolve : public E_F0mps {
 
     for (int k = 0; k < bodies; ++k)
       vector_of(u[k]) = solution.displacement.segment(contact.first_dof(k), contact.dof_count(k));
-    put(stack, contact, solution);
+    put(stack, contact, law.multiplier, system.prescribed, solution);
     report(stack, contact, solution, CPUtime() - start);
     return solution.iterations;
   }
@@ -135,10 +130,14 @@ class ContactSolve : public E_F0mps {
     return settings;
   }
 
-  void put(Stack stack, const ContactArguments& contact, const ContactSolution& solution) const {
+  void put(Stack stack, const ContactArguments& contact, Multiplier multiplier, const std::vector<char>& prescribed,
+           const ContactSolution& solution) const {
+    const Eigen::Matrix2Xd pressure = multiplier == Multiplier::pressure
+                                          ? solution.pressure
+                                          : lumped_pressures(contact.line, prescribed, solution.force);
     const Counts counts = counted(solution.state);
-    named_.put(stack, "pn", Eigen::VectorXd(solution.pressure.row(0)));
-    named_.put(stack, "pt", Eigen::VectorXd(solution.pressure.row(1)));
+    named_.put(stack, "pn", Eigen::VectorXd(pressure.row(0)));
+    named_.put(stack, "pt", Eigen::VectorXd(pressure.row(1)));
     named_.put(stack, "fn", Eigen::VectorXd(solution.force.row(0)));
     named_.put(stack, "ft", Eigen::VectorXd(solution.force.row(1)));
     named_.put_integers(stack, "node", contact.own_vertex);
@@ -197,7 +196,7 @@ class ContactProject : public E_F0mps {
   long run(Stack stack) const {
     const ContactArguments contact(stack, named_, {value_of<pmesh>(stack, mesh_)});
     ContactLaw law = contact.law;
-    law.multiplier = multiplier_named(named_.text(stack, "multiplier", "force"));
+    law.multiplier = multiplier_of(stack, named_);
     KN<double>*pn = GetAny<KN<double>*>((*normal_)(stack)), *pt = GetAny<KN<double>*>((*tangential_)(stack));
     const int nodes = contact.line.node_count();
     const Eigen::Matrix2Xd pressure =
@@ -227,7 +226,9 @@ class ConeCorrectionFunction : public E_F0mps {
   using Result = long;
 
   explicit ConeCorrectionFunction(const basicAC_F0& arguments)
-      : named_(arguments, ContactArguments::table({{"verbosity", &typeid(long)},
+      : named_(arguments, ContactArguments::table({{"multiplier", &typeid(string*)},
+                                                   {"A", &typeid(Matrice_Creuse<double>*)},
+                                                   {"verbosity", &typeid(long)},
                                                    {"rn", &typeid(KN<double>*)},
                                                    {"rt", &typeid(KN<double>*)},
                                                    {"shift", &typeid(KN<double>*)},
@@ -247,10 +248,11 @@ class ConeCorrectionFunction : public E_F0mps {
  private:
   long run(Stack stack) const {
     const ContactArguments contact(stack, named_, {value_of<pmesh>(stack, mesh_)});
-    const Eigen::Matrix2Xd pressure =
+    const Eigen::Matrix2Xd given =
         contact.pressures(GetAny<KN<double>*>((*normal_)(stack)), GetAny<KN<double>*>((*tangential_)(stack)));
-    const ConeCorrection correction =
-        correct_to_cone(contact.line, contact.law, edge_densities(contact.line, pressure));
+    const Eigen::Matrix2Xd density =
+        multiplier_density(contact.line, multiplier_of(stack, named_), prescribed(stack, contact), given);
+    const ConeCorrection correction = correct_to_cone(contact.line, contact.law, edge_densities(contact.line, density));
     const double cone = cone_defect(contact.line, contact.law, correction.densities);
     const auto unmended = static_cast<long>(correction.uncorrected.size());
     named_.put(stack, "rn", correction.densities.normal.reshaped());
@@ -262,6 +264,15 @@ class ConeCorrectionFunction : public E_F0mps {
       cout << "conecorrection: " << contact.line.edge_count() << " edges, " << correction.corrected_count()
            << " corrected, " << unmended << " unmended, cone defect " << cone << endl;
     return unmended;
+  }
+
+  /// The prescribed dofs of A=, or none.
+  std::vector<char> prescribed(Stack stack, const ContactArguments& contact) const {
+    const Expression A = named_.expression("A");
+    if (!A) return std::vector<char>(contact.dof_count(0), 0);
+    const RowMatrix matrix = matrix_of(value_of<Matrice_Creuse<double>*>(stack, A));
+    contact.require_dofs("A", 0, matrix.rows());
+    return prescribed_dofs(matrix);
   }
 
   NamedArguments named_;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
@@ -72,7 +73,8 @@ class ContactErrorFunction : public E_F0mps {
                                             {"syy", &typeid(KN<double>*)},
                                             {"sxy", &typeid(KN<double>*)}},
                                            bodies);
-    own.insert(own.end(), {{"tractions", &typeid(string*)},
+    own.insert(own.end(), {{"multiplier", &typeid(string*)},
+                           {"tractions", &typeid(string*)},
                            {"construction", &typeid(string*)},
                            {"sweeps", &typeid(long)},
                            {"tightness", &typeid(double)},
@@ -106,7 +108,7 @@ class ContactErrorFunction : public E_F0mps {
     }
     const ElasticSystem system = bodies == 1 ? std::move(systems.front()) : joined_systems(systems);
     double oscillation = 0;
-    const SolvedBody body = solved_body(stack, contact, oscillation);
+    const SolvedBody body = solved_body(stack, contact, system.prescribed, oscillation);
     const Estimate estimate = estimate_error(contact.mesh, contact.edges, contact.line, system, body, settings);
     put(stack, contact, estimate);
     put_rates(stack, contact, system, body);
@@ -136,7 +138,8 @@ class ContactErrorFunction : public E_F0mps {
     return settings;
   }
 
-  SolvedBody solved_body(Stack stack, const ContactArguments& contact, double& oscillation) const {
+  SolvedBody solved_body(Stack stack, const ContactArguments& contact, const std::vector<char>& prescribed,
+                         double& oscillation) const {
     const JoinedMesh& joined = contact.joined;
     SolvedBody body;
     body.displacement.resize(contact.first_dof(bodies));
@@ -155,8 +158,11 @@ class ContactErrorFunction : public E_F0mps {
       body.body_loads.middleCols(joined.first_triangle[k], mesh.triangles.cols()) = force.loads;
       oscillation = std::hypot(oscillation, force.oscillation);
     }
-    body.pressure = contact.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));
     body.law = contact.law;
+    body.law.multiplier = multiplier_of(stack, named_);
+    body.pressure = multiplier_density(
+        contact.line, body.law.multiplier, prescribed,
+        contact.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_)));
     return body;
   }
 

@@ -448,16 +448,5 @@ TEST(ContactSolution, every_status_has_words) {
     EXPECT_STRNE(in_words(status), "");
 }
 
-TEST(NodalPressures, solve_the_mass_matrix_without_the_absent_nodes) {
-  const Problem problem = example_1(Multiplier::force, 2);
-  const Eigen::Matrix2Xd expected = (Eigen::Matrix2Xd(2, 5) << -1, -2, -3, -4, -5, 5, 4, 3, 2, 0).finished();
-  Eigen::Array<bool, 2, Eigen::Dynamic> absent(2, 5);
-  absent.setConstant(false);
-  absent(1, 4) = true;
-  Eigen::Matrix2Xd force = expected * contact_mass(problem.line);
-  force(1, 4) = std::nan("");  // must not be read
-  EXPECT_LT(relative_difference(nodal_pressures(problem.line, force, absent), expected), 1e-14);
-}
-
 }  // namespace
 }  // namespace ffcontact

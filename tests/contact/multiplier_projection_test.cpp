@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ffcontact/contact/nodal_pressures.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
 
@@ -13,14 +14,14 @@ namespace {
 
 using namespace test;
 
-/// From pressures to the multipliers of the law: L = L for M'_h, F = M L for M''_h.
-Eigen::SparseMatrix<double> weight_to_multiplier(const Problem& problem) {
+/// From pressures to the multipliers of the law: p for M'_h, F_i = len_i p_i for M''_h.
+Eigen::VectorXd weight_to_multiplier(const Problem& problem) {
   const bool forces = problem.law.multiplier == Multiplier::force;
-  return weight_matrix(forces ? Multiplier::pressure : Multiplier::force, problem.line);
+  return forces ? nodal_lengths(problem.line) : everywhere(problem.line, 1);
 }
 
 Eigen::Matrix2Xd multipliers(const Problem& problem, const Eigen::Matrix2Xd& pressure) {
-  return pressure * weight_to_multiplier(problem);
+  return pressure * weight_to_multiplier(problem).asDiagonal();
 }
 
 Problem random_line(Random& random) {
@@ -48,7 +49,7 @@ RC_GTEST_PROP(MultiplierProjection, with_given_slip_limit_is_the_nearest_multipl
   const int nodes = problem.line.node_count();
   const Eigen::Matrix2Xd pressure = random_matrix(2, nodes, random);
   const Eigen::VectorXd given = -random_vector(nodes, random).cwiseAbs();
-  const Eigen::VectorXd limit = weight_to_multiplier(problem) * given,
+  const Eigen::VectorXd limit = weight_to_multiplier(problem).cwiseProduct(given),
                         bound = -problem.law.friction.cwiseProduct(limit);
   const Eigen::Matrix2Xd P = multipliers(problem, pressure);
   const Eigen::Matrix2Xd projected =
@@ -64,8 +65,11 @@ RC_GTEST_PROP(MultiplierProjection, of_a_solution_changes_nothing, ()) {
   c.support = Support::clamped_top;
   const Problem problem = problem_of(c);
   const ContactSolution solution = solved(problem);
-  const MultiplierProjection projection = projected_multipliers(problem.line, problem.law, solution.pressure);
-  RC_ASSERT((projection.pressure - solution.pressure).cwiseAbs().maxCoeff() < 1e-10);
+  const Eigen::Matrix2Xd pressure = problem.law.multiplier == Multiplier::pressure
+                                        ? solution.pressure
+                                        : lumped_pressures(problem.line, solution.force);
+  const MultiplierProjection projection = projected_multipliers(problem.line, problem.law, pressure);
+  RC_ASSERT((projection.pressure - pressure).cwiseAbs().maxCoeff() < 1e-10);
 }
 
 TEST(MultiplierProjection, refuses_what_does_not_fit) {

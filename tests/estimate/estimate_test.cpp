@@ -115,6 +115,23 @@ RC_GTEST_PROP(Estimate, history_never_rises_and_ends_at_the_error, ()) {
   RC_ASSERT(estimate.history[4] == estimate.e);
 }
 
+/// Where nothing is left to relax, what a sweep changes is rounding, and does not grow.
+TEST(Estimate, keeps_equilibrium_however_many_sweeps_are_asked_for) {
+  for (const int cells : {1, 2}) {
+    Problem problem = body(rectangle(cells, cells, 1, 1), material(1000, 0.3));
+    clamp(problem, top, [](const Eigen::Vector2d&) -> Eigen::Vector2d { return {0.02, -0.01}; });
+    set_friction(problem, 0.3);
+    const ContactSolution solution = solved(problem);
+    const double enough = estimated(problem, solution, sweeps(40)).e;
+    for (const int count : {2, 20, 202, 1000}) {
+      const Estimate estimate = estimated(problem, solution, sweeps(count));
+      EXPECT_TRUE(estimate.admissible) << cells << " cells, " << count << " sweeps: " << estimate.reason;
+      EXPECT_LT(estimate.history.size(), 400u);
+      EXPECT_NEAR(estimate.e, enough, count > 40 ? 1e-9 * enough : enough);
+    }
+  }
+}
+
 RC_GTEST_PROP(Estimate, does_not_depend_on_the_scale_of_the_loads, ()) {
   const Case c = *random_case(0.5);
   const double factor = *rc::gen::element(1e-4, 20.0, 1e5);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
 
@@ -68,27 +69,6 @@ std::map<int, VertexMotion> number_rows(const ContactLine& line, const std::vect
       contact.dependent.push_back(row);
     }
   return motions;
-}
-
-/// The other node of an edge at each node [p].
-Eigen::VectorXi neighbours(const ContactLine& line) {
-  Eigen::VectorXi neighbour(line.node_count());
-  for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end) neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
-  return neighbour;
-}
-
-/// CondensedContact::continued.
-std::vector<int> continued_rows(const ContactLine& line, const std::vector<char>& prescribed,
-                                const std::vector<int>& dependent) {
-  const Eigen::VectorXi neighbour = neighbours(line);
-  std::vector<int> continued;
-  for (int row : dependent) {
-    const int v = line.vertex[row / 2];
-    const bool clamped = prescribed[2 * v] && prescribed[2 * v + 1], held = prescribed[2 * v] || prescribed[2 * v + 1];
-    continued.push_back(clamped || (held && row % 2 == 0) ? 2 * neighbour[row / 2] + row % 2 : -1);
-  }
-  return continued;
 }
 
 /// The opposite vertices that carry no rows move by their free components. Returns the number of all unknowns.
@@ -263,7 +243,8 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
   contact.kept_dofs = contact_dofs(line, system);
   std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
   if (contact.primary.empty()) refuse("every dof of the contact line is prescribed");
-  contact.continued = continued_rows(line, system.prescribed, contact.dependent);
+  const std::vector<int> continued = continued_rows(line, system.prescribed);
+  for (int row : contact.dependent) contact.continued.push_back(continued[row]);
   const int unknowns = number_opposite(line, system.prescribed, static_cast<int>(contact.primary.size()), motions);
 
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);

@@ -24,18 +24,15 @@ namespace ffcontact {
 /// S~_oo is the stiffness with the traces glued to each other, hence definite when contact can hold the bodies at all.
 ///
 /// At a vertex with one free dof the primary row is the normal one unless the dof is tangential.
-///
-/// Where no equation determines the multiplier of a prescribed dof, lambda_t = 0 at a vertex that may move along n (symmetry
-/// demands it there); lambda_n, and both at a clamped vertex, are continued from the next node of the line.
 struct CondensedContact {
-  std::vector<int> primary;    ///< row of each primary unknown [f]
-  std::vector<int> dependent;  ///< row of each dependent unknown [d]
-  std::vector<int> continued;  ///< row whose multiplier a dependent row takes where nothing determines it, or -1: 0 [d]
-  Eigen::VectorXi position;    ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
-  Eigen::MatrixXd S;           ///< [f x f]
-  Eigen::VectorXd g;           ///< [f]
-  Eigen::MatrixXd E;           ///< [f x d]
-  Eigen::MatrixXd F;           ///< [d x d], zero on a rigid foundation
+  std::vector<int> primary;          ///< row of each primary unknown [f]
+  std::vector<int> dependent;        ///< row of each dependent unknown [d]
+  std::vector<int> continued;        ///< continued_rows of the dependent ones [d]
+  Eigen::VectorXi position;          ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
+  Eigen::MatrixXd S;                 ///< [f x f]
+  Eigen::VectorXd g;                 ///< [f]
+  Eigen::MatrixXd E;                 ///< [f x d]
+  Eigen::MatrixXd F;                 ///< [d x d], zero on a rigid foundation
   Eigen::VectorXd dependent_offset;  ///< [d]
   std::vector<int> kept_dofs;  ///< free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
   Eigen::SparseMatrix<double> to_kept;  ///< displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]

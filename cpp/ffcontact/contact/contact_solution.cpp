@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/contact_solution.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 
 #include "ffcontact/base/require.hpp"
@@ -10,23 +9,11 @@
 #include "ffcontact/contact/feasibility.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
 #include "ffcontact/contact/friction_continuation.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Components at nodes that no equation of the body moves, so that nodal forces leave their pressures open.
-Eigen::Array<bool, 2, Eigen::Dynamic> immovable(const CondensedContact& contact, int nodes, ContinuedRows& continued) {
-  Eigen::Array<bool, 2, Eigen::Dynamic> absent(2, nodes);
-  absent.setConstant(false);
-  for (std::size_t k = 0; k < contact.dependent.size(); ++k) {
-    if (contact.loads_the_body(static_cast<Eigen::Index>(k))) continue;
-    const int row = contact.dependent[k];
-    absent(row % 2, row / 2) = true;
-    if (contact.continued[k] >= 0) continued.emplace(row, contact.continued[k]);
-  }
-  return absent;
-}
 
 Eigen::VectorXd selected(const Eigen::VectorXd& values, const std::vector<int>& rows) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
@@ -85,16 +72,14 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact, const Nodal
 }
 
 /// The pressures and forces of the multipliers that were solved for.
-void put_multipliers(const ContactLine& line, const ContactLaw& law, const CondensedContact& contact,
+void put_multipliers(const ContactLine& line, const ContactLaw& law, const std::vector<char>& prescribed,
                      const Eigen::Matrix2Xd& P, ContactSolution& solution) {
   if (law.multiplier == Multiplier::pressure) {
     solution.pressure = P;
     solution.force = (weight_of_rows(Multiplier::pressure, line) * P.reshaped()).reshaped(2, P.cols());
   } else {
     solution.force = P;
-    ContinuedRows continued;
-    const auto absent = immovable(contact, line.node_count(), continued);
-    solution.pressure = nodal_pressures(line, P, absent, continued);
+    solution.pressure = consistent_pressures(line, prescribed, P);
   }
 }
 
@@ -109,21 +94,6 @@ const char* in_words(ContactStatus status) {
     case ContactStatus::inaccurate: return "rounding exceeds the tolerance";
   }
   return "";
-}
-
-Eigen::Matrix2Xd nodal_pressures(const ContactLine& line, const Eigen::Matrix2Xd& force,
-                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent, const ContinuedRows& continued) {
-  const auto is_absent = [&](Eigen::Index row) { return absent(row % 2, row / 2); };
-  Eigen::SparseMatrix<double> mass = weight_of_rows(Multiplier::pressure, line);
-  for (const auto& [row, source] : continued)
-    if (!is_absent(source)) mass.coeffRef(source, source) += mass.coeff(source, row);
-  mass.prune([&](Eigen::Index i, Eigen::Index j, double) { return i == j || !(is_absent(i) || is_absent(j)); });
-  Eigen::VectorXd right = force.reshaped();
-  for (Eigen::Index row = 0; row < right.size(); ++row)
-    if (is_absent(row)) right[row] = 0;
-  Eigen::VectorXd pressure = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(mass).solve(right);
-  for (const auto& [row, source] : continued) pressure[row] = pressure[source];
-  return pressure.reshaped(2, line.node_count());
 }
 
 std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& old_abscissa,
@@ -173,7 +143,7 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
       kept_displacement(contact, selected(answer.v, contact.primary), selected(answer.P, contact.dependent)));
   solution.displacement += system.prescribed_value;
   const Eigen::Matrix2Xd P = answer.P.reshaped(2, line.node_count());
-  put_multipliers(line, law, contact, P, solution);
+  put_multipliers(line, law, system.prescribed, P, solution);
 
   // 4. What the theory promises, measured.
   solution.complementarity = complementarity_defect(line, law, solution.displacement, P);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "ffcontact/contact/active_set.hpp"
@@ -68,13 +67,5 @@ std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<co
 
 /// What a status means, as the end of a sentence.
 const char* in_words(ContactStatus status);
-
-/// Absent rows 2 i + c whose pressure is that of another row.
-using ContinuedRows = std::map<int, int>;
-
-/// Pressures L from nodal forces, M L = F on the rows that are not `absent` [2 x p]; L = 0 on those that are, or continued.
-Eigen::Matrix2Xd nodal_pressures(const ContactLine& line, const Eigen::Matrix2Xd& force,
-                                 const Eigen::Array<bool, 2, Eigen::Dynamic>& absent,
-                                 const ContinuedRows& continued = {});
 
 }  // namespace ffcontact

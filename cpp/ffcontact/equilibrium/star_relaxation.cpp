@@ -115,29 +115,43 @@ class Acceleration {
   /// @param sweep  the sweep's corrections; its memory is used up
   double operator()(const StarSetting& setting, EdgeLoadsOfAll&& sweep, EdgeLoadsOfAll& difference) {
     if (direction_.cols() == 0) direction_ = EdgeLoadsOfAll::Zero(12, sweep.cols());
-    Eigen::Matrix<double, 5, Eigen::Dynamic> parts(5, sweep.cols());  // d'Ad, d'Ap, p'Ap, d'g, p'g
+    Eigen::Matrix<double, 6, Eigen::Dynamic> parts(6, sweep.cols());  // d'Ad, d'Ap, p'Ap, d'g, p'g, difference'g
 #pragma omp parallel for
     for (Eigen::Index t = 0; t < sweep.cols(); ++t) {
       const EdgeLoads d = sweep.col(t), p = direction_.col(t), g = setting.gradient(difference, static_cast<int>(t));
       const EdgeLoads A_d = setting.energies[t].lazyProduct(d), A_p = setting.energies[t].lazyProduct(p);
-      parts.col(t) << d.dot(A_d), p.dot(A_d), p.dot(A_p), d.dot(g), p.dot(g);
+      parts.col(t) << d.dot(A_d), p.dot(A_d), p.dot(A_p), d.dot(g), p.dot(g), g.dot(difference.col(t));
     }
-    const Eigen::Matrix<double, 5, 1> sum = parts.rowwise().sum();
+    const Eigen::Matrix<double, 6, 1> sum = parts.rowwise().sum();
+    energy_ = std::abs(sum[5]);
     Eigen::Matrix2d M;
     M << sum[0], sum[1], sum[1], sum[2];
     const Eigen::Vector2d slope(sum[3], sum[4]);
     const Eigen::Vector2d step = -M.completeOrthogonalDecomposition().solve(slope);
     const double fall = -step.dot(M * step) - 2 * step.dot(slope);
-    if (!(fall > 0)) return 0;
+    if (!(fall > 0) || step.cwiseAbs().maxCoeff() > longest_step) {
+      direction_ = std::move(sweep);
+      return 0;
+    }
     difference += step[0] * sweep + step[1] * direction_;
     direction_ *= step[1];
     direction_ += (1 + step[0]) * sweep;
     return fall;
   }
 
+  /// The square of the elastic part after the sweep, up to the part of body forces.
+  double energy() const { return energy_; }
+
  private:
+  /// Beyond it a direction is mostly rounding, which does not keep equilibrium and would be multiplied.
+  static constexpr double longest_step = 1e3;
+
   EdgeLoadsOfAll direction_;
+  double energy_ = 0;
 };
+
+/// A sweep that lowers e^2 by less than this part of what it was at first changes no digit of it: the rest is rounding.
+constexpr double rounding = 1e-15;
 
 }  // namespace
 
@@ -150,6 +164,7 @@ std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Star
   const Colours<int> others = other_vertices(setting, on_contact);
   Acceleration accelerate;
   std::vector<double> falls;
+  double largest = 0;
   double square = settings.tightness > 0 ? square_of_error(setting, body_loads, difference, hooke, contact) : 0;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
     EdgeLoadsOfAll change = -difference;
@@ -158,6 +173,8 @@ std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Star
     fall += accelerate(setting, std::move(change), difference);
     fall += relax_all(setting, on_contact, difference, contact);
     falls.push_back(fall);
+    largest = std::max(largest, accelerate.energy() + fall);
+    if (fall <= rounding * largest) break;
     const double e_before = std::sqrt(std::max(square, 0.0)), e_after = std::sqrt(std::max(square - fall, 0.0));
     square -= fall;
     if (e_before - e_after < settings.tightness * e_before) break;

@@ -11,7 +11,7 @@
 namespace ffcontact {
 
 struct RelaxationSettings {
-  int sweeps = 2;        ///< at most
+  int sweeps = 2;        ///< at most; fewer where one no longer lowers e
   double tightness = 0;  ///< stop when the last sweep lowered e by less than this fraction; 0: do all sweeps
 };
 
@@ -24,6 +24,9 @@ struct RelaxationSettings {
 /// which nearly incompressible bodies need: without it their error falls by half as much in a sweep. At a vertex on free
 /// contact edges the end values of r_hat are unknowns too, kept in the cone by linear inequalities; where the line faces
 /// another body, whose trace must match, the facing vertices are relaxed together, with r_hat on one and -r_hat on the other.
+///
+/// The relaxation ends where a sweep no longer changes a digit of e: going on would add up rounding, which does not keep
+/// equilibrium.
 ///
 /// Vertices of one colour share no triangle and run in parallel; the result does not depend on the number of threads.
 /// @param body_loads  int f phi_i per triangle
