@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by edp/run, tests/run and tests/bench/run: what they install and how they build.
+# Sourced by edp/run, tests/run, tests/mutants, tests/bench/run and .ci/run: what they install and how they build.
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 packages_to_run=(cmake ninja-build g++ freefem++ libfreefem++-dev libsuitesparse-dev libopenblas-dev libeigen3-dev gmsh)
 packages_to_draw=(python3 python3-matplotlib python3-numpy python3-pil)
 packages_to_test=("${packages_to_run[@]}" libgtest-dev librapidcheck-dev clang-format)
+packages_to_check=("${packages_to_test[@]}" clang-tidy)
 packages_to_measure=("${packages_to_run[@]}" libbenchmark-dev)
 
 say() { echo "ffcontact: $*" >&2; }
@@ -48,4 +49,10 @@ configure() {
 build() {
   say "building ($1)"
   quietly cmake --build "$top/build/$1" --target "$2" -- --quiet || fail "the build failed"
+}
+
+# A new seed for the random cases of the tests, one for all programs of a run; said, so that the run can be replayed.
+draw_seed() {
+  [[ ${RC_PARAMS-} = *seed=* ]] || export RC_PARAMS="seed=$RANDOM$RANDOM ${RC_PARAMS-}"
+  say "random cases: RC_PARAMS=\"$RC_PARAMS\""
 }
