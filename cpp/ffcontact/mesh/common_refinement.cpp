@@ -29,10 +29,11 @@ class WithoutSlivers {
   std::vector<FacingPiece> pieces() {
     for (std::size_t k = 0; k < pieces_.size();)
       if (!absorbed(k)) ++k;
-    for (FacingPiece& piece : pieces_) {
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+      FacingPiece& piece = pieces_[k];
       const double tolerance = smallest_length(piece) / opposite_length(piece);
-      if (piece.opposite_begin > 1 - tolerance) piece.opposite_begin = 1;
-      if (piece.opposite_end < tolerance) piece.opposite_end = 0;
+      if (piece.opposite_begin > 1 - tolerance && !face_one_edge(k - 1, k)) piece.opposite_begin = 1;
+      if (piece.opposite_end < tolerance && !face_one_edge(k, k + 1)) piece.opposite_end = 0;
     }
     return pieces_;
   }
@@ -43,6 +44,11 @@ class WithoutSlivers {
   }
   double smallest_length(const FacingPiece& piece) const {
     return sliver * std::min(line_.length[piece.contact_edge], opposite_length(piece));
+  }
+
+  /// Do two pieces that follow each other face parts of the same edge?
+  bool face_one_edge(std::size_t k, std::size_t next) const {
+    return k < pieces_.size() && next < pieces_.size() && pieces_[k].opposite_edge == pieces_[next].opposite_edge;
   }
 
   /// Gives a sliver to its neighbours.
