@@ -23,7 +23,7 @@ AnyType guarded(const char* function, Body&& body) {
   } catch (const std::exception& error) {
     sentence = error.what();
   }
-  ExecError((std::string(function) + ": " + sentence).c_str());
+  ExecError(std::string(function) + ": " + sentence);
   return Nothing;
 }
 

@@ -60,8 +60,9 @@ TEST_P(LoadPath, previous_displacement_shifts_where_a_node_sticks) {
   EXPECT_TRUE(solution.accepted({}));
   const Eigen::VectorXd off = tangential_displacement(problem, solution) - problem.law.previous;
   for (int i = 0; i < problem.line.node_count(); ++i)
-    if (solution.state[i] == ContactState::stick && problem.law.multiplier == Multiplier::force)
+    if (solution.state[i] == ContactState::stick && problem.law.multiplier == Multiplier::force) {
       EXPECT_LT(std::abs(off[i]), 1e-15);
+    }
   EXPECT_GT(std::count(solution.state.begin(), solution.state.end(), ContactState::stick), 10);
 }
 

@@ -54,7 +54,9 @@ TEST(two_bodies, matching_and_non_matching_answers_converge_to_each_other) {
       const double matching = energy(16), before = difference;
       difference = std::abs(energy(17) / matching - 1);
       std::printf("%d cells: energy %.8e, relative difference %.3e\n", 8 * n, matching, difference);
-      if (n > 2) EXPECT_LT(difference, before / 1.9);
+      if (n > 2) {
+        EXPECT_LT(difference, before / 1.9);
+      }
     }
   }
 }

@@ -158,7 +158,7 @@ TEST(ShapeQuality, is_one_for_equilateral_triangles_and_093_for_half_a_square) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   EXPECT_NEAR(shape_quality(mesh)[0], std::sqrt(std::sqrt(3.0) / 2), 1e-14);
   mesh.vertices.col(3) << 0.5, std::sqrt(0.75);
-  mesh.triangles = Eigen::Vector3i(0, 1, 3);
+  mesh.triangles = (Eigen::Matrix3Xi(3, 1) << 0, 1, 3).finished();
   EXPECT_NEAR(shape_quality(mesh)[0], 1, 1e-14);
 }
 

@@ -59,9 +59,9 @@ inline TriangleCorners random_triangle(std::mt19937& random) {
 inline Mesh single_triangle(const TriangleCorners& corners) {
   Mesh mesh;
   mesh.vertices = corners;
-  mesh.triangles = Eigen::Vector3i(0, 1, 2);
+  mesh.triangles = (Eigen::Matrix3Xi(3, 1) << 0, 1, 2).finished();
   mesh.boundary = (Eigen::Matrix2Xi(2, 3) << 1, 2, 0, 2, 0, 1).finished();
-  mesh.boundary_label = Eigen::Vector3i(1, 1, 1);
+  mesh.boundary_label.setConstant(3, 1);
   return mesh;
 }
 
