@@ -47,7 +47,7 @@ std::vector<int> joined_labels(Stack stack, const NamedArguments& named, const c
 /// Bodies may overlap a little, as polygons of curves do and interference fits, but not by more than their contact edges.
 void require_apart(const Mesh& mesh, const ContactLine& line, const Eigen::VectorXd& gap) {
   for (int i = 0; i < gap.size(); ++i) {
-    const Eigen::Vector2d x = mesh.vertices.col(line.vertex[i]);
+    const Eigen::Vector2d x = mesh.place(line.vertex[i]);
     if (gap[i] < -line.length.maxCoeff())
       refuse("the bodies overlap by ", -gap[i], " at (", x.x(), ", ", x.y(),
              "), more than a contact edge: is the facing edge behind the contact line? Give gap= if it is meant");

@@ -116,7 +116,8 @@ std::string motion_in_words(const Mesh& mesh, const Eigen::Ref<const Eigen::Vect
     words << "translation along (" << rounded(direction.x()) << ", " << rounded(direction.y()) << ")";
   } else {
     const Eigen::Vector2d centre = mesh.vertices.col(a) + Eigen::Vector2d(-u_a.y(), u_a.x()) / rotation;
-    words << "rotation about (" << rounded(centre.x()) << ", " << rounded(centre.y()) << ")";
+    words << "rotation about (" << rounded(mesh.origin.x() + centre.x()) << ", "
+          << rounded(mesh.origin.y() + centre.y()) << ")";
   }
   return words.str();
 }

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "ffcontact/base/require.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -173,6 +175,7 @@ class Refiner {
 
   void put_mesh(CommonRefinement& result) const {
     Mesh& mesh = result.mesh;
+    mesh.origin = old_.origin;
     mesh.vertices.resize(2, static_cast<Eigen::Index>(vertices_.size()));
     for (std::size_t v = 0; v < vertices_.size(); ++v) mesh.vertices.col(v) = vertices_[v];
     mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles_.size()));
@@ -230,6 +233,13 @@ class Refiner {
     }
   }
 
+  /// Rays that cross, as those of neighbours do whose directions differ where the line is hollow, have no common refinement.
+  [[noreturn]] void refuse_shared(int vertex) const {
+    const Eigen::Vector2d x = old_.origin + vertices_[vertex];
+    refuse("two contact edges face the same part of the opposite body near (", x.x(), ", ", x.y(),
+           "), because the contact direction jumps between them: give one direction for both with normal=[nx, ny]");
+  }
+
   void put_line(CommonRefinement& result) const {
     std::map<std::pair<int, int>, int> boundary_edge;
     for (int e = 0; e < result.edges.count(); ++e)
@@ -242,7 +252,8 @@ class Refiner {
       const int edge = old_line_.edge[e];
       if (piece == pieces_.end() || piece->contact_edge != e) {
         const std::pair ends(old_edges_.vertices(0, edge), old_edges_.vertices(1, edge));
-        parts.add_edge(e, old_line_.edge_node(0, e), old_line_.edge_node(1, e), boundary_edge.at(ends), -1, 1);
+        parts.add_edge(e, old_line_.edge_node(0, e), old_line_.edge_node(1, e), boundary_edge.find(ends)->second, -1,
+                       1);
         continue;
       }
       int node = old_line_.edge_node(0, e);
@@ -253,8 +264,10 @@ class Refiner {
         const int next = piece->end == 1 ? old_line_.edge_node(1, e) : parts.add_node(second, e, piece->end, old_line_);
         parts.face(node, facing_first);
         parts.face(next, facing_second);
-        parts.add_edge(e, node, next, boundary_edge.at({first, second}),
-                       boundary_edge.at({facing_second, facing_first}), piece->end - piece->begin);
+        const auto facing = boundary_edge.find({facing_second, facing_first});
+        if (facing == boundary_edge.end()) refuse_shared(facing_first);
+        parts.add_edge(e, node, next, boundary_edge.find({first, second})->second, facing->second,
+                       piece->end - piece->begin);
         node = next;
       }
     }
@@ -310,6 +323,7 @@ class Refiner {
       for (Eigen::Index node = old.node_count(); node < p; ++node)
         line.normal.col(node) = normal_between(node, result, old);
       line.abscissa = result.node_weights * old.abscissa;
+      line.precision = old.precision;
       line.edge = Eigen::Map<const Eigen::VectorXi>(edge.data(), m);
       line.opposite_edge = Eigen::Map<const Eigen::VectorXi>(opposite_edge.data(), m);
       line.edge_node.resize(2, m);

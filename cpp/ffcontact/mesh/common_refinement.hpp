@@ -32,6 +32,7 @@ struct CommonRefinement {
 };
 
 /// @param line  with the pieces of facing_line
+/// @throws std::invalid_argument  if two contact edges face the same part of an opposite edge, naming the place
 CommonRefinement common_refinement(const Mesh& mesh, const Edges& edges, const ContactLine& line);
 
 }  // namespace ffcontact

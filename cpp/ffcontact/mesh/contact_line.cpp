@@ -6,13 +6,11 @@
 #include <set>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/straight_runs.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Two edges are on one straight line when the sine of the angle between them is below this.
-constexpr double straight = 1e-8;
 
 std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels) {
   if (labels.empty()) refuse("no contact label is given");
@@ -30,8 +28,20 @@ std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges, const s
   return found;
 }
 
-/// Edges ordered into chains: each starts where no edge ends, closed loops at their smallest vertex.
-std::vector<std::vector<int>> chains(const Edges& edges, const std::vector<int>& boundary) {
+/// Closed loops start at a corner: at the smallest of their vertices where they turn about as much as anywhere.
+void start_at_corner(const Mesh& mesh, const Edges& edges, std::vector<int>& loop) {
+  std::vector<double> turn;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const int before = loop[(k + loop.size() - 1) % loop.size()];
+    turn.push_back(angle_between(edge_vector(mesh, edges, before), edge_vector(mesh, edges, loop[k])));
+  }
+  const double sharpest = *std::max_element(turn.begin(), turn.end());
+  const auto start = std::find_if(turn.begin(), turn.end(), [&](double angle) { return angle >= 0.9 * sharpest; });
+  std::rotate(loop.begin(), loop.begin() + (start - turn.begin()), loop.end());
+}
+
+/// Edges ordered into chains: each starts where no edge ends, closed loops at a corner.
+std::vector<std::vector<int>> chains(const Mesh& mesh, const Edges& edges, const std::vector<int>& boundary) {
   std::map<int, int> leaving;  // first vertex -> edge
   std::map<int, int> arriving;
   for (int e : boundary) {
@@ -51,31 +61,45 @@ std::vector<std::vector<int>> chains(const Edges& edges, const std::vector<int>&
   for (const auto& [vertex, edge] : leaving)
     if (!arriving.count(vertex)) starts.push_back(vertex);
   for (int vertex : starts) follow(vertex);
-  while (!leaving.empty()) follow(leaving.begin()->first);
+  while (!leaving.empty()) {
+    follow(leaving.begin()->first);
+    start_at_corner(mesh, edges, result.back());
+  }
   return result;
 }
 
-double sine_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+Eigen::Matrix2Xd vertices_of(const Mesh& mesh, const Edges& edges, const std::vector<int>& chain) {
+  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(chain.size()) + 1);
+  points.col(0) = mesh.vertices.col(edges.vertices(0, chain.front()));
+  for (std::size_t k = 0; k < chain.size(); ++k)
+    points.col(static_cast<Eigen::Index>(k) + 1) = mesh.vertices.col(edges.vertices(1, chain[k]));
+  return points;
+}
+
+Eigen::Matrix2Xd places_of(const Mesh& mesh, const Edges& edges, const std::vector<int>& boundary) {
+  Eigen::Matrix2Xd points(2, 2 * static_cast<Eigen::Index>(boundary.size()));
+  for (std::size_t k = 0; k < boundary.size(); ++k)
+    for (int end = 0; end < 2; ++end)
+      points.col(2 * static_cast<Eigen::Index>(k) + end) = mesh.place(edges.vertices(end, boundary[k]));
+  return points;
+}
 
 /// Appends nodes and edges to a line.
 class LineBuilder {
  public:
   LineBuilder(const Mesh& mesh, const Edges& edges, bool smooth) : mesh_(mesh), edges_(edges), smooth_(smooth) {}
 
-  void add_chain(const std::vector<int>& chain) {
-    const std::size_t first_edge = length_.size();
+  /// @param tolerance  of straight_runs
+  void add_chain(const std::vector<int>& chain, double tolerance) {
+    const Eigen::Matrix2Xd points = vertices_of(mesh_, edges_, chain);
     const int first_node = static_cast<int>(vertex_.size());
-    for (int e : chain) {
-      const Eigen::Vector2d n = edge_normal(mesh_, edges_, e);
-      const bool new_line = e == chain.front() || turns(normal_.back(), n);
-      const int start = new_line ? add_node(edges_.vertices(0, e), n) : static_cast<int>(vertex_.size()) - 1;
-      length_.push_back(edge_vector(mesh_, edges_, e).norm());
-      arc_ += length_.back();
-      const int end = add_node(edges_.vertices(1, e), normal_[start]);
-      edge_.push_back(e);
-      edge_node_.push_back({start, end});
+    const std::vector<int> runs =
+        smooth_ ? std::vector<int>{0, static_cast<int>(chain.size())} : straight_runs(points, tolerance);
+    for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
+      const Eigen::Vector2d along = (points.col(runs[r + 1]) - points.col(runs[r])).normalized();
+      add_run(chain, runs[r], runs[r + 1], {along.y(), -along.x()});
     }
-    join_loop(first_edge, first_node);
+    if (smooth_ && chain.size() > 1 && vertex_.back() == vertex_[first_node]) join_loop(first_node);
   }
 
   ContactLine line() const {
@@ -100,14 +124,21 @@ class LineBuilder {
     return static_cast<int>(vertex_.size()) - 1;
   }
 
-  bool turns(const Eigen::Vector2d& before, const Eigen::Vector2d& after) const {
-    return !smooth_ && std::abs(sine_between(before, after)) > straight;
+  void add_run(const std::vector<int>& chain, int first, int end, const Eigen::Vector2d& normal) {
+    int node = add_node(edges_.vertices(0, chain[first]), normal);
+    for (int k = first; k < end; ++k) {
+      const int e = chain[k];
+      length_.push_back(edge_vector(mesh_, edges_, e).norm());
+      arc_ += length_.back();
+      const int next = add_node(edges_.vertices(1, e), normal);
+      edge_.push_back(e);
+      edge_node_.push_back({node, next});
+      node = next;
+    }
   }
 
-  /// A closed loop that does not turn where it closes shares its first node.
-  void join_loop(std::size_t first_edge, int first_node) {
-    if (length_.size() - first_edge < 2 || vertex_.back() != vertex_[first_node]) return;
-    if (turns(normal_.back(), normal_[first_node])) return;
+  /// A closed curve shares its first node.
+  void join_loop(int first_node) {
     edge_node_.back()[1] = first_node;
     vertex_.pop_back();
     normal_.pop_back();
@@ -125,9 +156,15 @@ class LineBuilder {
 };
 
 ContactLine built_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels, bool smooth) {
+  const std::vector<int> boundary = labelled_boundary(mesh, edges, labels);
+  const double size = extent(mesh.vertices);
+  const double precision = coordinate_precision(places_of(mesh, edges, boundary), size);
   LineBuilder builder(mesh, edges, smooth);
-  for (const std::vector<int>& chain : chains(edges, labelled_boundary(mesh, edges, labels))) builder.add_chain(chain);
-  return builder.line();
+  for (const std::vector<int>& chain : chains(mesh, edges, boundary))
+    builder.add_chain(chain, straight_tolerance(precision, size));
+  ContactLine line = builder.line();
+  line.precision = precision;
+  return line;
 }
 
 }  // namespace
@@ -150,7 +187,7 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine l
   require_size("contact directions", direction.cols(), line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
     for (int node : line.edge_node.col(e)) {
-      const Eigen::Vector2d d = direction.col(node), x = mesh.vertices.col(line.vertex[node]);
+      const Eigen::Vector2d d = direction.col(node), x = mesh.place(line.vertex[node]);
       if (!d.allFinite() || !(d.dot(edge_normal(mesh, edges, line.edge[e])) > 0))
         refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ", line.vertex[node], " (", x.x(), ", ",
                x.y(), ") does not point out of the body");

@@ -26,8 +26,10 @@ struct FacingPiece {
 
 /// The boundary part Gamma_C on which contact may occur, as a list of nodes that carry multipliers.
 ///
-/// Nodes follow t = (-n2, n1), counter-clockwise around the body; several separate lines come one after the other. Between
-/// edges of one straight line neighbours share a node. A vertex in which two straight lines meet is two nodes, one for each
+/// Nodes follow t = (-n2, n1), counter-clockwise around the body; several separate lines come one after the other, and closed
+/// ones start at a corner. Between
+/// edges of one straight line neighbours share a node; a line is straight within the precision of its coordinates, and has one
+/// normal, that of its chord. A vertex in which two straight lines meet is two nodes, one for each
 /// line and its normal: multipliers jump there, and the mass matrix (3.9) falls apart into one block per straight line. The
 /// vertex then keeps clear of both lines, with W u as with W u_h on each of them: for nodal forces both normal components of
 /// its displacement are bounded, for pressures each end row of M is. On a polygon that stands for a smooth curve this would
@@ -39,6 +41,7 @@ struct ContactLine {
   Eigen::Matrix2Xi edge_node;  ///< first and second node of each contact edge [2 x m]
   Eigen::VectorXi edge;        ///< mesh edge of each contact edge [m]
   Eigen::VectorXd length;      ///< of each contact edge [mm]
+  double precision = 0;        ///< of the coordinates of its vertices (coordinate_precision) [mm]
   /// Displacement of the opposite body at each node from that of the vertices, the same for both components [p x vertices]; no
   /// rows where all of the foundation is rigid.
   WeightsByNode opposite;
@@ -53,7 +56,7 @@ struct ContactLine {
     return std::all_of(pieces.begin(), pieces.end(), [](const FacingPiece& p) { return p.is_whole(); });
   }
   Eigen::Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
-  /// Both nodes of a contact edge have its normal, except on a line of given directions.
+  /// Both nodes of a contact edge have the normal of its straight line, except on a line of given directions.
   Eigen::Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
   Eigen::Vector2d edge_tangent(int e) const { return tangent(edge_node(0, e)); }
 };

@@ -17,7 +17,7 @@ namespace {
 constexpr double at_vertex = 1e-10;
 /// The traces may end this far, in edge lengths, beside each other.
 constexpr double beside = 1e-7;
-/// Distances below this, in edge lengths, are no gap.
+/// Distances below this, in edge lengths, are no gap; nor are those that coordinates may be off by.
 constexpr double touching = 1e-10;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -74,7 +74,10 @@ std::optional<double> ray_through(const Rays& rays, const Eigen::Vector2d& y) {
 class Pairing {
  public:
   Pairing(const Mesh& mesh, const Edges& edges, const ContactLine& line, const std::vector<int>& opposite_labels)
-      : mesh_(mesh), edges_(edges), line_(line), target_(contact_line(mesh, edges, opposite_labels).edge) {
+      : mesh_(mesh), edges_(edges), line_(line) {
+    const ContactLine target = contact_line(mesh, edges, opposite_labels);
+    target_ = target.edge;
+    no_gap_ = 1.5 * (line.precision + target.precision);
     for (int edge : target_) segment_.push_back(segment_of(mesh, edges, edge));
   }
 
@@ -115,7 +118,7 @@ class Pairing {
       }
     }
     if (best < 0) {
-      const Eigen::Vector2d point = rays.edge.at(x);
+      const Eigen::Vector2d point = mesh_.origin + rays.edge.at(x);
       refuse(
           "the contact line at (", point.x(), ", ", point.y(),
           ") faces no edge of the opposite body along its contact direction: exchange the bodies or shorten the line");
@@ -149,15 +152,16 @@ class Pairing {
 
   static double clamped(double parameter) { return std::clamp(snapped(parameter), 0.0, 1.0); }
 
-  static void note_gap(int node, double distance, const Rays& ray, FacingTraces& result) {
-    if (std::abs(distance) < touching * ray.edge.length()) distance = 0;
+  void note_gap(int node, double distance, const Rays& ray, FacingTraces& result) const {
+    if (std::abs(distance) < std::max(no_gap_, touching * ray.edge.length())) distance = 0;
     result.gap[node] = std::min(result.gap[node], distance);
   }
 
   const Mesh& mesh_;
   const Edges& edges_;
   const ContactLine& line_;
-  const Eigen::VectorXi target_;
+  Eigen::VectorXi target_;
+  double no_gap_;
   std::vector<Segment> segment_;
 };
 
@@ -252,6 +256,7 @@ ContactLine joined_lines(const std::vector<ContactLine>& lines) {
     joined.vertex.segment(node, line.node_count()) = line.vertex;
     joined.normal.middleCols(node, line.node_count()) = line.normal;
     joined.abscissa.segment(node, line.node_count()) = line.abscissa;
+    joined.precision = std::max(joined.precision, line.precision);
     joined.edge_node.middleCols(edge, line.edge_count()) = line.edge_node.array() + node;
     joined.edge.segment(edge, line.edge_count()) = line.edge;
     joined.length.segment(edge, line.edge_count()) = line.length;

@@ -2,6 +2,7 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ffcontact {
 
@@ -23,6 +24,17 @@ int span_of_labels(const std::vector<Mesh>& bodies) {
       highest = std::max(highest, body.boundary_label.maxCoeff());
     }
   return highest - lowest + 1;
+}
+
+/// A multiple of a power of two well above the size of the bodies: its difference to their coordinates is exact, and bodies
+/// within a few sizes of zero keep theirs.
+Eigen::Vector2d origin_near(const Eigen::Matrix2Xd& vertices) {
+  if (vertices.cols() == 0) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d lowest = vertices.rowwise().minCoeff(), highest = vertices.rowwise().maxCoeff();
+  const double step = std::exp2(std::ceil(std::log2((highest - lowest).norm())) + 3);
+  const Eigen::Vector2d middle = 0.5 * (lowest + highest);
+  if (!middle.allFinite() || !std::isnormal(step)) return Eigen::Vector2d::Zero();
+  return {std::rint(middle.x() / step) * step, std::rint(middle.y() / step) * step};
 }
 
 }  // namespace
@@ -48,6 +60,8 @@ JoinedMesh joined_mesh(const std::vector<Mesh>& bodies) {
     mesh.boundary_label.segment(b, body.boundary.cols()) =
         body.boundary_label.array() + static_cast<int>(k) * joined.label_stride;
   }
+  mesh.origin = origin_near(mesh.vertices);
+  mesh.vertices.colwise() -= mesh.origin;
   return joined;
 }
 

@@ -11,9 +11,13 @@ struct Mesh {
   Eigen::Matrix3Xi triangles;      ///< vertices of each triangle, counter-clockwise
   Eigen::Matrix2Xi boundary;       ///< vertex pairs of the labelled edges, either direction; inner ones are allowed
   Eigen::VectorXi boundary_label;  ///< one label per column of `boundary`
+  /// Where the coordinates' zero lies for who reads messages; apart from those nothing depends on it.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();
 
   int vertex_count() const { return static_cast<int>(vertices.cols()); }
   int triangle_count() const { return static_cast<int>(triangles.cols()); }
+  /// A vertex as who made the mesh knows it.
+  Eigen::Vector2d place(int vertex) const { return origin + vertices.col(vertex); }
   Eigen::Vector2d corner(int triangle, int k) const { return vertices.col(triangles(k, triangle)); }
 };
 

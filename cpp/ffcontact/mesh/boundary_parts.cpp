@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/mesh/boundary_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/smooth_curve.hpp"
+#include "ffcontact/mesh/straight_runs.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+constexpr double degree = M_PI / 180;
+constexpr int fewest_edges = 3;  ///< of a curve
+
+/// The labelled edges at each vertex, by their columns.
+using EdgesAtVertex = std::map<int, std::vector<int>>;
+
+EdgesAtVertex edges_at_vertices(const Mesh& mesh) {
+  EdgesAtVertex at;
+  for (int b = 0; b < mesh.boundary.cols(); ++b)
+    for (int v : mesh.boundary.col(b)) at[v].push_back(b);
+  return at;
+}
+
+/// Whether a line goes through a vertex without a branch, an end or a change of label.
+bool goes_through(const Mesh& mesh, const std::vector<int>& columns) {
+  return columns.size() == 2 && mesh.boundary_label[columns[0]] == mesh.boundary_label[columns[1]];
+}
+
+/// Edges of one label in order, without their parts.
+struct Chain {
+  std::vector<int> vertices, columns;
+  bool closed() const { return vertices.front() == vertices.back(); }
+};
+
+Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex, int column, std::set<int>& used) {
+  Chain chain{{vertex}, {}};
+  while (used.insert(column).second) {
+    chain.columns.push_back(column);
+    vertex = mesh.boundary.col(column).sum() - vertex;
+    chain.vertices.push_back(vertex);
+    const std::vector<int>& columns = at.find(vertex)->second;
+    if (!goes_through(mesh, columns)) break;
+    column = columns[0] == column ? columns[1] : columns[0];
+  }
+  return chain;
+}
+
+Eigen::Matrix2Xd points_of(const Mesh& mesh, const std::vector<int>& vertices) {
+  return mesh.vertices(Eigen::all, vertices);
+}
+
+/// A closed chain starts where it turns the most.
+void start_at_corner(const Mesh& mesh, Chain& chain) {
+  const Eigen::Matrix2Xd x = points_of(mesh, chain.vertices);
+  const Eigen::Index n = x.cols() - 1;
+  Eigen::Index sharpest = 0;
+  double most = 0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double turn = angle_between(x.col(k) - x.col((k + n - 1) % n), x.col(k + 1) - x.col(k));
+    if (turn <= most) continue;
+    most = turn;
+    sharpest = k;
+  }
+  chain.vertices.pop_back();
+  std::rotate(chain.vertices.begin(), chain.vertices.begin() + sharpest, chain.vertices.end());
+  std::rotate(chain.columns.begin(), chain.columns.begin() + sharpest, chain.columns.end());
+  chain.vertices.push_back(chain.vertices.front());
+}
+
+std::vector<Chain> chains_of(const Mesh& mesh) {
+  const EdgesAtVertex at = edges_at_vertices(mesh);
+  std::vector<Chain> chains;
+  std::set<int> used;
+  for (const auto& [vertex, columns] : at)
+    if (!goes_through(mesh, columns))
+      for (int column : columns)
+        if (!used.count(column)) chains.push_back(chain_from(mesh, at, vertex, column, used));
+  for (int b = 0; b < mesh.boundary.cols(); ++b)
+    if (!used.count(b)) {
+      chains.push_back(chain_from(mesh, at, mesh.boundary(0, b), b, used));
+      start_at_corner(mesh, chains.back());
+    }
+  return chains;
+}
+
+/// Direction in which a part leaves its first (or, backwards, its last) vertex.
+Eigen::Vector2d leaving(const Mesh& mesh, const BoundaryPart& part, bool backwards) {
+  const std::size_t n = part.vertices.size();
+  const int from = part.vertices[backwards ? n - 1 : 0], to = part.vertices[backwards ? n - 2 : 1];
+  return mesh.vertices.col(to) - mesh.vertices.col(from);
+}
+
+double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+  double largest = 0;
+  for (const BoundaryPart& part : parts)
+    for (std::size_t k = 1; !part.straight && k + 1 < part.vertices.size(); ++k) {
+      const Eigen::Vector2d at = mesh.vertices.col(part.vertices[k]);
+      largest = std::max(largest, angle_between(at - mesh.vertices.col(part.vertices[k - 1]),
+                                                mesh.vertices.col(part.vertices[k + 1]) - at));
+    }
+  return largest;
+}
+
+/// Places of a part for the vertices of a mesh that follows it.
+class Places {
+ public:
+  Places(const Mesh& mesh, const BoundaryPart& part) : points_(points_of(mesh, part.vertices)) {
+    if (!part.straight) curve_ = smooth_curve(points_, part.closed() && closes_smoothly());
+  }
+
+  Eigen::Vector2d beside(const Eigen::Vector2d& x) const {
+    if (curve_) return curve_->beside(x);
+    const Eigen::Vector2d first = points_.col(0), along = points_.col(points_.cols() - 1) - first;
+    return first + std::clamp((x - first).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+  }
+  Eigen::Vector2d nearest_end(const Eigen::Vector2d& x) const {
+    const Eigen::Vector2d first = points_.col(0), last = points_.col(points_.cols() - 1);
+    return (x - first).squaredNorm() < (x - last).squaredNorm() ? first : last;
+  }
+
+ private:
+  bool closes_smoothly() const {
+    const Eigen::Index n = points_.cols() - 1;
+    const auto turn = [&](Eigen::Index before, Eigen::Index at, Eigen::Index after) {
+      return angle_between(points_.col(at) - points_.col(before), points_.col(after) - points_.col(at));
+    };
+    return turn(n - 1, 0, 1) <= 2 * std::max(turn(0, 1, 2), turn(n - 2, n - 1, n));
+  }
+
+  const Eigen::Matrix2Xd points_;
+  std::optional<SmoothCurve> curve_;
+};
+
+/// New places of the vertices on parts, by vertex.
+std::map<int, Eigen::Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
+                                             const std::vector<BoundaryPart>& parts) {
+  std::vector<Places> places;
+  for (const BoundaryPart& part : parts) places.emplace_back(mesh, part);
+  const int first_label = part_label(mesh, 0);
+  std::map<int, std::set<int>> parts_at;
+  for (int b = 0; b < fine.boundary.cols(); ++b) {
+    const int part = fine.boundary_label[b] - first_label;
+    if (part < 0 || part >= static_cast<int>(parts.size())) continue;
+    for (int v : fine.boundary.col(b)) parts_at[v].insert(part);
+  }
+  std::map<int, Eigen::Vector2d> wanted;
+  for (const auto& [vertex, at] : parts_at) {
+    const Eigen::Vector2d x = fine.vertices.col(vertex);
+    const Places& place = places[*at.begin()];
+    wanted.emplace(vertex, at.size() > 1 ? place.nearest_end(x) : place.beside(x));
+  }
+  return wanted;
+}
+
+/// The triangle that keeps the smallest part of its area when vertices move, and that part.
+std::pair<int, double> worst_triangle(const Mesh& before, const Mesh& after) {
+  std::pair<int, double> worst{0, 1};
+  for (int t = 0; t < before.triangle_count(); ++t) {
+    const double kept = signed_area(after, t) / signed_area(before, t);
+    if (kept < worst.second) worst = {t, kept};
+  }
+  return worst;
+}
+
+/// Moves of the other vertices become the mean of their neighbours' moves.
+void spread(const Mesh& mesh, const std::vector<char>& given, Eigen::Matrix2Xd& moves) {
+  Eigen::Matrix2Xd sum = Eigen::Matrix2Xd::Zero(2, moves.cols());
+  Eigen::VectorXd count = Eigen::VectorXd::Zero(moves.cols());
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t);
+      sum.col(a) += moves.col(b);
+      sum.col(b) += moves.col(a);
+      count[a] += 1;
+      count[b] += 1;
+    }
+  for (Eigen::Index v = 0; v < moves.cols(); ++v)
+    if (!given[v]) moves.col(v) = sum.col(v) / count[v];
+}
+
+}  // namespace
+
+std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
+  const double size = extent(mesh.vertices);
+  std::vector<BoundaryPart> parts;
+  for (const Chain& chain : chains_of(mesh)) {
+    const Eigen::Matrix2Xd points = points_of(mesh, chain.vertices);
+    const double tolerance = straight_tolerance(coordinate_precision(points, size), size);
+    for (const LinePart& part : line_parts(points, tolerance, corner, fewest_edges))
+      parts.push_back({{chain.vertices.begin() + part.first, chain.vertices.begin() + part.last + 1},
+                       {chain.columns.begin() + part.first, chain.columns.begin() + part.last},
+                       mesh.boundary_label[chain.columns.front()],
+                       part.straight});
+  }
+  return parts;
+}
+
+double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts, double corner) {
+  constexpr double shallow = 3 * degree;  // what bends at less is straightened afterwards without harm
+  struct End {
+    Eigen::Vector2d leaving;
+    bool straight;
+  };
+  const double turn = std::max(largest_turn(mesh, parts), shallow / 6);
+  std::map<int, std::vector<End>> ends;
+  for (const BoundaryPart& part : parts)
+    for (const bool backwards : {false, true})
+      ends[backwards ? part.vertices.back() : part.vertices.front()].push_back(
+          {leaving(mesh, part, backwards), part.straight});
+  double smallest = corner;
+  for (const auto& [vertex, at] : ends) {
+    if (at.size() != 2) continue;
+    const double angle = angle_between(at[0].leaving, -at[1].leaving);
+    const bool between_lines = at[0].straight && at[1].straight;
+    if (angle > shallow && (between_lines || angle > 1.5 * turn)) smallest = std::min(smallest, angle);
+  }
+  return smallest > turn ? std::sqrt(smallest * turn) : corner;
+}
+
+int part_label(const Mesh& mesh, int part) {
+  const int highest = mesh.boundary_label.size() > 0 ? mesh.boundary_label.maxCoeff() : 0;
+  return std::max(0, highest) + 1 + part;
+}
+
+Eigen::VectorXi labelled_by_parts(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+  Eigen::VectorXi labels = mesh.boundary_label;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (int column : parts[k].columns) labels[column] = part_label(mesh, static_cast<int>(k));
+  return labels;
+}
+
+Mesh moved_onto_parts(Mesh fine, const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+  constexpr double enough = 0.3;  // of a triangle's area
+  constexpr int most_sweeps = 50;
+  std::vector<char> given(fine.vertices.cols(), 0);
+  Eigen::Matrix2Xd moves = Eigen::Matrix2Xd::Zero(2, fine.vertices.cols());
+  for (const auto& [vertex, place] : wanted_places(fine, mesh, parts)) {
+    moves.col(vertex) = place - fine.vertices.col(vertex);
+    given[vertex] = 1;
+  }
+  Mesh moved = fine;
+  moved.vertices += moves;
+  for (int sweep = 0; sweep < most_sweeps && worst_triangle(fine, moved).second < enough; ++sweep) {
+    spread(fine, given, moves);
+    moved.vertices = fine.vertices + moves;
+  }
+  const auto [triangle, kept] = worst_triangle(fine, moved);
+  if (!(kept > 0)) {
+    const Eigen::Vector2d x = fine.place(fine.triangles(0, triangle));
+    refuse("the triangle at (", x.x(), ", ", x.y(),
+           ") turns over when the boundary is put on its curve: the curve has too few vertices for sizes that small");
+  }
+  return moved;
+}
+
+}  // namespace ffcontact

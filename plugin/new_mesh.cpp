@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "new_mesh.hpp"
+
+namespace ffcontact::plugin {
+
+pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const Eigen::VectorXi& regions) {
+  const int nv = mesh.vertex_count(), nt = mesh.triangle_count(), neb = static_cast<int>(mesh.boundary.cols());
+  auto* vertices = new Fem2D::Vertex[nv];
+  auto* triangles = new Fem2D::Triangle[nt];
+  auto* boundary = new Fem2D::BoundaryEdge[neb];
+  for (int v = 0; v < nv; ++v) {
+    vertices[v].x = mesh.vertices(0, v);
+    vertices[v].y = mesh.vertices(1, v);
+  }
+  for (int t = 0; t < nt; ++t)
+    triangles[t].set(vertices, mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t), regions[t]);
+  for (int e = 0; e < neb; ++e) {
+    boundary[e] = Fem2D::BoundaryEdge(vertices, mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
+    for (int end = 0; end < 2; ++end) {
+      Fem2D::Vertex& vertex = vertices[mesh.boundary(end, e)];
+      if (vertex.lab == 0) vertex.lab = mesh.boundary_label[e];
+    }
+  }
+  auto* fem_mesh = new Fem2D::Mesh(nv, nt, neb, vertices, triangles, boundary);
+  R2 lowest, highest;
+  fem_mesh->BoundingBox(lowest, highest);
+  fem_mesh->quadtree = new Fem2D::FQuadTree(fem_mesh, lowest, highest, nv);
+  return Add2StackOfPtr2FreeRC(stack, fem_mesh);
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/mesh/mesh.hpp"
+//
+#include "freefem.hpp"
+
+namespace ffcontact::plugin {
+
+/// FreeFEM's mesh; it belongs to the statement that asked for it.
+/// @param regions  one per triangle
+pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const Eigen::VectorXi& regions);
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/mesh/facing_traces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/bodies.hpp"
+#include "support/random.hpp"
+#include "support/refusals.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// An upper body on a lower one, the upper one's lower side facing the other's upper side.
+struct Facing {
+  JoinedMesh joined;
+  Edges edges;
+  ContactLine line;
+  FacingTraces traces;
+
+  explicit Facing(const Mesh& upper, const Mesh& lower, bool smooth = false)
+      : joined(joined_mesh({upper, lower})), edges(edges_of(joined.mesh)) {
+    const std::vector<int> label{joined.label(0, bottom)};
+    line = smooth ? smooth_contact_line(joined.mesh, edges, label) : contact_line(joined.mesh, edges, label);
+    traces = facing_traces(joined.mesh, edges, line, {joined.label(1, top)});
+    line = facing_line(joined.mesh, edges, std::move(line), traces);
+  }
+  Eigen::Vector2d on(int edge, double s) const {
+    return joined.mesh.vertices.col(edges.vertices(0, edge)) + s * edge_vector(joined.mesh, edges, edge);
+  }
+  Eigen::Vector2d direction(int e, double s) const {
+    return (1 - s) * line.normal.col(line.edge_node(0, e)) + s * line.normal.col(line.edge_node(1, e));
+  }
+};
+
+/// Lower sides from (1, 3) to (5, 3), on an upper side from (0, 3) to (6, 3).
+Facing random_rows(std::mt19937& random) {
+  const int upper = 1 + static_cast<int>(random() % 7), lower = 1 + static_cast<int>(random() % 7);
+  return Facing(shifted(with_random_rows(upper, 2, 4, 2, random), {1, 3}), with_random_rows(lower, 2, 6, 3, random));
+}
+
+TEST(FacingTraces, that_match_face_edge_by_edge) {
+  const Facing two(shifted(rectangle(4, 2, 4, 2), {0, 2.5}), rectangle(4, 2, 4, 2));
+  ASSERT_EQ(two.traces.pieces.size(), 4u);
+  EXPECT_TRUE(two.line.matches());
+  for (int e = 0; e < 4; ++e) {
+    const FacingPiece& piece = two.traces.pieces[e];
+    EXPECT_EQ(piece.contact_edge, e);
+    EXPECT_EQ(two.line.opposite_edge[e], piece.opposite_edge);
+    EXPECT_LT((two.on(piece.opposite_edge, 1) - two.on(two.line.edge[e], 0) + Eigen::Vector2d(0, 0.5)).norm(), 1e-15);
+  }
+  EXPECT_EQ(two.traces.gap, Eigen::VectorXd::Constant(5, 0.5));
+  for (int i = 0; i < 5; ++i)
+    visit_opposite(two.line, i, [&](int vertex, double weight) {
+      EXPECT_EQ(weight, 1);
+      EXPECT_EQ(two.joined.mesh.vertices(0, vertex), two.joined.mesh.vertices(0, two.line.vertex[i]));
+      EXPECT_EQ(two.joined.mesh.vertices(1, vertex), 2);
+    });
+}
+
+RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite, (Random random)) {
+  const Facing two = random_rows(random);
+  int e = 0;
+  double end = 0;
+  for (const FacingPiece& piece : two.traces.pieces) {
+    if (end == 1) {
+      ++e;
+      end = 0;
+    }
+    RC_ASSERT(piece.contact_edge == e && piece.begin == end && piece.end > piece.begin);
+    RC_ASSERT(piece.opposite_begin > piece.opposite_end);
+    RC_ASSERT(piece.opposite_begin <= 1 && piece.opposite_end >= 0);
+    RC_ASSERT((two.on(two.line.edge[e], piece.begin) - two.on(piece.opposite_edge, piece.opposite_begin)).norm() <
+              1e-9);
+    RC_ASSERT((two.on(two.line.edge[e], piece.end) - two.on(piece.opposite_edge, piece.opposite_end)).norm() < 1e-9);
+    end = piece.end;
+  }
+  RC_ASSERT(e + 1 == two.line.edge_count() && end == 1);
+  RC_ASSERT(two.traces.gap.isZero(0));
+}
+
+RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals, (Random random)) {
+  Mesh round = moved(rectangle(6, 2, 4, 2), 1, 0.1, random);
+  for (int v = 0; v < round.vertex_count(); ++v)
+    round.vertices.col(v) << 1 + round.vertices(0, v),
+        4 + round.vertices(1, v) + 0.1 * std::pow(round.vertices(0, v) - 2, 2);
+  const Facing two(round, with_random_rows(5, 2, 6, 3, random), true);
+  for (const FacingPiece& piece : two.traces.pieces)
+    for (const bool last : {false, true}) {
+      const double s = last ? piece.end : piece.begin, opposite = last ? piece.opposite_end : piece.opposite_begin;
+      const Eigen::Vector2d n = two.direction(piece.contact_edge, s),
+                            ray = two.on(piece.opposite_edge, opposite) - two.on(two.line.edge[piece.contact_edge], s);
+      RC_ASSERT(std::abs(n.x() * ray.y() - n.y() * ray.x()) < 1e-9);
+      const int node = two.line.edge_node(last, piece.contact_edge);
+      if (s == last) RC_ASSERT(std::abs(two.traces.gap[node] - ray.norm()) < 1e-9);
+    }
+}
+
+TEST(FacingTraces, gap_is_measured_along_the_normal_and_negative_where_bodies_overlap) {
+  Mesh lower = rectangle(3, 1, 6, 3);
+  for (int v = 0; v < lower.vertex_count(); ++v)
+    if (lower.vertices(1, v) == 3) lower.vertices(1, v) += 0.1 * (lower.vertices(0, v) - 3);
+  const Facing two(shifted(rectangle(4, 1, 4, 2), {1, 3}), lower);
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(two.traces.gap[i], -0.1 * (i - 2), 1e-14);
+}
+
+TEST(FacingTraces, distances_within_the_rounding_of_coordinates_are_no_gap) {
+  const double unit = 1e-6;
+  const auto rounded = [&](Mesh mesh) {
+    mesh = rotated(mesh, 0.3);
+    mesh.vertices = (mesh.vertices / unit).array().round().matrix() * unit;
+    return mesh;
+  };
+  const Facing two(rounded(shifted(rectangle(7, 2, 4, 2), {0, 2})), rounded(rectangle(9, 2, 4, 2)));
+  EXPECT_TRUE(two.traces.gap.isZero(0));
+  const Facing apart(rounded(shifted(rectangle(7, 2, 4, 2), {0, 2.0001})), rounded(rectangle(9, 2, 4, 2)));
+  EXPECT_GT(apart.traces.gap.minCoeff(), 0.9e-4);
+}
+
+TEST(FacingTraces, takes_the_nearest_of_several_edges_on_a_ray) {
+  Mesh lower = joined(rectangle(2, 2, 4, 2), shifted(rectangle(3, 1, 4, 1), {0, -3}));
+  lower.boundary_label.tail(8).array() -= 10;
+  const Facing two(shifted(rectangle(4, 1, 4, 1), {0, 2.25}), lower);
+  EXPECT_EQ(two.traces.gap, Eigen::VectorXd::Constant(5, 0.25));
+}
+
+TEST(FacingTraces, refuses_a_line_that_faces_nothing) {
+  const auto refusal_at = [&](double x) {
+    return refusal([&] { Facing(shifted(rectangle(2, 1, 2, 1), {x, 1}), rectangle(2, 1, 2, 1)); });
+  };
+  EXPECT_EQ(refusal_at(0), "accepted");
+  EXPECT_TRUE(says(refusal_at(1.5), "the contact line at (2.75, 1) faces no edge")) << refusal_at(1.5);
+}
+
+RC_GTEST_PROP(FacingLine, integrals_of_the_opposite_displacement_are_exact, (Random random)) {
+  const Facing two = random_rows(random);
+  const Eigen::VectorXd u = random_vector(two.joined.mesh.vertices.cols(), random);
+  // int psi_i u by Simpson's rule on every piece, exact for products of linear functions
+  Eigen::VectorXd exact = Eigen::VectorXd::Zero(two.line.node_count());
+  for (const FacingPiece& piece : two.line.pieces)
+    for (int k = 0; k < 3; ++k) {
+      const double x = piece.begin + k / 2.0 * (piece.end - piece.begin);
+      const double y = piece.opposite_begin + k / 2.0 * (piece.opposite_end - piece.opposite_begin);
+      const double weight = two.line.length[piece.contact_edge] * (piece.end - piece.begin) * (k == 1 ? 4 : 1) / 6;
+      const double value =
+          (1 - y) * u[two.edges.vertices(0, piece.opposite_edge)] + y * u[two.edges.vertices(1, piece.opposite_edge)];
+      exact[two.line.edge_node(0, piece.contact_edge)] += weight * (1 - x) * value;
+      exact[two.line.edge_node(1, piece.contact_edge)] += weight * x * value;
+    }
+  RC_ASSERT((contact_mass(two.line) * (two.line.opposite * u) - exact).cwiseAbs().maxCoeff() < 1e-13);
+}
+
+RC_GTEST_PROP(JoinedLines, are_the_lines_one_after_the_other, (Random random)) {
+  const Facing two = random_rows(random);
+  const ContactLine alone = contact_line(two.joined.mesh, two.edges, {two.joined.label(0, top)});
+  const ContactLine both = joined_lines({alone, two.line});
+  const int p = alone.node_count(), m = alone.edge_count();
+  RC_ASSERT(both.node_count() == p + two.line.node_count() && both.edge_count() == m + two.line.edge_count());
+  RC_ASSERT(both.vertex.tail(two.line.node_count()) == two.line.vertex);
+  RC_ASSERT(both.normal.leftCols(p) == alone.normal && both.normal.rightCols(two.line.node_count()) == two.line.normal);
+  RC_ASSERT(both.edge_node.rightCols(two.line.edge_count()) == (two.line.edge_node.array() + p).matrix());
+  RC_ASSERT(both.edge.tail(two.line.edge_count()) == two.line.edge);
+  RC_ASSERT(both.length.tail(two.line.edge_count()) == two.line.length);
+  RC_ASSERT(both.abscissa.tail(two.line.node_count()) == two.line.abscissa);
+  RC_ASSERT((both.opposite_edge.head(m).array() == -1).all());
+  RC_ASSERT(both.opposite_edge.tail(two.line.edge_count()) == two.line.opposite_edge);
+  RC_ASSERT(both.pieces.size() == two.line.pieces.size());
+  for (std::size_t k = 0; k < both.pieces.size(); ++k) {
+    RC_ASSERT(both.pieces[k].contact_edge == two.line.pieces[k].contact_edge + m);
+    RC_ASSERT(both.pieces[k].opposite_edge == two.line.pieces[k].opposite_edge);
+  }
+  const Eigen::MatrixXd opposite = both.opposite;
+  RC_ASSERT(opposite.topRows(p).isZero(0) &&
+            opposite.bottomRows(two.line.node_count()) == Eigen::MatrixXd(two.line.opposite));
+}
+
+}  // namespace
+}  // namespace ffcontact
