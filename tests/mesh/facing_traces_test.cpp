@@ -83,10 +83,10 @@ RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite
 }
 
 RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals, (Random random)) {
-  Mesh round = moved(rectangle(6, 2, 4, 2), 1, 0.1, random);
+  Mesh round = moved(rectangle(6, 2, 4, 2), 0.6, 0.2, random);
   for (int v = 0; v < round.vertex_count(); ++v)
     round.vertices.col(v) << 1 + round.vertices(0, v),
-        4 + round.vertices(1, v) + 0.1 * std::pow(round.vertices(0, v) - 2, 2);
+        4 + round.vertices(1, v) + 0.02 * std::pow(round.vertices(0, v) - 2, 2);
   const Facing two(round, with_random_rows(5, 2, 6, 3, random), true);
   for (const FacingPiece& piece : two.traces.pieces)
     for (const bool last : {false, true}) {
@@ -132,7 +132,7 @@ TEST(FacingTraces, refuses_a_line_that_faces_nothing) {
     return refusal([&] { Facing(shifted(rectangle(2, 1, 2, 1), {x, 1}), rectangle(2, 1, 2, 1)); });
   };
   EXPECT_EQ(refusal_at(0), "accepted");
-  EXPECT_TRUE(says(refusal_at(1.5), "the contact line at (2.75, 1) faces no edge")) << refusal_at(1.5);
+  EXPECT_TRUE(says(refusal_at(1.5), "the contact line at (2.25, 1) faces no edge")) << refusal_at(1.5);
 }
 
 RC_GTEST_PROP(FacingLine, integrals_of_the_opposite_displacement_are_exact, (Random random)) {

@@ -41,7 +41,7 @@ RC_GTEST_PROP(SmoothCurve, through_points_of_a_circle_is_the_circle, (Random ran
     RC_ASSERT(curve.tangents.col(static_cast<Eigen::Index>(k)).dot(on_circle(1, angles[k] + pi / 2)) > 1 - 1e-14);
   for (int piece = 0; piece < 12; ++piece)
     for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0})
-      RC_ASSERT(std::abs(curve.at(piece, s).norm() - 50) < 50 * 1e-5 * std::pow(widest, 6) + 1e-13);
+      RC_ASSERT(std::abs(curve.at(piece, s).norm() - 50) < 50 * 4e-5 * std::pow(widest, 6) + 1e-13);
 }
 
 RC_GTEST_PROP(SmoothCurve, beside_a_point_is_its_neighbour_on_the_circle, (Random random)) {

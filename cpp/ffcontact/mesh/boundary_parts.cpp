@@ -28,12 +28,7 @@ EdgesAtVertex edges_at_vertices(const Mesh& mesh) {
   return at;
 }
 
-/// Whether a line goes through a vertex without a branch, an end or a change of label.
-bool goes_through(const Mesh& mesh, const std::vector<int>& columns) {
-  return columns.size() == 2 && mesh.boundary_label[columns[0]] == mesh.boundary_label[columns[1]];
-}
-
-/// Edges of one label in order, without their parts.
+/// Labelled edges one after the other, from one end or branch to the next, or around.
 struct Chain {
   std::vector<int> vertices, columns;
   bool closed() const { return vertices.front() == vertices.back(); }
@@ -46,7 +41,7 @@ Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex, int colu
     vertex = mesh.boundary.col(column).sum() - vertex;
     chain.vertices.push_back(vertex);
     const std::vector<int>& columns = at.find(vertex)->second;
-    if (!goes_through(mesh, columns)) break;
+    if (columns.size() != 2) break;
     column = columns[0] == column ? columns[1] : columns[0];
   }
   return chain;
@@ -79,7 +74,7 @@ std::vector<Chain> chains_of(const Mesh& mesh) {
   std::vector<Chain> chains;
   std::set<int> used;
   for (const auto& [vertex, columns] : at)
-    if (!goes_through(mesh, columns))
+    if (columns.size() != 2)
       for (int column : columns)
         if (!used.count(column)) chains.push_back(chain_from(mesh, at, vertex, column, used));
   for (int b = 0; b < mesh.boundary.cols(); ++b)
@@ -100,10 +95,10 @@ Eigen::Vector2d leaving(const Mesh& mesh, const BoundaryPart& part, bool backwar
 double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
   double largest = 0;
   for (const BoundaryPart& part : parts)
-    for (std::size_t k = 1; !part.straight && k + 1 < part.vertices.size(); ++k) {
-      const Eigen::Vector2d at = mesh.vertices.col(part.vertices[k]);
-      largest = std::max(largest, angle_between(at - mesh.vertices.col(part.vertices[k - 1]),
-                                                mesh.vertices.col(part.vertices[k + 1]) - at));
+    for (std::size_t k = 1; k + 1 < part.curve.size(); ++k) {
+      const Eigen::Vector2d at = mesh.vertices.col(part.curve[k]);
+      largest = std::max(
+          largest, angle_between(at - mesh.vertices.col(part.curve[k - 1]), mesh.vertices.col(part.curve[k + 1]) - at));
     }
   return largest;
 }
@@ -111,30 +106,32 @@ double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
 /// Places of a part for the vertices of a mesh that follows it.
 class Places {
  public:
-  Places(const Mesh& mesh, const BoundaryPart& part) : points_(points_of(mesh, part.vertices)) {
-    if (!part.straight) curve_ = smooth_curve(points_, part.closed() && closes_smoothly());
+  Places(const Mesh& mesh, const BoundaryPart& part) : ends_(2, 2) {
+    ends_ << mesh.vertices.col(part.vertices.front()), mesh.vertices.col(part.vertices.back());
+    if (part.straight()) return;
+    const Eigen::Matrix2Xd points = points_of(mesh, part.curve);
+    curve_ = smooth_curve(points, part.curve.front() == part.curve.back() && closes_smoothly(points));
   }
 
   Eigen::Vector2d beside(const Eigen::Vector2d& x) const {
     if (curve_) return curve_->beside(x);
-    const Eigen::Vector2d first = points_.col(0), along = points_.col(points_.cols() - 1) - first;
+    const Eigen::Vector2d first = ends_.col(0), along = ends_.col(1) - first;
     return first + std::clamp((x - first).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
   }
   Eigen::Vector2d nearest_end(const Eigen::Vector2d& x) const {
-    const Eigen::Vector2d first = points_.col(0), last = points_.col(points_.cols() - 1);
-    return (x - first).squaredNorm() < (x - last).squaredNorm() ? first : last;
+    return ends_.col((x - ends_.col(0)).squaredNorm() < (x - ends_.col(1)).squaredNorm() ? 0 : 1);
   }
 
  private:
-  bool closes_smoothly() const {
-    const Eigen::Index n = points_.cols() - 1;
+  static bool closes_smoothly(const Eigen::Matrix2Xd& points) {
+    const Eigen::Index n = points.cols() - 1;
     const auto turn = [&](Eigen::Index before, Eigen::Index at, Eigen::Index after) {
-      return angle_between(points_.col(at) - points_.col(before), points_.col(after) - points_.col(at));
+      return angle_between(points.col(at) - points.col(before), points.col(after) - points.col(at));
     };
     return turn(n - 1, 0, 1) <= 2 * std::max(turn(0, 1, 2), turn(n - 2, n - 1, n));
   }
 
-  const Eigen::Matrix2Xd points_;
+  Eigen::Matrix2d ends_;
   std::optional<SmoothCurve> curve_;
 };
 
@@ -185,6 +182,21 @@ void spread(const Mesh& mesh, const std::vector<char>& given, Eigen::Matrix2Xd& 
     if (!given[v]) moves.col(v) = sum.col(v) / count[v];
 }
 
+/// Appends the parts of one label each that a line or curve of a chain has.
+void add_parts(const Mesh& mesh, const Chain& chain, const LinePart& line, std::vector<BoundaryPart>& parts) {
+  const auto label = [&](int k) { return mesh.boundary_label[chain.columns[k]]; };
+  const auto vertices = [&](int first, int last) {
+    return std::vector<int>(chain.vertices.begin() + first, chain.vertices.begin() + last + 1);
+  };
+  for (int first = line.first, last = first; first < line.last; first = last) {
+    while (last < line.last && label(last) == label(first)) ++last;
+    parts.push_back({vertices(first, last),
+                     {chain.columns.begin() + first, chain.columns.begin() + last},
+                     line.straight ? std::vector<int>{} : vertices(line.first, line.last),
+                     label(first)});
+  }
+}
+
 }  // namespace
 
 std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
@@ -193,11 +205,8 @@ std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
   for (const Chain& chain : chains_of(mesh)) {
     const Eigen::Matrix2Xd points = points_of(mesh, chain.vertices);
     const double tolerance = straight_tolerance(coordinate_precision(points, size), size);
-    for (const LinePart& part : line_parts(points, tolerance, corner, fewest_edges))
-      parts.push_back({{chain.vertices.begin() + part.first, chain.vertices.begin() + part.last + 1},
-                       {chain.columns.begin() + part.first, chain.columns.begin() + part.last},
-                       mesh.boundary_label[chain.columns.front()],
-                       part.straight});
+    for (const LinePart& line : line_parts(points, tolerance, corner, fewest_edges))
+      add_parts(mesh, chain, line, parts);
   }
   return parts;
 }
@@ -213,7 +222,7 @@ double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
   for (const BoundaryPart& part : parts)
     for (const bool backwards : {false, true})
       ends[backwards ? part.vertices.back() : part.vertices.front()].push_back(
-          {leaving(mesh, part, backwards), part.straight});
+          {leaving(mesh, part, backwards), part.straight()});
   double smallest = corner;
   for (const auto& [vertex, at] : ends) {
     if (at.size() != 2) continue;

@@ -7,16 +7,17 @@
 
 namespace ffcontact {
 
-/// The labelled edges of a mesh as straight lines and smooth curves, each from a corner, an end or a change of label to the next.
+/// The labelled edges of a mesh as straight lines and smooth curves, each from a corner, a branch or a change of label to the
+/// next; a curve may go on beyond a change of label.
 /// A remesher that keeps the ends of labels, as adaptmesh does, keeps the ends of parts when every part has a label of its own
 /// (labelled_by_parts); what it makes of their inside is then put on them (moved_onto_parts).
 struct BoundaryPart {
   std::vector<int> vertices;  ///< in order; the first again at the end of a closed curve
   std::vector<int> columns;   ///< of Mesh::boundary
+  std::vector<int> curve;     ///< vertices of the whole curve that it is a part of; none if it is straight
   int label;                  ///< in the mesh
-  bool straight;
 
-  bool closed() const { return vertices.front() == vertices.back(); }
+  bool straight() const { return curve.empty(); }
 };
 
 /// @param corner  where a curve turns by more it has a corner [rad]; between straight lines every vertex is one

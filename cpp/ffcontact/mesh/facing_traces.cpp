@@ -15,7 +15,7 @@ namespace {
 
 /// Parameters this close to a vertex are the vertex.
 constexpr double at_vertex = 1e-10;
-/// The traces may end this far, in edge lengths, beside each other.
+/// The traces may end this far, in edge lengths, beside each other; or as far as coordinates may be off.
 constexpr double beside = 1e-7;
 /// Distances below this, in edge lengths, are no gap; nor are those that coordinates may be off by.
 constexpr double touching = 1e-10;
@@ -77,7 +77,7 @@ class Pairing {
       : mesh_(mesh), edges_(edges), line_(line) {
     const ContactLine target = contact_line(mesh, edges, opposite_labels);
     target_ = target.edge;
-    no_gap_ = 1.5 * (line.precision + target.precision);
+    off_ = 1.5 * (line.precision + target.precision);
     for (int edge : target_) segment_.push_back(segment_of(mesh, edges, edge));
   }
 
@@ -111,7 +111,8 @@ class Pairing {
     double distance = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < segment_.size(); ++k) {
       const std::optional<Hit> found = hit(rays, x, segment_[k]);
-      if (!found || found->parameter < -beside || found->parameter > 1 + beside) continue;
+      const double slack = std::max(beside, off_ / segment_[k].length());
+      if (!found || found->parameter < -slack || found->parameter > 1 + slack) continue;
       if (std::abs(found->distance) < distance) {
         distance = std::abs(found->distance);
         best = static_cast<int>(k);
@@ -153,7 +154,7 @@ class Pairing {
   static double clamped(double parameter) { return std::clamp(snapped(parameter), 0.0, 1.0); }
 
   void note_gap(int node, double distance, const Rays& ray, FacingTraces& result) const {
-    if (std::abs(distance) < std::max(no_gap_, touching * ray.edge.length())) distance = 0;
+    if (std::abs(distance) < std::max(off_, touching * ray.edge.length())) distance = 0;
     result.gap[node] = std::min(result.gap[node], distance);
   }
 
@@ -161,7 +162,7 @@ class Pairing {
   const Edges& edges_;
   const ContactLine& line_;
   Eigen::VectorXi target_;
-  double no_gap_;
+  double off_;  ///< what the coordinates' precision makes of distances between the traces
   std::vector<Segment> segment_;
 };
 

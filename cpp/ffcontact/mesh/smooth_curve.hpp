@@ -12,7 +12,7 @@ namespace ffcontact {
 ///     t_i ~ a/|a|^2 + b/|b|^2,   a = x_i - x_(i-1),  b = x_(i+1) - x_i,
 /// at an end that of the circle through the last three points. Between neighbours the curve is Hermite's cubic with tangent
 /// vectors of length c/cos^2(theta/4), c the chord and theta the angle between the tangents: points of a circle of radius R give
-/// the circle to within 1e-5 theta^6 R about.
+/// the circle to within 4e-5 theta^6 R.
 struct SmoothCurve {
   Eigen::Matrix2Xd points;    ///< in order; the first again at the end of a closed curve
   Eigen::Matrix2Xd tangents;  ///< unit vectors
