@@ -119,14 +119,14 @@ Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& e
   const ContactSolution reference =
       solve_contact(fine.parts.mesh(), fine.parts.line, fine.parts.law, elastic_system(fine.parts.A, fine.parts.b));
   if (!reference.accepted({}))
-    return {find("reference", "the finer problem is not solved: ", in_words(reference.status), ", residual ",
-                 reference.residual, ", violation ", reference.complementarity)};
+    return {finding("reference", "the finer problem is not solved: ", in_words(reference.status), ", residual ",
+                    reference.residual, ", violation ", reference.complementarity)};
   const double distance = squared_distance(parts, estimate, fine.parts, reference.displacement, 1 << (2 * times));
   const double allowed = estimate.e * estimate.e +
                          bound_of_interpolation(fine.parts, tangential_of(parts, fine.parts, estimate.displacement));
   const double sum = estimate.relative > 0 ? std::pow(estimate.e / estimate.relative, 2) : 0;
   if (distance <= (1 + rounding) * allowed + 1e-11 * sum) return {};
-  return {find("bound", "the distance is ", std::sqrt(distance), ", e ", estimate.e)};
+  return {finding("bound", "the distance is ", std::sqrt(distance), ", e ", estimate.e)};
 }
 
 }  // namespace ffcontact::fuzz

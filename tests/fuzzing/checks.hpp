@@ -19,11 +19,11 @@ using Finds = std::vector<Find>;
 /// and int psi_i phi_j = M Pi for the trace of the opposite body.
 Finds line_finds(const Case& problem, const Assembled& parts);
 
-/// Where prescribed values push the line into the foundation whatever the free ones do.
+/// Where prescribed values push the line into the foundation whatever the free ones do; unknown also where the line cannot move.
 enum class Feasible { yes, no, unknown };
 Feasible feasible(const Case& problem, const Assembled& parts);
 
-/// balance: K u = b + contact forces on the free dofs (1e-10 of |K| max|u| + |b|, 1e-6 of the row's own);
+/// balance: K u = b + contact forces on the free dofs (1e-10 of |K| max|u| + |b|, 1e-9 of the row's own);
 /// support: prescribed values; law: (3.17)-(3.22) node by node with our own W (1e-9).
 Finds solution_finds(const Case& problem, const Assembled& parts, const ContactSolution& solution);
 

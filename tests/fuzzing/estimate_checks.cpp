@@ -23,7 +23,7 @@ Eigen::Vector2d outward(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 /// Each triangle of the refinement is a part of its parent, and the parts fill it.
-void check_refinement(const Assembled& parts, const Ground& ground, Finds& finds) {
+void check_refinement(const Assembled& parts, const Ground& ground, bool exact, Finds& finds) {
   Eigen::VectorXd area = Eigen::VectorXd::Zero(parts.mesh().triangles.cols());
   double outside = 0;
   for (int t = 0; t < ground.mesh.triangle_count(); ++t) {
@@ -31,8 +31,20 @@ void check_refinement(const Assembled& parts, const Ground& ground, Finds& finds
     area[ground.parent[t]] += area_of(own) / area_of(parent);
     for (int k = 0; k < 3; ++k) outside = std::max(outside, -weights_at(parent, own.col(k)).minCoeff());
   }
+  const ContactLine& line = ground.line;
+  Largest apart;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int i = line.edge_node(0, e), j = line.edge_node(1, e);
+    const auto opposite = [&](int node) {
+      return Eigen::Vector2d(ground.mesh.vertices.col(WeightsByNode::InnerIterator(line.opposite, node).col()));
+    };
+    const Eigen::Vector2d own = ground.mesh.vertices.col(line.vertex[j]) - ground.mesh.vertices.col(line.vertex[i]);
+    apart.note(std::abs((opposite(j) - opposite(i)).norm() / own.norm() - 1), e);
+  }
+  if (!(apart.value <= (exact ? 1e-6 : 1e-3)))
+    finds.push_back(finding("refinement", "facing edges at contact edge ", apart.place, " differ by ", apart.value));
   if (!((area.array() - 1).abs().maxCoeff() <= 1e-8) || !(outside <= 1e-8))
-    finds.push_back(find("refinement", "triangles are not the parts of their parents"));
+    finds.push_back(finding("refinement", "triangles are not the parts of their parents"));
 }
 
 void check_displacement(const Assembled& parts, const Ground& ground, const Estimate& estimate, Finds& finds) {
@@ -44,9 +56,11 @@ void check_displacement(const Assembled& parts, const Ground& ground, const Esti
   for (int dof = 0; dof < parts.value.size(); ++dof)
     if (parts.prescribed[dof]) support.note(std::abs(u[dof] - parts.value[dof]), dof);
   if (!(penetration.value <= displacement_tolerance * scale))
-    finds.push_back(find("displacement", "penetrates at node ", penetration.place, " by ", penetration.value / scale));
+    finds.push_back(finding("displacement", how_far(penetration.value / scale), "penetrates at node ",
+                            penetration.place, " by ", penetration.value / scale));
   if (!(support.value <= 1e-12 * scale))
-    finds.push_back(find("displacement", "leaves the support of dof ", support.place, " by ", support.value / scale));
+    finds.push_back(finding("displacement", how_far(support.value / scale), "leaves the support of dof ", support.place,
+                            " by ", support.value / scale));
 }
 
 /// Stress at corner c (k+1, k+2, centroid) of subtriangle k.
@@ -102,7 +116,8 @@ std::map<int, std::array<bool, 2>> held_labels(const Mesh& mesh, const std::vect
   return held;
 }
 
-/// Given tractions by the case's data; contact tractions on both sides over them.
+/// Given tractions by the case's data; contact tractions on both sides over them. Where facing edges of the refinement are not
+/// of the same length (vertices that all but meet) their forces are opposite, not their tractions: check_refinement says by how much.
 GivenTractions given_tractions(const Case& problem, const Assembled& parts, const Ground& ground,
                                const Estimate& estimate) {
   GivenTractions given;
@@ -128,8 +143,9 @@ GivenTractions given_tractions(const Case& problem, const Assembled& parts, cons
     const auto facing = [&](int node) {
       return static_cast<int>(WeightsByNode::InnerIterator(line.opposite, node).col());
     };
-    const Given opposite{-here.value.rowwise().reverse(), {true, true}};
-    given[{facing(j), facing(i)}] = opposite;
+    const double ratio = (ground.mesh.vertices.col(a) - ground.mesh.vertices.col(b)).norm() /
+                         (ground.mesh.vertices.col(facing(i)) - ground.mesh.vertices.col(facing(j))).norm();
+    given[{facing(j), facing(i)}] = {-ratio * here.value.rowwise().reverse(), {true, true}};
   }
   return given;
 }
@@ -178,7 +194,8 @@ void check_stress(const Case& problem, const Assembled& parts, const Ground& gro
   const StressDefects defects = stress_defects(problem, parts, ground, estimate);
   const auto judge = [&](const char* check, const Largest& defect) {
     if (!(defect.value <= stress_tolerance * scale))
-      finds.push_back(find(check, "at ", defect.place, " by ", defect.value / scale, " of the largest stress"));
+      finds.push_back(finding(check, how_far(defect.value / scale), "at ", defect.place, " by ", defect.value / scale,
+                              " of the largest stress"));
   };
   judge("divergence", defects.divergence);
   judge("jump", defects.jump);
@@ -241,7 +258,8 @@ void check_cone(const Case& problem, const Ground& ground, const Estimate& estim
     }
   }
   if (!(outside.value <= cone_tolerance * scale))
-    finds.push_back(find("cone", "left on contact edge ", outside.place, " by ", outside.value / scale));
+    finds.push_back(finding("cone", how_far(outside.value / scale), "left on contact edge ", outside.place, " by ",
+                            outside.value / scale));
 }
 
 /// int a : C^-1 a over a triangle of a stress that is linear on its subtriangles: the middles of sides are exact.
@@ -287,7 +305,7 @@ void check_error(const Case& problem, const Assembled& parts, const Ground& grou
   const double rounding = 1e-12 * (own.sum + own.contact_size);
   const auto compare = [&](const char* what, double theirs, double ours) {
     if (!(std::abs(theirs - ours) <= error_tolerance * std::abs(ours) + rounding))
-      finds.push_back(find("error", what, " is ", theirs, ", by our integrals ", ours));
+      finds.push_back(finding("error", what, " is ", theirs, ", by our integrals ", ours));
   };
   compare("elastic part", estimate.elastic * estimate.elastic, own.elastic);
   compare("contact part", estimate.contact, own.contact);
@@ -295,7 +313,8 @@ void check_error(const Case& problem, const Assembled& parts, const Ground& grou
   const double relative_square = estimate.relative * estimate.relative;
   if (own.sum > 0) compare("eps^2 times the sum", relative_square * own.sum, std::max(0.0, own.elastic + own.contact));
   if (!(std::abs(estimate.local.squaredNorm() - relative_square) <= error_tolerance * relative_square + 1e-12))
-    finds.push_back(find("error", "the sum of eps_E^2 is ", estimate.local.squaredNorm(), ", eps^2 ", relative_square));
+    finds.push_back(
+        finding("error", "the sum of eps_E^2 is ", estimate.local.squaredNorm(), ", eps^2 ", relative_square));
 }
 
 }  // namespace
@@ -303,7 +322,7 @@ void check_error(const Case& problem, const Assembled& parts, const Ground& grou
 Finds estimate_finds(const Case& problem, const Assembled& parts, const Estimate& estimate) {
   Finds finds;
   const Ground ground = ground_of(parts, estimate);
-  if (estimate.refinement) check_refinement(parts, ground, finds);
+  if (estimate.refinement) check_refinement(parts, ground, estimate.refinement->exact, finds);
   check_displacement(parts, ground, estimate, finds);
   const double scale = stress_scale(parts, ground, estimate.displacement);
   const double contact =
@@ -311,7 +330,9 @@ Finds estimate_finds(const Case& problem, const Assembled& parts, const Estimate
   check_stress(problem, parts, ground, estimate, scale, finds);
   check_cone(problem, ground, estimate, std::max(scale, contact), finds);
   check_error(problem, parts, ground, estimate, finds);
-  if (!estimate.admissible) finds.push_back(find("admissible", estimate.reason));
+  if (!estimate.admissible)
+    finds.push_back(
+        finding("admissible", how_far(std::max(estimate.equilibrium.largest(), estimate.cone)), estimate.reason));
   return finds;
 }
 

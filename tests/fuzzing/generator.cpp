@@ -183,7 +183,7 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
   if (shape.nx > 1 && dice.chance(0.3)) split_side(body.mesh, top, top_rest, columns[dice.integer(1, shape.nx - 1)]);
   std::vector<int> contact{bottom};
   if (has_label(body.mesh, bottom_rest) && dice.chance(0.5)) contact.push_back(bottom_rest);
-  if (plan.support != Holding::pressed && dice.chance(0.15)) contact.push_back(dice.chance(0.5) ? right : left);
+  if (plan.support != Holding::pressed && dice.chance(0.15)) contact.push_back(dice.pick<int>({right, left, top}));
   const std::vector<int> others = free_labels(body, contact);
   plan.flat = plan.support == Holding::pressed ? !dice.chance(0.2) : !dice.chance(0.25);
   if (plan.support == Holding::pressed)
@@ -196,7 +196,7 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
   if (dice.chance(0.5)) flip_edges(body.mesh, dice.integer(1, 10), dice);
   std::vector<int> kept = contact;
   for (const Support& s : body.supports) kept.push_back(s.label);
-  if (dice.chance(0.5)) bite(body.mesh, dice.integer(1, body.mesh.triangle_count()), kept, dice);
+  if (dice.chance(0.5)) bite(body.mesh, dice.integer(1, body.mesh.triangle_count()), kept, {}, dice);
   if (dice.chance(0.3)) renumber(body.mesh, dice);
   give_materials(body, plan, dice);
   if (plan.support == Holding::held) {
@@ -215,84 +215,119 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
   c.bodies = {body};
 }
 
+/// A stack while it grows from its uppermost body down.
+struct Stack {
+  int count;
+  bool matching, equal;
+  double width, distance;       ///< of the uppermost body; between facing sides
+  std::vector<double> columns;  ///< of the last body
+  double from = 0, floor = 0;   ///< its left end and its bottom
+  std::vector<double> kinks;    ///< of the line below the uppermost body; empty where it is straight
+};
+
+Stack random_stack(Plan& plan, Dice& dice) {
+  Stack stack;
+  stack.count = dice.chance(0.8) ? 2 : 3;
+  stack.matching = dice.chance(0.5);
+  stack.equal = dice.chance(0.4);
+  stack.width = dice.decades(0.5, 4);
+  stack.distance = dice.chance(0.3) ? plan.strain * dice.real(0, 1) : 0;
+  stack.columns = places(dice.integer(1, 5), stack.width, dice.chance(0.5) ? 1 : 4, dice);
+  plan.flat = !(stack.matching && stack.equal && stack.count == 2 && stack.distance == 0 && dice.chance(0.3));
+  if (!plan.flat) stack.kinks = random_kinks(stack.columns, 0.6, dice);
+  return stack;
+}
+
+/// Places that all but meet the given ones.
+std::vector<double> nearly(std::vector<double> columns, Dice& dice) {
+  const double shift = 0.1 * columns.back() / static_cast<double>(columns.size()) * dice.decades(1e-12, 1);
+  for (std::size_t i = 1; i + 1 < columns.size(); ++i) columns[i] += shift * dice.real(-1, 1);
+  return columns;
+}
+
+/// The columns of the next body below: as wide or wider, with the same places or others.
+void widen(Stack& stack, Dice& dice) {
+  const double on_left = stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width,
+               on_right = stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width;
+  const double span = stack.columns.back() + on_left + on_right;
+  stack.from -= on_left;
+  if (!stack.matching && dice.chance(0.6)) {
+    stack.columns = places(dice.integer(1, 6), span, dice.chance(0.5) ? 1 : 4, dice);
+    return;
+  }
+  if (!stack.matching) stack.columns = nearly(stack.columns, dice);
+  if (on_left > 0) {
+    for (double& x : stack.columns) x += on_left;
+    stack.columns.insert(stack.columns.begin(), 0);
+  }
+  if (on_right > 0) stack.columns.push_back(span);
+}
+
+/// y -> height - y; orientation is lost until it is done again.
+void upside_down(Mesh& mesh, double height) { mesh.vertices.row(1) = height - mesh.vertices.row(1).array(); }
+
+Mesh mesh_in(Stack& stack, bool uppermost, double height, Dice& dice) {
+  Mesh mesh = grid(stack.columns, places(dice.integer(1, 3), height, dice.chance(0.7) ? 1 : 4, dice), dice);
+  if (!stack.kinks.empty() && uppermost) {
+    kink_bottom(mesh, stack.columns, stack.kinks, height);
+  } else if (!stack.kinks.empty()) {  // the top follows the bottom of the body above
+    std::vector<double> turned = stack.kinks;
+    for (double& y : turned) y = -y;
+    upside_down(mesh, height);
+    kink_bottom(mesh, stack.columns, turned, height);
+    upside_down(mesh, height);
+  }
+  stack.floor -= height + (uppermost ? 0 : stack.distance);
+  mesh.vertices.row(0).array() += stack.from;
+  mesh.vertices.row(1).array() += stack.floor;
+  if (dice.chance(0.3)) split_triangles(mesh, dice.integer(1, 4), dice);
+  if (dice.chance(0.5)) move_inner_vertices(mesh, 0.4, dice);
+  if (dice.chance(0.4)) flip_edges(mesh, dice.integer(1, 6), dice);
+  return mesh;
+}
+
+void hold(Body& body, const Plan& plan, bool uppermost, bool lowermost, double height, Dice& dice) {
+  if (lowermost) {
+    clamp(body, bottom);
+  } else if (plan.support == Holding::pressed) {
+    body.supports = {{left, 0, {}}};
+  } else if (plan.support == Holding::held) {
+    clamp(body, uppermost ? dice.pick<int>({top, top, left, right}) : dice.pick<int>({left, right}));
+    if (uppermost && plan.moved && supported(body, top)) move_supports(body, plan.strain * height, dice);
+  }
+}
+
+void load_in_stack(Body& body, const Plan& plan, bool uppermost, Dice& dice) {
+  const double size = plan.strain * plan.softest;
+  if (plan.support == Holding::held && plan.loaded) {
+    load(body, uppermost ? std::vector<int>{left, right, top} : std::vector<int>{left, right}, plan, dice);
+  } else if (plan.support != Holding::held && uppermost) {
+    const double push = plan.support == Holding::loose ? 0.1 * dice.real(-1, 1) : 0;
+    body.tractions.push_back({top, size * Eigen::Vector2d(push, -dice.real(0.1, 1))});
+  }
+}
+
 /// Two or three bodies on each other, each as wide as that above it or wider.
-void stack(Case& c, Plan& plan, Dice& dice) {
-  const int count = dice.chance(0.8) ? 2 : 3;
-  const bool matching = dice.chance(0.5), equal = dice.chance(0.4);
-  const double width = dice.decades(0.5, 4), distance = dice.chance(0.3) ? plan.strain * dice.real(0, 1) : 0;
-  plan.flat = !(matching && equal && count == 2 && distance == 0 && dice.chance(0.3));
-  std::vector<double> columns = places(dice.integer(1, 5), width, dice.chance(0.5) ? 1 : 4, dice);
-  double floor = 0, from = 0;
-  std::vector<double> kinks;
-  for (int k = 0; k < count; ++k) {  // from the uppermost down
-    Body body;
-    const int rows = dice.integer(1, 3);
+void stacked_bodies(Case& c, Plan& plan, Dice& dice) {
+  Stack stack = random_stack(plan, dice);
+  for (int k = 0; k < stack.count; ++k) {
+    const bool uppermost = k == 0, lowermost = k + 1 == stack.count;
     const double height = dice.decades(0.3, 2);
-    if (k > 0) {
-      const double margin_left = equal ? 0 : dice.real(0, 1) * width,
-                   margin_right = equal ? 0 : dice.real(0, 1) * width;
-      const double span = columns.back() - columns.front();
-      if (!matching)
-        columns = places(dice.integer(1, 6), span + margin_left + margin_right, dice.chance(0.5) ? 1 : 4, dice);
-      if (!matching) from -= margin_left;
-      if (matching && margin_left > 0.05 * width) {
-        for (double& x : columns) x += margin_left;
-        columns.insert(columns.begin(), 0);
-        from -= margin_left;
-      }
-      if (matching && margin_right > 0.05 * width) columns.push_back(columns.back() + margin_right);
-    }
-    body.mesh = grid(columns, places(rows, height, dice.chance(0.7) ? 1 : 4, dice), dice);
-    if (!plan.flat && k == 0) {
-      kinks = random_kinks(columns, 0.6 * std::min(height, 1.0), dice);
-      kink_bottom(body.mesh, columns, kinks, height);
-    }
-    if (!plan.flat && k == 1) {  // the top follows the bottom of the body above
-      body.mesh.vertices.row(1) = height - body.mesh.vertices.row(1).array();
-      kink_bottom(
-          body.mesh, columns,
-          [&] {
-            auto turned = kinks;
-            for (double& y : turned) y = -y;
-            return turned;
-          }(),
-          height);
-      body.mesh.vertices.row(1) = height - body.mesh.vertices.row(1).array();
-    }
-    floor -= height + (k > 0 ? distance : 0);
-    body.mesh.vertices.row(0).array() += from;
-    body.mesh.vertices.row(1).array() += floor;
-    if (dice.chance(0.3)) split_triangles(body.mesh, dice.integer(1, 4), dice);
-    if (dice.chance(0.5)) move_inner_vertices(body.mesh, 0.4, dice);
-    if (dice.chance(0.4)) flip_edges(body.mesh, dice.integer(1, 6), dice);
+    Body body;
+    if (!uppermost) widen(stack, dice);
+    body.mesh = mesh_in(stack, uppermost, height, dice);
+    hold(body, plan, uppermost, lowermost, height, dice);
+    std::vector<int> kept;
+    for (const Support& s : body.supports) kept.push_back(s.label);
+    if (dice.chance(0.3)) bite(body.mesh, dice.integer(1, 8), kept, {bottom, top}, dice);
     if (dice.chance(0.2)) renumber(body.mesh, dice);
     give_materials(body, plan, dice);
-    const bool lowermost = k + 1 == count;
-    if (lowermost) {
-      clamp(body, bottom);
-    } else if (plan.support == Holding::pressed) {
-      body.supports = {{left, 0, {}}};
-    } else if (plan.support == Holding::held) {
-      clamp(body, k == 0 ? dice.pick<int>({top, top, left, right}) : dice.pick<int>({left, right}));
-      if (k == 0 && plan.moved && supported(body, top)) move_supports(body, plan.strain * height, dice);
-    }
-    if (plan.support == Holding::held && plan.loaded) {
-      std::vector<int> labels{left, right};
-      if (k == 0) labels.push_back(top);
-      load(body, labels, plan, dice);
-    } else if (plan.support != Holding::held && k == 0) {
-      const double push = plan.support == Holding::loose ? 0.1 : 0;
-      body.tractions.push_back(
-          {top, plan.strain * plan.softest * Eigen::Vector2d(push * dice.real(-1, 1), -dice.real(0.1, 1))});
-    }
+    load_in_stack(body, plan, uppermost, dice);
     c.bodies.push_back(std::move(body));
   }
-  for (int k = 0; k + 1 < count; ++k) {
-    if (equal && dice.chance(0.5))
-      c.contacts.push_back({k + 1, {top}, k, bottom});
-    else
-      c.contacts.push_back({k, {bottom}, k + 1, top});
-  }
+  for (int k = 0; k + 1 < stack.count; ++k)
+    c.contacts.push_back(stack.equal && dice.chance(0.5) ? Contact{k + 1, {top}, k, bottom}
+                                                         : Contact{k, {bottom}, k + 1, top});
 }
 
 void give_law(Case& c, const Plan& plan, Dice& dice) {
@@ -307,7 +342,7 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
     c.friction = positive_field(3, dice);
   } else if (c.law == Law::coulomb) {
     c.friction.mean = dice.real(0, 0.2);
-    if (dice.chance(0.3)) c.friction.slope = 0.4 * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+    if (dice.chance(0.3)) c.friction = {0.1, 0.05 * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1)), 0, {0, 0}};
   } else if (c.law == Law::tresca) {
     c.slip_bound = positive_field(plan.strain * plan.softest * dice.decades(0.01, 10), dice);
   }
@@ -386,7 +421,10 @@ Case drawn(Dice& dice) {
   if (dice.chance(0.65))
     one_body(c, plan, dice);
   else
-    stack(c, plan, dice);
+    stacked_bodies(c, plan, dice);
+  c.size = (c.bodies.back().mesh.vertices.rowwise().maxCoeff() - c.bodies.front().mesh.vertices.rowwise().minCoeff())
+               .cwiseAbs()
+               .maxCoeff();
   give_law(c, plan, dice);
   place(c, plan, dice);
   give_matrix(c, dice);

@@ -31,12 +31,15 @@ inline Eigen::Vector3d weights_at(const Corners& corners, const Eigen::Vector2d&
 }
 
 template <class... Parts>
-Find find(const char* check, const Parts&... parts) {
+Find finding(const char* check, const Parts&... parts) {
   std::ostringstream text;
   text.precision(6);
   ((text << parts), ...);
   return {check, text.str()};
 }
+
+/// Finds by rounding and gross ones have other causes.
+inline const char* how_far(double defect) { return defect <= 1e-6 ? "little: " : "much: "; }
 
 /// The largest of many values and where it was.
 struct Largest {

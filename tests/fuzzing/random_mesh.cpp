@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -73,9 +74,12 @@ void set_boundary(Mesh& mesh, const std::vector<Eigen::Vector3i>& edges) {
   }
 }
 
-bool has_labels(const Mesh& mesh, const std::vector<int>& labels) {
-  return std::all_of(labels.begin(), labels.end(),
-                     [&](int label) { return (mesh.boundary_label.array() == label).any(); });
+Eigen::Index label_count(const Mesh& mesh, int label) { return (mesh.boundary_label.array() == label).count(); }
+
+bool keeps_labels(const Mesh& rest, const Mesh& mesh, const std::vector<int>& kept, const std::vector<int>& whole) {
+  return std::all_of(kept.begin(), kept.end(), [&](int label) { return label_count(rest, label) > 0; }) &&
+         std::all_of(whole.begin(), whole.end(),
+                     [&](int label) { return label_count(rest, label) == label_count(mesh, label); });
 }
 
 }  // namespace
@@ -124,8 +128,10 @@ void move_inner_vertices(Mesh& mesh, double fraction, Dice& dice) {
       room[b] = std::min(room[b], length);
     }
   for (int v : mesh.boundary.reshaped()) room[v] = 0;
+  const Eigen::Matrix2Xd before = mesh.vertices;
   for (int v = 0; v < mesh.vertex_count(); ++v)
     mesh.vertices.col(v) += fraction * room[v] * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+  if (!std::isfinite(worst_aspect(mesh))) mesh.vertices = before;  // a triangle was turned over
 }
 
 void flip_edges(Mesh& mesh, int tries, Dice& dice) {
@@ -182,12 +188,12 @@ bool remove_triangles(Mesh& mesh, const std::vector<char>& removed, std::vector<
   return true;
 }
 
-void bite(Mesh& mesh, int tries, const std::vector<int>& kept, Dice& dice) {
+void bite(Mesh& mesh, int tries, const std::vector<int>& kept, const std::vector<int>& whole, Dice& dice) {
   for (; tries > 0; --tries) {
     Mesh rest = mesh;
     std::vector<char> removed(mesh.triangles.cols(), 0);
     removed[dice.integer(0, mesh.triangle_count() - 1)] = 1;
-    if (remove_triangles(rest, removed) && has_labels(rest, kept)) mesh = std::move(rest);
+    if (remove_triangles(rest, removed) && keeps_labels(rest, mesh, kept, whole)) mesh = std::move(rest);
   }
 }
 

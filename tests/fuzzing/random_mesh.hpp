@@ -24,8 +24,8 @@ void move_inner_vertices(Mesh& mesh, double fraction, Dice& dice);
 void flip_edges(Mesh& mesh, int tries, Dice& dice);
 
 /// Takes triangles out, one by one, as long as the rest hangs together by edges, no vertex is left between two fans, and
-/// every label in `kept` keeps an edge. Sides that come free are labelled `bitten`.
-void bite(Mesh& mesh, int tries, const std::vector<int>& kept, Dice& dice);
+/// every label in `kept` keeps an edge and every one in `whole` all of them. Sides that come free are labelled `bitten`.
+void bite(Mesh& mesh, int tries, const std::vector<int>& kept, const std::vector<int>& whole, Dice& dice);
 
 /// Puts a vertex into random triangles.
 void split_triangles(Mesh& mesh, int tries, Dice& dice);

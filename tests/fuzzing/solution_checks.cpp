@@ -8,7 +8,7 @@ namespace ffcontact::fuzz {
 
 namespace {
 
-constexpr double of_the_whole = 1e-10, of_the_row = 1e-6, law_tolerance = 1e-9, geometry_tolerance = 1e-9;
+constexpr double of_the_whole = 1e-10, of_the_row = 1e-9, law_tolerance = 1e-9, geometry_tolerance = 1e-9;
 
 /// The contact label and opposite label of each boundary edge on the line, by its vertices in counter-clockwise order.
 struct Labelled {
@@ -86,19 +86,20 @@ void check_edges(const Case& problem, const Assembled& parts, Finds& finds) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e);
     const auto found = expected.find({line.vertex[i], line.vertex[j]});
     if (found == expected.end() || found->second.opposite) {
-      finds.push_back(find("line", "contact edge ", e, " is no edge of the contact labels, or is there twice"));
+      finds.push_back(finding("line", "contact edge ", e, " is no edge of the contact labels, or is there twice"));
       return;
     }
     const Segment edge = segment(parts.mesh(), found->first);
     if (std::abs(line.length[e] - edge.length()) > geometry_tolerance * edge.length())
-      finds.push_back(find("line", "length of edge ", e));
+      finds.push_back(finding("line", "length of edge ", e));
     for (int node : {i, j})
       if ((line.normal.col(node) - edge.outward()).norm() > 1e-6)
-        finds.push_back(find("line", "normal of node ", node, " is not that of its edge"));
+        finds.push_back(finding("line", "normal of node ", node, " is not that of its edge"));
     expected.erase(found);
   }
   for (const auto& [ends, what] : expected)
-    if (!what.opposite) finds.push_back(find("line", "the edge from ", ends.first, " to ", ends.second, " is missing"));
+    if (!what.opposite)
+      finds.push_back(finding("line", "the edge from ", ends.first, " to ", ends.second, " is missing"));
 }
 
 /// Two edges in a row share their node where they are straight to well above rounding, and only there.
@@ -115,9 +116,9 @@ void check_corners(const Assembled& parts, Finds& finds) {
       const double rounding = 4e-16 * far / std::min(first.length(), second.length());
       if (end != start && sine < 2 * rounding + 1e-12)
         finds.push_back(
-            find("line", "two nodes at vertex ", line.vertex[end], " where the line is straight to ", sine));
+            finding("line", "two nodes at vertex ", line.vertex[end], " where the line is straight to ", sine));
       if (end == start && sine > 1e-3)
-        finds.push_back(find("line", "one node at vertex ", line.vertex[end], " where the line turns by ", sine));
+        finds.push_back(finding("line", "one node at vertex ", line.vertex[end], " where the line turns by ", sine));
     }
 }
 
@@ -126,7 +127,7 @@ void check_coupling(const Case& problem, const Assembled& parts, Finds& finds) {
   const Dense M = mass_of(parts.mesh(), parts.line),
               difference = M * Dense(parts.line.opposite) - coupling(problem, parts);
   const double defect = difference.cwiseAbs().maxCoeff() / M.cwiseAbs().maxCoeff();
-  if (!(defect <= 1e-8)) finds.push_back(find("coupling", "int psi phi is off by ", defect));
+  if (!(defect <= 1e-8)) finds.push_back(finding("coupling", "int psi phi is off by ", defect));
 }
 
 Eigen::VectorXd contact_load(const Assembled& parts, const Eigen::Matrix2Xd& force) {
@@ -156,16 +157,16 @@ void check_balance(const Assembled& parts, const ContactSolution& solution, Find
   }
   const double scale = size.size() > 0 ? size.maxCoeff() : 0;
   if (!(whole.value <= of_the_whole * scale))
-    finds.push_back(find("balance", "dof ", whole.place, " by ", whole.value / scale, " of the largest force"));
+    finds.push_back(finding("balance", "dof ", whole.place, " by ", whole.value / scale, " of the largest force"));
   if (!(row.value <= of_the_row))
-    finds.push_back(find("balance", "dof ", row.place, " by ", row.value, " of the forces there"));
+    finds.push_back(finding("balance", "dof ", row.place, " by ", row.value, " of the forces there"));
 }
 
 void check_supports(const Assembled& parts, const ContactSolution& solution, Finds& finds) {
   for (int dof = 0; dof < parts.value.size(); ++dof)
     if (parts.prescribed[dof] &&
         !(std::abs(solution.displacement[dof] - parts.value[dof]) <= 1e-12 * parts.value.cwiseAbs().maxCoeff()))
-      finds.push_back(find("support", "dof ", dof, " is ", solution.displacement[dof], ", not ", parts.value[dof]));
+      finds.push_back(finding("support", "dof ", dof, " is ", solution.displacement[dof], ", not ", parts.value[dof]));
 }
 
 /// Nodes at which complementarity is not asked: some prescribed value stands in W u.
@@ -197,7 +198,7 @@ void check_law(const Case& problem, const Assembled& parts, const ContactSolutio
   const double P_scale = std::max(P.cwiseAbs().maxCoeff(), problem.law == Law::tresca ? bound.maxCoeff() : 0.0);
   const double P_zero = law_tolerance * P_scale, v_zero = law_tolerance * v_scale;
   const auto complain = [&](int node, const char* what, double by, double scale) {
-    finds.push_back(find("law", what, " at node ", node, " by ", by / scale));
+    finds.push_back(finding("law", what, " at node ", node, " by ", by / scale));
   };
   for (int i = 0; i < p; ++i) {
     if (!(P(0, i) <= P_zero)) complain(i, "tension", P(0, i), P_scale);
@@ -214,7 +215,7 @@ void check_law(const Case& problem, const Assembled& parts, const ContactSolutio
   }
   const double defect = pressures ? (solution.force - solution.pressure * M).cwiseAbs().maxCoeff() : 0;
   if (!(defect <= 1e-9 * solution.force.cwiseAbs().maxCoeff()))
-    finds.push_back(find("law", "forces are not M times pressures"));
+    finds.push_back(finding("law", "forces are not M times pressures"));
 }
 
 }  // namespace
@@ -231,7 +232,9 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
   const ContactLine& line = parts.line;
   const Eigen::VectorXd& gap = parts.law.gap;
   const double scale = std::max(parts.value.cwiseAbs().maxCoeff(), gap.cwiseAbs().maxCoeff());
-  Feasible result = Feasible::yes;
+  bool any_free = false;
+  for (int v : line.vertex) any_free = any_free || !parts.prescribed[2 * v] || !parts.prescribed[2 * v + 1];
+  Feasible result = any_free ? Feasible::yes : Feasible::unknown;
   const auto worsen = [&](Feasible to) {
     if (result != Feasible::no) result = to;
   };

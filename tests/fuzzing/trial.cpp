@@ -28,12 +28,12 @@ bool ended(const char* step, const Case& problem, Feasible possible, const std::
   } catch (const std::runtime_error& sentence) {
     message = sentence.what();
   } catch (const std::exception& other) {
-    outcome.finds.push_back(find("exception", step, ": ", other.what()));
+    outcome.finds.push_back(finding("exception", step, ": ", other.what()));
   }
-  if (!message.empty() && !is_sentence(message)) outcome.finds.push_back(find("exception", step, ": ", message));
+  if (!message.empty() && !is_sentence(message)) outcome.finds.push_back(finding("exception", step, ": ", message));
   outcome.answer = std::string("refused by ") + step + ": " + without_numbers(message);
   if (problem.promise == Promise::solution && possible == Feasible::yes)
-    outcome.finds.push_back(find("refused", step, ": ", message));
+    outcome.finds.push_back(finding("refused", step, ": ", message));
   return false;
 }
 
@@ -53,7 +53,7 @@ void judge_estimate(const Case& problem, const Assembled& parts, const ElasticSy
           outcome))
     return;
   append(estimate_finds(problem, parts, estimate), outcome.finds);
-  if (problem.with_reference && problem.promise == Promise::solution && estimate.admissible)
+  if (problem.with_reference && problem.promise == Promise::solution && outcome.finds.empty())
     ended(
         "reference", problem, Feasible::yes, [&] { append(bound_finds(problem, parts, estimate, 2), outcome.finds); },
         outcome);
@@ -101,13 +101,14 @@ Outcome outcome_of(const Case& problem) {
   if (!solution.accepted({})) {
     outcome.answer = std::string("not solved: ") + in_words(solution.status);
     if (problem.promise == Promise::solution && possible == Feasible::yes)
-      outcome.finds.push_back(find("unsolved", in_words(solution.status), ", residual ", solution.residual,
-                                   ", violation ", solution.complementarity));
+      outcome.finds.push_back(finding("unsolved", how_far(std::max(solution.residual, solution.complementarity)),
+                                      in_words(solution.status), ", residual ", solution.residual, ", violation ",
+                                      solution.complementarity));
     return outcome;
   }
   if (possible == Feasible::no) {
     outcome.answer = "solved though prescribed values penetrate";
-    outcome.finds.push_back(find("infeasible", "prescribed values penetrate and the problem is called solved"));
+    outcome.finds.push_back(finding("infeasible", "prescribed values penetrate and the problem is called solved"));
     return outcome;
   }
   append(solution_finds(problem, parts, solution), outcome.finds);
