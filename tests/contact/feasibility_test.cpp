@@ -87,10 +87,12 @@ Problem tip_in_a_groove(double lower_gap, double upper_gap) {
   Mesh mesh;
   mesh.vertices.resize(2, 3);
   mesh.vertices << 0, 2, 0, -1, 0, 1;
-  mesh.triangles = Eigen::Vector3i(0, 1, 2);
+  mesh.triangles.resize(3, 1);
+  mesh.triangles << 0, 1, 2;
   mesh.boundary.resize(2, 3);
   mesh.boundary << 0, 1, 2, 1, 2, 0;
-  mesh.boundary_label = Eigen::Vector3i(bottom, bottom, left);
+  mesh.boundary_label.resize(3);
+  mesh.boundary_label << bottom, bottom, left;
   Problem problem = body(mesh, material(100, 0.3));
   prescribe_dof(problem, 2, 0);
   problem.law.gap = everywhere(problem.line, 1);
