@@ -39,7 +39,9 @@ TEST(NodalPressures, are_continued_to_clamped_nodes_and_keep_the_forces_of_the_o
     for (int i = 0; i < 5; ++i) {
       if (i == clamped) continue;
       EXPECT_NEAR(loads(0, i), force(0, i), 1e-13);
-      if (i < 4) EXPECT_NEAR(loads(1, i), force(1, i), 1e-13);
+      if (i < 4) {
+        EXPECT_NEAR(loads(1, i), force(1, i), 1e-13);
+      }
     }
     const int before = std::max(clamped - 1, 0), after = std::min(clamped + 1, 4);
     EXPECT_TRUE(pressure(0, clamped) == pressure(0, before) || pressure(0, clamped) == pressure(0, after));
