@@ -105,18 +105,21 @@ class Pairing {
     return result;
   }
 
-  /// The nearest facing edge a ray hits, by its number in target_.
+  /// The nearest facing edge a ray hits, by its number in target_; of equally near ones that which it misses least.
   int nearest(const Rays& rays, double x) const {
     int best = -1;
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = std::numeric_limits<double>::infinity(), least_missed = distance;
     for (std::size_t k = 0; k < segment_.size(); ++k) {
       const std::optional<Hit> found = hit(rays, x, segment_[k]);
-      const double slack = std::max(beside, off_ / segment_[k].length());
-      if (!found || found->parameter < -slack || found->parameter > 1 + slack) continue;
-      if (std::abs(found->distance) < distance) {
-        distance = std::abs(found->distance);
-        best = static_cast<int>(k);
-      }
+      const double length = segment_[k].length();
+      if (!found) continue;
+      const double far = std::abs(found->distance), missed = std::max({0.0, -found->parameter, found->parameter - 1});
+      if (missed > std::max(beside, off_ / length)) continue;
+      const double equal = std::max(off_, touching * length);
+      if (far > distance + equal || (far > distance - equal && missed * length >= least_missed)) continue;
+      distance = far;
+      least_missed = missed * length;
+      best = static_cast<int>(k);
     }
     if (best < 0) {
       const Eigen::Vector2d point = mesh_.origin + rays.edge.at(x);
