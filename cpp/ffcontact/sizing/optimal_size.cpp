@@ -13,8 +13,10 @@ namespace ffcontact {
 
 namespace {
 
-/// A mesh that just missed the target is followed by one that is asked for a little less, so that a loop ends.
-constexpr double close_to_target = 1.25, below_target = 0.92;
+/// What is asked for, in parts of the target: far from it, and at it.
+constexpr double part_far = 0.92, part_at = 0.85;
+/// A mesh is far from the target when it is off by more than this, as a part of it.
+constexpr double closeness = 0.15;
 
 const double equilateral = std::sqrt(3.0) / 4;  ///< area of the equilateral triangle of size 1
 
@@ -89,6 +91,13 @@ double predicted_error(const Mesh& mesh, const Eigen::VectorXd& size, const Eige
   return std::sqrt(square);
 }
 
+/// The error to ask for on the way to the target.
+double wanted_error(double now, const SizeSettings& settings) {
+  const double distance = std::min(1.0, std::abs(now / settings.target - 1) / closeness);
+  const double part = part_at + distance * (part_far - part_at);
+  return std::max(part * settings.target, now / settings.largest_step);
+}
+
 }  // namespace
 
 Eigen::VectorXd size_ratios(const Eigen::Ref<const Eigen::VectorXd>& local_error,
@@ -149,9 +158,7 @@ OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<
   require_valid(mesh, local_error, rates, settings);
   const Eigen::VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
-  const double now = local_error.norm();
-  const double aim = now < close_to_target * settings.target ? below_target * settings.target : settings.target;
-  result.wanted = std::max(aim, now / settings.largest_step);
+  result.wanted = wanted_error(local_error.norm(), settings);
   result.ratio = size_ratios(error, rates, result.wanted);
 
   const Eigen::Vector2d extent = mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();

@@ -25,10 +25,14 @@ struct SizeSettings {
 /// Meshers make nearly equilateral triangles, whose error is smaller than that of a worse shape of the same area: for a linear
 /// element it goes with the root of the sum of the squared edges. eps_E is therefore taken times the quality
 /// (4 sqrt(3) |E| / sum of l^2)^(1/2), 1 for an equilateral triangle and 0.93 for half a square.
+///
+/// The new mesh has 1.0 to 1.15 times the error that was asked for, since errors scatter from element to element and this scatter
+/// is not what sizes can follow. Less than the target is therefore asked for: 0.92 of it. A mesh that misses the target closely was
+/// made for it and has missed by more than these 8 %: the closer the miss, the less is asked for next, down to 0.85 of the target.
 struct OptimalSize {
-  Eigen::VectorXd ratio;  ///< r_E per triangle [-]
-  Eigen::VectorXd size;   ///< h per vertex [mm]: edge length, bounded and graded
-  double wanted = 0;      ///< eps_0 of this step: the target, a value on the way to it, or 0.92 of it when eps is close
+  Eigen::VectorXd ratio;       ///< r_E per triangle [-]
+  Eigen::VectorXd size;        ///< h per vertex [mm]: edge length, bounded and graded
+  double wanted = 0;           ///< eps_0 of this step: 0.85 to 0.92 of the target, or a value on the way to it
   double predicted_error = 0;  ///< eps of the new mesh after bounds and gradation [-]
   double predicted_count = 0;  ///< triangles of the new mesh, sum |E| / (area of the equilateral triangle of size h)
 };
