@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# kernels.sh FREEFEM [KERNEL...]: the scripts of tests/edp under OpenBLAS's kernels, with 1 and 2 threads. Prints every figure
+# that they check: its smallest and largest value, what is wanted, the limit of the difference, and how many times the largest
+# difference goes into it. Fails where a script fails or a figure uses up more than half of its limit.
+set -euo pipefail
+freefem=$(realpath "$1")
+shift
+kernels=("$@")
+[ $# -gt 0 ] || kernels=(Prescott Nehalem Sandybridge Haswell SkylakeX Zen)
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# What a kernel asks of the processor.
+needs() { case $1 in SkylakeX) echo avx512f ;; Haswell | Zen) echo avx2 ;; Sandybridge) echo avx ;; *) echo fpu ;; esac; }
+
+# run_one KERNEL THREADS SCRIPT
+run_one() {
+  local folder=$scratch/$1.$2.$3 code=0
+  mkdir "$folder" && cd "$folder"
+  OPENBLAS_CORETYPE=$1 OMP_NUM_THREADS=$2 OPENBLAS_NUM_THREADS=$2 "$freefem" "$scripts/$3.edp" >out 2>&1 || code=$?
+  grep '^figure' out | sed "s/^figure/$3/" >figures || true
+  [ $code = 0 ] || { echo "$3 fails under $1 with $2 threads:"; tail -n 5 out; touch "$scratch/failed"; }
+}
+export -f run_one
+export freefem scripts scratch
+
+for kernel in "${kernels[@]}"; do
+  grep -qw "$(needs "$kernel")" /proc/cpuinfo || { echo "$kernel: this processor cannot run it"; continue; }
+  for threads in 1 2; do
+    for script in "$scripts"/*.edp; do printf '%s\0' "$kernel $threads $(basename "$script" .edp)"; done
+  done
+done | xargs -0 -P "$(nproc)" -I{} bash -c 'run_one {}'
+
+cat "$scratch"/*/figures | awk -F '\t' '
+  { key = $1 ": " $2
+    if (!(key in least) || $3 < least[key]) least[key] = $3
+    if (!(key in most) || $3 > most[key]) most[key] = $3
+    if ($5 > off[key]) off[key] = $5
+    wanted[key] = $4; limit[key] = $6 }
+  END { for (key in least)
+    printf "%s\t%s\t%s\t%s\t%s\t%.3g\n", key, least[key], most[key], wanted[key], limit[key],
+           (off[key] > 0 ? limit[key]/off[key] : 1e99) }' | sort -t "$(printf '\t')" -k 6,6gr >"$scratch/table"
+{ printf 'figure\tsmallest\tlargest\twanted\tlimit\tmargin\n'; cat "$scratch/table"; } | column -t -s "$(printf '\t')"
+[ ! -e "$scratch/failed" ]
+awk -F '\t' '$6 < 2 { print "less than twice: " $1; bad = 1 } END { exit bad }' "$scratch/table"
