@@ -2,6 +2,7 @@
 #include "assembly.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace ffcontact::fuzz {
@@ -95,12 +96,14 @@ void put_matrix(double tgv, Assembled& parts) {
   parts.A.prune([](Eigen::Index i, Eigen::Index j, double value) { return i == j || value != 0; });
 }
 
-/// Values of a field at the nodes of a line.
-Eigen::VectorXd at_nodes(const Case& problem, const Field& field, const Mesh& mesh, const ContactLine& line,
-                         bool positive) {
-  Eigen::VectorXd values(line.node_count());
-  for (int i = 0; i < line.node_count(); ++i) {
-    values[i] = field.at(problem.place(mesh.vertices.col(line.vertex[i])));
+/// Values of a field at the nodes of the line, by the coordinates of the case.
+Eigen::VectorXd at_nodes(const Case& problem, const Field& field, const Assembled& parts, bool positive) {
+  std::vector<Eigen::Vector2d> vertices;
+  for (const Body& body : problem.bodies)
+    for (int v = 0; v < body.mesh.vertex_count(); ++v) vertices.push_back(body.mesh.vertices.col(v));
+  Eigen::VectorXd values(parts.line.node_count());
+  for (int i = 0; i < values.size(); ++i) {
+    values[i] = field.at(problem.place(vertices[parts.line.vertex[i]]));
     if (positive) values[i] = std::max(0.0, values[i]);
   }
   return values;
@@ -130,9 +133,7 @@ void put_lines(const Case& problem, Assembled& parts) {
 }
 
 void put_law(const Case& problem, Assembled& parts) {
-  const auto values = [&](const Field& field, bool positive) {
-    return at_nodes(problem, field, parts.mesh(), parts.line, positive);
-  };
+  const auto values = [&](const Field& field, bool positive) { return at_nodes(problem, field, parts, positive); };
   ContactLaw& law = parts.law;
   law.multiplier = problem.multiplier;
   law.friction = Eigen::VectorXd::Zero(parts.line.node_count());
@@ -174,29 +175,12 @@ Cut cut_in_four(const Mesh& mesh) {
   return cut;
 }
 
-/// Values at the nodes of the coarse line, continued to the halves of its edges.
+/// Values at the nodes of the coarse line, at those of the fine one.
 Eigen::VectorXd on_halves(const Assembled& coarse, const Assembled& fine, const Eigen::VectorXd& values) {
   if (values.size() == 0) return values;
   Eigen::VectorXd result(fine.line.node_count());
-  for (int e = 0; e < fine.line.edge_count(); ++e) {
-    const Eigen::Vector2d n = fine.line.edge_normal(e);
-    const Eigen::Vector2d middle = 0.5 * (fine.mesh().vertices.col(fine.line.vertex[fine.line.edge_node(0, e)]) +
-                                          fine.mesh().vertices.col(fine.line.vertex[fine.line.edge_node(1, e)]));
-    double best = 1e300;
-    for (int E = 0; E < coarse.line.edge_count(); ++E) {
-      if (coarse.line.edge_normal(E).dot(n) < 0.999) continue;
-      const int I = coarse.line.edge_node(0, E), J = coarse.line.edge_node(1, E);
-      const Eigen::Vector2d a = coarse.mesh().vertices.col(coarse.line.vertex[I]),
-                            d = coarse.mesh().vertices.col(coarse.line.vertex[J]) - a;
-      const double s = (middle - a).dot(d) / d.squaredNorm(),
-                   distance = (middle - a - s * d).norm() + std::max({0.0, -s, s - 1}) * d.norm();
-      if (distance >= best) continue;
-      best = distance;
-      const double at_middle = 0.5 * (values[I] + values[J]);
-      result[fine.line.edge_node(0, e)] = s < 0.5 ? values[I] : at_middle;
-      result[fine.line.edge_node(1, e)] = s < 0.5 ? at_middle : values[J];
-    }
-  }
+  for (int i = 0; i < result.size(); ++i)
+    result[i] = value_on_line(coarse, values, fine.point_in(coarse, fine.line.vertex[i]), fine.line.normal.col(i));
   return result;
 }
 
@@ -206,6 +190,27 @@ Eigen::Matrix3d elasticity_of(const Material& m) {
   Eigen::Matrix3d C;
   C << 1 - m.nu, m.nu, 0, m.nu, 1 - m.nu, 0, 0, 0, 0.5 - m.nu;
   return m.E / ((1 + m.nu) * (1 - 2 * m.nu)) * C;
+}
+
+double value_on_line(const Assembled& parts, const Eigen::VectorXd& values, const Eigen::Vector2d& point,
+                     const Eigen::Vector2d& normal) {
+  const ContactLine& line = parts.line;
+  double nearest = std::numeric_limits<double>::infinity(), value = 0;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int i = line.edge_node(0, e), j = line.edge_node(1, e);
+    const Eigen::Vector2d a = parts.mesh().vertices.col(line.vertex[i]);
+    const Eigen::Vector2d d = Eigen::Vector2d(parts.mesh().vertices.col(line.vertex[j])) - a;
+    const double s = std::clamp((point - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+    const double distance = (point - a - s * d).norm() + (1 - line.edge_normal(e).dot(normal)) * line.length.sum();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    value = (1 - s) * values[i] + s * values[j];
+  }
+  return value;
+}
+
+Eigen::Vector2d Assembled::point_in(const Assembled& other, int vertex) const {
+  return mesh().vertices.col(vertex) + (other.mesh().vertices.col(0) - mesh().vertices.col(0));
 }
 
 SolvedBody Assembled::solved(const ContactSolution& solution) const {

@@ -31,6 +31,8 @@ struct Assembled {
 
   const Mesh& mesh() const { return joined.mesh; }
   SolvedBody solved(const ContactSolution& solution) const;
+  /// A vertex in the coordinates of a coarser or finer mesh of the same bodies: joined meshes choose their origin.
+  Eigen::Vector2d point_in(const Assembled& other, int vertex) const;
 };
 
 /// @throws std::invalid_argument  where the library refuses mesh, line or traces
@@ -43,6 +45,10 @@ struct Refined {
   Assembled parts;
 };
 Refined refined(const Case& problem, const Assembled& coarse);
+
+/// Value at a point of a function that is linear on the edges of the line, on its edge with this normal.
+double value_on_line(const Assembled& parts, const Eigen::VectorXd& values, const Eigen::Vector2d& point,
+                     const Eigen::Vector2d& normal);
 
 /// Plane strain, by E and nu.
 Eigen::Matrix3d elasticity_of(const Material& material);

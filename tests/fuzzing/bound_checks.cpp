@@ -58,7 +58,9 @@ double squared_distance(const Assembled& coarse, const Estimate& estimate, const
   for (int t = 0; t < fine.mesh().triangle_count(); ++t) {
     const int T = t / ratio;
     const Eigen::Matrix3d &C = coarse.elasticity[coarse.region[T]], compliance = C.inverse();
-    const Corners parent = corners_at(coarse.mesh(), T), own = corners_at(fine.mesh(), t);
+    const Corners parent = corners_at(coarse.mesh(), T);
+    Corners own;
+    for (int k = 0; k < 3; ++k) own.col(k) = fine.point_in(coarse, fine.mesh().triangles(k, t));
     const Eigen::Vector3d sigma = stress_of(fine.mesh(), t, C, reference);
     const Eigen::Vector3d d = sigma - stress_of(coarse.mesh(), T, C, estimate.displacement);
     sum += area_of(own) * d.dot(compliance * d);
@@ -105,7 +107,7 @@ Eigen::VectorXd tangential_of(const Assembled& coarse, const Assembled& fine, co
   const Eigen::VectorXd w = against_foundation(coarse.line, coarse.law.gap, coarse.law.previous, u_hat).row(1);
   Eigen::VectorXd result(fine.line.node_count());
   for (int i = 0; i < result.size(); ++i)
-    result[i] = value_on_line(coarse, w, fine.mesh().vertices.col(fine.line.vertex[i]), fine.line.normal.col(i));
+    result[i] = value_on_line(coarse, w, fine.point_in(coarse, fine.line.vertex[i]), fine.line.normal.col(i));
   return result;
 }
 

@@ -134,7 +134,7 @@ GivenTractions given_tractions(const Case& problem, const Assembled& parts, cons
   const ContactLine& line = ground.line;
   for (int e = 0; e < line.edge_count(); ++e) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e), a = line.vertex[i], b = line.vertex[j];
-    const Eigen::Vector2d n = outward(ground.mesh.vertices.col(a), ground.mesh.vertices.col(b)), t(-n.y(), n.x());
+    const Eigen::Vector2d n = line.normal.col(i), t(-n.y(), n.x());
     Given here{Eigen::Matrix2d::Zero(), {true, true}};
     for (int end = 0; end < 2; ++end)
       here.value.col(end) = estimate.tractions.normal(end, e) * n + estimate.tractions.tangential(end, e) * t;

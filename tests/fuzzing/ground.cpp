@@ -44,23 +44,6 @@ Corners subtriangle(const Corners& corners, int k) {
   return sub;
 }
 
-double value_on_line(const Assembled& parts, const Eigen::VectorXd& values, const Eigen::Vector2d& point,
-                     const Eigen::Vector2d& normal) {
-  const ContactLine& line = parts.line;
-  double nearest = std::numeric_limits<double>::infinity(), value = 0;
-  for (int e = 0; e < line.edge_count(); ++e) {
-    const int i = line.edge_node(0, e), j = line.edge_node(1, e);
-    const Eigen::Vector2d a = parts.mesh().vertices.col(line.vertex[i]);
-    const Eigen::Vector2d d = Eigen::Vector2d(parts.mesh().vertices.col(line.vertex[j])) - a;
-    const double s = std::clamp((point - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    const double distance = (point - a - s * d).norm() + (1 - line.edge_normal(e).dot(normal)) * line.length.sum();
-    if (distance >= nearest) continue;
-    nearest = distance;
-    value = (1 - s) * values[i] + s * values[j];
-  }
-  return value;
-}
-
 Ground ground_of(const Assembled& parts, const Estimate& estimate) {
   if (!estimate.refinement) {
     std::vector<int> parent(parts.mesh().triangles.cols());

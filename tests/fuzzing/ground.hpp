@@ -64,10 +64,6 @@ struct Ground {
 };
 Ground ground_of(const Assembled& parts, const Estimate& estimate);
 
-/// Value at a point of a function that is linear on the edges of the line, on its edge with this normal.
-double value_on_line(const Assembled& parts, const Eigen::VectorXd& values, const Eigen::Vector2d& point,
-                     const Eigen::Vector2d& normal);
-
 /// int psi_i psi_j over edges of given nodes and vertices.
 Dense mass_of(const Mesh& mesh, const ContactLine& line);
 
