@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <set>
+#include <numeric>
 
 namespace ffcontact {
 
@@ -14,7 +15,7 @@ namespace {
 constexpr double relative_rounding = 1e-12;
 /// A closed node that moves by more than this, relative to the largest displacement, is moved by a prescribed dof.
 constexpr double relative_motion = 1e-11;
-/// Steps in which all contradicted nodes may change although the contradictions do not get fewer.
+/// Steps that may fail to lower the number of contradictions.
 constexpr int patience = 10;
 
 using States = std::vector<ContactState>;
@@ -84,45 +85,9 @@ States next_states(const CondensedContact& contact, const NodalLaw& law, const S
   return next;
 }
 
-/// Puts the multipliers of an answer exactly into the law; they miss it by no more than rounding.
-void settle(const NodalLaw& law, const States& state, Eigen::VectorXd& P) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    double &Pn = P[2 * i], &Pt = P[2 * i + 1];
-    Pn = std::min(Pn, 0.0);
-    const double bound = law.bound(static_cast<int>(i), Pn);
-    Pt = slip_sign(state[i]) != 0 ? -slip_sign(state[i]) * bound : std::clamp(Pt, -bound, bound);
-  }
+int differences(const States& a, const States& b) {
+  return static_cast<int>(std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(), std::not_equal_to<>()));
 }
-
-/// Which of the contradicted nodes change: all, or the last one when that has not helped for a while.
-class Pivoting {
- public:
-  explicit Pivoting(bool ends) : ends_(ends) {}
-
-  /// @return false when the set to come was tried before, or single changes that need not end have not helped for a while
-  bool change(States& state, const States& next) {
-    std::vector<std::size_t> contradicted;
-    for (std::size_t i = 0; i < state.size(); ++i)
-      if (next[i] != state[i]) contradicted.push_back(i);
-    if (contradicted.size() < fewest_) {
-      fewest_ = contradicted.size();
-      patience_left_ = patience;
-      tried_.clear();
-    }
-    if (patience_left_-- > 0) {
-      state = next;
-      return true;
-    }
-    state[contradicted.back()] = next[contradicted.back()];
-    return tried_.insert(state).second && (ends_ || static_cast<int>(tried_.size()) <= 2 * patience);
-  }
-
- private:
-  const bool ends_;  ///< single changes are known to end
-  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
-  int patience_left_ = patience;
-  std::set<States> tried_;
-};
 
 void keep(const States& state, const ContactRows& rows, double violation, ActiveSetResult& result) {
   result.P = rows.P;
@@ -150,17 +115,25 @@ States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw
 }
 
 /// Takes the answer with touching ends closed in place of a converged one, if it is one too.
-void close_touching_ends(const CondensedContact& contact, const NodalLaw& law, ActiveSetResult& result) {
+void close_touching_ends(const CondensedContact& contact, const NodalLaw& law, double tolerance,
+                         ActiveSetResult& result) {
   ContactRows rows{result.P, result.v};
   const States closed = with_touching_ends_closed(contact, law, rows, result.state);
   if (closed == result.state) return;
   ++result.iterations;
   const SystemKind kind = solve_active_set(contact, law, closed, rows);
   if (kind == SystemKind::inconsistent || next_states(contact, law, closed, rows) != closed) return;
-  keep(closed, rows, law_violation(law, rows.P, rows.v, motion_scale(contact, rows.v)), result);
+  const double violation = law_violation(contact, law, rows);
+  if (violation <= tolerance) keep(closed, rows, violation, result);
 }
 
 }  // namespace
+
+double law_violation(const CondensedContact& contact, const NodalLaw& law, const ContactRows& rows) {
+  constexpr double share_of_loads = 1e-4;
+  return law_violation(law, rows.P, rows.v, motion_scale(contact, rows.v),
+                       share_of_loads * contact.g.cwiseAbs().maxCoeff());
+}
 
 ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law, States state,
                                   const NewtonSettings& settings) {
@@ -169,29 +142,34 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
   ActiveSetResult result;
   result.violation = std::numeric_limits<double>::infinity();
   ContactRows rows{Eigen::VectorXd::Zero(contact.position.size()), Eigen::VectorXd::Zero(contact.position.size())};
-  Pivoting pivoting(law.tresca() || law.friction.isZero(0));
+  int fewest = std::numeric_limits<int>::max(), patience_left = patience;
   while (result.iterations < settings.max_iterations) {
     ++result.iterations;
     const SystemKind kind = solve_active_set(contact, law, state, rows);
     const bool held = kind != SystemKind::inconsistent;
-    const double violation = held ? law_violation(law, rows.P, rows.v, motion_scale(contact, rows.v))
-                                  : std::numeric_limits<double>::infinity();
+    const double violation = held ? law_violation(contact, law, rows) : std::numeric_limits<double>::infinity();
     const States next = next_states(contact, law, state, rows);
     const bool settled = next == state;
     if (settled || violation < result.violation || result.iterations == 1) keep(state, rows, violation, result);
     if (settled) {
-      result.status = held ? ContactStatus::converged : ContactStatus::singular;
+      result.status = held ? ContactStatus::inaccurate : ContactStatus::singular;
       break;
     }
-    if (!pivoting.change(state, next)) {
+    const int contradictions = differences(state, next);
+    if (contradictions < fewest) {
+      fewest = contradictions;
+      patience_left = patience;
+    }
+    if (patience_left-- == 0) {
       result.status = ContactStatus::cycled;
       break;
     }
+    state = next;
   }
   if (result.violation <= settings.tolerance) result.status = ContactStatus::converged;
   if (result.status == ContactStatus::converged) {
-    close_touching_ends(contact, law, result);
-    settle(law, result.state, result.P);
+    close_touching_ends(contact, law, settings.tolerance, result);
+    put_into_law(law, result.state, result.P);
   }
   return result;
 }

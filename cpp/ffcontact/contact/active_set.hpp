@@ -9,7 +9,7 @@ namespace ffcontact {
 
 enum class ContactStatus {
   converged,
-  cycled,         ///< the active set came back to an earlier one
+  cycled,         ///< the contradictions of the active set do not get fewer
   singular,       ///< a motion of the body is left free by the last active set
   not_converged,  ///< iterations used up
   inaccurate,     ///< the active set is settled, but violation or residual exceed the tolerance
@@ -19,14 +19,14 @@ enum class ContactStatus {
 struct ActiveSetResult {
   Eigen::VectorXd P, v;             ///< multipliers and displacements of all rows 2 i + c [2 p]
   std::vector<ContactState> state;  ///< [p]
-  double violation = 0;             ///< law_violation of P and v, relative to the largest v
+  double violation = 0;             ///< law_violation of P and v
   int iterations = 0;
   ContactStatus status = ContactStatus::not_converged;
 };
 
 struct NewtonSettings {
-  int max_iterations = 200;
-  double tolerance = 1e-10;  ///< where rounding keeps the active set from settling: violation that is accepted
+  int max_iterations = 200;  ///< linear systems in all
+  double tolerance = 1e-10;  ///< law_violation that is accepted
 };
 
 /// Semismooth Newton on the condensed system: solve for the active set (solve_active_set), then change the state of every node
@@ -36,12 +36,16 @@ struct NewtonSettings {
 /// turns from slip to slip directly: that is the primal-dual active set with its augmentation parameter sent to zero, free of
 /// scale, and it does not cycle between the two slips. The first set without a contradiction is a solution of Prop. 3.4 / 3.5.
 ///
-/// Safeguard (block principal pivoting, Judice and Pires, Comput. Oper. Res. 21, 1994): when ten steps have not lowered the number
-/// of contradictions, only the last contradicted node changes until they are fewer. For Tresca's law and without friction, where
-/// S is positive definite, this ends; with Coulomb's law it need not, and the run stops as cycled when it comes back to a set that
-/// it has tried or after twenty such steps in vain.
+/// When ten steps have not lowered the number of contradictions the run stops as cycled: solve_convex and fixed_point go on.
+///
+/// Converged is what fulfils the law to the tolerance: a set without a contradiction may be no solution where rows depend on each
+/// other and their multipliers have more than one value.
 /// @param state  first guess [p]
 ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
                                   const NewtonSettings& settings = {});
+
+/// law_violation of an answer, displacements relative to motion_scale and multipliers to the largest one, or to 1e-4 of the
+/// largest load on the line, g, which counts the gaps and prescribed motions by their stiffness: beside it rounding is rounding.
+double law_violation(const CondensedContact& contact, const NodalLaw& law, const ContactRows& rows);
 
 }  // namespace ffcontact

@@ -28,10 +28,9 @@ struct RowCondition {
 };
 
 RowCondition row_condition(const NodalLaw& law, int row, ContactState state) {
-  const int node = row / 2;
-  if (row % 2 == 0) return {!is_open(state), 0, 0};
-  if (state == ContactState::open) return {false, 0, 0};
-  if (slip_sign(state) == 0) return {true, 0, 0};
+  const int node = row / 2, component = row % 2;
+  if (holds(state, component)) return {true, 0, 0};
+  if (component == 0 || state == ContactState::open) return {false, 0, 0};
   if (law.tresca()) return {false, -slip_sign(state) * law.tresca_bound[node], 0};
   return {false, 0, slip_sign(state) * law.friction[node]};
 }

@@ -153,33 +153,23 @@ Eigen::MatrixXd solved_transposed(Factor& factor, const Eigen::MatrixXd& right) 
   return factor.transpose().solve(right);
 }
 
-/// The relation between v, w_o and the multipliers before w_o is condensed:
-///     S v + V' w_o = g + P + E q,   V v + O w_o = h + E_o q,   v_dependent = E' v + E_o' w_o + offset.
+/// The relation between v, w_o and the multipliers before w_o is condensed, loads apart:
+///     S v + V' w_o = P + E q,   V v + O w_o = E_o q,   v_dependent = E' v + E_o' w_o.
 struct OppositeTerms {
   Eigen::MatrixXd V, O, E;
-  Eigen::VectorXd h;
 };
 
-/// Fills S, g, E and dependent_offset as if w_o were given.
-OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
-                                     CondensedContact& contact) {
+/// Fills S and E as if w_o were given.
+OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness, Factor& factor, CondensedContact& contact) {
   const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
-  Factor factor;
-  factorise_primary(contact, factor);
   const Eigen::SparseMatrix<double> Qt = contact.to_kept.transpose();
   const Eigen::MatrixXd S_w = Qt * stiffness.schur() * contact.to_kept;
-  Eigen::VectorXd w_prescribed = Eigen::VectorXd::Zero(f + o);
-  w_prescribed.head(f) = factor.solve(selected(contact.v_prescribed, contact.primary));
-  const Eigen::VectorXd g_w = Qt * stiffness.condensed_load(load) + S_w * w_prescribed;
-
   const Eigen::MatrixXd half = factor.transpose().solve(S_w.topLeftCorner(f, f));  // A^-T S_w
   const Eigen::MatrixXd half_transposed = half.transpose();
   contact.S = factor.transpose().solve(half_transposed);
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
-  contact.g = factor.transpose().solve(Eigen::VectorXd(g_w.head(f)));
   const Eigen::MatrixXd A_dependent = selected_rows(contact.A, contact.dependent);
   contact.E = solved_transposed(factor, A_dependent.leftCols(f).transpose());
-  contact.dependent_offset = selected(contact.v_prescribed, contact.dependent) - A_dependent * w_prescribed;
 
   // w = A^-1 (v - v_prescribed) - X w_o with X = A^-1 A_o.
   OppositeTerms terms;
@@ -188,30 +178,50 @@ OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness, const 
   const Eigen::MatrixXd S_ow = S_w.bottomLeftCorner(o, f) - X.transpose() * S_w.topLeftCorner(f, f);
   terms.V = solved_transposed(factor, S_ow.transpose()).transpose();
   terms.O = S_w.bottomRightCorner(o, o) - S_ow * X - X.transpose() * S_w.topRightCorner(f, o);
-  terms.h = g_w.tail(o) - X.transpose() * g_w.head(f);
   terms.E = A_dependent.rightCols(o).transpose() - X.transpose() * A_dependent.leftCols(f).transpose();
   return terms;
 }
 
-/// w_o = O^-1 (h + E_o q - V v) put into the relation.
+/// w_o = O^-1 (h + E_o q - V v) put into the relation, loads apart.
 void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
   contact.opposite_of_v = Eigen::MatrixXd::Zero(terms.V.rows(), terms.V.cols());
   contact.opposite_of_q = Eigen::MatrixXd::Zero(terms.E.rows(), terms.E.cols());
-  contact.opposite_offset = Eigen::VectorXd::Zero(terms.h.size());
   contact.F = Eigen::MatrixXd::Zero(terms.E.cols(), terms.E.cols());
-  if (terms.h.size() == 0) return;
-  const Eigen::LLT<Eigen::MatrixXd> O(0.5 * (terms.O + terms.O.transpose()));
-  if (O.info() != Eigen::Success || O.rcond() < 1e-15)
+  if (terms.O.rows() == 0) return;
+  contact.opposite_scale = terms.O.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const auto R = contact.opposite_scale.asDiagonal();
+  contact.opposite_stiffness.compute(R * (0.5 * (terms.O + terms.O.transpose())) * R);
+  if (contact.opposite_stiffness.info() != Eigen::Success || contact.opposite_stiffness.rcond() < 1e-15)
     throw std::runtime_error("the bodies are not held, even with their contact lines glued to each other");
-  contact.opposite_of_v = -O.solve(terms.V);
-  contact.opposite_of_q = O.solve(terms.E);
-  contact.opposite_offset = O.solve(terms.h);
+  contact.opposite_of_v = R * contact.opposite_stiffness.solve(-(R * terms.V));
+  contact.opposite_of_q = R * contact.opposite_stiffness.solve(R * terms.E);
   contact.S += terms.V.transpose() * contact.opposite_of_v;
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
-  contact.g -= terms.V.transpose() * contact.opposite_offset;
-  contact.dependent_offset += terms.E.transpose() * contact.opposite_offset;
   contact.E += contact.opposite_of_v.transpose() * terms.E;
   contact.F = terms.E.transpose() * contact.opposite_of_q;
+}
+
+/// g and the offsets for a load and the v of prescribed values.
+void put_loads(const CondensedStiffness& stiffness, const Eigen::VectorXd& load, const Eigen::VectorXd& v_prescribed,
+               Factor& factor, CondensedContact& contact) {
+  const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
+  contact.v_prescribed = v_prescribed;
+  Eigen::VectorXd w_prescribed = Eigen::VectorXd::Zero(f + o);
+  w_prescribed.head(f) = factor.solve(selected(v_prescribed, contact.primary));
+  const Eigen::VectorXd forces =
+      stiffness.condensed_load(load) + stiffness.schur() * Eigen::VectorXd(contact.to_kept * w_prescribed);
+  const Eigen::VectorXd g_w = contact.to_kept.transpose() * forces;
+  contact.g = factor.transpose().solve(Eigen::VectorXd(g_w.head(f)));
+  contact.dependent_offset =
+      selected(v_prescribed, contact.dependent) - selected_rows(contact.A, contact.dependent) * w_prescribed;
+  contact.opposite_offset = Eigen::VectorXd::Zero(o);
+  if (o == 0) return;
+  const Eigen::SparseMatrix<double> A_o = selected_rows(contact.A, contact.primary).rightCols(o);
+  const Eigen::VectorXd h = g_w.tail(o) - A_o.transpose() * contact.g;
+  contact.opposite_offset =
+      contact.opposite_scale.cwiseProduct(contact.opposite_stiffness.solve(contact.opposite_scale.cwiseProduct(h)));
+  contact.g += contact.opposite_of_v.transpose() * h;
+  contact.dependent_offset += contact.opposite_of_q.transpose() * h;
 }
 
 }  // namespace
@@ -249,9 +259,21 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
 
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
   contact.A = W * trace_operator(line, motions, unknowns);
-  contact.v_prescribed = W * displacement_against_foundation(line, law, system.prescribed_value).reshaped();
   contact.to_kept = kept_operator(motions, contact.kept_dofs, unknowns);
-  condense_opposite(relation_with_opposite(stiffness, system.load, contact), contact);
+  Factor factor;
+  factorise_primary(contact, factor);
+  condense_opposite(relation_with_opposite(stiffness, factor, contact), contact);
+  const Eigen::VectorXd v_prescribed =
+      W * displacement_against_foundation(line, law, system.prescribed_value).reshaped();
+  put_loads(stiffness, system.load, v_prescribed, factor, contact);
+  return contact;
+}
+
+CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
+                            const Eigen::VectorXd& v_prescribed) {
+  Factor factor;
+  factorise_primary(contact, factor);
+  put_loads(stiffness, load, v_prescribed, factor, contact);
   return contact;
 }
 

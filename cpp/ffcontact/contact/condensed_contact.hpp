@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/SparseLU>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct CondensedContact {
   Eigen::VectorXd opposite_offset;      ///< w_o = opposite_offset + opposite_of_v v + opposite_of_q q [o]
   Eigen::MatrixXd opposite_of_v;        ///< [o x f]
   Eigen::MatrixXd opposite_of_q;        ///< [o x d]
+  Eigen::VectorXd opposite_scale;       ///< R = diag(S~_oo)^-1/2 [o]
+  Eigen::LLT<Eigen::MatrixXd> opposite_stiffness;  ///< of R S~_oo R; not computed if o = 0
 
   bool is_primary(int row) const { return position[row] >= 0; }
   /// Does the multiplier of dependent row d do anything to a body? Nodal forces on prescribed dofs do not.
@@ -57,6 +60,10 @@ double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v);
 /// @throws std::invalid_argument  if the contact line has no free dof
 CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
                                    const CondensedStiffness& stiffness);
+
+/// The same relation for another load on all dofs and other v of the prescribed values: that of a correction, for instance.
+CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
+                            const Eigen::VectorXd& v_prescribed);
 
 /// Displacement of the kept dofs that has the given v on the primary rows under the multipliers q of the dependent rows [kept].
 Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v, const Eigen::VectorXd& q);

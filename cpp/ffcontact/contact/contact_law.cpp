@@ -63,12 +63,14 @@ Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const 
 
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier) {
+                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale) {
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
   const Eigen::VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
   const Eigen::VectorXd weight = weight_matrix(law.multiplier, line) * Eigen::VectorXd::Ones(line.node_count());
-  const double v_scale = displacement.cwiseAbs().maxCoeff() * weight.maxCoeff();
-  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, v_scale);
+  double largest = displacement.cwiseAbs().maxCoeff();
+  if (law.gap.size() > 0) largest = std::max(largest, law.gap.cwiseAbs().maxCoeff());
+  if (law.previous.size() > 0) largest = std::max(largest, law.previous.cwiseAbs().maxCoeff());
+  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, std::max(v_scale, largest * weight.maxCoeff()));
 }
 
 }  // namespace ffcontact

@@ -58,6 +58,11 @@ inline int slip_sign(ContactState state) {
 
 inline bool is_open(ContactState state) { return state == ContactState::open || state >= ContactState::open_stick; }
 
+/// Does a state keep a component (0 normal, 1 tangential) from moving, v = 0?
+inline bool holds(ContactState state, int component) {
+  return component == 0 ? !is_open(state) : state != ContactState::open && slip_sign(state) == 0;
+}
+
 /// W of the law on a line: the mass matrix (3.9) or the identity [p x p].
 Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLine& line);
 
@@ -71,11 +76,12 @@ Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const 
                                                  const Eigen::Ref<const Eigen::VectorXd>& displacement);
 
 /// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the largest multiplier, the largest
-/// displacement of the body, or their product.
+/// displacement of the body, gap or previous displacement, or the product.
 /// @param displacement  on all dofs [mm]
 /// @param multiplier    (P_n, P_t) at each node [2 x p]
+/// @param v_scale       what v = W (u - gap) is relative to at least: where all nodes stick, u is nothing but rounding
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier);
+                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale = 0);
 
 }  // namespace ffcontact

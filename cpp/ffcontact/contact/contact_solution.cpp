@@ -5,11 +5,11 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
-#include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/convex_contact.hpp"
 #include "ffcontact/contact/feasibility.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
-#include "ffcontact/contact/friction_continuation.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
+#include "ffcontact/contact/refinement.hpp"
 
 namespace ffcontact {
 
@@ -21,54 +21,40 @@ Eigen::VectorXd selected(const Eigen::VectorXd& values, const std::vector<int>& 
   return result;
 }
 
-/// Contact forces on all dofs: F_n n + F_t t at every node, and against it on the opposite body.
-Eigen::VectorXd contact_load(const ContactLine& line, const Eigen::Matrix2Xd& force, Eigen::Index dofs) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(dofs);
-  for (int i = 0; i < line.node_count(); ++i) {
-    const Eigen::Vector2d F = force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
-    load.segment<2>(2 * line.vertex[i]) += F;
-    visit_opposite(line, i, [&](int vertex, double weight) { load.segment<2>(2 * vertex) -= weight * F; });
-  }
-  return load;
-}
-
-double relative_residual(const ElasticSystem& system, const Eigen::VectorXd& u, const Eigen::VectorXd& contact) {
-  Eigen::VectorXd residual = system.stiffness * (u - system.prescribed_value) - system.load - contact;
-  double scale = 0;
-  for (Eigen::Index dof = 0; dof < residual.size(); ++dof)
-    if (system.prescribed[dof])
-      residual[dof] = 0;
-    else
-      scale = std::max(scale, std::abs(system.load[dof]) + std::abs(contact[dof]));
-  return scale > 0 ? residual.cwiseAbs().maxCoeff() / scale : 0;
-}
-
-bool may_be_mended(const ActiveSetResult& answer) {
-  return answer.status == ContactStatus::cycled || answer.status == ContactStatus::singular;
-}
-
-/// Takes another answer to the same problem if it is better; its linear systems are counted in any case.
-void improve(FixedPointResult& result, ActiveSetResult other) {
-  const int systems = result.answer.iterations + other.iterations;
-  if (other.status == ContactStatus::converged || other.violation < result.answer.violation)
-    result.answer = std::move(other);
-  result.answer.iterations = systems;
-}
-
-/// Newton; where it cycles, friction raised in few, then in many steps, then Newton from the states of the fixed point.
+/// Newton; where it does not converge, the convex minimum, or with Coulomb's law the fixed point helped by Newton.
 FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
                                     const std::vector<ContactState>& start, const NewtonSettings& settings) {
-  FixedPointResult result{active_set_newton(contact, law, start, settings), {}};
-  for (const int steps : {4, 16})
-    if (may_be_mended(result.answer)) improve(result, friction_continuation(contact, law, start, steps, settings));
-  if (may_be_mended(result.answer)) {
-    FixedPointResult path = fixed_point(contact, law, start, settings);
-    const std::vector<ContactState> states = path.answer.state;
-    improve(result, std::move(path.answer));
-    improve(result, active_set_newton(contact, law, states, settings));
-    result.history = std::move(path.history);
+  if (law.is_convex()) return {solve_convex(contact, law, start, settings), {}};
+  FixedPointResult newton{active_set_newton(contact, law, start, settings), {}};
+  const int systems = newton.answer.iterations, left = settings.max_iterations - systems;
+  if (newton.answer.status == ContactStatus::converged || left <= 0) return newton;
+  FixedPointResult path = fixed_point(contact, law, start, {left, settings.tolerance}, true);
+  const bool better = path.answer.status == ContactStatus::converged || path.answer.violation < newton.answer.violation;
+  path.answer.iterations += systems;
+  newton.answer.iterations = path.answer.iterations;
+  return better ? path : newton;
+}
+
+/// Displacement of the whole body, refined until rounding is all that is left of the residual.
+BodyAnswer body_answer(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
+                       const CondensedStiffness& stiffness, const CondensedContact& contact,
+                       const ActiveSetResult& condensed, double& residual) {
+  constexpr double rounding = 1e-13;
+  constexpr int most_steps = 3;
+  const NodalLaw nodal = nodal_law(law, line);
+  const Eigen::VectorXd kept =
+      kept_displacement(contact, selected(condensed.v, contact.primary), selected(condensed.P, contact.dependent));
+  BodyAnswer answer{stiffness.extended(system.load, kept) + system.prescribed_value, condensed.P};
+  residual = residual_defect(line, law, system, answer);
+  for (int k = 0; k < most_steps && residual > rounding && condensed.status == ContactStatus::converged; ++k) {
+    BodyAnswer next = refined(line, law, system, stiffness, contact, condensed.state, answer);
+    put_into_law(nodal, condensed.state, next.P);
+    const double defect = residual_defect(line, law, system, next);
+    if (!(defect < 0.5 * residual)) break;
+    answer = std::move(next);
+    residual = defect;
   }
-  return result;
+  return answer;
 }
 
 /// The pressures and forces of the multipliers that were solved for.
@@ -76,7 +62,7 @@ void put_multipliers(const ContactLine& line, const ContactLaw& law, const std::
                      const Eigen::Matrix2Xd& P, ContactSolution& solution) {
   if (law.multiplier == Multiplier::pressure) {
     solution.pressure = P;
-    solution.force = (weight_of_rows(Multiplier::pressure, line) * P.reshaped()).reshaped(2, P.cols());
+    solution.force = nodal_forces_of(line, law, P.reshaped());
   } else {
     solution.force = P;
     solution.pressure = consistent_pressures(line, prescribed, P);
@@ -138,17 +124,14 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   for (ContactState state : answer.state) solution.state.push_back(is_open(state) ? ContactState::open : state);
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
-  solution.displacement = stiffness.extended(
-      system.load,
-      kept_displacement(contact, selected(answer.v, contact.primary), selected(answer.P, contact.dependent)));
-  solution.displacement += system.prescribed_value;
-  const Eigen::Matrix2Xd P = answer.P.reshaped(2, line.node_count());
+  BodyAnswer whole = body_answer(line, law, system, stiffness, contact, answer, solution.residual);
+  solution.displacement = std::move(whole.displacement);
+  const Eigen::Matrix2Xd P = whole.P.reshaped(2, line.node_count());
   put_multipliers(line, law, system.prescribed, P, solution);
 
   // 4. What the theory promises, measured.
-  solution.complementarity = complementarity_defect(line, law, solution.displacement, P);
-  solution.residual =
-      relative_residual(system, solution.displacement, contact_load(line, solution.force, system.dof_count()));
+  solution.complementarity =
+      complementarity_defect(line, law, solution.displacement, P, motion_scale(contact, answer.v));
   const bool fulfilled = solution.complementarity <= settings.tolerance && solution.residual <= settings.tolerance;
   if (fulfilled && solution.status != ContactStatus::singular) solution.status = ContactStatus::converged;
   if (!fulfilled && solution.status == ContactStatus::converged) solution.status = ContactStatus::inaccurate;

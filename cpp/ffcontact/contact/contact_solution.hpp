@@ -10,14 +10,14 @@
 namespace ffcontact {
 
 enum class ContactSolver {
-  newton,       ///< active_set_newton; where it cycles, friction_continuation, then fixed_point
+  newton,       ///< active_set_newton; where it does not converge, convex_contact, or fixed_point helped by Newton
   fixed_point,  ///< fixed_point [CHH01, Definition 3.1]
 };
 
 struct ContactSettings {
   ContactSolver solver = ContactSolver::newton;
-  int max_iterations = 200;                 ///< of each run of Newton, and steps of the fixed point
-  double tolerance = 1e-10;                 ///< largest complementarity defect of an accepted answer
+  int max_iterations = 10000;               ///< linear systems of the contact line in all
+  double tolerance = 1e-10;                 ///< largest complementarity and residual defect of an accepted answer
   std::vector<ContactState> initial_state;  ///< a guess, e.g. of the load step before; empty: every node sticks
 };
 
@@ -32,7 +32,7 @@ struct ContactSolution {
   std::vector<double>
       history;  ///< relative change of lambda_n per step of the fixed point; empty where Newton was enough
   double complementarity = 0;  ///< complementarity_defect of the answer
-  double residual = 0;         ///< |K u - b - contact forces| on the free dofs, relative to |b| and the forces
+  double residual = 0;         ///< residual_defect of the answer
 
   bool accepted(const ContactSettings& settings) const {
     return status == ContactStatus::converged && complementarity <= settings.tolerance &&

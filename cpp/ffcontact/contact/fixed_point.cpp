@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "ffcontact/contact/convex_contact.hpp"
+
 namespace ffcontact {
 
 namespace {
 
 constexpr double smallest_damping = 1.0 / 32;
+/// Newton from the states of a step is given this many linear systems.
+constexpr int newton_systems = 10;
 
 Eigen::VectorXd normal_multipliers(const Eigen::VectorXd& P) {
   return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<2>>(P.data(), P.size() / 2);
@@ -22,16 +26,18 @@ double relative_change(const Eigen::VectorXd& g, const Eigen::VectorXd& image) {
 }  // namespace
 
 FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
-                             const NewtonSettings& settings) {
+                             const NewtonSettings& settings, bool with_newton) {
   FixedPointResult result;
   result.answer.violation = std::numeric_limits<double>::infinity();
   Eigen::VectorXd g = Eigen::VectorXd::Zero(law.friction.size());
   double damping = 1;
   int systems = 0;
-  while (static_cast<int>(result.history.size()) < settings.max_iterations) {
+  const auto left = [&] { return settings.max_iterations - systems; };
+  while (left() > 0) {
     const NodalLaw given = law.tresca() ? law : with_given_slip_limit(law, g);
-    ActiveSetResult step = active_set_newton(contact, given, state, settings);
+    ActiveSetResult step = solve_convex(contact, given, state, {left(), settings.tolerance});
     systems += step.iterations;
+    const bool same_states = step.state == state, solved = step.status == ContactStatus::converged;
     state = step.state;
 
     const Eigen::VectorXd image = normal_multipliers(step.P);
@@ -40,11 +46,19 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     result.history.push_back(change);
     g += damping * (image - g);
 
-    step.violation = law_violation(law, step.P, step.v, motion_scale(contact, step.v));
-    const bool solved = step.status == ContactStatus::converged;
-    if (step.violation < result.answer.violation || result.history.size() == 1) result.answer = std::move(step);
-    if (solved && (law.tresca() || result.answer.violation <= settings.tolerance)) break;
+    step.violation = law_violation(contact, law, {step.P, step.v});
+    const bool found = solved && (law.tresca() || step.violation <= settings.tolerance);
+    if (found || step.violation < result.answer.violation || result.history.size() == 1)
+      result.answer = std::move(step);
+    if (found) break;
     result.answer.status = ContactStatus::not_converged;
+    if (!with_newton || same_states || left() <= 0) continue;
+    ActiveSetResult newton =
+        active_set_newton(contact, law, state, {std::min(newton_systems, left()), settings.tolerance});
+    systems += newton.iterations;
+    if (newton.status != ContactStatus::converged) continue;
+    result.answer = std::move(newton);
+    break;
   }
   result.answer.iterations = systems;
   return result;

@@ -19,8 +19,8 @@ NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen
 }
 
 double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& P,
-                     const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale) {
-  const double p_scale = P.cwiseAbs().maxCoeff();
+                     const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale, double P_scale) {
+  const double p_scale = std::max(P_scale, P.cwiseAbs().maxCoeff());
   const auto relative = [](double value, double scale) { return scale > 0 ? value / scale : 0; };
   double largest = 0;
   for (int i = 0; 2 * i < P.size(); ++i) {
@@ -33,6 +33,15 @@ double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd
                         Pt * vt});                                     // (3.22)
   }
   return largest;
+}
+
+void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state, Eigen::VectorXd& P) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    double &Pn = P[2 * i], &Pt = P[2 * i + 1];
+    Pn = std::min(Pn, 0.0);
+    const double bound = law.bound(static_cast<int>(i), Pn);
+    Pt = slip_sign(state[i]) != 0 ? -slip_sign(state[i]) * bound : std::clamp(Pt, -bound, bound);
+  }
 }
 
 }  // namespace ffcontact

@@ -14,6 +14,8 @@ struct NodalLaw {
   double bound(int node, double normal_multiplier) const {
     return tresca() ? tresca_bound[node] : friction[node] * std::max(0.0, -normal_multiplier);
   }
+  /// Frictionless everywhere, or Tresca's: the solution is the minimum of a convex function.
+  bool is_convex() const { return tresca() || friction.isZero(0); }
   bool frictionless(int node) const { return tresca() ? tresca_bound[node] == 0 : friction[node] == 0; }
 };
 
@@ -23,9 +25,12 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
 /// @param normal  g_n in units of P [p]; what is above 0 counts as 0
 NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& normal);
 
-/// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: multipliers relative to the largest of them,
-/// displacements relative to `v_scale`.
+/// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: displacements relative to `v_scale`, multipliers to the
+/// largest of them, or to `P_scale` where they are but rounding beside it.
 double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& P,
-                     const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale);
+                     const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale, double P_scale = 0);
+
+/// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b, and P_t = -s b where a node slips.
+void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state, Eigen::VectorXd& P);
 
 }  // namespace ffcontact

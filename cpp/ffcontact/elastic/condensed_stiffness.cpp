@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 
@@ -159,10 +160,20 @@ std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {
   return place;
 }
 
-/// Upper triangle by columns of K + D in elimination order; by symmetry column j is read from the row of its dof.
+/// K_ii^-1/2 on the free dofs [all dofs]; 1 where nothing holds a dof, which shows in the factor.
+Eigen::VectorXd inverse_roots(const ElasticSystem& system) {
+  Eigen::VectorXd roots = Eigen::VectorXd::Ones(system.dof_count());
+  for (int dof = 0; dof < system.dof_count(); ++dof) {
+    const double own = system.prescribed[dof] ? 0 : system.stiffness.coeff(dof, dof);
+    if (own > 0) roots[dof] = 1 / std::sqrt(own);
+  }
+  return roots;
+}
+
+/// Upper triangle by columns of R (K + D) R in elimination order; by symmetry column j is read from the row of its dof.
 cholmod_sparse* upper_triangle(const ElasticSystem& system, const std::vector<int>& order,
                                const std::vector<int>& place, const std::vector<double>& added_diagonal,
-                               const Session& session) {
+                               const Eigen::VectorXd& scale, const Session& session) {
   const RowMatrix& K = system.stiffness;
   const auto in_upper = [&](const RowMatrix::InnerIterator& e) {
     return place[e.col()] >= 0 && place[e.col()] <= place[e.row()];
@@ -182,7 +193,8 @@ cholmod_sparse* upper_triangle(const ElasticSystem& system, const std::vector<in
     for (RowMatrix::InnerIterator e(K, dof); e; ++e)
       if (in_upper(e)) {
         index[next] = place[e.col()];
-        value[next++] = e.value() + (e.col() == dof ? added_diagonal[dof] : 0);
+        const double sum = e.value() + (e.col() == dof ? added_diagonal[dof] : 0);
+        value[next++] = scale[dof] * sum * scale[e.col()];
       }
   }
   *start = next;
@@ -196,6 +208,7 @@ struct CondensedStiffness::Factor {
   std::vector<int> place;  ///< of each dof in the elimination order, the kept ones last; -1 where prescribed
   std::vector<int> kept;
   Eigen::VectorXd added_diagonal;  ///< D on the kept dofs
+  Eigen::VectorXd scale;           ///< R, so that R K R has a diagonal of 1 [all dofs]
   std::unique_ptr<OwnedFactor> cholesky;
   std::vector<int> trailing;        ///< position of each kept dof in the trailing block
   Eigen::MatrixXd trailing_factor;  ///< L_cc, lower triangular, in the order of the factor
@@ -254,7 +267,7 @@ struct CondensedStiffness::Factor {
     for (Eigen::Index j = 0; j < size; ++j)
       for (Eigen::Index i = 0; i < size; ++i) {
         const auto [low, high] = std::minmax(trailing[i], trailing[j]);
-        schur(i, j) = product(high, low);
+        schur(i, j) = product(high, low) / (scale[kept[i]] * scale[kept[j]]);
       }
     schur.diagonal() -= added_diagonal;
   }
@@ -271,12 +284,12 @@ struct CondensedStiffness::Factor {
     return Eigen::Map<Eigen::VectorXd>(values(x->x), right.size());
   }
 
-  /// L^-1 P b on the free dofs.
+  /// L^-1 P R b on the free dofs.
   Eigen::VectorXd forward(const Eigen::Ref<const Eigen::VectorXd>& load) const {
     require_size("load", load.size(), static_cast<Eigen::Index>(place.size()));
     Eigen::VectorXd b(free_count());
     for (std::size_t dof = 0; dof < place.size(); ++dof)
-      if (place[dof] >= 0) b[place[dof]] = load[dof];
+      if (place[dof] >= 0) b[place[dof]] = scale[dof] * load[dof];
     return step(CHOLMOD_L, step(CHOLMOD_P, b));
   }
 };
@@ -294,9 +307,10 @@ CondensedStiffness::CondensedStiffness(const ElasticSystem& system, const std::v
     if (added[dof] != 0) refuse("kept dof ", dof, " is listed twice");
     added[dof] = f.added_diagonal[k] = system.stiffness.coeff(dof, dof);
   }
+  f.scale = inverse_roots(system);
   const std::vector<int> order = elimination_order(system, kept, f.session);
   f.place = places(order, system.prescribed.size());
-  const OwnedSparse matrix(upper_triangle(system, order, f.place, added, f.session), f.session);
+  const OwnedSparse matrix(upper_triangle(system, order, f.place, added, f.scale, f.session), f.session);
   f.factorise(matrix.get());
   f.read_trailing_block();
   f.compute_schur();
@@ -313,7 +327,7 @@ Eigen::VectorXd CondensedStiffness::condensed_load(const Eigen::Ref<const Eigen:
   const auto size = static_cast<Eigen::Index>(f.kept.size());
   const Eigen::VectorXd g = f.trailing_factor.triangularView<Eigen::Lower>() * f.forward(load).tail(size);
   Eigen::VectorXd result(size);
-  for (Eigen::Index k = 0; k < size; ++k) result[k] = g[f.trailing[k]];
+  for (Eigen::Index k = 0; k < size; ++k) result[k] = g[f.trailing[k]] / f.scale[f.kept[k]];
   return result;
 }
 
@@ -323,14 +337,14 @@ Eigen::VectorXd CondensedStiffness::extended(const Eigen::Ref<const Eigen::Vecto
   const auto size = static_cast<Eigen::Index>(f.kept.size());
   require_size("kept displacement", kept_displacement.size(), size);
   Eigen::VectorXd u_c(size);
-  for (Eigen::Index k = 0; k < size; ++k) u_c[f.trailing[k]] = kept_displacement[k];
+  for (Eigen::Index k = 0; k < size; ++k) u_c[f.trailing[k]] = kept_displacement[k] / f.scale[f.kept[k]];
   // L' x = y has the trailing part L_cc' u_c = y_c: overwriting y_c prescribes u_c.
   Eigen::VectorXd y = f.forward(load);
   y.tail(size) = f.trailing_factor.transpose().triangularView<Eigen::Upper>() * u_c;
   const Eigen::VectorXd x = f.step(CHOLMOD_Pt, f.step(CHOLMOD_Lt, y));
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(f.place.size()));
   for (std::size_t dof = 0; dof < f.place.size(); ++dof)
-    if (f.place[dof] >= 0) u[dof] = x[f.place[dof]];
+    if (f.place[dof] >= 0) u[dof] = f.scale[dof] * x[f.place[dof]];
   return u;
 }
 

@@ -14,7 +14,8 @@ namespace ffcontact {
 /// With the kept dofs ordered last and a diagonal D > 0 added to K_cc,
 ///     K + D = L L',    S + D = L_cc L_cc',    S = K_cc - K_ci K_ii^-1 K_ic,
 /// so that Schur's complement S is the trailing block of the factor. D makes bodies factor that only contact holds: their K is
-/// singular, and so is S, which keeps exactly the rigid motions of the body. Cost: one linear solve.
+/// singular, and so is S, which keeps exactly the rigid motions of the body. Cost: one linear solve. What is factored is
+/// R (K + D) R with R = diag(K)^-1/2: units, and materials or triangles that differ by any factor, do not count as singular.
 /// The interior is ordered by METIS on the graph of vertices, not of dofs.
 class CondensedStiffness {
  public:

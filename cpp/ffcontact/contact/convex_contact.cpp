@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/convex_contact.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "ffcontact/base/bounded_minimum.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// r of the proximal terms: far above rounding, below what a body that is held has.
+constexpr double proximal = 1e-9;
+constexpr int most_passes = 30;
+/// Passes end when they change v by less than this part of what the loads would.
+constexpr double settled = 1e-13;
+
+/// Positions are those of the primary rows, then those of the dependent ones. Multipliers are measured in units that give C
+/// a diagonal of 1.
+class ProximalPasses {
+ public:
+  ProximalPasses(const CondensedContact& contact, const NodalLaw& law)
+      : contact_(contact), law_(law), primary_(contact.S.rows()), dependent_(contact.E.cols()) {
+    rows_ = contact.primary;
+    rows_.insert(rows_.end(), contact.dependent.begin(), contact.dependent.end());
+    put_compliance();
+    put_bounds();
+    x_ = Eigen::VectorXd::Zero(low_.size());
+    v_ = Eigen::VectorXd::Zero(primary_);
+  }
+
+  /// @return Cholesky factorisations
+  int pass(int most_steps) {
+    const Eigen::VectorXd h = unit_.cwiseProduct(displacement_of_multipliers()) - compliance_ * x_;
+    BoundedMinimum minimum = bounded_minimum(compliance_, h, low_, high_, x_, most_steps);
+    x_ = std::move(minimum.x);
+    const Eigen::VectorXd v = (compliance_ * x_ + h).head(primary_).cwiseQuotient(unit_.head(primary_));
+    change_ = (v - v_).cwiseAbs().maxCoeff();
+    v_ = v;
+    return minimum.steps;
+  }
+
+  /// Largest change of v by the last pass.
+  double change() const { return change_; }
+
+  ContactRows answer() const {
+    const Eigen::VectorXd P = unit_.cwiseProduct(x_), q = P.tail(dependent_);
+    const Eigen::VectorXd balanced = contact_.S * v_ - contact_.g - contact_.E * q;
+    const Eigen::VectorXd moved = dependent_displacement(v_, q);
+    ContactRows rows{Eigen::VectorXd(P.size()), Eigen::VectorXd(P.size())};
+    for (Eigen::Index k = 0; k < P.size(); ++k) {
+      const bool at_bound = x_[k] == low_[k] || x_[k] == high_[k];
+      rows.P[rows_[k]] = at_bound || k >= primary_ ? P[k] : balanced[k];
+      rows.v[rows_[k]] = k < primary_ ? v_[k] : moved[k - primary_];
+    }
+    return rows;
+  }
+
+  std::vector<ContactState> states() const {
+    std::vector<ContactState> states;
+    for (int node = 0; node < x_.size() / 2; ++node) {
+      const bool open = x_[place(2 * node)] == 0;
+      const Eigen::Index t = place(2 * node + 1);
+      if (law_.frictionless(node))
+        states.push_back(open ? ContactState::open : ContactState::slip_forward);
+      else if (x_[t] == low_[t])
+        states.push_back(open ? ContactState::open_slip_forward : ContactState::slip_forward);
+      else if (x_[t] == high_[t])
+        states.push_back(open ? ContactState::open_slip_backward : ContactState::slip_backward);
+      else
+        states.push_back(open ? ContactState::open_stick : ContactState::stick);
+    }
+    return states;
+  }
+
+ private:
+  Eigen::Index place(int row) const {
+    const int k = contact_.position[row];
+    return k >= 0 ? k : primary_ - 1 - k;
+  }
+
+  void put_compliance() {
+    Eigen::MatrixXd S = contact_.S;
+    S.diagonal() *= 1 + proximal;
+    stiffness_.compute(S);
+    Eigen::MatrixXd& C = compliance_;
+    C.resize(primary_ + dependent_, primary_ + dependent_);
+    C.topLeftCorner(primary_, primary_) = stiffness_.solve(Eigen::MatrixXd::Identity(primary_, primary_));
+    C.topRightCorner(primary_, dependent_) = stiffness_.solve(contact_.E);
+    C.bottomLeftCorner(dependent_, primary_) = C.topRightCorner(primary_, dependent_).transpose();
+    C.bottomRightCorner(dependent_, dependent_) =
+        contact_.F + contact_.E.transpose() * C.topRightCorner(primary_, dependent_);
+    const double softest = C.diagonal().head(primary_).maxCoeff();
+    for (Eigen::Index k = primary_; k < C.rows(); ++k) C(k, k) += C(k, k) > 0 ? proximal * C(k, k) : softest;
+    unit_ = C.diagonal().cwiseSqrt().cwiseInverse();
+    C = (unit_.asDiagonal() * C * unit_.asDiagonal()).eval();
+  }
+
+  void put_bounds() {
+    low_.resize(unit_.size());
+    high_.resize(unit_.size());
+    for (Eigen::Index k = 0; k < unit_.size(); ++k) {
+      const bool normal = rows_[k] % 2 == 0;
+      const double b = law_.tresca() ? law_.tresca_bound[rows_[k] / 2] / unit_[k] : 0;
+      low_[k] = normal ? -std::numeric_limits<double>::infinity() : -b;
+      high_[k] = normal ? 0 : b;
+    }
+  }
+
+  Eigen::VectorXd dependent_displacement(const Eigen::VectorXd& v, const Eigen::VectorXd& q) const {
+    return contact_.E.transpose() * v + contact_.F * q + contact_.dependent_offset;
+  }
+
+  /// v of all rows under the multipliers of the last pass, by what they still lack of balancing its v.
+  Eigen::VectorXd displacement_of_multipliers() const {
+    const Eigen::VectorXd P = unit_.cwiseProduct(x_), q = P.tail(dependent_);
+    Eigen::VectorXd v(P.size());
+    v.head(primary_) = v_ + stiffness_.solve(P.head(primary_) + contact_.g + contact_.E * q - contact_.S * v_);
+    v.tail(dependent_) = dependent_displacement(v.head(primary_), q);
+    return v;
+  }
+
+  const CondensedContact& contact_;
+  const NodalLaw& law_;
+  const Eigen::Index primary_, dependent_;
+  std::vector<int> rows_;                  ///< of each position
+  Eigen::LLT<Eigen::MatrixXd> stiffness_;  ///< S + r diag(S)
+  Eigen::MatrixXd compliance_;
+  Eigen::VectorXd unit_, low_, high_;
+  Eigen::VectorXd x_, v_;  ///< multipliers in their units; v of the primary rows
+  double change_ = 0;
+};
+
+}  // namespace
+
+ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law, const NewtonSettings& settings) {
+  ActiveSetResult result;
+  result.violation = std::numeric_limits<double>::infinity();
+  ProximalPasses passes(contact, law);
+  for (int k = 0; k < most_passes && result.iterations < settings.max_iterations; ++k) {
+    result.iterations += std::max(1, passes.pass(settings.max_iterations - result.iterations));
+    ContactRows rows = passes.answer();
+    const double violation = law_violation(contact, law, rows);
+    const bool ends = violation <= settings.tolerance && passes.change() <= settled * motion_scale(contact, rows.v);
+    if (violation < result.violation || ends) {
+      result.violation = violation;
+      result.state = passes.states();
+      result.P = std::move(rows.P);
+      result.v = std::move(rows.v);
+    }
+    if (ends) break;
+  }
+  if (result.violation <= settings.tolerance) {
+    result.status = ContactStatus::converged;
+    put_into_law(law, result.state, result.P);
+  }
+  return result;
+}
+
+ActiveSetResult solve_convex(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
+                             const NewtonSettings& settings) {
+  ActiveSetResult newton = active_set_newton(contact, law, std::move(state), settings);
+  const int left = settings.max_iterations - newton.iterations;
+  if (newton.status == ContactStatus::converged || left <= 0) return newton;
+  ActiveSetResult convex = convex_contact(contact, law, {left, settings.tolerance});
+  ActiveSetResult& better =
+      convex.status == ContactStatus::converged || convex.violation < newton.violation ? convex : newton;
+  better.iterations = newton.iterations + convex.iterations;
+  return better;
+}
+
+}  // namespace ffcontact
