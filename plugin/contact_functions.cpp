@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <sstream>
+
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/cone_correction.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
@@ -45,6 +48,37 @@ ContactState state_of_number(long number) {
     case -2: return ContactState::slip_backward;
     default: refuse("an initial state must be 0 (open), 1 (stick), 2 or -2 (slip), got ", number);
   }
+}
+
+/// What the script can do about a solve that failed.
+const char* remedy(ContactStatus status) {
+  switch (status) {
+    case ContactStatus::not_converged: return "; raise maxit=";
+    case ContactStatus::cycled: return "; lower friction=, or bring the load in steps with previous= and initial=";
+    case ContactStatus::singular: return "; prescribe displacements or give friction= that hold the body";
+    default: return "; raise tol= if this is accurate enough";
+  }
+}
+
+/// Does no free dof of the node's vertex move it along its normal?
+bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system, int node) {
+  constexpr double tangential = 1e-3;
+  for (int c = 0; c < 2; ++c)
+    if (!system.prescribed[2 * line.vertex[node] + c] && std::abs(line.normal(c, node)) > tangential) return false;
+  return true;
+}
+
+/// Part of a sentence that names the vertices of the line whose normal dof is prescribed, the first ones of many.
+std::string held_vertices(const ContactArguments& contact, const ElasticSystem& system) {
+  constexpr int most = 8;
+  std::ostringstream names;
+  int count = 0;
+  for (int i = 0; i < contact.line.node_count(); ++i)
+    if (is_held_along_normal(contact.line, system, i) && ++count <= most)
+      names << (count > 1 ? ", " : "") << contact.own_vertex[i];
+  if (count == 0) return "";
+  return "; on() prescribes the normal displacement on the contact line at vertex " + names.str() +
+         (count > most ? ", ..." : "") + ": leave it free there, or take these edges out of label=";
 }
 
 /// iterations = contactsolve(Th, A, b, u, label=, friction=, ...), or with mesh, matrix, load and displacement of each of
@@ -108,7 +142,8 @@ class ContactSolve : public E_F0mps {
     const ContactSolution solution = solve_contact(contact.mesh, contact.line, law, system, settings);
     if (!solution.accepted(settings) && !named_.given("status"))
       refuse("no solution after ", solution.iterations, " iterations (", in_words(solution.status),
-             "), largest violation ", solution.complementarity, ", residual ", solution.residual);
+             "), largest violation ", solution.complementarity, ", residual ", solution.residual,
+             remedy(solution.status), "; status= returns the best iterate instead", held_vertices(contact, system));
 
     for (int k = 0; k < bodies; ++k)
       vector_of(u[k]) = solution.displacement.segment(contact.first_dof(k), contact.dof_count(k));

@@ -168,7 +168,7 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
   }
   if (result.violation <= settings.tolerance) result.status = ContactStatus::converged;
   if (result.status == ContactStatus::converged) {
-    close_touching_ends(contact, law, settings.tolerance, result);
+    if (result.iterations < settings.max_iterations) close_touching_ends(contact, law, settings.tolerance, result);
     put_into_law(law, result.state, result.P);
   }
   return result;

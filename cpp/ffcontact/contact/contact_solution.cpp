@@ -39,7 +39,7 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact, const Nodal
 BodyAnswer body_answer(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
                        const CondensedStiffness& stiffness, const CondensedContact& contact,
                        const ActiveSetResult& condensed, double& residual) {
-  constexpr double rounding = 1e-13;
+  constexpr double rounding = 1e-12;
   constexpr int most_steps = 3;
   const NodalLaw nodal = nodal_law(law, line);
   const Eigen::VectorXd kept =

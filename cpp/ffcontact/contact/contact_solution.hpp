@@ -16,7 +16,7 @@ enum class ContactSolver {
 
 struct ContactSettings {
   ContactSolver solver = ContactSolver::newton;
-  int max_iterations = 10000;               ///< linear systems of the contact line in all
+  int max_iterations = 2000;                ///< linear systems of the contact line in all
   double tolerance = 1e-10;                 ///< largest complementarity and residual defect of an accepted answer
   std::vector<ContactState> initial_state;  ///< a guess, e.g. of the load step before; empty: every node sticks
 };

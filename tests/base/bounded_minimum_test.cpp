@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/bounded_minimum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/random.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// Largest violation of: gradient 0 inside the bounds, not inwards at them.
+double defect(const Eigen::MatrixXd& H, const Eigen::VectorXd& h, const Eigen::VectorXd& low,
+              const Eigen::VectorXd& high, const Eigen::VectorXd& x) {
+  const Eigen::VectorXd gradient = H * x + h;
+  double largest = std::max((low - x).maxCoeff(), (x - high).maxCoeff());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    if (x[i] > low[i]) largest = std::max(largest, gradient[i]);
+    if (x[i] < high[i]) largest = std::max(largest, -gradient[i]);
+  }
+  return largest;
+}
+
+RC_GTEST_PROP(BoundedMinimum, holds_every_condition, (Random random)) {
+  const Eigen::Index n = *rc::gen::inRange(1, 40);
+  const Eigen::MatrixXd root = random_matrix(n, n, random);
+  const Eigen::MatrixXd H = root * root.transpose() + 1e-3 * Eigen::MatrixXd::Identity(n, n);
+  const Eigen::VectorXd h = random_vector(n, random);
+  Eigen::VectorXd low = -random_vector(n, random).cwiseAbs(), high = random_vector(n, random).cwiseAbs();
+  for (Eigen::Index i = 0; i < n; ++i) {  // some are free to one side, or not at all
+    if (random() % 4 == 0) low[i] = -std::numeric_limits<double>::infinity();
+    if (random() % 4 == 0) high[i] = low[i] = 0;
+  }
+  const BoundedMinimum minimum = bounded_minimum(H, h, low, high, 10 * random_vector(n, random), 1000);
+  RC_ASSERT(defect(H, h, low, high, minimum.x) < 1e-10);
+  RC_ASSERT(minimum.steps <= 5 * n + 5);
+}
+
+TEST(BoundedMinimum, a_clamped_step_that_would_not_lower_the_function_ends_at_the_first_bound) {
+  const Eigen::Matrix2d H = (Eigen::Matrix2d() << 1, 0.99, 0.99, 1).finished();
+  const Eigen::Vector2d h(-10, 9.9), low(-20, -20), high(0.5, 20);
+  const BoundedMinimum minimum = bounded_minimum(H, h, low, high, Eigen::Vector2d(0, 0), 100);
+  EXPECT_LT(defect(H, h, low, high, minimum.x), 1e-12);
+}
+
+TEST(BoundedMinimum, stops_after_the_steps_it_is_given) {
+  const Eigen::MatrixXd H = Eigen::MatrixXd::Identity(3, 3);
+  const Eigen::VectorXd h = Eigen::Vector3d(-1, -2, -3), low = Eigen::Vector3d::Constant(-1), high = -low;
+  EXPECT_EQ(bounded_minimum(H, h, low, high, Eigen::Vector3d::Zero(), 0).steps, 0);
+  EXPECT_EQ(bounded_minimum(H, h, low, high, Eigen::Vector3d::Zero(), 100).x, high);
+}
+
+}  // namespace
+}  // namespace ffcontact
