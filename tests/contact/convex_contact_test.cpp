@@ -76,7 +76,9 @@ RC_GTEST_PROP(OddProblems, length_and_stiffness_leave_the_answer_as_it_is, (Rand
   const ContactSolution plain = solved(problem), scaled = solved_scaled(problem, length, stiffness);
   RC_LOG() << in_figures(scaled);
   RC_ASSERT(scaled.accepted({}));
-  double size = plain.displacement.cwiseAbs().maxCoeff();
+  const ElasticSystem system = problem.system();  // where all nodes stick, loads move nothing
+  double size = std::max(plain.displacement.cwiseAbs().maxCoeff(),
+                         system.load.cwiseQuotient(system.stiffness.diagonal()).cwiseAbs().maxCoeff());
   if (problem.law.gap.size() > 0) size = std::max(size, problem.law.gap.cwiseAbs().maxCoeff());
   RC_ASSERT((scaled.displacement / length - plain.displacement).cwiseAbs().maxCoeff() <= 1e-7 * size);
 }
@@ -150,7 +152,7 @@ TEST(MaxIterations, bound_all_systems_of_a_call) {
   Problem problem = example_1(Multiplier::pressure);
   set_friction(problem, 2);
   const int needed = solved(problem).iterations;
-  ASSERT_GT(needed, 20);
+  ASSERT_GT(needed, 14);
   for (const ContactSolver solver : {ContactSolver::newton, ContactSolver::fixed_point})
     for (const int most : {1, 7, needed / 2}) {
       ContactSettings settings;
