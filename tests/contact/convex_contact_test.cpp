@@ -130,7 +130,7 @@ TEST(Refinement, a_stiff_body_on_a_soft_one_is_solved_to_rounding) {
       const ContactSolution solution = solved(two.problem);
       EXPECT_TRUE(solution.accepted({})) << E << ", " << in_figures(solution);
       EXPECT_LT(solution.residual, 1e-11) << E;
-      EXPECT_NEAR(solution.force.row(0).sum(), -800, 1e-6 / E) << E;
+      EXPECT_NEAR(solution.force.row(0).sum(), -800, 5e-6 / E) << E;  // what the last place of u weighs
     }
 }
 
