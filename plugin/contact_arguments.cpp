@@ -60,6 +60,15 @@ void append(const Eigen::VectorXd& values, Eigen::VectorXd& all) {
   all.tail(values.size()) = values;
 }
 
+void append(const Eigen::Matrix2Xd& values, Eigen::Matrix2Xd& all) {
+  const Eigen::Index before = all.cols();
+  all.conservativeResize(Eigen::NoChange, before + values.cols());
+  all.rightCols(values.cols()) = values;
+}
+
+/// Points of an edge at which a coefficient is evaluated.
+constexpr int samples_of_an_edge = 9;
+
 }  // namespace
 
 const char* name_of_body(const char* name, int body, int bodies) {
@@ -148,8 +157,13 @@ void ContactArguments::add_coefficients(Stack stack, const NamedArguments& named
                                         const Eigen::VectorXd& mesh_gap) {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
   append(at_nodes(stack, named.expression("friction"), part, edges, own, 0), law.friction);
-  if (const Expression bound = named.expression("slipbound"))
-    append(at_nodes(stack, bound, part, edges, own, 0), law.slip_bound);
+  const Expression friction = named.expression("friction"), slip_bound = named.expression("slipbound");
+  if (slip_bound) append(at_nodes(stack, slip_bound, part, edges, own, 0), law.slip_bound);
+  if (const Expression coefficient = slip_bound ? slip_bound : friction) {
+    const EdgeRange range = enclosing_range(along_edges(stack, coefficient, part, edges, own, samples_of_an_edge));
+    append(range.least, law.between_nodes.least);
+    append(range.most, law.between_nodes.most);
+  }
   if (const Expression gap = named.expression("gap")) {
     append(at_nodes(stack, gap, part, edges, own, 0), law.gap);
   } else {

@@ -92,6 +92,7 @@ class ContactErrorFunction : public E_F0mps {
                            {"oscillation", &typeid(double*)},
                            {"balance", &typeid(double*)},
                            {"cone", &typeid(double*)},
+                           {"penetration", &typeid(double*)},
                            {"admissible", &typeid(bool*)}});
     return ContactArguments::table(own, bodies);
   }
@@ -267,6 +268,7 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "unmended", static_cast<long>(estimate.unmended.size()));
     named_.put(stack, "balance", estimate.equilibrium.largest());
     named_.put(stack, "cone", estimate.cone);
+    named_.put(stack, "penetration", estimate.penetration);
     named_.put(stack, "admissible", estimate.admissible);
   }
 
@@ -279,7 +281,8 @@ class ContactErrorFunction : public E_F0mps {
     if (!estimate.admissible) cout << "contacterror: not admissible: " << estimate.reason << endl;
     if (level > 1)
       cout << "contacterror: elastic part " << estimate.elastic << ", contact part of e^2 " << estimate.contact
-           << ", equilibrium defect " << estimate.equilibrium.largest() << ", cone defect " << estimate.cone << endl;
+           << ", equilibrium defect " << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
+           << ", penetration " << estimate.penetration << endl;
   }
 
   NamedArguments named_;

@@ -121,6 +121,22 @@ Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& par
   return values;
 }
 
+Eigen::MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
+                            const ContactLine& line, int points) {
+  Eigen::MatrixXd values(points, line.edge_count());
+  PointEvaluator point(stack, part.fem_mesh);
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int element = edges.boundary_index[line.edge[e]] - part.first_boundary;
+    const bool first = point.first_vertex(element) == line.vertex[line.edge_node(0, e)] - part.first_vertex;
+    for (int k = 0; k < points; ++k) {
+      const double s = static_cast<double>(k) / (points - 1);
+      point.go_to_boundary(element, first ? 1 - s : s);
+      values(k, e) = point.value(expression);
+    }
+  }
+  return values;
+}
+
 Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, double otherwise) {
   Eigen::VectorXd values = Eigen::VectorXd::Constant(fem_mesh.nt, otherwise);
   if (!expression) return values;

@@ -30,6 +30,10 @@ struct BodyPart {
 Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
                          const ContactLine& line, double otherwise);
 
+/// An expression at evenly spaced points of each edge of a contact line, ends included, with the label of the edge [points x edges].
+Eigen::MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
+                            const ContactLine& line, int points);
+
 /// An expression at the centroid of each triangle (x, y, region) [triangles].
 Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, double otherwise);
 

@@ -132,6 +132,74 @@ TEST(ConeDefect, is_zero_inside_and_sees_one_spoiled_number) {
   EXPECT_EQ(defect(densities_of({0, 0}, {0, 0})), 0);
 }
 
+/// Worst of r_n and |r_t| - c at many points of an edge, c by the lower bound of the coefficient.
+double worst_by_points(const EdgeProblem& edge, const ContactDensities& r) {
+  const Eigen::Vector2d m = least_coefficient(edge.line, edge.law, 0);
+  double worst = r.normal.maxCoeff();
+  for (int k = 0; k <= 1000; ++k) {
+    const Eigen::Vector2d at(1 - k / 1000., k / 1000.);
+    const double p = std::max(0.0, -at.dot(r.normal.col(0)));
+    worst = std::max(worst, std::abs(at.dot(r.tangential.col(0))) - at.dot(m) * (edge.law.tresca() ? 1 : p));
+  }
+  return worst;
+}
+
+EdgeProblem random_edge(Random& random, bool tresca) {
+  EdgeProblem edge = one_edge(0);
+  edge.law.friction = random_vector(2, random).cwiseAbs();
+  if (*rc::gen::inRange(0, 4) == 0) edge.law.friction[*rc::gen::inRange(0, 2)] = 0;
+  if (tresca) edge.law.slip_bound = edge.law.friction;
+  return edge;
+}
+
+RC_GTEST_PROP(ConeDefect, is_the_largest_violation_along_the_edge, (Random random)) {
+  const EdgeProblem edge = random_edge(random, *rc::gen::arbitrary<bool>());
+  const ContactDensities r = random_densities(1, random);
+  const double scale = std::max(r.normal.cwiseAbs().maxCoeff(), r.tangential.cwiseAbs().maxCoeff());
+  if (r.normal.maxCoeff() > 0) return;  // then p has a kink
+  RC_ASSERT(std::abs(cone_defect(edge.line, edge.law, r) - std::max(0.0, worst_by_points(edge, r)) / scale) < 1e-5);
+}
+
+RC_GTEST_PROP(EdgeCone, is_the_cone_all_along_the_edge, (Random random)) {
+  const EdgeProblem edge = random_edge(random, *rc::gen::arbitrary<bool>());
+  ContactDensities r = random_densities(1, random);
+  const EdgeCone cone = edge_cone(edge.line, edge.law, 0);
+  for (int end = 0; end < 2; ++end)
+    if (cone.frictionless[end]) r.tangential(end, 0) = 0;
+  const bool allowed = ((cone.C * end_values(r, 0) - cone.d).array() >= 0).all();
+  if (allowed) RC_ASSERT(worst_by_points(edge, r) <= 1e-14);
+  const bool constant = edge.law.tresca() || edge.law.friction[0] == edge.law.friction[1];
+  if (constant) RC_ASSERT(allowed == (worst_by_points(edge, r) <= 0));
+}
+
+TEST(EdgeCone, of_friction_that_varies_is_narrower_than_at_its_ends) {
+  EdgeProblem edge = one_edge(0);
+  edge.law.friction << 0.2, 1;
+  const ContactDensities r = densities_of({-1, -5}, {0.2, 5});  // in the cone at both ends, not between them
+  EXPECT_GT(cone_defect(edge.line, edge.law, r), 0.01);
+  EXPECT_EQ(correct_to_cone(edge.line, edge.law, r).uncorrected, std::vector<int>{0});
+  edge.law.between_nodes = {Eigen::Vector2d(1, 1), Eigen::Vector2d(1, 1)};
+  EXPECT_EQ(cone_defect(edge.line, edge.law, r), 0);
+}
+
+TEST(EnclosingRange, is_the_chord_where_the_samples_are_on_it) {
+  const EdgeRange range = enclosing_range(Eigen::VectorXd::LinSpaced(9, 0.3, 0.7));
+  EXPECT_EQ(range.least, Eigen::Vector2d(0.3, 0.7));
+  EXPECT_EQ(range.most, Eigen::Vector2d(0.3, 0.7));
+}
+
+RC_GTEST_PROP(EnclosingRange, encloses_the_samples, (Random random)) {
+  const Eigen::MatrixXd samples = random_matrix(9, 3, random).cwiseAbs();
+  const EdgeRange range = enclosing_range(samples);
+  RC_ASSERT(range.least.minCoeff() >= 0);
+  for (int e = 0; e < 3; ++e)
+    for (int k = 0; k < 9; ++k) {
+      const Eigen::Vector2d at(1 - k / 8., k / 8.);
+      RC_ASSERT(at.dot(range.least.col(e)) <= samples(k, e) + 1e-15);
+      RC_ASSERT(at.dot(range.most.col(e)) >= samples(k, e) - 1e-15);
+    }
+}
+
 TEST(EdgeDensities, are_the_nodal_values_at_both_ends) {
   const Problem problem = body(rectangle(3, 1, 3, 1), material(1, 0));
   Eigen::Matrix2Xd pressure(2, 4);

@@ -111,6 +111,46 @@ RC_GTEST_PROP(AdmissibleDisplacement, lowers_penetrating_nodes_to_the_foundation
   RC_ASSERT(changed.isZero(0));
 }
 
+TEST(AdmissibleDisplacement, keeps_prescribed_components_and_lowers_by_the_others) {
+  const Problem problem = body(rotated(rectangle(2, 1, 2, 1), 0.5), material(1, 0));
+  const ContactLine& line = problem.line;
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.b.size());
+  u.segment<2>(2 * line.vertex[1]) = 0.1 * line.normal.col(1);
+  for (int held = 0; held < 2; ++held) {
+    std::vector<char> prescribed(u.size(), 0);
+    prescribed[2 * line.vertex[1] + held] = 1;
+    const Eigen::VectorXd lowered = admissible_displacement(line, problem.law, u, prescribed);
+    EXPECT_EQ(lowered[2 * line.vertex[1] + held], u[2 * line.vertex[1] + held]);
+    EXPECT_NEAR(contact_components(line, lowered)(0, 1), 0, 1e-15);
+    EXPECT_LT(penetration_defect(line, problem.law, lowered).value, 1e-14);
+  }
+}
+
+TEST(AdmissibleDisplacement, is_left_where_prescribed_components_penetrate) {
+  const Problem problem =
+      body(rotated(rectangle(2, 1, 2, 1), 1e-9), material(1, 0));  // hardly anything of n is along x
+  const ContactLine& line = problem.line;
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.b.size());
+  u[2 * line.vertex[1] + 1] = -0.1;
+  std::vector<char> prescribed(u.size(), 0);
+  prescribed[2 * line.vertex[1] + 1] = 1;
+  EXPECT_EQ(admissible_displacement(line, problem.law, u, prescribed), u);
+  const PenetrationDefect defect = penetration_defect(line, problem.law, u);
+  EXPECT_NEAR(defect.value, 1, 1e-12);
+  EXPECT_EQ(defect.node, 1);
+}
+
+TEST(PenetrationDefect, is_zero_clear_of_the_foundation_and_counts_the_gap) {
+  const Problem problem = body(rectangle(2, 1, 2, 1), material(1, 0));
+  ContactLaw law = problem.law;
+  const Eigen::VectorXd u = nodal_values(problem.mesh, [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -1); });
+  EXPECT_NEAR(penetration_defect(problem.line, law, u).value, 1, 1e-15);
+  law.gap = everywhere(problem.line, 1);
+  EXPECT_EQ(penetration_defect(problem.line, law, u).value, 0);
+  law.gap[2] = 0.5;
+  EXPECT_NEAR(penetration_defect(problem.line, law, u).value, 0.5, 1e-15);
+}
+
 TEST(AdmissibleDisplacement, does_not_penetrate_at_a_sharp_corner) {
   // A corner of 45 degrees: lowering along one normal pushes against the other.
   Mesh mesh = rectangle(2, 2, 2, 2);

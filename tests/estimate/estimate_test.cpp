@@ -172,6 +172,84 @@ RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
       RC_ASSERT(std::abs(estimate.displacement[dof] - system.prescribed_value[dof]) <= 1e-12 * scale);
 }
 
+/// A body that is moved against a wall without stress: what its stresses are of is rounding.
+TEST(Estimate, of_a_rigid_motion_is_zero) {
+  for (const double angle : {0.0, 0.4, 1.3})
+    for (const double size : {1e-6, 1.0, 1e6}) {
+      Problem problem = body(rotated(rectangle(5, 4, 5 * size, 4 * size), angle), material(210e3, 0.3));
+      const Eigen::Vector2d motion = size * Eigen::Vector2d(0.3, -0.7);
+      clamp(problem, top, [&](const Eigen::Vector2d&) { return motion; });
+      problem.law.gap = everywhere(problem.line, problem.line.edge_normal(0).dot(motion));
+      set_friction(problem, 0.3);
+      ContactSolution solution;
+      solution.displacement = nodal_values(problem.mesh, [&](const Eigen::Vector2d&) { return motion; });
+      solution.pressure = Eigen::Matrix2Xd::Constant(2, problem.line.node_count(), -1e-12);  // of a solver's rounding
+      const Estimate estimate = estimated(problem, solution);
+      EXPECT_EQ(estimate.e, 0);
+      EXPECT_EQ(estimate.relative, 0);
+      EXPECT_EQ(estimate.local.maxCoeff(), 0);
+      EXPECT_TRUE(estimate.admissible) << estimate.reason;
+    }
+}
+
+/// Small stresses beside a large rigid motion are judged by what rounding of that motion leaves of them.
+TEST(Estimate, of_small_stresses_beside_a_large_motion) {
+  const auto estimate_of = [](double motion) {
+    Problem problem = body(rectangle(5, 4, 5, 4), material(1000, 0.3));
+    clamp(problem, top, [&](const Eigen::Vector2d& x) -> Eigen::Vector2d { return {motion, -1e-4 * x.x() - motion}; });
+    problem.law.gap = everywhere(problem.line, motion);
+    set_friction(problem, 0.3);
+    problem.law.previous = everywhere(problem.line, motion);
+    return estimated(problem, solved(problem));
+  };
+  const Estimate still = estimate_of(0);
+  for (const double motion : {1.0, 1e3, 1e5}) {
+    const Estimate estimate = estimate_of(motion);
+    EXPECT_TRUE(estimate.admissible) << motion << ": " << estimate.reason;
+    EXPECT_NEAR(estimate.relative, still.relative, 1e-3 * still.relative);
+  }
+}
+
+TEST(Estimate, does_not_depend_on_the_units) {
+  const auto relative = [](const Mesh& mesh, double stiffness, double slip_bound) {
+    Problem problem = body(mesh, material(13e3 * stiffness, 0.2));
+    add_traction(problem, left, {10 * stiffness, 0});
+    clamp(problem, top);
+    prescribe(problem, right, 0);
+    set_friction(problem, 0.5);
+    if (slip_bound > 0) problem.law.slip_bound = everywhere(problem.line, slip_bound * stiffness);
+    return estimated(problem, solved(problem)).relative;
+  };
+  for (const double slip_bound : {0.0, 2.0}) {
+    const double expected = relative(rectangle(16, 8, 80, 40), 1, slip_bound);
+    for (const double length : {1e-9, 1e-3, 1e6})
+      for (const double stiffness : {1e-9, 1e3, 1e6}) {
+        const double scaled = relative(rectangle(16, 8, 80 * length, 40 * length), stiffness, slip_bound);
+        EXPECT_NEAR(scaled / expected, 1, 1e-8) << "length " << length << ", stiffness " << stiffness;
+      }
+  }
+}
+
+/// A prescribed displacement that penetrates cannot be lowered: u is not admissible, and the estimate says so.
+TEST(Estimate, says_where_u_penetrates) {
+  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+    Problem problem = body(rectangle(4, 4, 1, 1), material(1000, 0.3));
+    clamp(problem, right);
+    clamp(problem, left);
+    add_traction(problem, top, {0, -10});
+    problem.law.multiplier = multiplier;
+    ContactSolution solution = solved(problem);
+    EXPECT_TRUE(estimated(problem, solution).admissible);
+    problem.law.gap = everywhere(problem.line, 0);
+    problem.law.gap[problem.line.node_count() - 1] = -1e-6;  // the foundation now reaches into a clamped corner
+    const Estimate estimate = estimated(problem, solution);
+    EXPECT_FALSE(estimate.admissible);
+    EXPECT_GT(estimate.penetration, 1e-7);
+    EXPECT_TRUE(says(estimate.reason, "u penetrates by ") && says(estimate.reason, "at (1, 0), where displacements"))
+        << estimate.reason;
+  }
+}
+
 // ---- against an exact solution ------------------------------------------------------------------
 
 TEST(Estimate, of_the_smooth_problem_in_contact_is_a_tight_bound) {

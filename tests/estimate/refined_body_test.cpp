@@ -23,9 +23,34 @@ SolvedBody random_body(const CutBodies& cut, std::mt19937& random) {
           random_matrix(6, problem.mesh.triangles.cols(), random)};
 }
 
+SolvedBody refined(const CutBodies& cut, const SolvedBody& old) {
+  const Problem& problem = cut.two.problem;
+  return refined_body(problem.mesh, problem.edges, problem.line, old, cut.refinement);
+}
+
+/// Bounds of the coefficient that are linear between nodal values stay so.
+RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges, (Random random)) {
+  const CutBodies cut(random);
+  const ContactLine &line = cut.two.problem.line, &parts = cut.refinement.line;
+  SolvedBody old = random_body(cut, random);
+  old.law.friction = old.law.friction.cwiseAbs();
+  for (Eigen::Matrix2Xd* bound : {&old.law.between_nodes.least, &old.law.between_nodes.most}) {
+    bound->resize(2, line.edge_count());
+    for (int e = 0; e < line.edge_count(); ++e)
+      for (int end = 0; end < 2; ++end) (*bound)(end, e) = old.law.friction[line.edge_node(end, e)];
+  }
+  const ContactLaw law = refined(cut, old).law;
+  for (int e = 0; e < parts.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) {
+      const double expected = law.friction[parts.edge_node(end, e)];
+      RC_ASSERT(std::abs(least_coefficient(parts, law, e)[end] - expected) < 1e-13);
+      RC_ASSERT(std::abs(most_coefficient(parts, law, e)[end] - expected) < 1e-13);
+    }
+}
+
 RC_GTEST_PROP(RefinedBody, has_the_stresses_of_the_old_triangles, (Random random)) {
   const CutBodies cut(random);
-  const SolvedBody old = random_body(cut, random), body = refined_body(cut.mesh(), old, cut.refinement);
+  const SolvedBody old = random_body(cut, random), body = refined(cut, old);
   const Eigen::Matrix3Xd before = stresses(cut.mesh(), old.hooke, old.displacement);
   const Eigen::Matrix3Xd after = stresses(cut.refinement.mesh, body.hooke, body.displacement);
   for (int t = 0; t < cut.refinement.mesh.triangle_count(); ++t) {
@@ -45,7 +70,7 @@ double interpolated(const CutBodies& cut, const Eigen::VectorXd& values, int nod
 
 RC_GTEST_PROP(RefinedBody, has_pressures_and_law_linear_between_the_old_nodes, (Random random)) {
   const CutBodies cut(random);
-  const SolvedBody old = random_body(cut, random), body = refined_body(cut.mesh(), old, cut.refinement);
+  const SolvedBody old = random_body(cut, random), body = refined(cut, old);
   RC_ASSERT(body.law.multiplier == Multiplier::pressure);
   RC_ASSERT(body.law.slip_bound.size() == 0 && body.law.previous.size() == 0);
   for (int node = 0; node < cut.refinement.line.node_count(); ++node) {
@@ -58,7 +83,7 @@ RC_GTEST_PROP(RefinedBody, has_pressures_and_law_linear_between_the_old_nodes, (
 
 RC_GTEST_PROP(RefinedBody, carries_its_loads_on, (Random random)) {
   const CutBodies cut(random);
-  const SolvedBody old = random_body(cut, random), body = refined_body(cut.mesh(), old, cut.refinement);
+  const SolvedBody old = random_body(cut, random), body = refined(cut, old);
   for (int c = 0; c < 2; ++c) {
     const auto resultant = [c](const auto& loads) {
       double sum = 0;
@@ -89,7 +114,7 @@ RC_GTEST_PROP(RefinedPrescribed, holds_a_new_vertex_where_both_ends_of_its_edge_
 RC_GTEST_PROP(UnrefinedForces, do_the_same_work, (Random random)) {
   const CutBodies cut(random);
   const SolvedBody old = random_body(cut, random);
-  const Eigen::VectorXd fine = refined_body(cut.mesh(), old, cut.refinement).displacement;
+  const Eigen::VectorXd fine = refined(cut, old).displacement;
   const Eigen::VectorXd forces = random_vector(fine.size(), random);
   const double work = unrefined_forces(cut.refinement, forces).dot(old.displacement);
   RC_ASSERT(std::abs(work - forces.dot(fine)) < 1e-12 * forces.norm() * fine.norm());

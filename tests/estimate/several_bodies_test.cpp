@@ -133,5 +133,35 @@ TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
   }
 }
 
+/// eps_E^2 of facing triangles has half of the contact part of their edge each, that of a triangle on a foundation all of it.
+void shares_add_up(const Problem& problem) {
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(0));
+  ASSERT_FALSE(estimate.refinement.has_value());
+  const Eigen::Matrix3Xd stress = stresses(problem.mesh, problem.hooke, estimate.displacement);
+  Eigen::VectorXd shares = estimate.local.cwiseAbs2() * std::pow(estimate.e / estimate.relative, 2);
+  for (int t = 0; t < problem.mesh.triangle_count(); ++t)
+    shares[t] -= energy(corners_of(problem.mesh, t), problem.hooke[t].inverse(),
+                        estimate.stress[t] - CompositeStress(stress.col(t).replicate<1, 9>()));
+  const ContactLine& line = problem.line;
+  const Eigen::VectorXd contact = contact_error(line, problem.law, estimate.tractions, estimate.displacement);
+  ASSERT_GT(contact.maxCoeff(), 1e-6 * std::pow(estimate.e, 2));
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const bool faced = line.against_a_body() && line.opposite_edge[e] >= 0;
+    shares[problem.edges.triangles(0, line.edge[e])] -= contact[e] / (faced ? 2 : 1);
+    if (faced) shares[problem.edges.triangles(0, line.opposite_edge[e])] -= contact[e] / 2;
+  }
+  EXPECT_LT(shares.cwiseAbs().maxCoeff(), 1e-10 * std::pow(estimate.e, 2));
+}
+
+TEST(SeveralBodiesEstimate, shares_the_contact_part_between_facing_triangles) {
+  Bodies two = bodies({shifted(rectangle(6, 3, 6, 3), {0, 4}), rectangle(6, 4, 6, 4)},
+                      {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
+  add_traction(two.problem, two.label(0, top), {3, -5});
+  clamp(two.problem, two.label(1, bottom));
+  set_friction(two.problem, 0.8);
+  shares_add_up(two.problem);
+  shares_add_up(example_1(Multiplier::force, 4));
+}
+
 }  // namespace
 }  // namespace ffcontact

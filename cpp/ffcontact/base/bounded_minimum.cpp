@@ -79,7 +79,10 @@ class FaceByFace {
   bool fix_blocked(const Eigen::VectorXd& step) {
     bool any = false;
     for (Eigen::Index i = 0; i < x_.size(); ++i)
-      if ((x_[i] <= low_[i] && step[i] < 0) || (x_[i] >= high_[i] && step[i] > 0)) any = fixed_[i] = 1;
+      if ((x_[i] <= low_[i] && step[i] < 0) || (x_[i] >= high_[i] && step[i] > 0)) {
+        fixed_[i] = 1;
+        any = true;
+      }
     return any;
   }
 

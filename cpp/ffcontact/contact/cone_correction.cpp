@@ -13,6 +13,37 @@ namespace {
 /// Violations below this, relative to the largest traction, are rounding of the solver and left in peace.
 constexpr double rounding = 1e-13;
 
+/// The smallest linear bound of r_t at the ends of an edge: c = m p (Coulomb) or m (Tresca), and what it lets their sum be.
+struct SlipLimits {
+  double first, second, sum;
+};
+SlipLimits slip_limits(const ContactLine& line, const ContactLaw& law, const Eigen::Vector2d& normal, int edge) {
+  const Eigen::Vector2d m = least_coefficient(line, law, edge), p = (-normal).cwiseMax(0.0);
+  if (law.tresca()) return {m[0], m[1], m[0] + m[1]};
+  const double ends = m[0] * p[0] + m[1] * p[1];
+  return {m[0] * p[0], m[1] * p[1], m[0] == m[1] ? ends : std::min(ends, m[0] * p[1] + m[1] * p[0])};
+}
+
+/// Largest |r_t| - m p on an edge, both linear or the last one quadratic: at an end or where its slope vanishes.
+double largest_excess(const Eigen::Vector2d& coefficient, const Eigen::Vector2d& normal,
+                      const Eigen::Vector2d& tangential, bool tresca) {
+  double largest = 0;
+  for (const int sign : {1, -1}) {
+    const auto excess = [&](double s) {
+      const double m = coefficient[0] + s * (coefficient[1] - coefficient[0]);
+      const double p = -(normal[0] + s * (normal[1] - normal[0]));
+      const double t = tangential[0] + s * (tangential[1] - tangential[0]);
+      return sign * t - (tresca ? m : m * std::max(p, 0.0));
+    };
+    largest = std::max({largest, excess(0), excess(1)});
+    const double start = excess(0), middle = excess(0.5), end = excess(1);
+    const double bend = start - 2 * middle + end,
+                 slope = -3 * start + 4 * middle - end;  // of 2 bend s^2 + slope s + start
+    if (bend < 0 && slope > 0 && slope < -4 * bend) largest = std::max(largest, excess(-slope / (4 * bend)));
+  }
+  return largest;
+}
+
 double largest_traction(const ContactDensities& densities) {
   if (densities.normal.size() == 0) return 0;
   return std::max(densities.normal.cwiseAbs().maxCoeff(), densities.tangential.cwiseAbs().maxCoeff());
@@ -30,14 +61,33 @@ ContactDensities edge_densities(const ContactLine& line, const Eigen::Ref<const 
   return densities;
 }
 
-Eigen::Matrix2Xd slip_limits(const ContactLine& line, const ContactLaw& law, const Eigen::Matrix2Xd& normal) {
-  Eigen::Matrix2Xd limits(2, line.edge_count());
-  for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end) {
-      const int node = line.edge_node(end, e);
-      limits(end, e) = law.tresca() ? law.slip_bound[node] : -law.friction[node] * normal(end, e);
+EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
+  const Eigen::Vector2d m = least_coefficient(line, law, edge);
+  EdgeCone cone{m.array() == 0, Eigen::Matrix<double, Eigen::Dynamic, 4>::Zero(8, 4), Eigen::VectorXd::Zero(8)};
+  Eigen::Index rows = 0;
+  for (int end = 0; end < 2; ++end) {
+    // For Coulomb's law |r_t| <= m p implies r_n <= 0, but in a thin cone their rounding divided by m is its.
+    cone.C(rows++, 2 * end) = -1;
+    if (cone.frictionless[end]) continue;
+    for (const int sign : {1, -1}) {
+      cone.C(rows, 2 * end + 1) = sign;
+      cone.C(rows, 2 * end) = law.tresca() ? 0 : -m[end];
+      cone.d[rows++] = law.tresca() ? -m[end] : 0;
     }
-  return limits;
+  }
+  if (!law.tresca() && m[0] != m[1])
+    for (const int sign : {1, -1}) cone.C.row(rows++) << -m[1], sign, -m[0], sign;
+  cone.C.conservativeResize(rows, Eigen::NoChange);
+  cone.d.conservativeResize(rows);
+  return cone;
+}
+
+Eigen::Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edge, const Eigen::Vector4d& r) {
+  const Eigen::Vector2d normal(std::min(r[0], 0.0), std::min(r[2], 0.0));
+  const auto [first, second, sum] = slip_limits(line, law, normal, edge);
+  Eigen::Vector2d tangential(std::clamp(r[1], -first, first), std::clamp(r[3], -second, second));
+  if (std::abs(tangential.sum()) > sum) tangential *= sum / std::abs(tangential.sum());  // sum >= 2 min(first, second)
+  return interleaved(normal, tangential);
 }
 
 ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities) {
@@ -51,13 +101,12 @@ ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law, c
       refuse("the contact direction turns along contact edge ", e, ": its tractions need a fixed normal=");
 
   ConeCorrection result{densities, Eigen::VectorXd::Zero(line.edge_count()), {}};
-  const Eigen::Matrix2Xd limits = slip_limits(line, law, densities.normal);
   const double tolerance = rounding * largest_traction(densities);
   for (int e = 0; e < line.edge_count(); ++e) {
     const double ti = densities.tangential(0, e), tj = densities.tangential(1, e);
-    const double ci = std::max(0.0, limits(0, e)), cj = std::max(0.0, limits(1, e));
+    const auto [ci, cj, most] = slip_limits(line, law, densities.normal.col(e), e);
     const bool tensile = densities.normal.col(e).maxCoeff() > tolerance;
-    if (tensile || std::abs(ti + tj) > ci + cj + tolerance) {
+    if (tensile || std::abs(ti + tj) > most + tolerance) {
       result.uncorrected.push_back(e);
       continue;
     }
@@ -75,9 +124,11 @@ ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law, c
 double cone_defect(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities) {
   const double scale = largest_traction(densities);
   if (scale == 0) return 0;
-  const Eigen::Matrix2Xd limits = slip_limits(line, law, densities.normal);
   const double tension = densities.normal.maxCoeff();
-  const double excess = (densities.tangential.cwiseAbs() - limits.cwiseMax(0.0)).maxCoeff();
+  double excess = 0;
+  for (int e = 0; e < line.edge_count(); ++e)
+    excess = std::max(excess, largest_excess(least_coefficient(line, law, e), densities.normal.col(e),
+                                             densities.tangential.col(e), law.tresca()));
   return std::max({0.0, tension, excess}) / scale;
 }
 

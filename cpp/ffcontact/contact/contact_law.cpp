@@ -9,12 +9,54 @@
 
 namespace ffcontact {
 
+namespace {
+
+/// Deviations from the chord below this part of the coefficient are rounding.
+constexpr double rounding = 1e-12;
+
+Eigen::Vector2d at_ends(const ContactLine& line, const ContactLaw& law, int edge) {
+  const Eigen::VectorXd& coefficient = law.tresca() ? law.slip_bound : law.friction;
+  return {coefficient[line.edge_node(0, edge)], coefficient[line.edge_node(1, edge)]};
+}
+
+}  // namespace
+
+Eigen::Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
+  return law.between_nodes.least.size() > 0 ? Eigen::Vector2d(law.between_nodes.least.col(edge))
+                                            : at_ends(line, law, edge);
+}
+
+Eigen::Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
+  return law.between_nodes.most.size() > 0 ? Eigen::Vector2d(law.between_nodes.most.col(edge))
+                                           : at_ends(line, law, edge);
+}
+
+EdgeRange enclosing_range(const Eigen::Ref<const Eigen::MatrixXd>& samples) {
+  const Eigen::VectorXd s = Eigen::VectorXd::LinSpaced(samples.rows(), 0, 1);
+  EdgeRange range{Eigen::Matrix2Xd(2, samples.cols()), Eigen::Matrix2Xd(2, samples.cols())};
+  for (Eigen::Index e = 0; e < samples.cols(); ++e) {
+    const Eigen::VectorXd values = samples.col(e);
+    const Eigen::Vector2d ends(values[0], values[values.size() - 1]);
+    const Eigen::VectorXd above = values - ends[0] * (1 - s.array()).matrix() - ends[1] * s;
+    const bool linear = above.cwiseAbs().maxCoeff() <= rounding * values.maxCoeff();
+    range.least.col(e) = linear ? ends : Eigen::Vector2d(ends.array() + above.minCoeff());
+    range.most.col(e) = linear ? ends : Eigen::Vector2d(ends.array() + above.maxCoeff());
+    if (range.least.col(e).minCoeff() < 0) range.least.col(e).setConstant(values.minCoeff());
+  }
+  return range;
+}
+
 void require_valid(const ContactLaw& law, const ContactLine& line) {
   require_size("friction", law.friction.size(), line.node_count());
   require_nonnegative("friction", law.friction);
   if (law.tresca()) {
     require_size("slipbound", law.slip_bound.size(), line.node_count());
     require_nonnegative("slipbound", law.slip_bound);
+  }
+  for (const Eigen::Matrix2Xd* bound : {&law.between_nodes.least, &law.between_nodes.most}) {
+    if (bound->size() == 0) continue;
+    require_size("the coefficient between the nodes", bound->cols(), line.edge_count());
+    require_nonnegative("the coefficient between the nodes", bound->reshaped());
   }
   if (law.gap.size() > 0) {
     require_size("gap", law.gap.size(), line.node_count());

@@ -15,6 +15,11 @@ enum class Multiplier {
   force,     ///< M''_h (Prop. 3.5): W = I, P = nodal forces F = M L [N/mm]
 };
 
+/// Two functions that are linear on each contact edge and enclose a coefficient there, by their values at its ends [2 x m].
+struct EdgeRange {
+  Eigen::Matrix2Xd least, most;
+};
+
 /// The law of contact and friction along the line, given at its nodes.
 ///     P_n <= 0,  v_n <= 0,  P_n v_n = 0
 ///     |P_t| <= b,  |P_t| < b => v_t = 0,  P_t v_t <= 0
@@ -26,9 +31,23 @@ struct ContactLaw {
   Eigen::VectorXd slip_bound;  ///< Tresca's bound >= 0 at each node [MPa], in place of -mu lambda_n; empty for Coulomb
   Eigen::VectorXd gap;         ///< initial gap along n at each node [mm]; empty for none
   Eigen::VectorXd previous;    ///< u_t of the load step before [mm], for the incremental law; empty for the static law
+  /// The coefficient between the nodes, where it is not linear there: mu of Coulomb's law, k of Tresca's. Empty where it is. The
+  /// solver knows the nodes alone; tractions are judged along the edges.
+  EdgeRange between_nodes;
 
   bool tresca() const { return slip_bound.size() > 0; }
 };
+
+/// Values of mu (Coulomb) or k (Tresca) at the ends of a contact edge: of a linear function that is nowhere above the
+/// coefficient, and of one that is nowhere below it.
+Eigen::Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
+Eigen::Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
+
+/// The two lines nearest to the chord that enclose a coefficient >= 0 sampled at evenly spaced points of each edge, ends
+/// included: the chord shifted by the largest deviation to either side, or the constant least value where the lower one would
+/// fall below 0. Where the samples are on the chord to rounding it is both.
+/// @param samples  one column per edge [at least 2 x m]
+EdgeRange enclosing_range(const Eigen::Ref<const Eigen::MatrixXd>& samples);
 
 /// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is negative or not finite
 void require_valid(const ContactLaw& law, const ContactLine& line);

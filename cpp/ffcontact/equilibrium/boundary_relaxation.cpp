@@ -90,10 +90,9 @@ class Conditions {
   Eigen::Index count_ = 0;
 };
 
-/// r_t = 0 on the whole edge.
+/// Where friction may vanish at an end of the edge, r_t is left as it is.
 bool frictionless(const FreeContact& contact, int e) {
-  return cone_conditions(contact.law, contact.line.edge_node(0, e)).frictionless ||
-         cone_conditions(contact.law, contact.line.edge_node(1, e)).frictionless;
+  return least_coefficient(contact.line, contact.law, e).minCoeff() == 0;
 }
 
 /// Basis of the corrections that leave known boundary tractions alone and load both bodies of a contact edge oppositely
@@ -116,10 +115,10 @@ Eigen::MatrixXd admissible_corrections(const Group& group, const BoundaryTractio
   return conditions.kernel();
 }
 
-/// What the corrections of a group do to the end values (r_n, r_t) of one free contact edge.
+/// What the corrections of a group do to the end values (r_n,i, r_t,i, r_n,j, r_t,j) of one free contact edge.
 struct EdgeEnds {
   int edge;
-  Eigen::Matrix<double, 2, Eigen::Dynamic> change[2];  ///< per end of the contact edge [2 x unknowns]
+  Eigen::Matrix<double, 4, Eigen::Dynamic> change;  ///< [4 x unknowns]
 };
 
 std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) {
@@ -133,10 +132,10 @@ std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) 
     Eigen::Matrix4d density;
     for (int c = 0; c < 4; ++c) density.col(c) = density_of_moments(moments.col(c), contact.line.length[e]);
     EdgeEnds ends{e, {}};
-    for (int end = 0; end < 2; ++end) {
-      ends.change[end].setZero(2, group.unknowns());
-      spoke.spread(frame * density.middleRows<2>(2 * (spoke.runs_along_edge() ? end : 1 - end)), ends.change[end]);
-    }
+    ends.change.setZero(4, group.unknowns());
+    for (int end = 0; end < 2; ++end)
+      spoke.spread(frame * density.middleRows<2>(2 * (spoke.runs_along_edge() ? end : 1 - end)),
+                   ends.change.middleRows<2>(2 * end));
     result.push_back(ends);
   }
   return result;
@@ -150,21 +149,18 @@ struct ContactTerms {
 };
 
 ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, const FreeContact* contact) {
-  const auto most = 6 * static_cast<Eigen::Index>(ends.size());
+  const auto most = 8 * static_cast<Eigen::Index>(ends.size());
   ContactTerms terms{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd(most, unknowns), Eigen::VectorXd(most)};
   Eigen::Index row = 0;
-  for (const EdgeEnds& edge : ends)
-    for (int end = 0; end < 2; ++end) {
-      const FreeTractions& tractions = contact->tractions;
-      const Eigen::Vector2d r(tractions.densities.normal(end, edge.edge),
-                              tractions.densities.tangential(end, edge.edge));
-      const Eigen::Vector2d cost(tractions.normal_cost(end, edge.edge), tractions.tangential_cost(end, edge.edge));
-      const ConeConditions cone = cone_conditions(contact->law, contact->line.edge_node(end, edge.edge));
-      terms.cost += edge.change[end].transpose() * cost;
-      terms.C.middleRows(row, cone.C.rows()) = cone.C * edge.change[end];
-      terms.d.segment(row, cone.d.size()) = (cone.d - cone.C * r).cwiseMin(0);  // r is inside: the rest is rounding
-      row += cone.d.size();
-    }
+  for (const auto& [e, change] : ends) {
+    const FreeTractions& tractions = contact->tractions;
+    const EdgeCone cone = edge_cone(contact->line, contact->law, e);
+    terms.cost += change.transpose() * interleaved(tractions.normal_cost.col(e), tractions.tangential_cost.col(e));
+    terms.C.middleRows(row, cone.C.rows()) = cone.C * change;
+    terms.d.segment(row, cone.d.size()) =
+        (cone.d - cone.C * end_values(tractions.densities, e)).cwiseMin(0);  // r is inside: the rest is rounding
+    row += cone.d.size();
+  }
   terms.C.conservativeResize(row, Eigen::NoChange);
   terms.d.conservativeResize(row);
   return terms;
@@ -211,12 +207,10 @@ double relax_boundary(const StarSetting& setting, const std::vector<int>& vertic
   if (!(fall > 0)) return 0;
   for (std::size_t s = 0; s < group.stars.size(); ++s)
     apply(group.stars[s], y.segment(group.first[s], group.stars[s].unknowns()), difference);
-  for (const EdgeEnds& edge : ends)
-    for (int end = 0; end < 2; ++end) {
-      const Eigen::Vector2d change = edge.change[end] * y;
-      contact->tractions.densities.normal(end, edge.edge) += change[0];
-      contact->tractions.densities.tangential(end, edge.edge) += change[1];
-    }
+  for (const auto& [e, change] : ends) {
+    ContactDensities& densities = contact->tractions.densities;
+    set_end_values(densities, e, end_values(densities, e) + change * y);
+  }
   return fall;
 }
 

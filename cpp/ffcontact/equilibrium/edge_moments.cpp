@@ -53,14 +53,26 @@ StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, i
   return chain;
 }
 
+/// @throws Imbalance  naming the vertex where most is left over, if it is more than the tolerance
+void require_balanced(const Mesh& mesh, const Eigen::Matrix2Xd& left_over, double tolerance) {
+  Eigen::Index component, vertex;
+  const double worst = left_over.maxCoeff(&component, &vertex);
+  if (worst <= tolerance) return;
+  std::ostringstream sentence;
+  sentence.precision(10);
+  sentence << "the loads do not balance the stresses at vertex " << vertex << " (" << mesh.vertices(0, vertex) << ", "
+           << mesh.vertices(1, vertex) << "): " << worst << " N/mm are left over";
+  throw Imbalance(sentence.str(), static_cast<int>(vertex), static_cast<int>(component));
+}
+
 }  // namespace
 
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
-                                 const BoundaryTractions& boundary) {
+                                 const BoundaryTractions& boundary, double least_scale) {
   EdgeMoments moments = boundary.moments;
-  double scale = moments.cwiseAbs().maxCoeff();
-  Eigen::VectorXd left_over = Eigen::VectorXd::Zero(mesh.vertex_count());
+  double scale = std::max(least_scale, moments.cwiseAbs().maxCoeff());
+  Eigen::Matrix2Xd left_over = Eigen::Matrix2Xd::Zero(2, mesh.vertex_count());
 #pragma omp parallel for reduction(max : scale)
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (stars.triangle_count(v) == 0) continue;
@@ -80,19 +92,14 @@ EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Sta
       const double left = !stars.on_boundary(v)   ? chain.load.row(c).sum()
                           : (at_first && at_last) ? start - chain.sum(c, last) - given(last)
                                                   : 0;
-      left_over[v] = std::max(left_over[v], std::abs(left));
+      left_over(c, v) = std::abs(left);
       for (int k = 0; k <= last; ++k)
         if (!boundary.known(c, spokes[k]))
           moments(rows_of(edges, spokes[k], v) + c, spokes[k]) =
               direction(edges, spokes[k], v) * (start - chain.sum(c, k));
     }
   }
-  Eigen::Index worst_vertex = 0;
-  const double worst = left_over.maxCoeff(&worst_vertex);
-  if (worst > unbalanced * scale)
-    refuse("the loads do not balance the stresses at vertex ", worst_vertex, " (", mesh.vertices(0, worst_vertex), ", ",
-           mesh.vertices(1, worst_vertex), "): ", worst,
-           " N/mm are left over; give the tractions and body forces u was computed with, and no point supports");
+  require_balanced(mesh, left_over, unbalanced * scale);
   return moments;
 }
 

@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <stdexcept>
+
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 #include "ffcontact/mesh/stars.hpp"
 
 namespace ffcontact {
+
+/// Given tractions that do not balance the stresses at a vertex.
+struct Imbalance : std::invalid_argument {
+  Imbalance(const std::string& sentence, int vertex, int component)
+      : std::invalid_argument(sentence), vertex(vertex), component(component) {}
+  int vertex, component;
+};
 
 /// Edge tractions in equilibrium with the body forces on every triangle, built star by star [CHH01, 4.2.2, first step].
 ///
@@ -16,10 +25,11 @@ namespace ffcontact {
 /// a boundary edge of the star has its moment given. The last equation holds because u_h is in equilibrium at i.
 /// @param stress      sigma_h per triangle, Voigt [MPa]
 /// @param body_loads  int_E f phi_i at the three vertices of each triangle [N/mm, 6 x triangles]
-/// @throws std::invalid_argument  if the given tractions do not balance the stresses at a vertex (other loads than those
-///                                u_h was computed with, or a point support with a reaction), naming the vertex
+/// @param least_scale  moments below this are rounding: what is left over is judged against the largest moment, or this [N/mm]
+/// @throws Imbalance  if the given tractions do not balance the stresses at a vertex (other loads than those u_h was computed
+///                    with, or a point support with a reaction), naming the vertex
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
-                                 const BoundaryTractions& boundary);
+                                 const BoundaryTractions& boundary, double least_scale = 0);
 
 }  // namespace ffcontact

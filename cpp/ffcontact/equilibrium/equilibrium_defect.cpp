@@ -77,7 +77,8 @@ Eigen::Vector4d traction_beside(const Mesh& mesh, const Edges& edges, int edge, 
 }  // namespace
 
 EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const std::vector<CompositeStress>& stress,
-                                     const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary) {
+                                     const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary,
+                                     double least_scale) {
   require_size("stress", static_cast<Eigen::Index>(stress.size()), mesh.triangle_count());
   require_size("body loads", body_loads.cols(), mesh.triangle_count());
   double divergence = 0, jump = 0, at_boundary = 0, largest_traction = 0;
@@ -99,7 +100,7 @@ EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges, const
       jump = std::max(jump, (left - right).cwiseAbs().maxCoeff());
     }
   }
-  const double scale = largest_traction > 0 ? largest_traction : 1;
+  const double scale = std::max(largest_traction, least_scale) > 0 ? std::max(largest_traction, least_scale) : 1;
   return {divergence / scale, jump / scale, at_boundary / scale};
 }
 

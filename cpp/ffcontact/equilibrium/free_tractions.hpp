@@ -12,7 +12,7 @@ namespace ffcontact {
 ///
 /// For given w_hat the contact part of e^2 is linear in the end values of r_hat, because |r_n| = -r_n in the cone:
 ///     2 int (mu |r_n||w_t| + r_t w_t + r_n w_n) = sum over edge ends of cost_n r_n + cost_t r_t.
-/// In the cone means, at both ends of every edge, r_n <= 0 and -mu r_n +- r_t >= 0 (Coulomb) or k +- r_t >= 0 (Tresca).
+/// In the cone means the conditions of EdgeCone.
 struct FreeTractions {
   ContactDensities densities;    ///< r_hat, inside the cone before and after [MPa]
   Eigen::Matrix2Xd normal_cost;  ///< cost_n at the two ends of each contact edge [mm^2]
@@ -26,15 +26,6 @@ struct FreeContact {
   const ContactLaw& law;
   FreeTractions& tractions;
 };
-
-/// Linear conditions C r >= d on the density (r_n, r_t) at one end of an edge. Without friction r_t = 0 is no inequality: it
-/// counts as known (`frictionless`), and C has the normal row only.
-struct ConeConditions {
-  bool frictionless;
-  Eigen::Matrix<double, Eigen::Dynamic, 2> C;
-  Eigen::VectorXd d;
-};
-ConeConditions cone_conditions(const ContactLaw& law, int node);
 
 /// Number on the contact line of each mesh edge, that of an opposite body which a contact edge faces included, or -1.
 std::vector<int> contact_edge_numbers(const ContactLine& line, const Edges& edges);

@@ -13,6 +13,9 @@ namespace ffcontact {
 
 namespace {
 
+/// A free component lowers no node whose normal has less of it than this.
+constexpr double along_the_line = 1e-3;
+
 /// A function that is linear on an edge, by its end values.
 struct Linear {
   double first, second;
@@ -23,11 +26,11 @@ struct Linear {
 
 struct EdgeFields {
   Linear rn, rt, wn, wt;  ///< wn: normal displacement less the gap
-  Linear friction, slip_bound;
+  Linear coefficient;     ///< mu or k
   bool tresca;
 
   double density(double x) const {
-    const double bound = tresca ? slip_bound.at(x) : friction.at(x) * std::abs(rn.at(x));
+    const double bound = coefficient.at(x) * (tresca ? 1 : std::abs(rn.at(x)));
     return bound * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) + rn.at(x) * wn.at(x);
   }
 };
@@ -52,9 +55,9 @@ EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law, const Eig
   EdgeFields edge{};
   edge.wn = {w(0, i), w(0, j)};
   edge.wt = {w(1, i), w(1, j)};
-  edge.friction = {law.friction[i], law.friction[j]};
+  const Eigen::Vector2d most = most_coefficient(line, law, e);
+  edge.coefficient = {most[0], most[1]};
   edge.tresca = law.tresca();
-  if (edge.tresca) edge.slip_bound = {law.slip_bound[i], law.slip_bound[j]};
   return edge;
 }
 
@@ -77,11 +80,23 @@ Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLa
     }
     for (int c = 0; c < 2; ++c)
       if (!prescribed.empty() && prescribed[2 * vertex + c]) away.col(c).setZero();
+    away = (away.array().abs() < along_the_line).select(0, away);
     if (penetration.maxCoeff() <= 0) continue;
     const auto change = quadratic_minimum(Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero(), away, penetration);
     if (change) admissible.segment<2>(2 * vertex) += *change;
   }
   return admissible;
+}
+
+PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
+                                     const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  double scale = displacement.cwiseAbs().maxCoeff();
+  if (law.gap.size() > 0) scale = std::max(scale, law.gap.cwiseAbs().maxCoeff());
+  PenetrationDefect defect;
+  const double deepest = w.row(0).maxCoeff(&defect.node);
+  if (deepest > 0) defect.value = deepest / scale;
+  return defect;
 }
 
 Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
@@ -107,7 +122,7 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
     for (int end = 0; end < 2; ++end) {
       const Linear phi{end == 0 ? 1.0 : 0.0, end == 0 ? 0.0 : 1.0};
       const auto normal = [&](double x) {
-        const double slip = edge.tresca ? 0 : edge.friction.at(x) * std::abs(edge.wt.at(x));
+        const double slip = edge.tresca ? 0 : edge.coefficient.at(x) * std::abs(edge.wt.at(x));
         return phi.at(x) * (edge.wn.at(x) - slip);
       };
       costs.normal(end, e) = 2 * line.length[e] * integral({edge.wt.zero(), 0}, normal);

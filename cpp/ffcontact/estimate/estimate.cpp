@@ -7,10 +7,12 @@
 #include <sstream>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"
 #include "ffcontact/equilibrium/polynomial_stress.hpp"
 #include "ffcontact/equilibrium/refined_moments.hpp"
+#include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/local_mending.hpp"
 #include "ffcontact/estimate/rebalancing_displacement.hpp"
 #include "ffcontact/estimate/refined_body.hpp"
@@ -21,6 +23,13 @@ namespace {
 
 constexpr double equilibrium_tolerance = 1e-10;
 constexpr double cone_tolerance = 1e-12;
+constexpr double penetration_tolerance = 1e-12;
+
+/// A body without loads whose stresses are below this part of their terms C du/dx has none: they are the rounding of u.
+constexpr double rounding = 1e-12;
+
+/// Equilibrium is judged against the tractions, or against this part of the terms that stresses are summed from.
+constexpr double least_part = 1e-4;
 
 void require_valid(const Mesh& mesh, const ContactLine& line, const ElasticSystem& system, const SolvedBody& body,
                    const EstimateSettings& settings) {
@@ -47,7 +56,29 @@ struct Origin {
   const ElasticSystem& system;
   const SolvedBody& body;
   const CommonRefinement* refinement;  ///< null where traces match
+  double stress_terms;                 ///< largest sum of the terms of a stress [MPa]
+  bool unstressed;                     ///< rigid motions of bodies without loads: stresses and tractions are rounding
 };
+
+/// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle [MPa].
+double largest_terms(const Mesh& mesh, const Hooke& hooke, const Eigen::VectorXd& displacement) {
+  double largest = 0;
+#pragma omp parallel for reduction(max : largest)
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Eigen::Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
+    double strain = 0;
+    for (int k = 0; k < 3; ++k)
+      strain += gradients.col(k).norm() * displacement.segment<2>(2 * mesh.triangles(k, t)).norm();
+    largest = std::max(largest, hooke[t].cwiseAbs().maxCoeff() * strain);
+  }
+  return largest;
+}
+
+bool is_unstressed(const Mesh& mesh, const SolvedBody& body, double stress_terms) {
+  if (!body.neumann.isZero(0) || !body.body_loads.isZero(0)) return false;
+  const double stress = stresses(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
+  return std::max(stress, body.pressure.cwiseAbs().maxCoeff()) <= rounding * stress_terms;
+}
 
 /// What admissible fields are built on: the same bodies, with matching traces.
 struct Setting {
@@ -68,8 +99,35 @@ struct Start {
   Eigen::Matrix3Xd stress;  ///< on the triangles of the origin
 };
 
+Eigen::Matrix3Xd stresses_of(const Origin& origin, const Mesh& mesh, const Hooke& hooke, const Eigen::VectorXd& u) {
+  if (origin.unstressed) return Eigen::Matrix3Xd::Zero(3, mesh.triangles.cols());
+  return stresses(mesh, hooke, u);
+}
+
 Eigen::Matrix3Xd computed_stresses(const Origin& origin) {
-  return stresses(origin.mesh, origin.body.hooke, origin.body.displacement);
+  return stresses_of(origin, origin.mesh, origin.body.hooke, origin.body.displacement);
+}
+
+/// p at the nodes of the setting.
+Eigen::Matrix2Xd nodal_pressures(const Origin& origin) {
+  const Eigen::Matrix2Xd p =
+      lumped_pressures(origin.line, origin.system.prescribed, forces_of(origin.line, origin.body.pressure));
+  if (!origin.refinement) return p;
+  return (origin.refinement->node_weights * p.transpose()).transpose();
+}
+
+/// The node on which most of the contact force stands.
+[[noreturn]] void refuse_unheld(const Origin& origin) {
+  Eigen::Index node;
+  forces_of(origin.line, origin.body.pressure).colwise().norm().maxCoeff(&node);
+  const int v = origin.line.vertex[node];
+  const Eigen::Vector2d x = origin.mesh.origin + origin.mesh.vertices.col(v);
+  refuse(
+      "no tractions in the cone hold the body as the contact forces do: it stands on the end of the contact line at "
+      "vertex ",
+      v, " (", x.x(), ", ", x.y(),
+      ") alone, where tractions along an edge have another moment; hold the body otherwise, or let the line go on "
+      "there");
 }
 
 Start start_published(const Origin& origin, const Setting& setting, Estimate& estimate) {
@@ -93,15 +151,12 @@ Start start_in_cone(const Origin& origin, const Setting& setting, const Stars& s
     add_balancing_stresses(mesh, stars, body.hooke, line, computed, *mending, start.stress);
     return start;
   }
-  const AdmissibleTractions tractions =
-      admissible_tractions(mesh, line, body.law, computed, free_rigid_motions(mesh, prescribed));
+  const auto admissible = admissible_tractions(mesh, line, body.law, computed, nodal_pressures(origin),
+                                               free_rigid_motions(mesh, prescribed));
+  if (!admissible) refuse_unheld(origin);
+  const AdmissibleTractions& tractions = *admissible;
   estimate.shift = tractions.shift;
   estimate.mended = tractions.mended;
-  if (!tractions.resultants_kept)
-    refuse(
-        "no tractions in the cone near the computed ones have the same resultants: the law is not the one u was "
-        "computed "
-        "with, or bodies that contact alone holds stand on too few nodes");
   start.densities = tractions.densities;
   start.balanced = tractions.balanced;
   if (tractions.mended.empty() && (!origin.refinement || origin.refinement->exact)) return start;
@@ -115,18 +170,34 @@ Start start_in_cone(const Origin& origin, const Setting& setting, const Stars& s
   return start;
 }
 
-/// Edge tractions in equilibrium with the balanced contact tractions.
+double longest_edge(const Origin& origin) {
+  double longest = 0;
+  for (int e = 0; e < origin.edges.count(); ++e)
+    longest = std::max(longest, edge_vector(origin.mesh, origin.edges, e).norm());
+  return longest;
+}
+
+/// Edge tractions in equilibrium with the balanced contact tractions, on the mesh of the origin.
+EdgeMoments first_moments_of(const Origin& origin, const Stars& stars, const Start& start,
+                             const BoundaryTractions& boundary) {
+  try {
+    return equilibrated_moments(origin.mesh, origin.edges, stars, start.stress, origin.body.body_loads, boundary,
+                                least_part * origin.stress_terms * longest_edge(origin));
+  } catch (const Imbalance& imbalance) {
+    refuse(imbalance.what(), ", ", cause_of(imbalance, origin.mesh, origin.line, origin.system, origin.body));
+  }
+}
+
+/// The same on the mesh of the setting.
 EdgeMoments first_moments(const Origin& origin, const Setting& setting, const Stars& stars, const Start& start) {
   const BoundaryTractions boundary = setting.boundary_with(start.balanced);
-  if (!origin.refinement)
-    return equilibrated_moments(setting.mesh, setting.edges, stars, start.stress, setting.body.body_loads, boundary);
+  if (!origin.refinement) return first_moments_of(origin, stars, start, boundary);
   const ContactLine none;
   const BoundaryTractions uncut =
       tractions_of_parts(origin.edges, *origin.refinement, boundary,
                          boundary_tractions(origin.mesh, origin.edges, origin.system.prescribed, origin.body.neumann,
                                             none, ContactDensities{}));
-  const EdgeMoments moments = equilibrated_moments(origin.mesh, origin.edges, stars_of(origin.mesh, origin.edges),
-                                                   start.stress, origin.body.body_loads, uncut);
+  const EdgeMoments moments = first_moments_of(origin, stars_of(origin.mesh, origin.edges), start, uncut);
   return refined_moments(origin.edges, *origin.refinement, moments, start.stress, setting.body.body_loads, boundary);
 }
 
@@ -213,11 +284,17 @@ std::string in_digits(double value) {
   return text.str();
 }
 
-void judge(Construction construction, Estimate& estimate) {
+void judge(Construction construction, const Mesh& mesh, const ContactLine& line, const PenetrationDefect& penetration,
+           Estimate& estimate) {
   const bool in_equilibrium = estimate.equilibrium.largest() <= equilibrium_tolerance;
   const bool in_cone = estimate.cone <= cone_tolerance;
-  estimate.admissible = in_equilibrium && in_cone && construction == Construction::composite;
-  if (!in_cone)
+  const bool clear = estimate.penetration <= penetration_tolerance;
+  estimate.admissible = in_equilibrium && in_cone && clear && construction == Construction::composite;
+  const Eigen::Vector2d x = mesh.origin + mesh.vertices.col(line.vertex[penetration.node]);
+  if (!clear)
+    estimate.reason = "u penetrates by " + in_digits(estimate.penetration) + " of the largest displacement at (" +
+                      in_digits(x.x()) + ", " + in_digits(x.y()) + "), where displacements are prescribed";
+  else if (!in_cone)
     estimate.reason =
         "contact tractions leave the friction cone by " + in_digits(estimate.cone) + " of the largest stress" +
         (estimate.unmended.empty() ? "" : ": (4.1) cannot mend " + std::to_string(estimate.unmended.size()) + " edges");
@@ -235,7 +312,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
 
   // 1. Admissible displacement [CHH01, 4.1].
   estimate.displacement = admissible_displacement(line, body.law, body.displacement, prescribed);
-  const Eigen::Matrix3Xd stress = stresses(mesh, body.hooke, estimate.displacement);
+  const Eigen::Matrix3Xd stress = stresses_of(origin, mesh, body.hooke, estimate.displacement);
 
   // 2. Contact tractions in the cone [CHH01, (4.1)] and stresses that balance them at every node.
   const Stars stars = stars_of(mesh, edges);
@@ -257,7 +334,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
   FreeContact contact{line, body.law, tractions};
   const std::vector<double> falls =
       relax_stars(mesh, edges, stars, body.hooke, boundary, body.body_loads, settings.relaxation, difference,
-                  settings.tractions == Tractions::free ? &contact : nullptr);
+                  settings.tractions == Tractions::free && !origin.unstressed ? &contact : nullptr);
   estimate.tractions = tractions.densities;
   const BoundaryTractions relaxed = setting.boundary_with(estimate.tractions);
   take_known_tractions(mesh, edges, relaxed, stress, difference);
@@ -278,9 +355,12 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
   estimate.local = (local_sums(origin, local) / scale).cwiseMax(0.0).cwiseSqrt();
 
   // 6. What the theory promises, measured.
-  estimate.equilibrium = equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, relaxed);
+  estimate.equilibrium =
+      equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, relaxed, least_part * origin.stress_terms);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) * share_of_contact(estimate.tractions, stress);
-  judge(settings.construction, estimate);
+  const PenetrationDefect penetration = penetration_defect(line, body.law, estimate.displacement);
+  estimate.penetration = penetration.value;
+  judge(settings.construction, mesh, line, penetration, estimate);
 }
 
 }  // namespace
@@ -288,17 +368,26 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
 Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system,
                         const SolvedBody& body, const EstimateSettings& settings) {
   require_valid(mesh, line, system, body, settings);
+  require_law_of_matrix(mesh, system, body.hooke);
   Estimate estimate;
+  const double stress_terms = largest_terms(mesh, body.hooke, body.displacement);
+  SolvedBody own;  // where the tractions of u are rounding
+  const bool unstressed = is_unstressed(mesh, body, stress_terms);
+  if (unstressed) {
+    own = body;
+    own.pressure.setZero();
+  }
+  const SolvedBody& solved = unstressed ? own : body;
   if (line.matches()) {
-    put_estimate({mesh, edges, line, system, body, nullptr}, {mesh, edges, line, system.prescribed, body}, settings,
-                 estimate);
+    put_estimate({mesh, edges, line, system, solved, nullptr, stress_terms, unstressed},
+                 {mesh, edges, line, system.prescribed, solved}, settings, estimate);
     return estimate;
   }
   estimate.refinement = common_refinement(mesh, edges, line);
   const CommonRefinement& refinement = *estimate.refinement;
-  const Origin origin{mesh, edges, line, system, body, &refinement};
+  const Origin origin{mesh, edges, line, system, solved, &refinement, stress_terms, unstressed};
   const std::vector<char> prescribed = refined_prescribed(refinement, system.prescribed);
-  const SolvedBody cut = refined_body(mesh, body, refinement);
+  const SolvedBody cut = refined_body(mesh, edges, line, solved, refinement);
   put_estimate(origin, {refinement.mesh, refinement.edges, refinement.line, prescribed, cut}, settings, estimate);
   return estimate;
 }

@@ -58,7 +58,8 @@ struct Estimate {
   std::vector<int> unmended;            ///< contact edges left outside the cone (Tractions::published only)
   EquilibriumDefect equilibrium;
   double cone = 0;          ///< cone_defect of r_hat, relative to the largest stress
-  bool admissible = false;  ///< in equilibrium to 1e-10 and inside the cone to 1e-12
+  double penetration = 0;   ///< penetration_defect of u_hat
+  bool admissible = false;  ///< in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
   std::string reason;       ///< why not, one sentence without a full stop
 
   int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
@@ -70,8 +71,10 @@ struct Estimate {
 /// r_hat acts on the line's body and -r_hat on the opposite one, pointwise. Where the traces do not match all this is done on
 /// their common refinement: non-penetration holds at each of its nodes, r_hat is linear on each of its edges, and the triangles
 /// beside it are the fans of the refinement.
+///
+/// A body without loads that u moves rigidly, to rounding, has no stress and no tractions: e = 0.
 /// @param system  the stiffness and the prescribed dofs u_h was computed with
-/// @throws std::invalid_argument  for input that does not fit or is not in equilibrium with its loads
+/// @throws std::invalid_argument  for input that does not fit (see data_defect.hpp), or where no tractions in the cone hold the body
 /// @throws std::runtime_error     if tractions had to be mended and a part of the body is held by nothing
 Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system,
                         const SolvedBody& body, const EstimateSettings& settings = {});

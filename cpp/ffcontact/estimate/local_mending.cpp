@@ -9,7 +9,6 @@
 
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
-#include "ffcontact/equilibrium/free_tractions.hpp"
 #include "ffcontact/estimate/rebalancing_displacement.hpp"
 
 namespace ffcontact {
@@ -80,12 +79,13 @@ WindowProblem window_problem(const Mesh& mesh, const ContactLine& line, const Co
       for (int other = 0; other < 2; ++other)
         problem.mass.block<2, 2>(first, 4 * k + 2 * other) =
             line.length[e] / (span * (other == end ? 3 : 6)) * Eigen::Matrix2d::Identity();
-      const ConeConditions cone = cone_conditions(law, line.edge_node(end, e));
-      if (cone.frictionless) zero.push_back(first + 1);
-      for (Eigen::Index row = 0; row < cone.d.size(); ++row) {
-        conditions.emplace_back(Eigen::RowVectorXd::Zero(unknowns), cone.d[row]);
-        conditions.back().first.segment<2>(first) = cone.C.row(row);
-      }
+    }
+    const EdgeCone cone = edge_cone(line, law, e);
+    for (int end = 0; end < 2; ++end)
+      if (cone.frictionless[end]) zero.push_back(4 * k + 2 * end + 1);
+    for (Eigen::Index row = 0; row < cone.d.size(); ++row) {
+      conditions.emplace_back(Eigen::RowVectorXd::Zero(unknowns), cone.d[row]);
+      conditions.back().first.segment<4>(4 * k) = cone.C.row(row);
     }
   }
   problem.right = problem.equations * problem.computed;
@@ -103,18 +103,6 @@ WindowProblem window_problem(const Mesh& mesh, const ContactLine& line, const Co
     problem.limits[row] = conditions[row].second;
   }
   return problem;
-}
-
-/// Cuts rounding off: end values in the cone to the last digit.
-void clamp_to_cone(const ContactLine& line, const ContactLaw& law, const LineWindow& window, Eigen::VectorXd& values) {
-  for (int k = 0; k < window.count(); ++k)
-    for (int end = 0; end < 2; ++end) {
-      const int node = line.edge_node(end, window.first + k);
-      double &normal = values[4 * k + 2 * end], &tangential = values[4 * k + 2 * end + 1];
-      normal = std::min(0.0, normal);
-      const double bound = law.tresca() ? law.slip_bound[node] : -law.friction[node] * normal;
-      tangential = std::clamp(tangential, -bound, bound);
-    }
 }
 
 /// The end values in the cone that are nearest to the computed ones; empty when there are none.
@@ -135,7 +123,8 @@ Eigen::VectorXd nearest(const Mesh& mesh, const ContactLine& line, const Contact
                         problem.cone * Z, problem.limits - problem.cone * start);
   if (!x) return {};
   Eigen::VectorXd values = start + Z * *x;
-  clamp_to_cone(line, law, window, values);
+  for (int k = 0; k < window.count(); ++k)
+    values.segment<4>(4 * k) = clamped_to_cone(line, law, window.first + k, values.segment<4>(4 * k));
   return solves(values) ? values : Eigen::VectorXd();
 }
 
@@ -244,9 +233,8 @@ std::optional<LocalMending> mend_locally(const Mesh& mesh, const ContactLine& li
     mending.windows.push_back(window);
     for (int k = 0; k < window.count(); ++k) {
       const int e = window.first + k;
-      const Eigen::Vector4d r = values.segment<4>(4 * k);
-      tractions.balanced.normal.col(e) = tractions.densities.normal.col(e) = Eigen::Vector2d(r[0], r[2]);
-      tractions.balanced.tangential.col(e) = tractions.densities.tangential.col(e) = Eigen::Vector2d(r[1], r[3]);
+      set_end_values(tractions.balanced, e, values.segment<4>(4 * k));
+      set_end_values(tractions.densities, e, values.segment<4>(4 * k));
       tractions.shift[e] = 0;
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/refined_body.hpp"
 
+#include <map>
+
 #include "ffcontact/equilibrium/refined_moments.hpp"
 
 namespace ffcontact {
@@ -16,16 +18,41 @@ Eigen::VectorXd refined_values(const CommonRefinement& refinement, const Eigen::
   return values.size() > 0 ? Eigen::VectorXd(refinement.node_weights * values) : values;
 }
 
+/// A bound that is linear on the old contact edges at the ends of the new ones.
+Eigen::Matrix2Xd refined_bound(const Edges& old_edges, const ContactLine& old_line, const CommonRefinement& refinement,
+                               const Eigen::Matrix2Xd& bound) {
+  if (bound.size() == 0) return {};
+  std::map<int, int> number;  // contact edge of each old mesh edge
+  for (int e = 0; e < old_line.edge_count(); ++e) number[old_line.edge[e]] = e;
+  const ContactLine& line = refinement.line;
+  Eigen::Matrix2Xd refined(2, line.edge_count());
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int old = refinement.parent_edge[line.edge[e]], k = number.at(old);
+    const bool along = old_line.vertex[old_line.edge_node(0, k)] == old_edges.vertices(0, old);
+    for (int end = 0; end < 2; ++end) {
+      const double place = refinement.place(old_edges, line.vertex[line.edge_node(end, e)], old);
+      const double share = along ? place : 1 - place;
+      refined(end, e) = (1 - share) * bound(0, k) + share * bound(1, k);
+    }
+  }
+  return refined;
+}
+
 }  // namespace
 
-SolvedBody refined_body(const Mesh& old_mesh, const SolvedBody& old, const CommonRefinement& refinement) {
+SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges, const ContactLine& old_line,
+                        const SolvedBody& old, const CommonRefinement& refinement) {
   SolvedBody body;
   for (int t : refinement.parent) body.hooke.push_back(old.hooke[t]);
   body.displacement = refined_field(refinement, old.displacement);
   body.pressure = (refinement.node_weights * old.pressure.transpose()).transpose();
-  body.law = {old.law.multiplier, refined_values(refinement, old.law.friction),
-              refined_values(refinement, old.law.slip_bound), refined_values(refinement, old.law.gap),
-              refined_values(refinement, old.law.previous)};
+  body.law = {old.law.multiplier,
+              refined_values(refinement, old.law.friction),
+              refined_values(refinement, old.law.slip_bound),
+              refined_values(refinement, old.law.gap),
+              refined_values(refinement, old.law.previous),
+              {refined_bound(old_edges, old_line, refinement, old.law.between_nodes.least),
+               refined_bound(old_edges, old_line, refinement, old.law.between_nodes.most)}};
   body.neumann = refined_boundary_moments(old_mesh, refinement, old.neumann);
   body.body_loads = refined_body_loads(old_mesh, refinement, old.body_loads);
   return body;

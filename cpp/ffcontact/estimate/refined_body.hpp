@@ -9,7 +9,8 @@
 namespace ffcontact {
 
 /// The same solution, law and loads on the common refinement of the facing traces.
-SolvedBody refined_body(const Mesh& old_mesh, const SolvedBody& old, const CommonRefinement& refinement);
+SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges, const ContactLine& old_line,
+                        const SolvedBody& old, const CommonRefinement& refinement);
 
 /// 1 where a dof of the refinement is prescribed: a new vertex is held where both ends of its edge are.
 std::vector<char> refined_prescribed(const CommonRefinement& refinement, const std::vector<char>& old);

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/nearest_in_cone.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <vector>
+
+#include "ffcontact/base/quadratic_minimum.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Resultants are kept to this part of their terms.
+constexpr double resultant_tolerance = 1e-13;
+
+/// Conditions that are met with equality to this part of the tractions hold the projection.
+constexpr double tight = 1e-11;
+
+constexpr int most_steps = 100;
+
+/// The components (n, t) of [z] at both ends of an edge, one column per motion.
+Eigen::Matrix<double, 4, Eigen::Dynamic> motions_on_edge(const ContactLine& line, const Eigen::MatrixXd& motions,
+                                                         int e) {
+  Eigen::Matrix2d frame;
+  frame << line.edge_normal(e).transpose(), line.edge_tangent(e).transpose();
+  Eigen::Matrix<double, 4, Eigen::Dynamic> values(4, motions.cols());
+  for (int end = 0; end < 2; ++end) {
+    const int node = line.edge_node(end, e);
+    Eigen::Matrix2Xd jump = motions.middleRows<2>(2 * line.vertex[node]);
+    visit_opposite(line, node, [&](int vertex, double weight) { jump -= weight * motions.middleRows<2>(2 * vertex); });
+    values.middleRows<2>(2 * end) = frame * jump;
+  }
+  return values;
+}
+
+/// int a . b over an edge for end values a and b: a' mass b.
+Eigen::Matrix4d mass_of(const ContactLine& line, int e) {
+  Eigen::Matrix4d mass = 2 * Eigen::Matrix4d::Identity();
+  mass.topRightCorner<2, 2>().setIdentity();
+  mass.bottomLeftCorner<2, 2>().setIdentity();
+  return line.length[e] / 6 * mass;
+}
+
+/// The projection Pi_C on the cone of one edge, in L2 of the edge.
+class EdgeProjection {
+ public:
+  EdgeProjection(const ContactLine& line, const ContactLaw& law, const Eigen::MatrixXd& motions, int e)
+      : line_(line),
+        law_(law),
+        edge_(e),
+        cone_(edge_cone(line, law, e)),
+        mass_(mass_of(line, e)),
+        motions_(motions_on_edge(line, motions, e)) {
+    basis_ = Eigen::MatrixXd::Zero(4, 4 - cone_.frictionless.count());
+    for (int k = 0, column = 0; k < 4; ++k)
+      if (k % 2 == 0 || !cone_.frictionless[k / 2]) basis_(k, column++) = 1;
+    half_ = (basis_.transpose() * mass_ * basis_).llt().matrixL();
+  }
+
+  Eigen::Vector4d operator()(const Eigen::Vector4d& r) const {
+    const auto y = quadratic_minimum(basis_.transpose() * mass_ * basis_, -basis_.transpose() * mass_ * r,
+                                     cone_.C * basis_, cone_.d);
+    return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y) : Eigen::Vector4d::Zero();
+  }
+
+  /// r_0 + sum eta_k [z_k].
+  Eigen::Vector4d moved(const Eigen::Vector4d& r, const Eigen::VectorXd& eta) const { return r + motions_ * eta; }
+
+  Eigen::VectorXd resultants(const Eigen::Vector4d& r) const { return motions_.transpose() * (mass_ * r); }
+
+  /// d resultants / d eta where the projection is r: the conditions that are tight at r stay so.
+  Eigen::MatrixXd slope(const Eigen::Vector4d& r) const {
+    const double scale = r.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
+    std::vector<int> held;
+    for (int row = 0; row < cone_.d.size(); ++row)
+      if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale) held.push_back(row);
+    const Eigen::MatrixXd moving = lower().solve(basis_.transpose() * mass_ * motions_);
+    if (held.empty()) return moving.transpose() * moving;
+    const Eigen::MatrixXd normals = lower().solve((cone_.C(held, Eigen::all) * basis_).transpose());
+    const Eigen::MatrixXd stopped = normals * normals.completeOrthogonalDecomposition().solve(moving);
+    return moving.transpose() * (moving - stopped);
+  }
+
+ private:
+  Eigen::TriangularView<const Eigen::MatrixXd, Eigen::Lower> lower() const {
+    return half_.triangularView<Eigen::Lower>();
+  }
+
+  const ContactLine& line_;
+  const ContactLaw& law_;
+  int edge_;
+  EdgeCone cone_;
+  Eigen::Matrix4d mass_;
+  Eigen::Matrix<double, 4, Eigen::Dynamic> motions_;
+  Eigen::MatrixXd basis_;  ///< of the end values that friction leaves free
+  Eigen::MatrixXd half_;   ///< Cholesky's factor of the mass on them
+};
+
+/// The dual problem.
+class Dual {
+ public:
+  Dual(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
+       const Eigen::MatrixXd& motions, const Eigen::VectorXd& resultants)
+      : densities_(densities), resultants_(resultants) {
+    for (int e = 0; e < line.edge_count(); ++e) edges_.emplace_back(line, law, motions, e);
+  }
+
+  struct Point {
+    Eigen::VectorXd eta;
+    ContactDensities r;
+    Eigen::VectorXd off;  ///< gradient: the resultants of r less the wanted ones
+  };
+
+  Point at(const Eigen::VectorXd& eta) const {
+    Point point{eta, densities_, -resultants_};
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
+      const Eigen::Vector4d r = edges_[e](edges_[e].moved(end_values(densities_, e), eta));
+      set_end_values(point.r, e, r);
+      point.off += edges_[e].resultants(r);
+    }
+    return point;
+  }
+
+  Eigen::MatrixXd slope(const Point& point) const {
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(resultants_.size(), resultants_.size());
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) sum += edges_[e].slope(end_values(point.r, e));
+    return sum;
+  }
+
+  /// Sum of the sizes of the terms of the resultants.
+  double scale() const {
+    double sum = resultants_.cwiseAbs().maxCoeff();
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
+      sum += edges_[e].resultants(end_values(densities_, e)).cwiseAbs().maxCoeff();
+    return sum;
+  }
+
+  /// The point to which a step, shortened until the gradient along it has changed its sign by little or itself has halved, leads.
+  Point moved(const Point& from, const Eigen::VectorXd& step) const {
+    double length = 1;
+    for (;; length /= 2) {
+      Point next = at(from.eta + length * step);
+      const double before = from.off.dot(step), after = next.off.dot(step);
+      if (after <= -0.1 * before || next.off.norm() <= 0.5 * from.off.norm() || length < 1e-10) return next;
+    }
+  }
+
+ private:
+  const ContactDensities& densities_;
+  const Eigen::VectorXd& resultants_;
+  std::vector<EdgeProjection> edges_;
+};
+
+}  // namespace
+
+std::optional<ContactDensities> nearest_in_cone(const ContactLine& line, const ContactLaw& law,
+                                                const ContactDensities& densities, const Eigen::MatrixXd& motions,
+                                                const Eigen::VectorXd& resultants) {
+  const Dual dual(line, law, densities, motions, resultants);
+  Dual::Point point = dual.at(Eigen::VectorXd::Zero(motions.cols()));
+  if (motions.cols() == 0) return point.r;
+  const double scale = dual.scale(), tolerance = resultant_tolerance * scale;
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(motions.cols(), motions.cols());
+  const double length = line.length.sum();  // [z] is of size 1: what the slope is where nothing is held
+  for (int step = 0; step < most_steps; ++step) {
+    if (point.off.cwiseAbs().maxCoeff() <= tolerance) return point.r;
+    // Regularised by what is left to do: no step is longer than the tractions, and the last ones are Newton's.
+    const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
+    const Eigen::MatrixXd slope = dual.slope(point) + regular * identity;
+    point = dual.moved(point, -slope.ldlt().solve(point.off));
+  }
+  return std::nullopt;
+}
+
+Eigen::VectorXd resultants_of(const ContactLine& line, const ContactDensities& densities,
+                              const Eigen::MatrixXd& motions) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(motions.cols());
+  for (int e = 0; e < line.edge_count(); ++e)
+    sum += motions_on_edge(line, motions, e).transpose() * (mass_of(line, e) * end_values(densities, e));
+  return sum;
+}
+
+}  // namespace ffcontact
