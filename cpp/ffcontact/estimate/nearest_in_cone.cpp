@@ -69,9 +69,10 @@ class EdgeProjection {
 
   Eigen::VectorXd resultants(const Eigen::Vector4d& r) const { return motions_.transpose() * (mass_ * r); }
 
-  /// d resultants / d eta where the projection is r: the conditions that are tight at r stay so.
-  Eigen::MatrixXd slope(const Eigen::Vector4d& r) const {
-    const double scale = r.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
+  /// d resultants / d eta where r is the projection of `outside`: the conditions that are tight at r stay so. Where r is the
+  /// apex of the cone it is rounding, small against `outside` only.
+  Eigen::MatrixXd slope(const Eigen::Vector4d& r, const Eigen::Vector4d& outside) const {
+    const double scale = outside.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
     std::vector<int> held;
     for (int row = 0; row < cone_.d.size(); ++row)
       if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale) held.push_back(row);
@@ -124,7 +125,8 @@ class Dual {
 
   Eigen::MatrixXd slope(const Point& point) const {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(resultants_.size(), resultants_.size());
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) sum += edges_[e].slope(end_values(point.r, e));
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
+      sum += edges_[e].slope(end_values(point.r, e), edges_[e].moved(end_values(densities_, e), point.eta));
     return sum;
   }
 
