@@ -112,9 +112,23 @@ TEST(ElasticSystem, a_prescribed_motion_moves_the_body_rigidly) {
 }
 
 TEST(ElasticSystem, free_dofs_carry_no_prescribed_value_and_prescribed_dofs_no_load) {
-  const ElasticSystem system = read(pulled_square(1e30, 0.25));
-  for (int dof = 0; dof < system.dof_count(); ++dof)
-    EXPECT_EQ(system.prescribed[dof] ? system.load[dof] : system.prescribed_value[dof], 0);
+  for (double tgv : {1e30, 1e15, -1.0}) {
+    const ElasticSystem system = read(pulled_square(tgv, 0.25));
+    for (int dof = 0; dof < system.dof_count(); ++dof)
+      EXPECT_EQ(system.prescribed[dof] ? system.load[dof] : system.prescribed_value[dof], 0);
+  }
+}
+
+TEST(JoinedSystems, move_each_as_by_itself) {
+  const std::vector<ElasticSystem> bodies{read(pulled_square(1e30, 0.25)), read(pulled_square(-1, 0)),
+                                          read(pulled_square(1e30, -0.5))};
+  const ElasticSystem joined = joined_systems(bodies);
+  ASSERT_EQ(joined.dof_count(), 3 * bodies[0].dof_count());
+  const Eigen::VectorXd all = displacement(joined);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::VectorXd own = displacement(bodies[k]);
+    EXPECT_LT(relative_difference(all.segment(k * own.size(), own.size()), own), 1e-13);
+  }
 }
 
 TEST(ElasticSystem, a_stiff_spring_is_no_prescribed_dof) {

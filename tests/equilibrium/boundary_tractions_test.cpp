@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ffcontact/equilibrium/composite_stress.hpp"
-#include "support/problems.hpp"
+#include "support/bodies.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 
@@ -79,6 +79,20 @@ RC_GTEST_PROP(BoundaryTractions, are_the_contact_densities_on_the_line, (Random 
       RC_ASSERT(std::abs(r.dot(problem.line.edge_normal(k)) - densities.normal(end, k)) < 1e-11);
       RC_ASSERT(std::abs(r.dot(problem.line.edge_tangent(k)) - densities.tangential(end, k)) < 1e-11);
     }
+  }
+}
+
+RC_GTEST_PROP(BoundaryTractions, are_opposite_on_facing_edges, (Random random)) {
+  const Bodies two = bodies({shifted(rectangle(3, 2, 3, 2), {0, 2}), rectangle(3, 2, 3, 2)},
+                            {material(1, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}});
+  const ContactLine& line = two.problem.line;
+  const BoundaryTractions boundary = tractions_of(
+      two.problem, {random_matrix(2, line.edge_count(), random), random_matrix(2, line.edge_count(), random)});
+  for (int k = 0; k < line.edge_count(); ++k) {
+    const Eigen::Vector4d own = boundary.moments.col(line.edge[k]),
+                          facing = boundary.moments.col(line.opposite_edge[k]);
+    RC_ASSERT(boundary.known.col(line.opposite_edge[k]).all());
+    RC_ASSERT((own.head<2>() + facing.tail<2>()).norm() + (own.tail<2>() + facing.head<2>()).norm() == 0);
   }
 }
 

@@ -68,6 +68,14 @@ RC_GTEST_PROP(CompositeStress, is_in_equilibrium_with_balanced_loads, (Random ra
   RC_ASSERT(defect(corners, loads, stress).largest() < 1e-11);
 }
 
+RC_GTEST_PROP(CompositeStress, is_in_equilibrium_on_thin_triangles, (Random random)) {
+  TriangleCorners corners;
+  corners << 0, 1, 1, 0, 0, *rc::gen::element(1e-2, 1e-3, 1e-4);
+  const Loads loads = balanced_loads(corners, random);
+  const CompositeStress stress = composite_stress(corners, loads.on_edges, loads.in_body);
+  RC_ASSERT(defect(corners, loads, stress).largest() < 1e-11);
+}
+
 RC_GTEST_PROP(CompositeStress, reproduces_linear_stresses_and_constant_body_forces, (Random random)) {
   const TriangleCorners corners = random_triangle(random);
   const LinearStress linear{random_matrix(3, 3, random)};

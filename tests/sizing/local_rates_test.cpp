@@ -53,6 +53,10 @@ TEST(SingularVertices, have_exponents_near_one_away_from_the_singularity) {
   for (std::size_t k = 1; k < found.size(); ++k) EXPECT_GT(found[k].exponent, 0.9);
 }
 
+TEST(SingularVertices, have_the_exponent_one_where_the_mesh_is_too_coarse_for_a_fit) {
+  EXPECT_EQ(Square(6).singular(0.5).front().exponent, 1);
+}
+
 TEST(SingularVertices, are_the_corners_and_where_the_boundary_condition_changes) {
   Square square(8);
   EXPECT_EQ(square.singular(1).size(), 4u);
