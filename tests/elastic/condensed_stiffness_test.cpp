@@ -152,5 +152,47 @@ TEST(CondensedStiffness, refuses_loads_and_displacements_of_another_size) {
             "kept displacement has 3 values where 2 are needed");
 }
 
+/// A square held on its left side, with other constants for every body.
+ElasticSystem held_square(int cells, double modulus) {
+  Problem problem = body(rectangle(cells, cells, 1, 1), material(modulus, 0.3));
+  add_traction(problem, right, {1, -2});
+  clamp(problem, left);
+  return problem.system();
+}
+
+TEST(CondensedStiffness, of_separate_bodies_is_that_of_each) {
+  const std::vector<ElasticSystem> bodies{held_square(6, 100), held_square(4, 3), held_square(5, 20)};
+  const ElasticSystem joined = joined_systems(bodies);
+  std::vector<int> kept;
+  for (int place = 0; place < 3; ++place)  // in turn one dof of each body
+    for (int k = 0, first = 0; k < 3; first += bodies[k++].dof_count())
+      kept.push_back(first + free_dofs(bodies[k])[7 * place + 2]);
+  const CondensedStiffness condensed(joined, kept);
+  const Dense dense = dense_condensation(joined, kept);
+  EXPECT_LT(relative_difference(condensed.schur(), dense.S), 1e-11);
+  EXPECT_LT(relative_difference(condensed.condensed_load(joined.load), dense.g), 1e-11);
+  const Eigen::VectorXd u_c = Eigen::VectorXd::LinSpaced(9, 0.1, 0.9), u = condensed.extended(joined.load, u_c);
+  for (int k = 0; k < 9; ++k) EXPECT_NEAR(u[kept[k]], u_c[k], 1e-12);
+}
+
+TEST(CondensedStiffness, with_all_dofs_kept_is_the_stiffness_in_their_order) {
+  const ElasticSystem system = held_square(4, 100);
+  const std::vector<int> kept = free_dofs(system);
+  const CondensedStiffness condensed(system, kept);
+  const Dense dense = dense_condensation(system, kept);
+  EXPECT_LT(relative_difference(condensed.schur(), dense.S), 1e-13);
+  EXPECT_LT(relative_difference(condensed.condensed_load(system.load), dense.g), 1e-13);
+  const Eigen::VectorXd u_c = Eigen::VectorXd::LinSpaced(dense.g.size(), 0.1, 0.9);
+  const Eigen::VectorXd u = condensed.extended(system.load, u_c);
+  for (std::size_t k = 0; k < kept.size(); ++k) EXPECT_NEAR(u[kept[k]], u_c[static_cast<int>(k)], 1e-12);
+}
+
+TEST(CondensedStiffness, keeps_more_dofs_than_one_block_of_its_product) {
+  const ElasticSystem system = held_square(14, 100);
+  std::vector<int> kept = free_dofs(system);
+  kept.resize(300);
+  EXPECT_LT(relative_difference(CondensedStiffness(system, kept).schur(), dense_condensation(system, kept).S), 1e-10);
+}
+
 }  // namespace
 }  // namespace ffcontact

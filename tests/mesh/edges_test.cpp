@@ -111,6 +111,15 @@ TEST(Edges, refuses_triangles_that_overlap) {
   EXPECT_EQ(refusal_of(mesh), "the edge between vertices 0 and 1 has triangles that overlap");
 }
 
+TEST(Edges, refuses_two_triangles_on_the_right_of_an_edge_with_one_on_its_left) {
+  Mesh mesh = rectangle(1, 1, 1, 1);
+  mesh.vertices.resize(2, 5);
+  mesh.vertices << 0, 1, 0.5, 0.5, 0.6, 0, 0, 1, -1, -0.8;
+  mesh.triangles.resize(3, 3);
+  mesh.triangles << 1, 1, 0, 0, 0, 1, 3, 4, 2;
+  EXPECT_EQ(refusal_of(mesh), "the edge between vertices 0 and 1 has triangles that overlap");
+}
+
 TEST(Edges, refuses_a_third_triangle_on_an_edge) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.vertices.conservativeResize(Eigen::NoChange, 5);
