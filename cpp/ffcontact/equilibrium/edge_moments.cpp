@@ -53,26 +53,14 @@ StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, i
   return chain;
 }
 
-/// @throws Imbalance  naming the vertex where most is left over, if it is more than the tolerance
-void require_balanced(const Mesh& mesh, const Eigen::Matrix2Xd& left_over, double tolerance) {
-  Eigen::Index component, vertex;
-  const double worst = left_over.maxCoeff(&component, &vertex);
-  if (worst <= tolerance) return;
-  std::ostringstream sentence;
-  sentence.precision(10);
-  sentence << "the loads do not balance the stresses at vertex " << vertex << " (" << mesh.vertices(0, vertex) << ", "
-           << mesh.vertices(1, vertex) << "): " << worst << " N/mm are left over";
-  throw Imbalance(sentence.str(), static_cast<int>(vertex), static_cast<int>(component));
-}
-
 }  // namespace
 
-EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
-                                 const BoundaryTractions& boundary, double least_scale) {
+NodalEquilibrium nodal_equilibrium(const Mesh& mesh, const Edges& edges, const Stars& stars,
+                                   const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
+                                   const BoundaryTractions& boundary) {
   EdgeMoments moments = boundary.moments;
-  double scale = std::max(least_scale, moments.cwiseAbs().maxCoeff());
-  Eigen::Matrix2Xd left_over = Eigen::Matrix2Xd::Zero(2, mesh.vertex_count());
+  double scale = moments.cwiseAbs().maxCoeff();
+  Eigen::Matrix2Xd missing = Eigen::Matrix2Xd::Zero(2, mesh.vertex_count());
 #pragma omp parallel for reduction(max : scale)
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (stars.triangle_count(v) == 0) continue;
@@ -89,18 +77,37 @@ EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Sta
       const double start = at_first  ? given(0)
                            : at_last ? given(last) + chain.sum(c, last)
                                      : (chain.target.row(c) + chain.sum.row(c)).mean();
-      const double left = !stars.on_boundary(v)   ? chain.load.row(c).sum()
-                          : (at_first && at_last) ? start - chain.sum(c, last) - given(last)
-                                                  : 0;
-      left_over(c, v) = std::abs(left);
+      if (!stars.on_boundary(v))
+        missing(c, v) = -chain.load.row(c).sum();
+      else if (at_first && at_last)
+        missing(c, v) = start - chain.sum(c, last) - given(last);
       for (int k = 0; k <= last; ++k)
         if (!boundary.known(c, spokes[k]))
           moments(rows_of(edges, spokes[k], v) + c, spokes[k]) =
               direction(edges, spokes[k], v) * (start - chain.sum(c, k));
     }
   }
-  require_balanced(mesh, left_over, unbalanced * scale);
-  return moments;
+  return {std::move(moments), std::move(missing), scale};
+}
+
+void require_balanced(const Mesh& mesh, const NodalEquilibrium& equilibrium, double least_scale) {
+  Eigen::Index component, vertex;
+  const double worst = equilibrium.missing.cwiseAbs().maxCoeff(&component, &vertex);
+  if (worst <= unbalanced * std::max(least_scale, equilibrium.scale)) return;
+  const Eigen::Vector2d x = mesh.origin + mesh.vertices.col(vertex);
+  std::ostringstream sentence;
+  sentence.precision(10);
+  sentence << "the loads do not balance the stresses at vertex " << vertex << " (" << x.x() << ", " << x.y()
+           << "): " << worst << " N/mm are left over";
+  throw Imbalance(sentence.str(), static_cast<int>(vertex), static_cast<int>(component));
+}
+
+EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
+                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
+                                 const BoundaryTractions& boundary) {
+  NodalEquilibrium equilibrium = nodal_equilibrium(mesh, edges, stars, stress, body_loads, boundary);
+  require_balanced(mesh, equilibrium);
+  return std::move(equilibrium.moments);
 }
 
 }  // namespace ffcontact

@@ -25,11 +25,24 @@ struct Imbalance : std::invalid_argument {
 /// a boundary edge of the star has its moment given. The last equation holds because u_h is in equilibrium at i.
 /// @param stress      sigma_h per triangle, Voigt [MPa]
 /// @param body_loads  int_E f phi_i at the three vertices of each triangle [N/mm, 6 x triangles]
+struct NodalEquilibrium {
+  EdgeMoments moments;
+  Eigen::Matrix2Xd missing;  ///< forces that would balance what is left over at each vertex [N/mm, 2 x vertices]
+  double scale;              ///< largest moment [N/mm]
+};
+NodalEquilibrium nodal_equilibrium(const Mesh& mesh, const Edges& edges, const Stars& stars,
+                                   const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
+                                   const BoundaryTractions& boundary);
+
 /// @param least_scale  moments below this are rounding: what is left over is judged against the largest moment, or this [N/mm]
 /// @throws Imbalance  if the given tractions do not balance the stresses at a vertex (other loads than those u_h was computed
 ///                    with, or a point support with a reaction), naming the vertex
+void require_balanced(const Mesh& mesh, const NodalEquilibrium& equilibrium, double least_scale = 0);
+
+/// The moments alone, for given tractions that balance the stresses.
+/// @throws Imbalance  as require_balanced
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
                                  const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
-                                 const BoundaryTractions& boundary, double least_scale = 0);
+                                 const BoundaryTractions& boundary);
 
 }  // namespace ffcontact

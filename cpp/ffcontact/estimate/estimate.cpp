@@ -60,9 +60,16 @@ struct Origin {
   bool unstressed;                     ///< rigid motions of bodies without loads: stresses and tractions are rounding
 };
 
-/// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle [MPa].
-double largest_terms(const Mesh& mesh, const Hooke& hooke, const Eigen::VectorXd& displacement) {
-  double largest = 0;
+/// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle, or what the gap and the displacement of the load step
+/// before come to as strains along the line [MPa].
+double largest_terms(const Mesh& mesh, const Edges& edges, const ContactLine& line, const SolvedBody& body) {
+  const Hooke& hooke = body.hooke;
+  const Eigen::VectorXd& displacement = body.displacement;
+  double given = 0, largest = 0;
+  for (const Eigen::VectorXd* values : {&body.law.gap, &body.law.previous})
+    if (values->size() > 0) given = std::max(given, values->cwiseAbs().maxCoeff());
+  for (int e = 0; e < line.edge_count(); ++e)
+    largest = std::max(largest, hooke[edges.triangles(0, line.edge[e])].cwiseAbs().maxCoeff() * given / line.length[e]);
 #pragma omp parallel for reduction(max : largest)
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     const Eigen::Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
@@ -177,27 +184,41 @@ double longest_edge(const Origin& origin) {
   return longest;
 }
 
+/// What balances the nodal forces that the rounding of u leaves over: stresses of a displacement that is small, so that its own
+/// rounding is nothing.
+Eigen::Matrix3Xd balancing_stresses(const Origin& origin, const Eigen::Matrix2Xd& missing) {
+  return stresses(origin.mesh, origin.body.hooke,
+                  rebalancing_displacement(origin.system, origin.line, missing.reshaped(),
+                                           free_rigid_motions(origin.mesh, origin.system.prescribed)));
+}
+
 /// Edge tractions in equilibrium with the balanced contact tractions, on the mesh of the origin.
-EdgeMoments first_moments_of(const Origin& origin, const Stars& stars, const Start& start,
-                             const BoundaryTractions& boundary) {
+EdgeMoments first_moments_of(const Origin& origin, const Stars& stars, const BoundaryTractions& boundary,
+                             Eigen::Matrix3Xd& stress) {
+  const auto equilibrium = [&] {
+    return nodal_equilibrium(origin.mesh, origin.edges, stars, stress, origin.body.body_loads, boundary);
+  };
+  NodalEquilibrium first = equilibrium();
   try {
-    return equilibrated_moments(origin.mesh, origin.edges, stars, start.stress, origin.body.body_loads, boundary,
-                                least_part * origin.stress_terms * longest_edge(origin));
+    require_balanced(origin.mesh, first, least_part * origin.stress_terms * longest_edge(origin));
   } catch (const Imbalance& imbalance) {
     refuse(imbalance.what(), ", ", cause_of(imbalance, origin.mesh, origin.line, origin.system, origin.body));
   }
+  if (first.missing.cwiseAbs().maxCoeff() <= rounding * first.scale) return std::move(first.moments);
+  stress += balancing_stresses(origin, first.missing);
+  return equilibrium().moments;
 }
 
 /// The same on the mesh of the setting.
-EdgeMoments first_moments(const Origin& origin, const Setting& setting, const Stars& stars, const Start& start) {
+EdgeMoments first_moments(const Origin& origin, const Setting& setting, const Stars& stars, Start& start) {
   const BoundaryTractions boundary = setting.boundary_with(start.balanced);
-  if (!origin.refinement) return first_moments_of(origin, stars, start, boundary);
+  if (!origin.refinement) return first_moments_of(origin, stars, boundary, start.stress);
   const ContactLine none;
   const BoundaryTractions uncut =
       tractions_of_parts(origin.edges, *origin.refinement, boundary,
                          boundary_tractions(origin.mesh, origin.edges, origin.system.prescribed, origin.body.neumann,
                                             none, ContactDensities{}));
-  const EdgeMoments moments = first_moments_of(origin, stars_of(origin.mesh, origin.edges), start, uncut);
+  const EdgeMoments moments = first_moments_of(origin, stars_of(origin.mesh, origin.edges), uncut, start.stress);
   return refined_moments(origin.edges, *origin.refinement, moments, start.stress, setting.body.body_loads, boundary);
 }
 
@@ -316,8 +337,8 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
 
   // 2. Contact tractions in the cone [CHH01, (4.1)] and stresses that balance them at every node.
   const Stars stars = stars_of(mesh, edges);
-  const Start start = settings.tractions == Tractions::published ? start_published(origin, setting, estimate)
-                                                                 : start_in_cone(origin, setting, stars, estimate);
+  Start start = settings.tractions == Tractions::published ? start_published(origin, setting, estimate)
+                                                           : start_in_cone(origin, setting, stars, estimate);
 
   // 3. Edge tractions in equilibrium, before the shifts of (4.1); then the shifted ones: the change of an edge has neither
   //    resultant nor moment, so every triangle stays balanced.
@@ -370,7 +391,7 @@ Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine&
   require_valid(mesh, line, system, body, settings);
   require_law_of_matrix(mesh, system, body.hooke);
   Estimate estimate;
-  const double stress_terms = largest_terms(mesh, body.hooke, body.displacement);
+  const double stress_terms = largest_terms(mesh, edges, line, body);
   SolvedBody own;  // where the tractions of u are rounding
   const bool unstressed = is_unstressed(mesh, body, stress_terms);
   if (unstressed) {

@@ -11,7 +11,8 @@ namespace ffcontact {
 ///
 /// Where K is singular (rigid motions Z that contact alone holds) the change of forces does no work on Z, and the solution
 /// without rigid motion on the contact dofs is taken: S + Z_c Z_c' in place of S. Cost: one factorisation.
-/// @param force_change  on all dofs [N/mm], zero away from the contact line
+/// The same balances any other small change of the nodal forces, as the rounding of u_h leaves.
+/// @param force_change  on all dofs [N/mm]
 /// @param motions       free_rigid_motions of the body [dofs x k]
 /// @throws std::runtime_error  if a part of the body is held by nothing
 Eigen::VectorXd rebalancing_displacement(const ElasticSystem& system, const ContactLine& line,
