@@ -143,6 +143,14 @@ TEST(SmoothContactLine, of_a_polygon_has_one_node_a_vertex_and_the_normals_of_th
   EXPECT_NEAR(Eigen::MatrixXd(contact_mass(line)).sum(), 16 * std::sin(pi / 16), 1e-14);
 }
 
+TEST(SmoothContactLine, around_a_whole_body_ends_at_its_first_node) {
+  const Mesh mesh = rectangle(2, 1, 2, 1);
+  const ContactLine line = smooth_contact_line(mesh, edges_of(mesh), {bottom, right, top, left});
+  EXPECT_EQ(line.node_count(), 6);
+  EXPECT_EQ(line.edge_count(), 6);
+  EXPECT_EQ(line.edge_node(1, 5), line.edge_node(0, 0));
+}
+
 TEST(AlongDirections, takes_given_directions_in_place_of_the_normals) {
   const Mesh mesh = half_disc(8);
   const Edges edges = edges_of(mesh);

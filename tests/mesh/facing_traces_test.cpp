@@ -125,6 +125,19 @@ TEST(FacingTraces, takes_the_nearest_of_several_edges_on_a_ray) {
   lower.boundary_label.tail(8).array() -= 10;
   const Facing two(shifted(rectangle(4, 1, 4, 1), {0, 2.25}), lower);
   EXPECT_EQ(two.traces.gap, Eigen::VectorXd::Constant(5, 0.25));
+  ASSERT_EQ(two.traces.pieces.size(), 4u);  // the vertices of the lower edges cut nothing
+  for (const FacingPiece& piece : two.traces.pieces) {
+    const int own = two.line.edge[piece.contact_edge];
+    EXPECT_NEAR(two.on(own, piece.begin).x(), two.on(piece.opposite_edge, piece.opposite_begin).x(), 1e-14);
+    EXPECT_NEAR(two.on(own, piece.end).x(), two.on(piece.opposite_edge, piece.opposite_end).x(), 1e-14);
+  }
+}
+
+TEST(FacingTraces, gap_above_a_step_is_that_of_the_higher_side) {
+  Mesh lower = joined(rectangle(1, 1, 2, 2), shifted(rectangle(1, 1, 2, 1.5), {2, 0}));
+  lower.boundary_label.tail(4).array() -= 10;
+  const Facing two(shifted(rectangle(2, 1, 4, 1), {0, 2.25}), lower);
+  EXPECT_EQ(two.traces.gap, Eigen::Vector3d(0.25, 0.25, 0.75));
 }
 
 TEST(FacingTraces, refuses_a_line_that_faces_nothing) {
@@ -151,6 +164,13 @@ RC_GTEST_PROP(FacingLine, integrals_of_the_opposite_displacement_are_exact, (Ran
       exact[two.line.edge_node(1, piece.contact_edge)] += weight * x * value;
     }
   RC_ASSERT((contact_mass(two.line) * (two.line.opposite * u) - exact).cwiseAbs().maxCoeff() < 1e-13);
+}
+
+RC_GTEST_PROP(FacingLine, has_no_jump_where_both_bodies_move_alike, (Random random)) {
+  const Facing two = random_rows(random);
+  const Eigen::Vector2d by = random_vector(2, random);
+  const Eigen::VectorXd u = nodal_values(two.joined.mesh, [&](const Eigen::Vector2d&) { return by; });
+  RC_ASSERT(contact_components(two.line, u).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 RC_GTEST_PROP(JoinedLines, are_the_lines_one_after_the_other, (Random random)) {
