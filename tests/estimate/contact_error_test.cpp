@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ffcontact/estimate/admissible_displacement.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
 

@@ -4,17 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <vector>
-
-#include "ffcontact/base/quadratic_minimum.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// A free component lowers no node whose normal has less of it than this.
-constexpr double along_the_line = 1e-3;
 
 /// A function that is linear on an edge, by its end values.
 struct Linear {
@@ -62,42 +55,6 @@ EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law, const Eig
 }
 
 }  // namespace
-
-Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
-                                        const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                                        const std::vector<char>& prescribed) {
-  std::map<int, std::vector<int>> nodes_of_vertex;
-  for (int i = 0; i < line.node_count(); ++i) nodes_of_vertex[line.vertex[i]].push_back(i);
-  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-
-  Eigen::VectorXd admissible = displacement;
-  for (const auto& [vertex, nodes] : nodes_of_vertex) {
-    Eigen::MatrixXd away(nodes.size(), 2);  // - n on the free components
-    Eigen::VectorXd penetration(nodes.size());
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      away.row(k) = -line.normal.col(nodes[k]).transpose();
-      penetration[k] = w(0, nodes[k]);
-    }
-    for (int c = 0; c < 2; ++c)
-      if (!prescribed.empty() && prescribed[2 * vertex + c]) away.col(c).setZero();
-    away = (away.array().abs() < along_the_line).select(0, away);
-    if (penetration.maxCoeff() <= 0) continue;
-    const auto change = quadratic_minimum(Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero(), away, penetration);
-    if (change) admissible.segment<2>(2 * vertex) += *change;
-  }
-  return admissible;
-}
-
-PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
-                                     const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-  double scale = displacement.cwiseAbs().maxCoeff();
-  if (law.gap.size() > 0) scale = std::max(scale, law.gap.cwiseAbs().maxCoeff());
-  PenetrationDefect defect;
-  const double deepest = w.row(0).maxCoeff(&defect.node);
-  if (deepest > 0) defect.value = deepest / scale;
-  return defect;
-}
 
 Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement) {

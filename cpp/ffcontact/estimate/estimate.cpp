@@ -130,11 +130,9 @@ Eigen::Matrix2Xd nodal_pressures(const Origin& origin) {
   const int v = origin.line.vertex[node];
   const Eigen::Vector2d x = origin.mesh.origin + origin.mesh.vertices.col(v);
   refuse(
-      "no tractions in the cone hold the body as the contact forces do: it stands on the end of the contact line at "
-      "vertex ",
+      "no tractions in the cone have the resultant and the moment of the contact forces, most of which act at vertex ",
       v, " (", x.x(), ", ", x.y(),
-      ") alone, where tractions along an edge have another moment; hold the body otherwise, or let the line go on "
-      "there");
+      "), as where a body stands on one end of its line; hold it otherwise, or let the line go on there");
 }
 
 Start start_published(const Origin& origin, const Setting& setting, Estimate& estimate) {

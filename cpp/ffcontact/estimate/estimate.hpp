@@ -8,6 +8,7 @@
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/equilibrium/equilibrium_defect.hpp"
 #include "ffcontact/equilibrium/star_relaxation.hpp"
+#include "ffcontact/estimate/admissible_displacement.hpp"
 #include "ffcontact/estimate/admissible_tractions.hpp"
 #include "ffcontact/estimate/contact_error.hpp"
 #include "ffcontact/estimate/solved_body.hpp"

@@ -3,6 +3,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "ffcontact/base/quadratic_minimum.hpp"
@@ -138,14 +140,26 @@ class Dual {
     return sum;
   }
 
-  /// The point to which a step, shortened until the gradient along it has changed its sign by little or itself has halved, leads.
+  /// The point to which a step leads that is shortened until the gradient along it has changed its sign by little or itself has
+  /// halved, or lengthened as long as that leaves more than half of the gradient along it: the dual is nearly flat where few
+  /// tractions in the cone have the resultants.
   Point moved(const Point& from, const Eigen::VectorXd& step) const {
+    const double before = from.off.dot(step);
+    const auto half_way = [&](const Point& next) { return next.off.dot(step) > 0.5 * before; };
+    const auto too_far = [&](const Point& next) {
+      return next.off.dot(step) > -0.1 * before && next.off.norm() > 0.5 * from.off.norm();
+    };
     double length = 1;
-    for (;; length /= 2) {
-      Point next = at(from.eta + length * step);
-      const double before = from.off.dot(step), after = next.off.dot(step);
-      if (after <= -0.1 * before || next.off.norm() <= 0.5 * from.off.norm() || length < 1e-10) return next;
+    Point next = at(from.eta + step);
+    for (; too_far(next) && length > 1e-10; next = at(from.eta + length * step)) length /= 2;
+    if (length < 1 || half_way(next)) return next;
+    for (length = 4; length < 1e8; length *= 4) {
+      Point farther = at(from.eta + length * step);
+      if (too_far(farther)) break;
+      next = std::move(farther);
+      if (half_way(next)) break;
     }
+    return next;
   }
 
  private:
@@ -162,11 +176,12 @@ std::optional<ContactDensities> nearest_in_cone(const ContactLine& line, const C
   const Dual dual(line, law, densities, motions, resultants);
   Dual::Point point = dual.at(Eigen::VectorXd::Zero(motions.cols()));
   if (motions.cols() == 0) return point.r;
-  const double scale = dual.scale(), tolerance = resultant_tolerance * scale;
+  const double scale = dual.scale();
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(motions.cols(), motions.cols());
   const double length = line.length.sum();  // [z] is of size 1: what the slope is where nothing is held
   for (int step = 0; step < most_steps; ++step) {
-    if (point.off.cwiseAbs().maxCoeff() <= tolerance) return point.r;
+    const double rounding = std::numeric_limits<double>::epsilon() * length * point.eta.norm();
+    if (point.off.cwiseAbs().maxCoeff() <= std::max(resultant_tolerance * scale, 2 * rounding)) return point.r;
     // Regularised by what is left to do: no step is longer than the tractions, and the last ones are Newton's.
     const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
     const Eigen::MatrixXd slope = dual.slope(point) + regular * identity;

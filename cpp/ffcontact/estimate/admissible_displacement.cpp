@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/admissible_displacement.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "ffcontact/base/quadratic_minimum.hpp"
+#include "ffcontact/equilibrium/boundary_relaxation.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// A free component lowers no node whose normal has less of it than this.
+constexpr double along_the_line = 1e-3;
+
+/// Some vertices that move together, and the nodes on them.
+class MovingVertices {
+ public:
+  MovingVertices(const ContactLine& line, const std::map<int, std::vector<int>>& nodes_of_vertex,
+                 const std::vector<int>& vertices)
+      : line_(line), vertices_(vertices) {
+    for (const int v : vertices)
+      if (const auto nodes = nodes_of_vertex.find(v); nodes != nodes_of_vertex.end())
+        nodes_.insert(nodes_.end(), nodes->second.begin(), nodes->second.end());
+  }
+
+  /// The smallest change of the free components after which no node penetrates [2 x vertices]; nothing if there is none.
+  /// @param penetration  u_n - gap of all nodes of the line
+  std::optional<Eigen::Matrix2Xd> lowering(const Eigen::VectorXd& penetration,
+                                           const std::vector<char>& prescribed) const {
+    const auto size = 2 * static_cast<Eigen::Index>(vertices_.size());
+    const Eigen::VectorXd deep = penetration(nodes_);
+    if (deep.maxCoeff() <= 0) return Eigen::Matrix2Xd(Eigen::Matrix2Xd::Zero(2, size / 2));
+    const auto change =
+        quadratic_minimum(Eigen::MatrixXd::Identity(size, size), Eigen::VectorXd::Zero(size), away(prescribed), deep);
+    if (!change) return std::nullopt;
+    return Eigen::Matrix2Xd(change->reshaped(2, size / 2));
+  }
+
+ private:
+  /// - [u] . n of each node for the free components [nodes x 2 vertices].
+  Eigen::MatrixXd away(const std::vector<char>& prescribed) const {
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(nodes_.size(), 2 * vertices_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      add(k, line_.vertex[nodes_[k]], -1, rows);
+      visit_opposite(line_, nodes_[k], [&](int vertex, double weight) { add(k, vertex, weight, rows); });
+    }
+    for (std::size_t j = 0; j < vertices_.size(); ++j)
+      for (int c = 0; c < 2; ++c)
+        if (!prescribed.empty() && prescribed[2 * vertices_[j] + c]) rows.col(2 * j + c).setZero();
+    return (rows.array().abs() < along_the_line).select(0, rows);
+  }
+
+  void add(std::size_t k, int vertex, double weight, Eigen::MatrixXd& rows) const {
+    const auto place = std::find(vertices_.begin(), vertices_.end(), vertex);
+    if (place == vertices_.end()) return;
+    rows.block<1, 2>(k, 2 * (place - vertices_.begin())) += weight * line_.normal.col(nodes_[k]).transpose();
+  }
+
+  const ContactLine& line_;
+  const std::vector<int>& vertices_;
+  std::vector<int> nodes_;
+};
+
+}  // namespace
+
+Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
+                                        const Eigen::Ref<const Eigen::VectorXd>& displacement,
+                                        const std::vector<char>& prescribed) {
+  std::map<int, std::vector<int>> nodes_of_vertex;
+  for (int i = 0; i < line.node_count(); ++i) nodes_of_vertex[line.vertex[i]].push_back(i);
+
+  Eigen::VectorXd admissible = displacement;
+  const auto penetration = [&] {
+    return Eigen::VectorXd(displacement_against_foundation(line, law, admissible).row(0));
+  };
+  const auto lower = [&](const std::vector<int>& vertices, const Eigen::VectorXd& deep) {
+    const auto change = MovingVertices(line, nodes_of_vertex, vertices).lowering(deep, prescribed);
+    for (std::size_t j = 0; change && j < vertices.size(); ++j)
+      admissible.segment<2>(2 * vertices[j]) += change->col(j);
+    return change.has_value();
+  };
+  std::vector<int> stuck;
+  const Eigen::VectorXd before = penetration();
+  for (const auto& [vertex, nodes] : nodes_of_vertex)
+    if (!lower({vertex}, before)) stuck.push_back(vertex);
+  if (stuck.empty() || !line.against_a_body()) return admissible;
+  for (const std::vector<int>& group : contact_groups(line))
+    if (std::find_first_of(group.begin(), group.end(), stuck.begin(), stuck.end()) != group.end())
+      lower(group, penetration());
+  return admissible;
+}
+
+PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
+                                     const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  double scale = displacement.cwiseAbs().maxCoeff();
+  if (law.gap.size() > 0) scale = std::max(scale, law.gap.cwiseAbs().maxCoeff());
+  PenetrationDefect defect;
+  const double deepest = w.row(0).maxCoeff(&defect.node);
+  if (deepest > 0) defect.value = deepest / scale;
+  return defect;
+}
+
+}  // namespace ffcontact
