@@ -127,7 +127,8 @@ Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& e
   const double allowed = estimate.e * estimate.e +
                          bound_of_interpolation(fine.parts, tangential_of(parts, fine.parts, estimate.displacement));
   const double sum = estimate.relative > 0 ? std::pow(estimate.e / estimate.relative, 2) : 0;
-  if (distance <= (1 + rounding) * allowed + 1e-11 * sum) return {};
+  const double zero = square_called_zero(parts, ground_of(parts, estimate), estimate);
+  if (distance <= (1 + rounding) * allowed + 1e-11 * sum + zero) return {};
   return {finding("bound", "the distance is ", std::sqrt(distance), ", e ", estimate.e)};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ground.hpp"
 
+#include <Eigen/LU>
+
 namespace ffcontact::fuzz {
 
 namespace {
@@ -131,6 +133,15 @@ double stress_scale(const Assembled& parts, const Ground& ground, const Eigen::V
     scale = std::max(scale, 2 * parts.neumann.col(e).cwiseAbs().maxCoeff() / length);
   }
   return scale;
+}
+
+double square_called_zero(const Assembled& parts, const Ground& ground, const Estimate& estimate) {
+  if (estimate.e != 0) return 0;
+  double compliance = 0;
+  for (int t = 0; t < ground.mesh.triangle_count(); ++t)
+    compliance +=
+        area_of(corners_at(ground.mesh, t)) * parts.elasticity[ground.region[t]].inverse().cwiseAbs().maxCoeff();
+  return compliance * std::pow(1e-8 * stress_scale(parts, ground, estimate.displacement), 2);
 }
 
 }  // namespace ffcontact::fuzz

@@ -80,6 +80,9 @@ double displacement_scale(const Assembled& parts, const Eigen::VectorXd& u);
 /// Largest stress of a displacement, and of the loads; not below what rounding of displacements makes of them.
 double stress_scale(const Assembled& parts, const Ground& ground, const Eigen::VectorXd& u);
 
+/// What e^2 may be off by where e is exactly 0: that says that stresses are below 1e-12 of the terms they are summed from.
+double square_called_zero(const Assembled& parts, const Ground& ground, const Estimate& estimate);
+
 Corners corners_at(const Mesh& mesh, int triangle);
 /// Corners of subtriangle k: k+1, k+2, centroid.
 Corners subtriangle(const Corners& corners, int k);
