@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/curve_directions.hpp"
 #include "ffcontact/mesh/facing_traces.hpp"
 //
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 /// The line by its own normals, or along the directions of normal=.
 ContactLine line_of(Stack stack, const NamedArguments& named, const BodyPart& part, const Mesh& mesh,
                     const Edges& edges, const std::vector<int>& labels) {
-  if (!named.given("normal")) return contact_line(mesh, edges, labels);
+  if (!named.given("normal")) return curved_contact_line(mesh, edges, labels);
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Eigen::Matrix2Xd direction(2, line.node_count());
   for (int c = 0; c < 2; ++c)
@@ -142,8 +143,15 @@ void ContactArguments::add_pair(Stack stack, const NamedArguments& named, int bo
                                 std::vector<ContactLine>& lines) {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
   ContactLine own = line_of(stack, named, part, mesh, edges, labels);
+  const bool rigid = opposite_labels.empty() && opposite_body == body;
+  if (!named.given("normal") && turns(own)) {
+    const Expression gap = named.expression("gap");
+    const Eigen::VectorXd distance =
+        gap || rigid ? at_nodes(stack, gap, part, edges, own, 0) : facing_traces(mesh, edges, own, opposite_labels).gap;
+    own = with_one_direction_a_curve(mesh, edges, std::move(own), distance);
+  }
   for (int v : own.vertex) own_vertex.push_back(v - joined.first_vertex[body]);
-  if (opposite_labels.empty() && opposite_body == body) {
+  if (rigid) {
     add_coefficients(stack, named, body, own, {});
     lines.push_back(std::move(own));
     return;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ffcontact/mesh/curve_directions.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
@@ -18,6 +19,10 @@ constexpr double pi = 3.14159265358979323846;
 
 ContactLine line_of(const Mesh& mesh, const std::vector<int>& labels) {
   return contact_line(mesh, edges_of(mesh), labels);
+}
+
+ContactLine curved_line_of(const Mesh& mesh, const std::vector<int>& labels) {
+  return curved_contact_line(mesh, edges_of(mesh), labels);
 }
 
 std::string refusal_of(const std::vector<int>& labels) {
@@ -69,6 +74,32 @@ RC_GTEST_PROP(ContactLine, mass_integrates_products_of_linear_functions, (Random
   RC_ASSERT(std::abs(s.dot(contact_mass(line) * s) - 64.0 / 3) < 1e-12);
 }
 
+TEST(ContactLine, is_straight_within_the_rounding_of_its_coordinates) {
+  for (const double unit : {1e-8, 1e-6}) {
+    Mesh mesh = rotated(rectangle(16, 2, 1, 1), 0.3);
+    mesh.vertices = (mesh.vertices / unit).array().round().matrix() * unit;
+    const ContactLine line = line_of(mesh, {bottom, right});
+    EXPECT_EQ(line.node_count(), 17 + 3);
+    for (int i = 0; i < 17; ++i) {
+      EXPECT_EQ(line.normal.col(i), line.normal.col(0));
+      EXPECT_LT((line.normal.col(i) - Eigen::Vector2d(std::sin(0.3), -std::cos(0.3))).norm(), 2 * unit);
+    }
+  }
+}
+
+TEST(ContactLine, that_is_closed_starts_at_a_corner) {
+  Mesh mesh = rotated(rectangle(4, 4, 4, 4), 0.3);
+  Eigen::VectorXi swapped = Eigen::VectorXi::LinSpaced(25, 0, 24);
+  std::swap(swapped[0], swapped[2]);  // vertex 0 is in the middle of the lower side
+  for (int& v : mesh.triangles.reshaped()) v = swapped[v];
+  for (int& v : mesh.boundary.reshaped()) v = swapped[v];
+  mesh.vertices.col(0).swap(mesh.vertices.col(2));
+  mesh.boundary_label.setConstant(bottom);
+  const ContactLine line = line_of(mesh, {bottom});
+  EXPECT_EQ(line.node_count(), 16 + 4);
+  EXPECT_NE(line.normal.col(line.node_count() - 1), line.normal.col(0));
+}
+
 TEST(ContactLine, a_corner_is_two_nodes_that_no_mass_couples) {
   const Mesh mesh = rectangle(2, 2, 2, 2);
   const ContactLine line = line_of(mesh, {left, bottom});
@@ -116,15 +147,15 @@ RC_GTEST_PROP(ContactLine, components_are_projections_on_n_and_t, (Random random
   }
 }
 
-/// The lower half of a regular polygon of 2 n sides around the origin, radius 1.
-Mesh half_disc(int n) {
+/// A chain of points as the lower side of a fan of triangles around a point above it; the other sides have the label top.
+Mesh fan_on(const Eigen::Matrix2Xd& chain, const Eigen::Vector2d& above) {
+  const int n = static_cast<int>(chain.cols()) - 1;
   Mesh mesh;
   mesh.vertices.resize(2, n + 2);
-  mesh.vertices.col(n + 1).setZero();
+  mesh.vertices << chain, above;
   mesh.triangles.resize(3, n);
   mesh.boundary.resize(2, n + 2);
   mesh.boundary_label.setConstant(n + 2, top);
-  for (int i = 0; i <= n; ++i) mesh.vertices.col(i) << -std::cos(pi * i / n), -std::sin(pi * i / n);
   for (int i = 0; i < n; ++i) {
     mesh.triangles.col(i) << i, i + 1, n + 1;
     mesh.boundary.col(i) << i, i + 1;
@@ -133,6 +164,66 @@ Mesh half_disc(int n) {
   mesh.boundary.col(n) << n, n + 1;
   mesh.boundary.col(n + 1) << n + 1, 0;
   return mesh;
+}
+
+/// Points of an arc of radius 1 around (0, 1), from its lowest point on by `step` each.
+Eigen::Matrix2Xd arc(int edges, double step) {
+  Eigen::Matrix2Xd points(2, edges + 1);
+  for (int k = 0; k <= edges; ++k) points.col(k) << std::sin(k * step), 1 - std::cos(k * step);
+  return points;
+}
+
+TEST(CurvedContactLine, a_smooth_curve_has_one_node_a_vertex_and_the_normals_of_the_circle) {
+  const ContactLine line = curved_line_of(fan_on(arc(10, 0.1), {0.2, 2}), {bottom});
+  ASSERT_EQ(line.node_count(), 11);
+  for (int i = 0; i < 11; ++i)
+    EXPECT_LT((line.normal.col(i) - Eigen::Vector2d(std::sin(0.1 * i), -std::cos(0.1 * i))).norm(), 1e-14);
+}
+
+TEST(CurvedContactLine, few_edges_and_sharp_turns_are_a_polygon) {
+  EXPECT_EQ(curved_line_of(fan_on(arc(5, 0.1), {0.1, 2}), {bottom}).node_count(), 6);
+  EXPECT_EQ(curved_line_of(fan_on(arc(4, 0.1), {0.1, 2}), {bottom}).node_count(), 8);
+  EXPECT_EQ(curved_line_of(fan_on(arc(6, 0.25), {0.2, 2}), {bottom}).node_count(), 7);
+  EXPECT_EQ(curved_line_of(fan_on(arc(6, 0.28), {0.2, 2}), {bottom}).node_count(), 12);
+}
+
+TEST(CurvedContactLine, a_curve_that_goes_on_from_a_straight_line_has_its_normal_where_they_meet) {
+  Eigen::Matrix2Xd chain(2, 11);
+  chain << Eigen::Vector2d(-0.9, 0), Eigen::Vector2d(-0.6, 0), Eigen::Vector2d(-0.3, 0), arc(7, 0.1);
+  const ContactLine line = curved_line_of(fan_on(chain, {0.2, 2}), {bottom});
+  ASSERT_EQ(line.node_count(), 11);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(line.normal.col(i), Eigen::Vector2d(0, -1));
+  EXPECT_GT(line.normal(0, 4), 0.09);
+  chain.leftCols(3).row(1).array() += 0.05;  // a corner of 9 degrees
+  chain(1, 1) = 2.0 / 3 * chain(1, 0);
+  chain(1, 2) = 1.0 / 3 * chain(1, 0);
+  EXPECT_EQ(curved_line_of(fan_on(chain, {0.2, 2}), {bottom}).node_count(), 12);
+}
+
+TEST(CurvedContactLine, around_a_disc_is_closed_without_a_corner) {
+  Mesh mesh;
+  const int n = 36;
+  mesh.vertices.resize(2, n + 1);
+  mesh.vertices.col(n).setZero();
+  mesh.triangles.resize(3, n);
+  mesh.boundary.resize(2, n);
+  mesh.boundary_label.setConstant(n, bottom);
+  for (int i = 0; i < n; ++i) {
+    mesh.vertices.col(i) << std::cos(2 * pi * i / n), std::sin(2 * pi * i / n);
+    mesh.triangles.col(i) << i, (i + 1) % n, n;
+    mesh.boundary.col(i) << i, (i + 1) % n;
+  }
+  EXPECT_EQ(line_of(mesh, {bottom}).node_count(), 2 * n);
+  const ContactLine line = curved_line_of(mesh, {bottom});
+  ASSERT_EQ(line.node_count(), n);
+  for (int i = 0; i < n; ++i) EXPECT_LT((line.normal.col(i) - position(mesh, line, i)).norm(), 1e-13);
+}
+
+/// The lower half of a regular polygon of 2 n sides around the origin, radius 1.
+Mesh half_disc(int n) {
+  Eigen::Matrix2Xd chain(2, n + 1);
+  for (int i = 0; i <= n; ++i) chain.col(i) << -std::cos(pi * i / n), -std::sin(pi * i / n);
+  return fan_on(chain, {0, 0});
 }
 
 TEST(SmoothContactLine, of_a_polygon_has_one_node_a_vertex_and_the_normals_of_the_circle) {

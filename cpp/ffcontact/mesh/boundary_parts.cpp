@@ -123,14 +123,6 @@ class Places {
   }
 
  private:
-  static bool closes_smoothly(const Eigen::Matrix2Xd& points) {
-    const Eigen::Index n = points.cols() - 1;
-    const auto turn = [&](Eigen::Index before, Eigen::Index at, Eigen::Index after) {
-      return angle_between(points.col(at) - points.col(before), points.col(after) - points.col(at));
-    };
-    return turn(n - 1, 0, 1) <= 2 * std::max(turn(0, 1, 2), turn(n - 2, n - 1, n));
-  }
-
   Eigen::Matrix2d ends_;
   std::optional<SmoothCurve> curve_;
 };

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/curve_directions.hpp"
+#include "ffcontact/mesh/smooth_curve.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 
 namespace ffcontact {
@@ -39,6 +41,13 @@ void start_at_corner(const Mesh& mesh, const Edges& edges, std::vector<int>& loo
   const auto start = std::find_if(turn.begin(), turn.end(), [&](double angle) { return angle >= 0.9 * sharpest; });
   std::rotate(loop.begin(), loop.begin() + (start - turn.begin()), loop.end());
 }
+
+/// A curve has at least this many edges and turns by at most this angle between them; other polygons are meant.
+constexpr int fewest_edges = 5;
+constexpr double largest_turn = 15 * M_PI / 180;
+
+/// What a line takes its edges for: straight lines, straight lines and the chords of curves, or the chords of one curve.
+enum class Shape { polygon, parts, curve };
 
 /// Edges ordered into chains: each starts where no edge ends, closed loops at a corner.
 std::vector<std::vector<int>> chains(const Mesh& mesh, const Edges& edges, const std::vector<int>& boundary) {
@@ -87,19 +96,29 @@ Eigen::Matrix2Xd places_of(const Mesh& mesh, const Edges& edges, const std::vect
 /// Appends nodes and edges to a line.
 class LineBuilder {
  public:
-  LineBuilder(const Mesh& mesh, const Edges& edges, bool smooth) : mesh_(mesh), edges_(edges), smooth_(smooth) {}
+  LineBuilder(const Mesh& mesh, const Edges& edges, Shape shape) : mesh_(mesh), edges_(edges), shape_(shape) {}
 
   /// @param tolerance  of straight_runs
   void add_chain(const std::vector<int>& chain, double tolerance) {
     const Eigen::Matrix2Xd points = vertices_of(mesh_, edges_, chain);
-    const int first_node = static_cast<int>(vertex_.size());
-    const std::vector<int> runs =
-        smooth_ ? std::vector<int>{0, static_cast<int>(chain.size())} : straight_runs(points, tolerance);
-    for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
-      const Eigen::Vector2d along = (points.col(runs[r + 1]) - points.col(runs[r])).normalized();
-      add_run(chain, runs[r], runs[r + 1], {along.y(), -along.x()});
+    const int first_node = static_cast<int>(vertex_.size()), edges = static_cast<int>(chain.size());
+    if (shape_ == Shape::curve) {
+      add_part(chain, 0, Eigen::Matrix2Xd::Zero(2, edges + 1), false);
+    } else {
+      double turn = 0;  // over the last edge before
+      for (const LinePart& part :
+           line_parts(points, tolerance, largest_turn, shape_ == Shape::polygon ? edges + 1 : fewest_edges)) {
+        const Eigen::Matrix2Xd normals = normals_of(points.middleCols(part.first, part.edges() + 1), part.straight);
+        const double next_turn = angle_between(normals.col(0), normals.col(1));
+        const bool one_curve = (turn > 0) != (next_turn > 0);
+        add_part(chain, part.first, normals, part.first > 0 && one_curve && goes_on(normals.col(0), turn + next_turn));
+        turn = angle_between(normals.col(part.edges() - 1), normals.col(part.edges()));
+      }
     }
-    if (smooth_ && chain.size() > 1 && vertex_.back() == vertex_[first_node]) join_loop(first_node);
+    const bool closed = edges > 1 && vertex_.back() == vertex_[first_node];
+    if (closed && (shape_ == Shape::curve ||
+                   goes_on(normal_[first_node], angle_between(normal_[first_node], normal_[first_node + 1]))))
+      join_loop(first_node);
   }
 
   ContactLine line() const {
@@ -124,13 +143,34 @@ class LineBuilder {
     return static_cast<int>(vertex_.size()) - 1;
   }
 
-  void add_run(const std::vector<int>& chain, int first, int end, const Eigen::Vector2d& normal) {
-    int node = add_node(edges_.vertices(0, chain[first]), normal);
-    for (int k = first; k < end; ++k) {
-      const int e = chain[k];
+  /// Normals of a straight line, all that of its chord, or of a smooth curve.
+  static Eigen::Matrix2Xd normals_of(const Eigen::Matrix2Xd& points, bool straight) {
+    const Eigen::Index last = points.cols() - 1;
+    const bool closed = points.col(0) == points.col(last);
+    const Eigen::Matrix2Xd tangents =
+        straight ? Eigen::Matrix2Xd((points.col(last) - points.col(0)).normalized().replicate(1, last + 1))
+                 : smooth_curve(points, closed && closes_smoothly(points)).tangents;
+    Eigen::Matrix2Xd normals(2, last + 1);
+    normals << tangents.row(1), -tangents.row(0);
+    return normals;
+  }
+
+  /// Whether the line goes on from its last node with this normal, as a curve that turns by `turn` an edge does.
+  bool goes_on(const Eigen::Vector2d& normal, double turn) const {
+    return angle_between(normal_.back(), normal) < 0.5 * turn;
+  }
+
+  /// @param normals  at the vertices of the chain's edges from `first` on
+  /// @param shared  the last node so far is the first one of the part as well; it has the normal of the straight one of both
+  void add_part(const std::vector<int>& chain, int first, const Eigen::Matrix2Xd& normals, bool shared) {
+    int node =
+        shared ? static_cast<int>(vertex_.size()) - 1 : add_node(edges_.vertices(0, chain[first]), normals.col(0));
+    if (normals.col(0) == normals.col(1)) normal_[node] = normals.col(0);
+    for (Eigen::Index k = 1; k < normals.cols(); ++k) {
+      const int e = chain[first + k - 1];
       length_.push_back(edge_vector(mesh_, edges_, e).norm());
       arc_ += length_.back();
-      const int next = add_node(edges_.vertices(1, e), normal);
+      const int next = add_node(edges_.vertices(1, e), normals.col(k));
       edge_.push_back(e);
       edge_node_.push_back({node, next});
       node = next;
@@ -147,7 +187,7 @@ class LineBuilder {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  const bool smooth_;
+  const Shape shape_;
   std::vector<int> vertex_, edge_;
   std::vector<Eigen::Vector2d> normal_;
   std::vector<Eigen::Vector2i> edge_node_;
@@ -155,11 +195,11 @@ class LineBuilder {
   double arc_ = 0;
 };
 
-ContactLine built_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels, bool smooth) {
+ContactLine built_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels, Shape shape) {
   const std::vector<int> boundary = labelled_boundary(mesh, edges, labels);
   const double size = extent(mesh.vertices);
   const double precision = coordinate_precision(places_of(mesh, edges, boundary), size);
-  LineBuilder builder(mesh, edges, smooth);
+  LineBuilder builder(mesh, edges, shape);
   for (const std::vector<int>& chain : chains(mesh, edges, boundary))
     builder.add_chain(chain, straight_tolerance(precision, size));
   ContactLine line = builder.line();
@@ -170,11 +210,15 @@ ContactLine built_line(const Mesh& mesh, const Edges& edges, const std::vector<i
 }  // namespace
 
 ContactLine contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels) {
-  return built_line(mesh, edges, labels, false);
+  return built_line(mesh, edges, labels, Shape::polygon);
+}
+
+ContactLine curved_contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels) {
+  return built_line(mesh, edges, labels, Shape::parts);
 }
 
 ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels) {
-  ContactLine line = built_line(mesh, edges, labels, true);
+  ContactLine line = built_line(mesh, edges, labels, Shape::curve);
   line.normal.setZero();
   for (int e = 0; e < line.edge_count(); ++e)
     for (int node : line.edge_node.col(e)) line.normal.col(node) += edge_normal(mesh, edges, line.edge[e]);

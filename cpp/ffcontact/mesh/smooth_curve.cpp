@@ -60,6 +60,14 @@ Eigen::Vector2d SmoothCurve::beside(const Eigen::Vector2d& point) const {
   return best;
 }
 
+bool closes_smoothly(const Eigen::Ref<const Eigen::Matrix2Xd>& points) {
+  const Eigen::Index n = points.cols() - 1;
+  const auto turn = [&](Eigen::Index before, Eigen::Index at, Eigen::Index after) {
+    return angle_between(points.col(at) - points.col(before), points.col(after) - points.col(at));
+  };
+  return turn(n - 1, 0, 1) <= 2 * std::max(turn(0, 1, 2), turn(n - 2, n - 1, n));
+}
+
 SmoothCurve smooth_curve(const Eigen::Ref<const Eigen::Matrix2Xd>& points, bool closed) {
   const Eigen::Index last = points.cols() - 1;
   SmoothCurve curve{points, Eigen::Matrix2Xd(2, points.cols())};

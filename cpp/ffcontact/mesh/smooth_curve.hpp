@@ -24,6 +24,9 @@ struct SmoothCurve {
   Eigen::Vector2d beside(const Eigen::Vector2d& point) const;
 };
 
+/// Whether a chain of points that ends where it begins turns there about as it does beside.
+bool closes_smoothly(const Eigen::Ref<const Eigen::Matrix2Xd>& points);
+
 /// @param points  at least three
 SmoothCurve smooth_curve(const Eigen::Ref<const Eigen::Matrix2Xd>& points, bool closed);
 
