@@ -64,9 +64,9 @@ class ProximalPasses {
       const Eigen::Index t = place(2 * node + 1);
       if (law_.frictionless(node))
         states.push_back(open ? ContactState::open : ContactState::slip_forward);
-      else if (x_[t] == low_[t])
+      else if (x_[t] == -bound(t))
         states.push_back(open ? ContactState::open_slip_forward : ContactState::slip_forward);
-      else if (x_[t] == high_[t])
+      else if (x_[t] == bound(t))
         states.push_back(open ? ContactState::open_slip_backward : ContactState::slip_backward);
       else
         states.push_back(open ? ContactState::open_stick : ContactState::stick);
@@ -97,15 +97,27 @@ class ProximalPasses {
     C = (unit_.asDiagonal() * C * unit_.asDiagonal()).eval();
   }
 
+  /// b of a tangential position in its unit.
+  double bound(Eigen::Index k) const { return law_.tresca() ? law_.tresca_bound[rows_[k] / 2] / unit_[k] : 0; }
+
   void put_bounds() {
     low_.resize(unit_.size());
     high_.resize(unit_.size());
     for (Eigen::Index k = 0; k < unit_.size(); ++k) {
       const bool normal = rows_[k] % 2 == 0;
-      const double b = law_.tresca() ? law_.tresca_bound[rows_[k] / 2] / unit_[k] : 0;
-      low_[k] = normal ? -std::numeric_limits<double>::infinity() : -b;
-      high_[k] = normal ? 0 : b;
+      low_[k] = normal ? -std::numeric_limits<double>::infinity() : -bound(k);
+      high_[k] = normal ? 0 : bound(k);
     }
+    for (Eigen::Index d = 0; d < dependent_; ++d)
+      if (!contact_.loads_the_body(d)) low_[primary_ + d] = high_[primary_ + d] = idle_multiplier(d);
+  }
+
+  /// Of a dependent row that does not load the body: its v is given, and with it what friction does there.
+  double idle_multiplier(Eigen::Index d) const {
+    const Eigen::Index k = primary_ + d;
+    const double v = contact_.dependent_offset[d];
+    if (rows_[k] % 2 == 0 || v == 0) return 0;
+    return v > 0 ? -bound(k) : bound(k);
   }
 
   Eigen::VectorXd dependent_displacement(const Eigen::VectorXd& v, const Eigen::VectorXd& q) const {
@@ -132,6 +144,13 @@ class ProximalPasses {
   double change_ = 0;
 };
 
+void keep(std::vector<ContactState> state, ContactRows rows, double violation, ActiveSetResult& result) {
+  result.violation = violation;
+  result.state = std::move(state);
+  result.P = std::move(rows.P);
+  result.v = std::move(rows.v);
+}
+
 }  // namespace
 
 ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law, const NewtonSettings& settings) {
@@ -143,13 +162,14 @@ ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& 
     ContactRows rows = passes.answer();
     const double violation = law_violation(contact, law, rows);
     const bool ends = violation <= settings.tolerance && passes.change() <= settled * motion_scale(contact, rows.v);
-    if (violation < result.violation || ends) {
-      result.violation = violation;
-      result.state = passes.states();
-      result.P = std::move(rows.P);
-      result.v = std::move(rows.v);
-    }
+    if (violation < result.violation || ends) keep(passes.states(), std::move(rows), violation, result);
     if (ends) break;
+    rows = {};
+    if (solve_active_set(contact, law, passes.states(), rows) == SystemKind::inconsistent) continue;
+    const double without_terms = law_violation(contact, law, rows);
+    if (without_terms > settings.tolerance) continue;
+    keep(passes.states(), std::move(rows), without_terms, result);
+    break;
   }
   if (result.violation <= settings.tolerance) {
     result.status = ContactStatus::converged;
