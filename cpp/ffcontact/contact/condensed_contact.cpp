@@ -242,8 +242,11 @@ std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& syst
 
 double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v) {
   double scale = v.cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < contact.g.size(); ++i)
-    if (contact.S(i, i) > 0) scale = std::max(scale, std::abs(contact.g[i]) / contact.S(i, i));
+  for (Eigen::Index i = 0; i < contact.g.size(); ++i) {
+    const int other = contact.position[contact.primary[i] ^ 1];
+    const double stiffness = std::max(contact.S(i, i), other >= 0 ? contact.S(other, other) : 0);
+    if (stiffness > 0) scale = std::max(scale, std::abs(contact.g[i]) / stiffness);
+  }
   return scale;
 }
 

@@ -53,8 +53,9 @@ struct CondensedContact {
 /// The free dofs of the vertices on the line, in the order of its nodes, then those of the opposite vertices.
 std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system);
 
-/// What v is small against: its largest value, or what the loads would move a node alone, max |g_i| / S_ii. Where all nodes
-/// stick v is nothing but rounding.
+/// What v is small against: its largest value, or what the loads would move a node alone, max |g_i| / S_ii with the S_ii of the
+/// stiffer component of the node (that of a component in which the body is free is rounding). Where all nodes stick v is nothing
+/// but rounding.
 double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v);
 
 /// @throws std::invalid_argument  if the contact line has no free dof

@@ -12,6 +12,9 @@ namespace {
 
 /// r of the proximal terms: far above rounding, below what a body that is held has.
 constexpr double proximal = 1e-9;
+/// r of the dependent rows falls by this factor from pass to pass, down to what rounding allows: beside the compliance of a soft
+/// body it may be far above what moves their multipliers.
+constexpr double fall = 0.1, least_proximal = 1e-13;
 constexpr int most_passes = 30;
 /// Passes end when they change v by less than this part of what the loads would.
 constexpr double settled = 1e-13;
@@ -32,6 +35,8 @@ class ProximalPasses {
 
   /// @return Cholesky factorisations
   int pass(int most_steps) {
+    compliance_.diagonal().tail(dependent_).setConstant(1 + dependent_proximal_);
+    dependent_proximal_ = std::max(fall * dependent_proximal_, least_proximal);
     const Eigen::VectorXd h = unit_.cwiseProduct(displacement_of_multipliers()) - compliance_ * x_;
     BoundedMinimum minimum = bounded_minimum(compliance_, h, low_, high_, x_, most_steps);
     x_ = std::move(minimum.x);
@@ -92,7 +97,8 @@ class ProximalPasses {
     C.bottomRightCorner(dependent_, dependent_) =
         contact_.F + contact_.E.transpose() * C.topRightCorner(primary_, dependent_);
     const double softest = C.diagonal().head(primary_).maxCoeff();
-    for (Eigen::Index k = primary_; k < C.rows(); ++k) C(k, k) += C(k, k) > 0 ? proximal * C(k, k) : softest;
+    for (Eigen::Index k = primary_; k < C.rows(); ++k)
+      if (C(k, k) == 0) C(k, k) = softest;
     unit_ = C.diagonal().cwiseSqrt().cwiseInverse();
     C = (unit_.asDiagonal() * C * unit_.asDiagonal()).eval();
   }
@@ -142,6 +148,7 @@ class ProximalPasses {
   Eigen::VectorXd unit_, low_, high_;
   Eigen::VectorXd x_, v_;  ///< multipliers in their units; v of the primary rows
   double change_ = 0;
+  double dependent_proximal_ = proximal;  ///< r of the dependent rows in the next pass
 };
 
 void keep(std::vector<ContactState> state, ContactRows rows, double violation, ActiveSetResult& result) {

@@ -50,7 +50,10 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     const bool found = solved && (law.tresca() || step.violation <= settings.tolerance);
     if (found || step.violation < result.answer.violation || result.history.size() == 1)
       result.answer = std::move(step);
-    if (found) break;
+    if (found) {  // the law at g is Coulomb's but for the last digits
+      put_into_law(law, result.answer.state, result.answer.P);
+      break;
+    }
     result.answer.status = ContactStatus::not_converged;
     if (!with_newton || same_states || left() <= 0) continue;
     ActiveSetResult newton =
