@@ -23,6 +23,16 @@ double relative_change(const Eigen::VectorXd& g, const Eigen::VectorXd& image) {
   return scale > 0 ? (image - g).cwiseAbs().maxCoeff() / scale : g.cwiseAbs().maxCoeff();
 }
 
+/// Where g is 0 P(g) is frictionless, and its states know no direction. Coulomb's law has one as soon as P_n is not quite 0.
+void follow_slip(const NodalLaw& law, const NodalLaw& given, ActiveSetResult& answer) {
+  for (std::size_t i = 0; i < answer.state.size(); ++i) {
+    const int node = static_cast<int>(i);
+    if (law.frictionless(node) || !given.frictionless(node) || is_open(answer.state[i])) continue;
+    const double vt = answer.v[2 * node + 1];
+    answer.state[i] = vt > 0 ? ContactState::slip_forward : vt < 0 ? ContactState::slip_backward : ContactState::stick;
+  }
+}
+
 }  // namespace
 
 FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
@@ -51,6 +61,7 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     if (found || step.violation < result.answer.violation || result.history.size() == 1)
       result.answer = std::move(step);
     if (found) {  // the law at g is Coulomb's but for the last digits
+      follow_slip(law, given, result.answer);
       put_into_law(law, result.answer.state, result.answer.P);
       break;
     }
