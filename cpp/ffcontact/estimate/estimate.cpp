@@ -325,6 +325,12 @@ void judge(Construction construction, const Mesh& mesh, const ContactLine& line,
         "the stress is out of equilibrium by " + in_digits(estimate.equilibrium.largest()) + " of the largest traction";
 }
 
+/// Relaxation leaves tractions outside of the cone by its rounding; inside they unbalance the stresses by as little.
+void clamp_rounding(const ContactLine& line, const ContactLaw& law, ContactDensities& densities) {
+  for (int e = 0; e < line.edge_count(); ++e)
+    set_end_values(densities, e, clamped_to_cone(line, law, e, end_values(densities, e)));
+}
+
 /// Steps 1 to 6 of the estimate.
 void put_estimate(const Origin& origin, const Setting& setting, const EstimateSettings& settings, Estimate& estimate) {
   const auto& [mesh, edges, line, prescribed, body] = setting;
@@ -355,6 +361,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
       relax_stars(mesh, edges, stars, body.hooke, boundary, body.body_loads, settings.relaxation, difference,
                   settings.tractions == Tractions::free && !origin.unstressed ? &contact : nullptr);
   estimate.tractions = tractions.densities;
+  if (settings.tractions != Tractions::published) clamp_rounding(line, body.law, estimate.tractions);
   const BoundaryTractions relaxed = setting.boundary_with(estimate.tractions);
   take_known_tractions(mesh, edges, relaxed, stress, difference);
 
