@@ -194,9 +194,10 @@ void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
   if (contact.opposite_stiffness.info() != Eigen::Success || contact.opposite_stiffness.rcond() < 1e-15)
     throw std::runtime_error("the bodies are not held, even with their contact lines glued to each other");
   contact.opposite_of_v = R * contact.opposite_stiffness.solve(-(R * terms.V));
-  contact.opposite_of_q = R * contact.opposite_stiffness.solve(R * terms.E);
   contact.S += terms.V.transpose() * contact.opposite_of_v;
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
+  if (terms.E.cols() == 0) return;  // Eigen's solve reads the first of no columns
+  contact.opposite_of_q = R * contact.opposite_stiffness.solve(R * terms.E);
   contact.E += contact.opposite_of_v.transpose() * terms.E;
   contact.F = terms.E.transpose() * contact.opposite_of_q;
 }
