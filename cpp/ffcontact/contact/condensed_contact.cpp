@@ -190,14 +190,14 @@ void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
   if (terms.O.rows() == 0) return;
   contact.opposite_scale = terms.O.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const auto R = contact.opposite_scale.asDiagonal();
-  contact.opposite_stiffness.compute(R * (0.5 * (terms.O + terms.O.transpose())) * R);
-  if (contact.opposite_stiffness.info() != Eigen::Success || contact.opposite_stiffness.rcond() < 1e-15)
+  contact.opposite_stiffness.emplace(Eigen::MatrixXd(R * (0.5 * (terms.O + terms.O.transpose())) * R));
+  if (contact.opposite_stiffness->info() != Eigen::Success || contact.opposite_stiffness->rcond() < 1e-15)
     throw std::runtime_error("the bodies are not held, even with their contact lines glued to each other");
-  contact.opposite_of_v = R * contact.opposite_stiffness.solve(-(R * terms.V));
+  contact.opposite_of_v = R * contact.opposite_stiffness->solve(-(R * terms.V));
   contact.S += terms.V.transpose() * contact.opposite_of_v;
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
   if (terms.E.cols() == 0) return;  // Eigen's solve reads the first of no columns
-  contact.opposite_of_q = R * contact.opposite_stiffness.solve(R * terms.E);
+  contact.opposite_of_q = R * contact.opposite_stiffness->solve(R * terms.E);
   contact.E += contact.opposite_of_v.transpose() * terms.E;
   contact.F = terms.E.transpose() * contact.opposite_of_q;
 }
@@ -220,7 +220,7 @@ void put_loads(const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
   const Eigen::SparseMatrix<double> A_o = selected_rows(contact.A, contact.primary).rightCols(o);
   const Eigen::VectorXd h = g_w.tail(o) - A_o.transpose() * contact.g;
   contact.opposite_offset =
-      contact.opposite_scale.cwiseProduct(contact.opposite_stiffness.solve(contact.opposite_scale.cwiseProduct(h)));
+      contact.opposite_scale.cwiseProduct(contact.opposite_stiffness->solve(contact.opposite_scale.cwiseProduct(h)));
   contact.g += contact.opposite_of_v.transpose() * h;
   contact.dependent_offset += contact.opposite_of_q.transpose() * h;
 }
