@@ -46,6 +46,14 @@ TEST(BoundedMinimum, a_clamped_step_that_would_not_lower_the_function_ends_at_th
   EXPECT_LT(defect(H, h, low, high, minimum.x), 1e-12);
 }
 
+/// From a corner of the bounds the minimum lies on another face than the first, and x'Hx grows on the way to it.
+RC_GTEST_PROP(BoundedMinimum, goes_on_while_faces_lower_the_function, (Random random)) {
+  const Eigen::MatrixXd root = random_matrix(8, 8, random);
+  const Eigen::MatrixXd H = root * root.transpose() + 1e-3 * Eigen::MatrixXd::Identity(8, 8);
+  const Eigen::VectorXd h = random_vector(8, random), high = random_vector(8, random).cwiseAbs(), low = -high;
+  RC_ASSERT(defect(H, h, low, high, bounded_minimum(H, h, low, high, low, 1000).x) < 1e-10);
+}
+
 TEST(BoundedMinimum, stops_after_the_steps_it_is_given) {
   const Eigen::MatrixXd H = Eigen::MatrixXd::Identity(3, 3);
   const Eigen::VectorXd h = Eigen::Vector3d(-1, -2, -3), low = Eigen::Vector3d::Constant(-1), high = -low;

@@ -66,6 +66,16 @@ RC_GTEST_PROP(NonnegativeLeastSquares, a_right_side_inside_the_cone_is_reached, 
   RC_ASSERT((G * nonnegative_least_squares(G, b) - b).norm() < 1e-11 * b.norm());
 }
 
+/// A step that is not cut off where the first column reaches 0 ends at (0, 0, 3.19, 0.37).
+TEST(NonnegativeLeastSquares, columns_leave_one_after_the_other) {
+  Eigen::MatrixXd G(3, 4);
+  G << 9, 7, 3, 0,  //
+      0, 9, 2, 9,   //
+      0, 4, 1, 2;
+  const Eigen::Vector3d b(9, 9, 7);
+  EXPECT_LT(optimality_defect(G, b, nonnegative_least_squares(G, b)), 1e-12);
+}
+
 TEST(NonnegativeLeastSquares, a_right_side_opposite_to_all_columns_gives_zero) {
   const Eigen::VectorXd x = nonnegative_least_squares(Eigen::Matrix3d::Identity(), Eigen::Vector3d(-1, -2, 0));
   EXPECT_EQ(x, Eigen::Vector3d::Zero());

@@ -182,6 +182,24 @@ TEST(EdgeCone, of_friction_that_varies_is_narrower_than_at_its_ends) {
   EXPECT_EQ(cone_defect(edge.line, edge.law, r), 0);
 }
 
+RC_GTEST_PROP(ClampedToCone, is_in_the_cone_and_leaves_what_is_in_it, (Random random)) {
+  const EdgeProblem edge = random_edge(random, *rc::gen::arbitrary<bool>());
+  ContactDensities r = random_densities(1, random);
+  const Eigen::Vector4d clamped = clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0));
+  set_end_values(r, 0, clamped);
+  RC_ASSERT(cone_defect(edge.line, edge.law, r) <= 1e-15);
+  RC_ASSERT(clamped_to_cone(edge.line, edge.law, 0, clamped).isApprox(clamped, 1e-15));
+}
+
+TEST(ClampedToCone, of_friction_that_varies_cuts_off_what_leaves_it_between_the_ends) {
+  EdgeProblem edge = one_edge(0);
+  edge.law.friction << 0.2, 1;
+  ContactDensities r = densities_of({-1, -5}, {0.2, 5});  // in the cone at both ends, not between them
+  set_end_values(r, 0, clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0)));
+  EXPECT_LE(cone_defect(edge.line, edge.law, r), 1e-15);
+  EXPECT_GT(r.tangential.sum(), 1.9);  // of 0.2 * 5 + 1 * 1
+}
+
 TEST(EnclosingRange, is_the_chord_where_the_samples_are_on_it) {
   const EdgeRange range = enclosing_range(Eigen::VectorXd::LinSpaced(9, 0.3, 0.7));
   EXPECT_EQ(range.least, Eigen::Vector2d(0.3, 0.7));
