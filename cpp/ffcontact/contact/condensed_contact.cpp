@@ -20,7 +20,6 @@ constexpr double tangential = 1e-3;
 
 /// How a vertex moves: displacement = directions w for its free components w (first column of `directions` at `column`).
 struct VertexMotion {
-  int first_node = 0;
   int column = 0;
   std::vector<int> rows;  ///< primary row of each free component
   Eigen::Matrix<double, 2, Eigen::Dynamic> directions;
@@ -30,7 +29,6 @@ VertexMotion vertex_motion(const ContactLine& line, int node, const std::vector<
   const int v = line.vertex[node];
   const Eigen::Vector2d n = line.normal.col(node), t = line.tangent(node);
   VertexMotion motion;
-  motion.first_node = node;
   if (!prescribed[2 * v] && !prescribed[2 * v + 1]) {
     motion.rows = {2 * node, 2 * node + 1};
     motion.directions.resize(2, 2);
@@ -39,7 +37,7 @@ VertexMotion vertex_motion(const ContactLine& line, int node, const std::vector<
     const Eigen::Vector2d d = prescribed[2 * v] ? Eigen::Vector2d::UnitY() : Eigen::Vector2d::UnitX();
     const bool along_tangent = std::abs(n.dot(d)) < tangential;
     motion.rows = {2 * node + (along_tangent ? 1 : 0)};
-    motion.directions = d / (along_tangent ? t.dot(d) : n.dot(d));
+    motion.directions = d;
   } else {
     motion.directions.resize(2, 0);
   }

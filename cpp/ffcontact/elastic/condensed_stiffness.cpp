@@ -33,7 +33,7 @@ class Session {
     common.supernodal = CHOLMOD_SUPERNODAL;  // the trailing block is read from the supernodes
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix comes in elimination order
-    common.postorder = 1;
+    common.postorder = 0;
   }
   ~Session() { cholmod_finish(&common); }
   Session(const Session&) = delete;
@@ -129,7 +129,8 @@ std::vector<int> vertex_order(const ElasticSystem& system, const std::vector<cha
   std::copy(start.begin(), start.end(), indices(graph->p));
   std::copy(neighbours.begin(), neighbours.end(), indices(graph->i));
   std::vector<int> order(n);
-  if (!cholmod_metis(graph.get(), nullptr, 0, 0, order.data(), &session.common)) {
+  constexpr int postorder = 1;
+  if (!cholmod_metis(graph.get(), nullptr, 0, postorder, order.data(), &session.common)) {
     session.require_memory();
     if (!cholmod_amd(graph.get(), nullptr, 0, order.data(), &session.common)) session.require_memory();
   }
@@ -210,27 +211,14 @@ struct CondensedStiffness::Factor {
   Eigen::VectorXd added_diagonal;  ///< D on the kept dofs
   Eigen::VectorXd scale;           ///< R, so that R K R has a diagonal of 1 [all dofs]
   std::unique_ptr<OwnedFactor> cholesky;
-  std::vector<int> trailing;        ///< position of each kept dof in the trailing block
-  Eigen::MatrixXd trailing_factor;  ///< L_cc, lower triangular, in the order of the factor
+  Eigen::MatrixXd trailing_factor;  ///< L_cc, lower triangular
   Eigen::MatrixXd schur;
 
   std::size_t free_count() const { return cholesky->get()->n; }
   std::size_t first_trailing() const { return free_count() - kept.size(); }
 
-  bool kept_dofs_are_last() const {
-    const int *perm = indices(cholesky->get()->Perm), first = static_cast<int>(first_trailing());
-    return std::all_of(perm + first_trailing(), perm + free_count(), [&](int j) { return j >= first; });
-  }
-
   void factorise(cholmod_sparse* matrix) {
-    const auto analyse = [&] {
-      cholesky = std::make_unique<OwnedFactor>(cholmod_analyze(matrix, &session.common), session);
-    };
-    analyse();
-    if (!kept_dofs_are_last()) {  // postordering may move kept dofs of separate parts forward
-      session.common.postorder = 0;
-      analyse();
-    }
+    cholesky = std::make_unique<OwnedFactor>(cholmod_analyze(matrix, &session.common), session);
     {
       const SerialAssembly serial;
       cholmod_factorize(matrix, cholesky->get(), &session.common);
@@ -255,8 +243,6 @@ struct CondensedStiffness::Factor {
         for (int k = j - super[s]; k < rows; ++k)
           trailing_factor(row[row_start[s] + k] - first, j - first) = value[value_start[s] + (j - super[s]) * rows + k];
     }
-    trailing.resize(kept.size());
-    for (int k = 0; k < size; ++k) trailing[indices(L.Perm)[first + k] - first] = k;
   }
 
   void compute_schur() {
@@ -265,13 +251,13 @@ struct CondensedStiffness::Factor {
     schur.resize(size, size);
     for (Eigen::Index j = 0; j < size; ++j)
       for (Eigen::Index i = 0; i < size; ++i) {
-        const auto [low, high] = std::minmax(trailing[i], trailing[j]);
+        const auto [low, high] = std::minmax(i, j);
         schur(i, j) = product(high, low) / (scale[kept[i]] * scale[kept[j]]);
       }
     schur.diagonal() -= added_diagonal;
   }
 
-  /// One step of a solve (CHOLMOD_P, _L, _Lt, _Pt) on a vector of free dofs.
+  /// Solves with L (CHOLMOD_L) or L' (CHOLMOD_Lt) [free dofs].
   Eigen::VectorXd step(int system, const Eigen::VectorXd& right) const {
     cholmod_dense b{};
     b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right.size());
@@ -283,13 +269,13 @@ struct CondensedStiffness::Factor {
     return Eigen::Map<Eigen::VectorXd>(values(x->x), right.size());
   }
 
-  /// L^-1 P R b on the free dofs.
+  /// L^-1 R b on the free dofs in elimination order.
   Eigen::VectorXd forward(const Eigen::Ref<const Eigen::VectorXd>& load) const {
     require_size("load", load.size(), static_cast<Eigen::Index>(place.size()));
     Eigen::VectorXd b(free_count());
     for (std::size_t dof = 0; dof < place.size(); ++dof)
       if (place[dof] >= 0) b[place[dof]] = scale[dof] * load[dof];
-    return step(CHOLMOD_L, step(CHOLMOD_P, b));
+    return step(CHOLMOD_L, b);
   }
 };
 
@@ -326,7 +312,7 @@ Eigen::VectorXd CondensedStiffness::condensed_load(const Eigen::Ref<const Eigen:
   const auto size = static_cast<Eigen::Index>(f.kept.size());
   const Eigen::VectorXd g = f.trailing_factor.triangularView<Eigen::Lower>() * f.forward(load).tail(size);
   Eigen::VectorXd result(size);
-  for (Eigen::Index k = 0; k < size; ++k) result[k] = g[f.trailing[k]] / f.scale[f.kept[k]];
+  for (Eigen::Index k = 0; k < size; ++k) result[k] = g[k] / f.scale[f.kept[k]];
   return result;
 }
 
@@ -336,11 +322,11 @@ Eigen::VectorXd CondensedStiffness::extended(const Eigen::Ref<const Eigen::Vecto
   const auto size = static_cast<Eigen::Index>(f.kept.size());
   require_size("kept displacement", kept_displacement.size(), size);
   Eigen::VectorXd u_c(size);
-  for (Eigen::Index k = 0; k < size; ++k) u_c[f.trailing[k]] = kept_displacement[k] / f.scale[f.kept[k]];
+  for (Eigen::Index k = 0; k < size; ++k) u_c[k] = kept_displacement[k] / f.scale[f.kept[k]];
   // L' x = y has the trailing part L_cc' u_c = y_c: overwriting y_c prescribes u_c.
   Eigen::VectorXd y = f.forward(load);
   y.tail(size) = f.trailing_factor.transpose().triangularView<Eigen::Upper>() * u_c;
-  const Eigen::VectorXd x = f.step(CHOLMOD_Pt, f.step(CHOLMOD_Lt, y));
+  const Eigen::VectorXd x = f.step(CHOLMOD_Lt, y);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(f.place.size()));
   for (std::size_t dof = 0; dof < f.place.size(); ++dof)
     if (f.place[dof] >= 0) u[dof] = f.scale[dof] * x[f.place[dof]];

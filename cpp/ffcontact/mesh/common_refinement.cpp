@@ -300,18 +300,6 @@ class Refiner {
       opposite_edge.push_back(opposite);
       share.push_back(part);
     }
-    /// The same to the last digit where both ends have the same.
-    static Eigen::Vector2d normal_between(Eigen::Index node, const CommonRefinement& result, const ContactLine& old) {
-      Eigen::Vector2d sum = Eigen::Vector2d::Zero(), last = Eigen::Vector2d::Zero();
-      bool turns = false;
-      for (WeightsByNode::InnerIterator part(result.node_weights, node); part; ++part) {
-        const Eigen::Vector2d n = old.normal.col(part.col());
-        turns = turns || (last != n && !last.isZero(0));
-        sum += part.value() * n;
-        last = n;
-      }
-      return turns ? sum.normalized() : last;
-    }
     void put(CommonRefinement& result, const ContactLine& old) const {
       const auto p = static_cast<Eigen::Index>(vertex.size()), m = static_cast<Eigen::Index>(edge.size());
       result.node_weights.resize(p, old.node_count());
@@ -321,7 +309,7 @@ class Refiner {
       line.normal.resize(2, p);
       line.normal.leftCols(old.node_count()) = old.normal;
       for (Eigen::Index node = old.node_count(); node < p; ++node)
-        line.normal.col(node) = normal_between(node, result, old);
+        line.normal.col(node) = old.normal.col(WeightsByNode::InnerIterator(result.node_weights, node).col());
       line.abscissa = result.node_weights * old.abscissa;
       line.precision = old.precision;
       line.edge = Eigen::Map<const Eigen::VectorXi>(edge.data(), m);

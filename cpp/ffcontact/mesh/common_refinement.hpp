@@ -13,6 +13,7 @@ namespace ffcontact {
 /// triangles between the pieces and the opposite vertex. Vertices of both bodies that all but meet, within 1e-4 of the shorter
 /// edge, face each other: `exact` is then false, and the forces on the opposite body are off by as little. Functions that are linear on the old triangles are linear on the new
 /// ones. Old vertices and old nodes keep their numbers, new ones follow; the first triangle of a fan keeps that of its parent.
+/// Contact directions are those of one end of an old edge all along it.
 struct CommonRefinement {
   Mesh mesh;
   Edges edges;
