@@ -213,10 +213,15 @@ TEST(CurvedContactLine, around_a_disc_is_closed_without_a_corner) {
     mesh.triangles.col(i) << i, (i + 1) % n, n;
     mesh.boundary.col(i) << i, (i + 1) % n;
   }
-  EXPECT_EQ(line_of(mesh, {bottom}).node_count(), 2 * n);
   const ContactLine line = curved_line_of(mesh, {bottom});
   ASSERT_EQ(line.node_count(), n);
   for (int i = 0; i < n; ++i) EXPECT_LT((line.normal.col(i) - position(mesh, line, i)).norm(), 1e-13);
+  const ContactLine polygon = line_of(mesh, {bottom});
+  const ContactLine fitting = with_one_direction_a_curve(mesh, edges_of(mesh), line, Eigen::VectorXd::Zero(n));
+  EXPECT_EQ(fitting.vertex, polygon.vertex);
+  EXPECT_EQ(fitting.edge_node, polygon.edge_node);
+  EXPECT_LT((fitting.normal - polygon.normal).norm(), 1e-14);
+  EXPECT_LT((fitting.abscissa - polygon.abscissa).norm(), 1e-12);
 }
 
 /// The lower half of a regular polygon of 2 n sides around the origin, radius 1.
