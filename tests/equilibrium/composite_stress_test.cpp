@@ -114,24 +114,6 @@ RC_GTEST_PROP(CompositeStress, energy_is_its_quadrature, (Random random)) {
   RC_ASSERT(std::abs(energy(x, compliance, stress) - sum) < 1e-13 * sum);
 }
 
-RC_GTEST_PROP(CompositeStress, energy_matrix_and_body_gradient_expand_the_energy, (Random random)) {
-  const TriangleCorners corners = random_triangle(random);
-  const Eigen::Matrix3d compliance = random_compliance(random);
-  const Loads loads = balanced_loads(corners, random);
-  LinearStress constant{Eigen::Matrix3d::Zero()};
-  constant.S.col(0) = random_vector(3, random);
-  const EdgeLoads more = constant.loads(corners).on_edges;  // in equilibrium without body forces
-  const auto energy_of = [&](const EdgeLoads& on_edges) {
-    return energy(corners, compliance, composite_stress(corners, on_edges, loads.in_body));
-  };
-  const double before = energy_of(loads.on_edges), after = energy_of(loads.on_edges + more);
-  const EnergyMatrix Q = composite_energy(corners, compliance);
-  const double expanded =
-      2 * more.dot(Q * loads.on_edges + body_gradient(corners, compliance, loads.in_body)) + more.dot(Q * more);
-  RC_ASSERT(std::abs(after - before - expanded) < 1e-10 * (after + before));
-  RC_ASSERT((Q - Q.transpose()).cwiseAbs().maxCoeff() <= 1e-13 * Q.cwiseAbs().maxCoeff());
-}
-
 RC_GTEST_PROP(CompositeStress, body_force_has_the_moments_it_was_made_from, (Random random)) {
   const TriangleCorners corners = random_triangle(random);
   const BodyLoads loads = random_vector(6, random);

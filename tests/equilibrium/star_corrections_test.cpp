@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "ffcontact/equilibrium/star_relaxation.hpp"
+#include <set>
+
+#include "ffcontact/equilibrium/star_energy.hpp"
 #include "support/balances.hpp"
 #include "support/meshes.hpp"
 
@@ -12,40 +14,36 @@ namespace {
 
 using namespace test;
 
-/// Edge loads of triangle k of a star for given unknowns.
-EdgeLoads loads_of(const StarCorrections& star, int k, const Eigen::VectorXd& unknowns) {
-  Eigen::Matrix<double, 5, 1> mine;
-  const std::array<int, 5> columns = star.columns(k);
-  for (int a = 0; a < 5; ++a) mine[a] = unknowns[columns[a]];
-  const Eigen::Matrix<double, 8, 1> loads = star.triangle_loads(k) * mine;
-  EdgeLoads result = EdgeLoads::Zero();
-  const std::array<int, 8> rows = star.rows(k);
-  for (int r = 0; r < 8; ++r) result[rows[r]] = loads[r];
-  return result;
+/// Edge loads of all triangles for given unknowns of a star.
+EdgeLoadsOfAll loads_of(const AirySpace& space, const Stars& stars, int vertex, const Eigen::VectorXd& unknowns) {
+  Eigen::VectorXd airy = Eigen::VectorXd::Zero(space.unknowns());
+  add_corrections(space, stars, vertex, unknowns, airy);
+  EdgeLoadsOfAll loads = EdgeLoadsOfAll::Zero(12, space.mesh.triangle_count());
+  add_airy_loads(space, airy, loads);
+  return loads;
 }
 
 RC_GTEST_PROP(StarCorrections, keep_every_triangle_in_equilibrium, (Random random)) {
   const Starred body(irregular(3, 3, 3, 3, random));
+  const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
-    const StarCorrections star(body.mesh, body.edges, body.stars, v);
-    const Eigen::VectorXd unknowns = random_vector(star.unknowns(), random);
-    for (int k = 0; k < star.triangle_count(); ++k) {
-      const EdgeLoads loads = loads_of(star, k, unknowns);
-      RC_ASSERT(out_of_balance(corners_of(body.mesh, star.triangle(k)), loads, BodyLoads::Zero()).norm() < 1e-11);
-    }
+    const Eigen::VectorXd unknowns = random_vector(star_unknowns(body.stars, v), random);
+    const EdgeLoadsOfAll loads = loads_of(space, body.stars, v, unknowns);
+    for (int t = 0; t < body.mesh.triangle_count(); ++t)
+      RC_ASSERT(out_of_balance(corners_of(body.mesh, t), loads.col(t), BodyLoads::Zero()).norm() < 1e-11);
   }
 }
 
 RC_GTEST_PROP(StarCorrections, load_the_two_triangles_beside_a_spoke_oppositely, (Random random)) {
   const Starred body(irregular(3, 3, 3, 3, random));
+  const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
-    const StarCorrections star(body.mesh, body.edges, body.stars, v);
-    const Eigen::VectorXd unknowns = random_vector(star.unknowns(), random);
+    const Eigen::VectorXd unknowns = random_vector(star_unknowns(body.stars, v), random);
+    const EdgeLoadsOfAll all = loads_of(space, body.stars, v, unknowns);
     Eigen::Matrix4Xd sum =
         Eigen::Matrix4Xd::Zero(4, body.edges.count());  // at the first and second vertex of every edge
-    for (int k = 0; k < star.triangle_count(); ++k) {
-      const EdgeLoads loads = loads_of(star, k, unknowns);
-      const int t = star.triangle(k);
+    for (int t = 0; t < body.mesh.triangle_count(); ++t) {
+      const EdgeLoads loads = all.col(t);
       for (int local = 0; local < 3; ++local) {
         const bool left = body.edges.eta(local, t) > 0;
         sum.block<2, 1>(left ? 0 : 2, body.edges.of_triangle(local, t)) += loads.segment<2>(4 * local);
@@ -58,17 +56,39 @@ RC_GTEST_PROP(StarCorrections, load_the_two_triangles_beside_a_spoke_oppositely,
 
 RC_GTEST_PROP(StarCorrections, are_all_that_equilibrium_leaves_at_an_inner_vertex, (Random random)) {
   const Starred body(irregular(3, 3, 3, 3, random));
+  const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     if (body.stars.on_boundary(v)) continue;
-    const StarCorrections star(body.mesh, body.edges, body.stars, v);
-    const int m = star.triangle_count();
+    const int m = body.stars.triangle_count(v), n = star_unknowns(body.stars, v);
     // 4 m end values with 3 m - 3 independent conditions leave m + 3.
-    RC_ASSERT(star.unknowns() == m + 3);
-    Eigen::MatrixXd map(12 * m, star.unknowns());
-    for (int k = 0; k < m; ++k)
-      for (int j = 0; j < star.unknowns(); ++j)
-        map.block<12, 1>(12 * k, j) = loads_of(star, k, Eigen::VectorXd::Unit(star.unknowns(), j));
+    RC_ASSERT(n == m + 3);
+    Eigen::MatrixXd map(12 * body.mesh.triangle_count(), n);
+    for (int j = 0; j < n; ++j) map.col(j) = loads_of(space, body.stars, v, Eigen::VectorXd::Unit(n, j)).reshaped();
     RC_ASSERT(Eigen::FullPivLU<Eigen::MatrixXd>(map).rank() == m + 3);
+    std::set<int> star(body.stars.triangle.begin() + body.stars.triangle_start[v],
+                       body.stars.triangle.begin() + body.stars.triangle_start[v + 1]);
+    for (int t = 0; t < body.mesh.triangle_count(); ++t)
+      RC_ASSERT((map.middleRows<12>(12 * t).norm() > 0) == (star.count(t) > 0));
+  }
+}
+
+RC_GTEST_PROP(StarCorrections, have_the_moments_of_their_spokes, (Random random)) {
+  const Starred body(irregular(3, 3, 3, 3, random));
+  const AirySpace space(body.mesh, body.edges);
+  for (int v = 0; v < body.mesh.vertex_count(); ++v) {
+    const StarCorrections star(space, body.stars, v);
+    const Eigen::VectorXd unknowns = random_vector(star.unknowns(), random);
+    Eigen::VectorXd airy = Eigen::VectorXd::Zero(space.unknowns());
+    add_corrections(space, body.stars, v, unknowns, airy);
+    for (int k = 0; k < star.spoke_count(); ++k) {
+      Eigen::Vector4d mine;
+      const std::array<int, 4> columns = star.columns_of_spoke(k);
+      for (int a = 0; a < 4; ++a) mine[a] = unknowns[columns[a]];
+      const Eigen::Vector4d b = airy_moments(space, airy, star.spoke(k));
+      const bool along = body.edges.vertices(0, star.spoke(k)) == v;
+      const Eigen::Vector4d seen = along ? b : -Eigen::Vector4d(b[2], b[3], b[0], b[1]);
+      RC_ASSERT((star.moments(k) * mine - seen).norm() < 1e-13);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "ffcontact/base/quadratic_minimum.hpp"
+#include "ffcontact/equilibrium/star_corrections.hpp"
 
 namespace ffcontact {
 
@@ -19,7 +20,7 @@ struct Group {
 
   Group(const StarSetting& setting, const std::vector<int>& vertices) : first(1, 0) {
     for (int v : vertices) {
-      stars.emplace_back(setting.mesh, setting.edges, setting.stars, v);
+      stars.emplace_back(setting.space, setting.stars, v);
       first.push_back(first.back() + stars.back().unknowns());
     }
   }
@@ -183,7 +184,7 @@ void restrict(const Eigen::MatrixXd& Z, ContactTerms& terms) {
 
 }  // namespace
 
-double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices, EdgeLoadsOfAll& difference,
+double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices, Eigen::VectorXd& airy,
                       FreeContact* contact) {
   const Group group(setting, vertices);
   const Eigen::MatrixXd Z = admissible_corrections(group, setting.boundary, contact);
@@ -195,8 +196,9 @@ double relax_boundary(const StarSetting& setting, const std::vector<int>& vertic
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(group.unknowns(), group.unknowns());
   Eigen::VectorXd slope = terms.cost;
   for (std::size_t s = 0; s < group.stars.size(); ++s) {
-    const StarEnergy<Eigen::Dynamic> energy(setting, group.stars[s], difference);
-    H.block(group.first[s], group.first[s], energy.g.size(), energy.g.size()) = energy.H;
+    const StarEnergy<Eigen::Dynamic> energy(setting, group.stars[s].vertex(), airy);
+    H.block(group.first[s], group.first[s], energy.g.size(), energy.g.size()) =
+        energy.H.selfadjointView<Eigen::Lower>();
     slope.segment(group.first[s], energy.g.size()) += 2 * energy.g;
   }
   const std::optional<Eigen::VectorXd> x =
@@ -206,7 +208,8 @@ double relax_boundary(const StarSetting& setting, const std::vector<int>& vertic
   const double fall = -y.dot(H * y) - y.dot(slope);
   if (!(fall > 0)) return 0;
   for (std::size_t s = 0; s < group.stars.size(); ++s)
-    apply(group.stars[s], y.segment(group.first[s], group.stars[s].unknowns()), difference);
+    add_corrections(setting.space, setting.stars, group.stars[s].vertex(),
+                    y.segment(group.first[s], group.stars[s].unknowns()), airy);
   for (const auto& [e, change] : ends) {
     ContactDensities& densities = contact->tractions.densities;
     set_end_values(densities, e, end_values(densities, e) + change * y);

@@ -12,9 +12,10 @@ namespace ffcontact {
 ///
 /// min y'Hy + 2 g'y + contact cost over the corrections y of the stars that leave known boundary tractions alone and load both
 /// bodies of a contact edge oppositely, with r_hat in the cone at the ends of free contact edges.
+/// @param airy     unknowns of AirySpace, changed in place
 /// @param contact  r_hat, relaxed in place; null: all contact tractions are known
 /// @return by how much e^2 fell
-double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices, EdgeLoadsOfAll& difference,
+double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices, Eigen::VectorXd& airy,
                       FreeContact* contact);
 
 /// The vertices to relax together on a line: that of each node and what it faces, joined where nodes share a vertex.

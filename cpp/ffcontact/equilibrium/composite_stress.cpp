@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "ffcontact/mesh/edges.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -25,8 +27,6 @@ void add_traction(Eigen::MatrixXd& conditions, int row, int k, int corner, const
   conditions(row + 1, first + 1) += factor * n.y();
   conditions(row + 1, first + 2) += factor * n.x();
 }
-
-Eigen::Vector2d turned_right(const Eigen::Vector2d& v) { return {v.y(), -v.x()}; }
 
 /// f on subtriangle k from the moments int f phi_i: the mean of phi_i over subtriangle k is 1/9 for i = k and 4/9
 /// otherwise.
@@ -108,58 +108,10 @@ const StressMap& reference_map() {
 /// Integrals of products of corner values over a subtriangle of area A: A/12 (1 + delta).
 double mass(double area, int a, int b) { return area / (a == b ? 6 : 12); }
 
-using ProductMatrix = Eigen::Matrix<double, edge_loads, all_loads>;
-
-/// R_pq with b' R_pq loads = int s_p(b) s_q(loads) over the reference triangle, for Voigt components p <= q; the products p q
-/// and q p are added up.
-std::array<ProductMatrix, 6> solve_reference_products() {
-  constexpr double area = 1.0 / 6;
-  const StressMap& map = reference_map();
-  std::array<ProductMatrix, 6> products;
-  int next = 0;
-  for (int p = 0; p < 3; ++p)
-    for (int q = p; q < 3; ++q, ++next) {
-      products[next].setZero();
-      for (int k = 0; k < 3; ++k)
-        for (int a = 0; a < 3; ++a)
-          for (int b = 0; b < 3; ++b) {
-            const int row = 9 * k + 3 * a, column = 9 * k + 3 * b;
-            const auto product = [&](int r, int c) -> ProductMatrix {
-              return map.row(row + r).head<edge_loads>().transpose() * map.row(column + c);
-            };
-            products[next] += mass(area, a, b) * product(p, q);
-            if (p != q) products[next] += mass(area, a, b) * product(q, p);
-          }
-    }
-  return products;
-}
-
-const std::array<ProductMatrix, 6>& reference_products() {
-  static const std::array<ProductMatrix, 6> products = solve_reference_products();
-  return products;
-}
-
 Eigen::Matrix2d piola_matrix(const TriangleCorners& corners) {
   Eigen::Matrix2d B;
   B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
   return B;
-}
-
-/// T with sigma = T s / det B in Voigt order, for sigma = B s B' / det B.
-Eigen::Matrix3d piola_voigt(const Eigen::Matrix2d& B) {
-  const double a = B(0, 0), b = B(0, 1), c = B(1, 0), d = B(1, 1);
-  Eigen::Matrix3d T;
-  T << a * a, b * b, 2 * a * b,  //
-      c * c, d * d, 2 * c * d,   //
-      a * c, b * d, a * d + b * c;
-  return T;
-}
-
-/// Weights of the six products for a triangle: T' C^-1 T / det B, upper triangle by rows.
-std::array<double, 6> product_weights(const Eigen::Matrix2d& B, const Eigen::Matrix3d& compliance) {
-  const Eigen::Matrix3d T = piola_voigt(B);
-  const Eigen::Matrix3d w = T.transpose() * compliance * T / B.determinant();
-  return {w(0, 0), w(0, 1), w(0, 2), w(1, 1), w(1, 2), w(2, 2)};
 }
 
 /// Height over longest side below which Piola's map spoils the equilibrium: it carries the rounding of the forces on the long
@@ -173,6 +125,15 @@ bool is_thin(const TriangleCorners& corners) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d piola_voigt(const Eigen::Matrix2d& B) {
+  const double a = B(0, 0), b = B(0, 1), c = B(1, 0), d = B(1, 1);
+  Eigen::Matrix3d T;
+  T << a * a, b * b, 2 * a * b,  //
+      c * c, d * d, 2 * c * d,   //
+      a * c, b * d, a * d + b * c;
+  return T;
+}
 
 CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
                                  const BodyLoads& body_loads) {
@@ -188,32 +149,6 @@ CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads
   forces = (B.inverse() * forces).eval();
   const Eigen::Matrix<double, 27, 1> s = reference_map() * loads;
   return piola_voigt(B) / B.determinant() * Eigen::Map<const CompositeStress>(s.data());
-}
-
-EnergyMatrix composite_energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance) {
-  const Eigen::Matrix2d B = piola_matrix(corners), inverse = B.inverse();
-  const std::array<double, 6> weights = product_weights(B, compliance);
-  EnergyMatrix reference = EnergyMatrix::Zero();
-  for (int k = 0; k < 6; ++k) reference += weights[k] * reference_products()[k].leftCols<edge_loads>();
-  EnergyMatrix result;
-  for (int i = 0; i < edge_loads; i += 2)
-    for (int j = 0; j < edge_loads; j += 2)
-      result.block<2, 2>(i, j) = inverse.transpose() * reference.block<2, 2>(i, j) * inverse;
-  return result;
-}
-
-EdgeLoads body_gradient(const TriangleCorners& corners, const Eigen::Matrix3d& compliance,
-                        const BodyLoads& body_loads) {
-  const Eigen::Matrix2d B = piola_matrix(corners), inverse = B.inverse();
-  const std::array<double, 6> weights = product_weights(B, compliance);
-  BodyLoads reference;
-  Eigen::Map<Eigen::Matrix<double, 2, 3>>(reference.data()) =
-      inverse * Eigen::Map<const Eigen::Matrix<double, 2, 3>>(body_loads.data());
-  EdgeLoads gradient = EdgeLoads::Zero();
-  for (int k = 0; k < 6; ++k) gradient += weights[k] * (reference_products()[k].rightCols<6>() * reference);
-  Eigen::Map<Eigen::Matrix<double, 2, 6>> forces(gradient.data());
-  forces = (inverse.transpose() * forces).eval();
-  return gradient;
 }
 
 Eigen::Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area) {

@@ -17,7 +17,6 @@ namespace ffcontact {
 using EdgeLoads = Eigen::Matrix<double, 12, 1>;
 using BodyLoads = Eigen::Matrix<double, 6, 1>;
 using BodyLoadsOfAll = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< per triangle
-using EnergyMatrix = Eigen::Matrix<double, 12, 12>;
 
 /// Voigt stresses at the corners of the subtriangles [MPa]: column 3 k + c is corner c (k+1, k+2, G) of subtriangle k.
 using CompositeStress = Eigen::Matrix<double, 3, 9>;
@@ -33,12 +32,8 @@ using TriangleCorners = Eigen::Matrix<double, 2, 3>;
 CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
                                  const BodyLoads& body_loads);
 
-/// Q with b' Q b = int sigma : C^-1 sigma for the composite stress of the edge loads b alone [mm^2/N per unit thickness].
-/// @param compliance  C^-1 in Voigt order with engineering shear [1/MPa]
-EnergyMatrix composite_energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance);
-
-/// The part of d/db (int sigma : C^-1 sigma) / 2 that the body loads give.
-EdgeLoads body_gradient(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const BodyLoads& body_loads);
+/// T with sigma = T s / det B in Voigt order, for Piola's map sigma = B s B' / det B.
+Eigen::Matrix3d piola_voigt(const Eigen::Matrix2d& B);
 
 /// The three constant values of f on the subtriangles [N/mm^3], one column each, for body loads int f phi_i.
 Eigen::Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area);

@@ -4,46 +4,41 @@
 #include <array>
 #include <vector>
 
-#include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/equilibrium/airy_function.hpp"
 #include "ffcontact/mesh/stars.hpp"
 
 namespace ffcontact {
 
-/// The corrections of the edge tractions at one vertex i that keep every triangle in equilibrium: stresses of Airy functions A
-/// in the Hsieh-Clough-Tocher space (C1, cubic on the three subtriangles) carried by the star of i.
-///
-/// Unknowns: A / l0 and grad A at i, dA/dn at the middle of each spoke i -> j (n to its right); all else of A is zero. With
-/// psi = (A_y, -A_x) the traction along a spoke is d psi/ds, linear in s, with the moments
-///     b_i = (-5 psi_i + 4 psi_m) / 6,   b_j = (-psi_i - 4 psi_m) / 6
-/// on the normal to the right of i -> j, where at the middle dA/ds = -3/2 A_i / l - 1/4 (dA/ds)_i. All unknowns are forces
-/// per unit thickness [N/mm]; l0 is the mean length of the spokes.
+/// The corrections of the edge tractions at one vertex i that keep every triangle in equilibrium are Airy functions (AirySpace)
+/// carried by the star of i: unknowns are its own three, then that of each spoke; all else of A is zero.
+inline int star_unknowns(const Stars& stars, int vertex) { return 3 + stars.spoke_count(vertex); }
+
+/// Adds the corrections y of a star.
+template <class Vector>
+void add_corrections(const AirySpace& space, const Stars& stars, int vertex, const Vector& y, Eigen::VectorXd& airy) {
+  const int* spoke = stars.spoke.data() + stars.spoke_start[vertex];
+  for (int c = 0; c < 3; ++c) airy[space.of_vertex(vertex) + c] += y[c];
+  for (int k = 0; k < stars.spoke_count(vertex); ++k) airy[space.of_edge(spoke[k])] += y[3 + k];
+}
+
+/// The tractions on the spokes of a star.
 class StarCorrections {
  public:
-  StarCorrections(const Mesh& mesh, const Edges& edges, const Stars& stars, int vertex);
+  StarCorrections(const AirySpace& space, const Stars& stars, int vertex);
 
-  int unknowns() const { return 3 + spokes_; }
-  int triangle_count() const { return triangles_; }
-  int spoke_count() const { return spokes_; }
-  int triangle(int k) const { return triangle_[k]; }
+  int vertex() const { return vertex_; }
+  int unknowns() const { return 3 + spoke_count(); }
+  int spoke_count() const { return static_cast<int>(moments_.size()); }
   int spoke(int k) const { return spoke_[k]; }
 
-  /// Moments (b_i, b_j) of spoke k for (A / l0, A_x, A_y, dA/dn of this spoke), normal to the right of i -> j.
+  /// Moments (b_i, b_j) of spoke k, i -> j, for (A / l0, A_x, A_y, dA/dn of this spoke), normal to the right of i -> j.
   const Eigen::Matrix4d& moments(int k) const { return moments_[k]; }
   /// Places of these four unknowns among all.
   std::array<int, 4> columns_of_spoke(int k) const { return {0, 1, 2, 3 + k}; }
 
-  /// Edge loads of triangle k, eight of the twelve, for (A / l0, A_x, A_y, dA/dn of its right spoke, dA/dn of its left spoke).
-  Eigen::Matrix<double, 8, 5> triangle_loads(int k) const;
-  /// Where those eight loads stand in EdgeLoads.
-  std::array<int, 8> rows(int k) const;
-  /// Places of the five unknowns of triangle k among all.
-  std::array<int, 5> columns(int k) const { return {0, 1, 2, 3 + k, 3 + left_spoke(k)}; }
-
  private:
-  int left_spoke(int k) const { return (k + 1) % spokes_; }
-
-  int triangles_, spokes_;
-  const int *triangle_, *local_, *spoke_;
+  int vertex_;
+  const int* spoke_;
   std::vector<Eigen::Matrix4d> moments_;
 };
 

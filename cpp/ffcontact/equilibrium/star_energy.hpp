@@ -1,68 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
+#include <algorithm>
+#include <memory>
 
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/difference_loads.hpp"
+#include "ffcontact/equilibrium/airy_energy.hpp"
 #include "ffcontact/equilibrium/star_corrections.hpp"
 
 namespace ffcontact {
 
 /// Everything the vertices need, fixed during the relaxation.
 struct StarSetting {
-  const Mesh& mesh;
-  const Edges& edges;
+  AirySpace space;
   const Stars& stars;
   const BoundaryTractions& boundary;
-  std::vector<EnergyMatrix> energies;
-  EdgeLoadsOfAll body_gradient;  ///< no columns when there is no body force
-
-  EdgeLoads gradient(const EdgeLoadsOfAll& difference, int t) const {
-    const EdgeLoads g = energies[t].lazyProduct(EdgeLoads(difference.col(t)));
-    return body_gradient.cols() > 0 ? EdgeLoads(g + body_gradient.col(t)) : g;
-  }
+  std::unique_ptr<AiryEnergy[]> energies;  ///< per triangle, from the tractions before the relaxation
 };
 
+/// @param difference  edge loads of sigma_hat - C eps(u_hat) before the relaxation
+/// @param body_loads  int f phi_i per triangle
 StarSetting star_setting(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
-                         const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads);
+                         const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
+                         const EdgeLoadsOfAll& difference);
 
-/// The energy of the corrections of one star, y'Hy + 2 g'y. Stars of up to Max - 3 spokes need no memory of their own.
+/// The energy of the corrections y of one star, y'Hy + 2 g'y. Stars of up to Max - 3 spokes need no memory of their own.
 template <int Max>
 struct StarEnergy {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Max, Max> H;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Max, Max> H;  ///< lower triangle
   Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Max, 1> g;
 
-  StarEnergy(const StarSetting& setting, const StarCorrections& star, const EdgeLoadsOfAll& difference) {
-    const int n = star.unknowns();
+  /// @param airy  the corrections made so far
+  StarEnergy(const StarSetting& setting, int vertex, const Eigen::VectorXd& airy) {
+    const Stars& stars = setting.stars;
+    const int n = star_unknowns(stars, vertex), spokes = n - 3;
     H.setZero(n, n);
     g.setZero(n);
-    const bool loaded = setting.body_gradient.cols() > 0;
-    for (int k = 0; k < star.triangle_count(); ++k) {
-      const int t = star.triangle(k);
-      const Eigen::Matrix<double, 8, 5> loads = star.triangle_loads(k);
-      const std::array<int, 8> rows = star.rows(k);
-      const std::array<int, 5> columns = star.columns(k);
-      const EdgeLoads own = difference.col(t);
-      Eigen::Matrix<double, 8, 8> A;
-      Eigen::Matrix<double, 8, 1> gradient_rows;
-      for (int c = 0; c < 8; ++c) {
-        const EdgeLoads column = setting.energies[t].col(rows[c]);
-        for (int r = 0; r < 8; ++r) A(r, c) = column[rows[r]];
-        gradient_rows[c] = column.dot(own) + (loaded ? setting.body_gradient(rows[c], t) : 0);
-      }
-      const Eigen::Matrix<double, 8, 5> A_loads = A.lazyProduct(loads);
-      const Eigen::Matrix<double, 5, 5> H_local = loads.transpose().lazyProduct(A_loads);
-      const Eigen::Matrix<double, 5, 1> g_local = loads.transpose().lazyProduct(gradient_rows);
-      for (int a = 0; a < 5; ++a) {
-        g[columns[a]] += g_local[a];
-        for (int b = 0; b < 5; ++b) H(columns[b], columns[a]) += H_local(b, a);
-      }
+    for (int k = 0; k < stars.triangle_count(vertex); ++k) {
+      const int place = stars.triangle_start[vertex] + k;
+      add(setting, stars.triangle[place], stars.local[place], airy, 3 + k, 3 + (k + 1) % spokes);
     }
   }
-};
 
-/// Adds the corrections y of a star to the edge loads.
-void apply(const StarCorrections& star, const Eigen::Ref<const Eigen::VectorXd>& y, EdgeLoadsOfAll& difference);
+ private:
+  /// A triangle with the vertex as its local vertex i, edge i + 2 as its right spoke and edge i + 1 as its left one.
+  void add(const StarSetting& setting, int t, int i, const Eigen::VectorXd& airy, int right, int left) {
+    const AiryEnergy& K = setting.energies[t];
+    const LocalAiry x = local_airy(setting.space, airy, t, i);
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    for (int c = 0; c < 3; ++c) {
+      double slope = K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] + K.edge[a](c, 2) * x.on_edges[1] +
+                     K.edge[b](c, 1) * x.on_edges[2];
+      for (int d = 0; d < 3; ++d)
+        slope += K.own[i](c, d) * x.at_vertices(d, 0) + K.next[i](c, d) * x.at_vertices(d, 1) +
+                 K.next[b](d, c) * x.at_vertices(d, 2);
+      g[c] += slope;
+      for (int d = 0; d <= c; ++d) H(c, d) += K.own[i](c, d);
+      H(right, c) += K.edge[b](c, 1);
+      H(left, c) += K.edge[a](c, 2);
+    }
+    double on_right = K.slope.on_edges[b], on_left = K.slope.on_edges[a];
+    for (int c = 0; c < 3; ++c) {
+      on_right += K.edge[b](c, 0) * x.at_vertices(c, 2) + K.edge[b](c, 1) * x.at_vertices(c, 0) +
+                  K.edge[b](c, 2) * x.at_vertices(c, 1);
+      on_left += K.edge[a](c, 0) * x.at_vertices(c, 1) + K.edge[a](c, 1) * x.at_vertices(c, 2) +
+                 K.edge[a](c, 2) * x.at_vertices(c, 0);
+    }
+    g[right] +=
+        on_right + K.edge_own[b] * x.on_edges[2] + K.edge_next[b] * x.on_edges[0] + K.edge_next[a] * x.on_edges[1];
+    g[left] +=
+        on_left + K.edge_own[a] * x.on_edges[1] + K.edge_next[a] * x.on_edges[2] + K.edge_next[i] * x.on_edges[0];
+    H(right, right) += K.edge_own[b];
+    H(left, left) += K.edge_own[a];
+    H(std::max(right, left), std::min(right, left)) += K.edge_next[a];
+  }
+};
 
 }  // namespace ffcontact

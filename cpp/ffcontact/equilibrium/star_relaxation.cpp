@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/star_relaxation.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -14,29 +12,48 @@ namespace ffcontact {
 
 namespace {
 
+/// y = H^-1 y by Cholesky's method, which uses up the lower triangle of H; false if H is not positive definite. For ten
+/// unknowns Eigen's kernels cost more than they save.
+template <class Matrix, class Vector>
+bool solve_in_place(Matrix& H, Vector& y) {
+  const Eigen::Index n = y.size();
+  for (Eigen::Index j = 0; j < n; ++j) {
+    if (!(H(j, j) > 0)) return false;
+    const double inverse = 1 / H(j, j);
+    for (Eigen::Index k = j + 1; k < n; ++k) {
+      const double factor = H(k, j) * inverse;
+      for (Eigen::Index i = k; i < n; ++i) H(i, k) -= factor * H(i, j);
+      y[k] -= factor * y[j];
+    }
+    H(j, j) = inverse;
+  }
+  for (Eigen::Index j = n - 1; j >= 0; --j) {
+    for (Eigen::Index i = j + 1; i < n; ++i) y[j] -= H(i, j) * y[i];
+    y[j] *= H(j, j);
+  }
+  return true;
+}
+
 /// An inner vertex; returns by how much e^2 fell.
 template <int Max>
-double relax_inner(const StarSetting& setting, const StarCorrections& star, EdgeLoadsOfAll& difference) {
-  StarEnergy<Max> energy(setting, star, difference);
-  const auto llt = energy.H.template selfadjointView<Eigen::Lower>().llt();
-  if (llt.info() != Eigen::Success) return 0;
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Max, 1> y = -llt.solve(energy.g);
-  apply(star, y, difference);
-  return -y.dot(energy.g);
+double relax_inner(const StarSetting& setting, int vertex, Eigen::VectorXd& airy) {
+  StarEnergy<Max> energy(setting, vertex, airy);
+  auto y = energy.g;
+  if (!solve_in_place(energy.H, y)) return 0;
+  add_corrections(setting.space, setting.stars, vertex, -y, airy);
+  return y.dot(energy.g);
 }
 
-double relax(const StarSetting& setting, int vertex, EdgeLoadsOfAll& difference, FreeContact* contact) {
+double relax(const StarSetting& setting, int vertex, Eigen::VectorXd& airy, FreeContact* contact) {
   constexpr int usual = 16;
   if (setting.stars.triangle_count(vertex) == 0) return 0;
-  if (setting.stars.on_boundary(vertex)) return relax_boundary(setting, {vertex}, difference, contact);
-  const StarCorrections star(setting.mesh, setting.edges, setting.stars, vertex);
-  return star.unknowns() <= usual ? relax_inner<usual>(setting, star, difference)
-                                  : relax_inner<Eigen::Dynamic>(setting, star, difference);
+  if (setting.stars.on_boundary(vertex)) return relax_boundary(setting, {vertex}, airy, contact);
+  return star_unknowns(setting.stars, vertex) <= usual ? relax_inner<usual>(setting, vertex, airy)
+                                                       : relax_inner<Eigen::Dynamic>(setting, vertex, airy);
 }
 
-double relax(const StarSetting& setting, const std::vector<int>& group, EdgeLoadsOfAll& difference,
-             FreeContact* contact) {
-  return relax_boundary(setting, group, difference, contact);
+double relax(const StarSetting& setting, const std::vector<int>& group, Eigen::VectorXd& airy, FreeContact* contact) {
+  return relax_boundary(setting, group, airy, contact);
 }
 
 /// What is relaxed, single vertices or groups of them, by colours: members of one colour share no triangle.
@@ -48,13 +65,13 @@ constexpr std::size_t worth_threads = 500;
 
 /// Relaxes colour by colour; returns by how much e^2 fell.
 template <class Member>
-double relax_all(const StarSetting& setting, const Colours<Member>& colours, EdgeLoadsOfAll& difference,
+double relax_all(const StarSetting& setting, const Colours<Member>& colours, Eigen::VectorXd& airy,
                  FreeContact* contact) {
   double fallen = 0;
   for (const std::vector<Member>& colour : colours) {
     std::vector<double> fall(colour.size());
 #pragma omp parallel for schedule(static) if (colour.size() >= worth_threads)
-    for (std::size_t k = 0; k < colour.size(); ++k) fall[k] = relax(setting, colour[k], difference, contact);
+    for (std::size_t k = 0; k < colour.size(); ++k) fall[k] = relax(setting, colour[k], airy, contact);
     for (double f : fall) fallen += f;  // in a fixed order
   }
   return fallen;
@@ -85,69 +102,85 @@ Colours<std::vector<int>> coloured_groups(const StarSetting& setting, const Cont
 
 /// The vertices by colours, those in the groups left out.
 Colours<int> other_vertices(const StarSetting& setting, const Colours<std::vector<int>>& groups) {
-  std::vector<char> in_group(setting.mesh.vertex_count(), 0);
+  std::vector<char> in_group(setting.space.mesh.vertex_count(), 0);
   for (const auto& colour : groups)
     for (const std::vector<int>& group : colour)
       for (int v : group) in_group[v] = 1;
-  Colours<int> others = vertex_colours(setting.mesh, setting.stars);
+  Colours<int> others = vertex_colours(setting.space.mesh, setting.stars);
   for (std::vector<int>& colour : others)
     colour.erase(std::remove_if(colour.begin(), colour.end(), [&](int v) { return in_group[v]; }), colour.end());
   return others;
 }
 
-/// e^2 up to the constant of Tresca's contact part: what `tightness` is relative to.
-double square_of_error(const StarSetting& setting, const BodyLoadsOfAll& body_loads, const EdgeLoadsOfAll& difference,
-                       const Hooke& hooke, const FreeContact* contact) {
+/// The square of the elastic part before the relaxation.
+double elastic_square(const StarSetting& setting) {
   double square = 0;
-  for (int t = 0; t < setting.mesh.triangle_count(); ++t) {
-    const TriangleCorners corners = corners_of(setting.mesh, t);
-    square += energy(corners, hooke[t].inverse(), composite_stress(corners, difference.col(t), body_loads.col(t)));
-  }
-  if (!contact) return square;
+  for (int t = 0; t < setting.space.mesh.triangle_count(); ++t) square += setting.energies[t].before;
+  return square;
+}
+
+/// The contact part of e^2 up to the constant of Tresca's.
+double contact_square(const FreeContact* contact) {
+  if (!contact) return 0;
   const FreeTractions& free = contact->tractions;
-  return square + free.normal_cost.cwiseProduct(free.densities.normal).sum() +
+  return free.normal_cost.cwiseProduct(free.densities.normal).sum() +
          free.tangential_cost.cwiseProduct(free.densities.tangential).sum();
 }
 
 /// The best combination of a sweep's corrections and the previous direction.
 class Acceleration {
  public:
-  /// @param sweep  the sweep's corrections; its memory is used up
-  double operator()(const StarSetting& setting, EdgeLoadsOfAll&& sweep, EdgeLoadsOfAll& difference) {
-    if (direction_.cols() == 0) direction_ = EdgeLoadsOfAll::Zero(12, sweep.cols());
-    Eigen::Matrix<double, 6, Eigen::Dynamic> parts(6, sweep.cols());  // d'Ad, d'Ap, p'Ap, d'g, p'g, difference'g
-#pragma omp parallel for
-    for (Eigen::Index t = 0; t < sweep.cols(); ++t) {
-      const EdgeLoads d = sweep.col(t), p = direction_.col(t), g = setting.gradient(difference, static_cast<int>(t));
-      const EdgeLoads A_d = setting.energies[t].lazyProduct(d), A_p = setting.energies[t].lazyProduct(p);
-      parts.col(t) << d.dot(A_d), p.dot(A_d), p.dot(A_p), d.dot(g), p.dot(g), g.dot(difference.col(t));
-    }
-    const Eigen::Matrix<double, 6, 1> sum = parts.rowwise().sum();
-    energy_ = std::abs(sum[5]);
+  /// @param before  the unknowns before the sweep; the memory is used up
+  double operator()(const StarSetting& setting, Eigen::VectorXd&& before, Eigen::VectorXd& airy) {
+    Eigen::VectorXd sweep = airy - before;
+    if (direction_.size() == 0) direction_ = Eigen::VectorXd::Zero(airy.size());
+    const Products products = products_of(setting, sweep, airy);
     Eigen::Matrix2d M;
-    M << sum[0], sum[1], sum[1], sum[2];
-    const Eigen::Vector2d slope(sum[3], sum[4]);
+    M << products[0], products[1], products[1], square_;
+    const Eigen::Vector2d slope(products[2], products[3]);
     const Eigen::Vector2d step = -M.completeOrthogonalDecomposition().solve(slope);
     const double fall = -step.dot(M * step) - 2 * step.dot(slope);
     if (!(fall > 0) || step.cwiseAbs().maxCoeff() > longest_step) {
       direction_ = std::move(sweep);
+      square_ = products[0];
       return 0;
     }
-    difference += step[0] * sweep + step[1] * direction_;
-    direction_ *= step[1];
-    direction_ += (1 + step[0]) * sweep;
+    airy += step[0] * sweep + step[1] * direction_;
+    const Eigen::Vector2d combined(1 + step[0], step[1]);
+    direction_ = combined[0] * sweep + combined[1] * direction_;
+    square_ = combined.dot(M * combined);
     return fall;
   }
 
-  /// The square of the elastic part after the sweep, up to the part of body forces.
-  double energy() const { return energy_; }
-
  private:
-  /// Beyond it a direction is mostly rounding, which does not keep equilibrium and would be multiplied.
+  using Products = Eigen::Array4d;  ///< d'Kd, d'Kp, d'g, p'g for the sweep d and the direction p
+
+  /// Sums over parts of the mesh that do not depend on the number of threads.
+  Products products_of(const StarSetting& setting, const Eigen::VectorXd& sweep, const Eigen::VectorXd& airy) const {
+    constexpr int part = 1024;
+    const int triangles = setting.space.mesh.triangle_count(), parts = (triangles + part - 1) / part;
+    std::vector<Products> sums(parts, Products::Zero());
+#pragma omp parallel for
+    for (int k = 0; k < parts; ++k)
+      for (int t = k * part; t < std::min(triangles, (k + 1) * part); ++t)
+        sums[k] += products_in(setting, t, sweep, airy);
+    Products sum = Products::Zero();
+    for (const Products& products : sums) sum += products;
+    return sum;
+  }
+  Products products_in(const StarSetting& setting, int t, const Eigen::VectorXd& sweep,
+                       const Eigen::VectorXd& airy) const {
+    const AiryEnergy& energy = setting.energies[t];
+    const LocalAiry d = local_airy(setting.space, sweep, t), p = local_airy(setting.space, direction_, t);
+    const LocalAiry K_d = energy.times(d), K_x = energy.times(local_airy(setting.space, airy, t));
+    return {dot(d, K_d), dot(p, K_d), dot(d, energy.slope) + dot(d, K_x), dot(p, energy.slope) + dot(p, K_x)};
+  }
+
+  /// Beyond it a direction is mostly rounding.
   static constexpr double longest_step = 1e3;
 
-  EdgeLoadsOfAll direction_;
-  double energy_ = 0;
+  Eigen::VectorXd direction_;
+  double square_ = 0;  ///< p'Kp
 };
 
 /// A sweep that lowers e^2 by less than this part of what it was at first changes no digit of it: the rest is rounding.
@@ -158,27 +191,29 @@ constexpr double rounding = 1e-15;
 std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
                                 const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings, EdgeLoadsOfAll& difference, FreeContact* contact) {
-  const StarSetting setting = star_setting(mesh, edges, stars, hooke, boundary, body_loads);
+  if (settings.sweeps == 0) return {};
+  const StarSetting setting = star_setting(mesh, edges, stars, hooke, boundary, body_loads, difference);
   const Colours<std::vector<int>> on_contact =
       contact ? coloured_groups(setting, contact->line) : Colours<std::vector<int>>{};
   const Colours<int> others = other_vertices(setting, on_contact);
+  Eigen::VectorXd airy = Eigen::VectorXd::Zero(setting.space.unknowns());
   Acceleration accelerate;
   std::vector<double> falls;
-  double largest = 0;
-  double square = settings.tightness > 0 ? square_of_error(setting, body_loads, difference, hooke, contact) : 0;
+  const double elastic = elastic_square(setting), on_contact_edges = contact_square(contact);
+  const double first = elastic + std::abs(on_contact_edges);
+  double square = elastic + on_contact_edges;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
-    EdgeLoadsOfAll change = -difference;
-    double fall = relax_all(setting, others, difference, contact);
-    change += difference;
-    fall += accelerate(setting, std::move(change), difference);
-    fall += relax_all(setting, on_contact, difference, contact);
+    Eigen::VectorXd before = airy;
+    double fall = relax_all(setting, others, airy, contact);
+    fall += accelerate(setting, std::move(before), airy);
+    fall += relax_all(setting, on_contact, airy, contact);
     falls.push_back(fall);
-    largest = std::max(largest, accelerate.energy() + fall);
-    if (fall <= rounding * largest) break;
+    if (fall <= rounding * first) break;
     const double e_before = std::sqrt(std::max(square, 0.0)), e_after = std::sqrt(std::max(square - fall, 0.0));
     square -= fall;
     if (e_before - e_after < settings.tightness * e_before) break;
   }
+  add_airy_loads(setting.space, airy, difference);
   return falls;
 }
 

@@ -100,8 +100,7 @@ Eigen::Vector2d edge_vector(const Mesh& mesh, const Edges& edges, int edge) {
 }
 
 Eigen::Vector2d edge_normal(const Mesh& mesh, const Edges& edges, int edge) {
-  const Eigen::Vector2d v = edge_vector(mesh, edges, edge).normalized();
-  return {v.y(), -v.x()};
+  return turned_right(edge_vector(mesh, edges, edge).normalized());
 }
 
 }  // namespace ffcontact

@@ -23,6 +23,9 @@ struct Edges {
   bool on_boundary(int edge) const { return triangles(1, edge) < 0; }
 };
 
+/// A vector turned clockwise by a right angle.
+inline Eigen::Vector2d turned_right(const Eigen::Vector2d& v) { return {v.y(), -v.x()}; }
+
 /// @throws std::invalid_argument  if an edge has more than two triangles, two triangles on the same side, or a boundary
 ///                                edge of the body is not listed in Mesh::boundary
 Edges edges_of(const Mesh& mesh);
