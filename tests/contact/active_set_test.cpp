@@ -127,6 +127,16 @@ TEST(ActiveSet, says_when_its_iterations_are_used_up) {
   EXPECT_GT(result.violation, 1e-10);
 }
 
+/// With all nodes open nothing holds the body: it falls the way of its loads, and the next set is closed.
+TEST(ActiveSet, finds_contact_from_open_nodes_that_let_the_body_go) {
+  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
+    for (int cells = 1; cells <= 12; ++cells) {
+      const Small small(example_2(multiplier, 0.3, cells));
+      const States open(small.problem.line.node_count(), ContactState::open);
+      EXPECT_EQ(active_set_newton(small.contact, small.law, open).status, ContactStatus::converged) << cells;
+    }
+}
+
 TEST(ActiveSet, frictionless_nodes_never_stick) {
   const Small small(example_2(Multiplier::force, 0, 8));
   const States sticking(small.problem.line.node_count(), ContactState::stick);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/bodies.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
 
@@ -35,6 +36,18 @@ Problem cornered(Random& random, Multiplier multiplier) {
   return problem;
 }
 
+/// Two bodies whose nodes do not match, the first one held along the line at its end, where the second one may move.
+Problem facing(Random& random, Multiplier multiplier) {
+  Bodies two = bodies({shifted(with_random_rows(3, 2, 4, 2, random), {0, 3}), with_random_rows(4, 2, 4, 3, random)},
+                      {material(100, 0.3), material(300, 0.2)}, {{0, bottom, 1, top}});
+  prescribe(two.problem, two.label(0, left), 0);
+  clamp(two.problem, two.label(1, bottom));
+  add_traction(two.problem, two.label(0, top), {1, -2});
+  add_traction(two.problem, two.label(1, right), {3, 1});
+  two.problem.law.multiplier = multiplier;
+  return two.problem;
+}
+
 Eigen::VectorXd weighted_trace(const Problem& problem, const Eigen::VectorXd& u) {
   const Eigen::Matrix2Xd trace = displacement_against_foundation(problem.line, problem.law, u);
   return weight_of_rows(problem.law.multiplier, problem.line) * trace.reshaped();
@@ -44,26 +57,30 @@ Eigen::VectorXd weighted_trace(const Problem& problem, const Eigen::VectorXd& u)
 Eigen::VectorXd load_of(const Problem& problem, const Eigen::VectorXd& P) {
   const Eigen::VectorXd force = weight_of_rows(problem.law.multiplier, problem.line) * P;
   Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.b.size());
-  for (int i = 0; i < problem.line.node_count(); ++i)
-    load.segment<2>(2 * problem.line.vertex[i]) +=
-        force[2 * i] * problem.line.normal.col(i) + force[2 * i + 1] * problem.line.tangent(i);
+  for (int i = 0; i < problem.line.node_count(); ++i) {
+    const Eigen::Vector2d F = force[2 * i] * problem.line.normal.col(i) + force[2 * i + 1] * problem.line.tangent(i);
+    load.segment<2>(2 * problem.line.vertex[i]) += F;
+    visit_opposite(problem.line, i, [&](int v, double weight) { load.segment<2>(2 * v) -= weight * F; });
+  }
   return load;
 }
 
 Problem random_problem(Random& random) {
   const Multiplier multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
-  if (*rc::gen::arbitrary<bool>()) return cornered(random, multiplier);
-  return problem_of(*random_case(0.5));
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0: return cornered(random, multiplier);
+    case 1: return facing(random, multiplier);
+    default: return problem_of(*random_case(0.5));
+  }
 }
 
 RC_GTEST_PROP(CondensedContact, v_is_the_weighted_trace_of_the_extended_displacement, (Random random)) {
   const Condensed c(random_problem(random));
-  const Eigen::VectorXd v = random_vector(c.contact.S.rows(), random);
+  const Eigen::VectorXd v = random_vector(c.contact.S.rows(), random), q = random_vector(c.contact.E.cols(), random);
   const Eigen::VectorXd u =
-      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, Eigen::VectorXd::Zero(c.contact.E.cols()))) +
-      c.system.prescribed_value;
+      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, q)) + c.system.prescribed_value;
   const Eigen::VectorXd trace = weighted_trace(c.problem, u);
-  const Eigen::VectorXd dependent = c.contact.E.transpose() * v + c.contact.dependent_offset;
+  const Eigen::VectorXd dependent = c.contact.E.transpose() * v + c.contact.F * q + c.contact.dependent_offset;
   const double scale = 1e-11 * std::max(trace.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
   for (int row = 0; row < trace.size(); ++row) {
     const int k = c.contact.position[row];
@@ -81,8 +98,7 @@ RC_GTEST_PROP(CondensedContact, multipliers_hold_the_displacement_in_equilibrium
     const int k = c.contact.position[row];
     P[row] = k >= 0 ? P_primary[k] : q[-1 - k];
   }
-  const Eigen::VectorXd u =
-      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, Eigen::VectorXd::Zero(c.contact.E.cols())));
+  const Eigen::VectorXd u = c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, q));
   const Eigen::VectorXd load = load_of(c.problem, P), residual = c.system.stiffness * u - c.system.load - load;
   const double scale = 1e-10 * std::max(load.cwiseAbs().maxCoeff(), c.system.load.cwiseAbs().maxCoeff());
   for (int dof = 0; dof < c.system.dof_count(); ++dof)

@@ -204,6 +204,34 @@ TEST_P(BothMultipliers, stick_patch_is_exact_on_an_irregular_mesh) {
   EXPECT_LT(relative_difference(s.solution.pressure.row(1).transpose(), -s.patch.shear() * ones), 1e-10);
 }
 
+/// Nothing determines the pressure at a vertex that cannot move: it goes on as beside it, also where Newton starts from an open
+/// node there, as good an answer but for pressures that alternate.
+TEST_P(BothMultipliers, stick_patch_has_its_pressure_up_to_a_clamped_side) {
+  const StickPatch patch;
+  Problem problem = patch.problem(irregular_block());
+  problem.law.multiplier = GetParam();
+  clamp(problem, right, [&](const Eigen::Vector2d& x) { return patch.exact(x); });
+  const int nodes = problem.line.node_count();
+  ContactSettings settings;
+  for (const int open : {-1, nodes - 1, nodes - 2}) {
+    settings.initial_state.assign(nodes, ContactState::stick);
+    if (open >= 0) settings.initial_state[open] = ContactState::open;
+    const ContactSolution solution = solved(problem, settings);
+    ASSERT_TRUE(accepted(solution)) << open;
+    const Eigen::RowVectorXd ones = Eigen::RowVectorXd::Ones(nodes);
+    EXPECT_LT(relative_difference(solution.pressure.row(0), -patch.pressure() * ones), 1e-10) << open;
+    EXPECT_LT(relative_difference(solution.pressure.row(1), -patch.shear() * ones), 1e-10) << open;
+  }
+}
+
+/// Where all nodes stick the law is obeyed to the bit, and the displacement of the body to rounding.
+TEST_P(BothMultipliers, more_accuracy_than_rounding_allows_is_not_reached) {
+  const SolvedPatch<StickPatch> s({}, irregular_block(), GetParam());
+  ContactSettings settings;
+  settings.tolerance = 1e-30;
+  EXPECT_EQ(solved(s.problem, settings).status, ContactStatus::inaccurate);
+}
+
 TEST_P(BothMultipliers, stick_patch_slips_beyond_the_threshold) {
   StickPatch patch;
   patch.g = 1.34e-3;

@@ -62,6 +62,18 @@ TEST(StrongFriction, example_1_where_newton_from_stick_cycles_the_fixed_point_le
   EXPECT_LT(relative_difference(helped.answer.v, alone.answer.v), 1e-8);
 }
 
+TEST(StrongFriction, a_fixed_point_cut_short_leaves_the_better_answer_of_newton) {
+  Problem problem = example_1(Multiplier::pressure);
+  set_friction(problem, 2);
+  const Condensed c = condensed(problem);
+  const ActiveSetResult newton = active_set_newton(c.contact, c.law, c.sticking);
+  ContactSettings settings;
+  settings.max_iterations = newton.iterations + 1;
+  const ContactSolution solution = solved(problem, settings);
+  EXPECT_EQ(solution.iterations, settings.max_iterations);
+  EXPECT_LT(solution.complementarity, 1.01 * newton.violation);
+}
+
 /// Without damping it swings until 1000 systems are used up.
 TEST(StrongFriction, damping_makes_the_fixed_point_converge_where_it_does_not_contract) {
   for (const unsigned seed : {3, 81, 94}) {

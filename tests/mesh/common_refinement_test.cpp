@@ -125,6 +125,19 @@ TEST(CommonRefinement, lets_vertices_meet_that_all_but_do) {
   EXPECT_TRUE(Refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(4, 1, 6, 3)}).fine.exact);
 }
 
+/// The sliver between vertices that all but meet is none beside the short edge that stands next to it.
+TEST(CommonRefinement, lets_vertices_meet_beside_a_short_edge) {
+  for (const bool mirrored : {false, true}) {
+    const auto along = [&](double x) { return mirrored ? 6 - x : x; };
+    Mesh upper = shifted(rectangle(3, 1, 6, 2), {0, 3}), lower = rectangle(2, 1, 6, 3);
+    for (double& x : upper.vertices.row(0)) x = x == along(2) ? along(2.9) : x == along(4) ? along(3) : x;
+    for (double& x : lower.vertices.row(0)) x = x == 3 ? along(3 + 1.5e-4) : x;
+    const CommonRefinement fine = Refined({upper, lower}).fine;
+    EXPECT_EQ(fine.line.edge_count(), 3);
+    EXPECT_EQ(fine.mesh.vertex_count(), 8 + 6 + 1);
+  }
+}
+
 TEST(CommonRefinement, refuses_rays_that_cross) {
   Mesh hollow = shifted(rectangle(2, 1, 2, 1), {0, 1});
   for (int v = 0; v < hollow.vertex_count(); ++v)
