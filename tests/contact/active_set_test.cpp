@@ -7,6 +7,7 @@
 
 #include "ffcontact/contact/fixed_point.hpp"
 #include "support/cases.hpp"
+#include "support/condensed.hpp"
 
 namespace ffcontact {
 namespace {
@@ -18,23 +19,12 @@ using States = std::vector<ContactState>;
 constexpr ContactState all_states[] = {ContactState::open, ContactState::stick, ContactState::slip_forward,
                                        ContactState::slip_backward};
 
-/// The condensed relation of a problem and its law.
-struct Small {
-  Problem problem;
-  CondensedContact contact;
-  NodalLaw law;
-  explicit Small(const Problem& p) : problem(p), law(nodal_law(p.law, p.line)) {
-    const ElasticSystem system = p.system();
-    contact = condensed_contact(p.line, p.law, system, CondensedStiffness(system, contact_dofs(p.line, system)));
-  }
-};
-
 double violation(const NodalLaw& law, const ContactRows& rows) {
   return law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff());
 }
 
 /// The answers of all 4^p active sets that fulfil the law.
-std::vector<ContactRows> all_solutions(const Small& small) {
+std::vector<ContactRows> all_solutions(const Condensed& small) {
   std::vector<ContactRows> found;
   const int nodes = small.problem.line.node_count();
   for (int code = 0; code < 1 << (2 * nodes); ++code) {
@@ -66,17 +56,16 @@ States random_states(int nodes, Random& random) {
 }
 
 /// Newton, and the fixed point helped by it where its states do not settle.
-ActiveSetResult solved_from(const Small& small, const States& start) {
+ActiveSetResult solved_from(const Condensed& small, const States& start) {
   const ActiveSetResult newton = active_set_newton(small.contact, small.law, start);
   if (newton.status != ContactStatus::cycled) return newton;
   return fixed_point(small.contact, small.law, start, {500, 1e-10}, true).answer;
 }
 
 RC_GTEST_PROP(ActiveSet, finds_the_solution_that_brute_force_finds, (Random random)) {
-  const Small small(small_problem(*rc::gen::inRange(1, 4), *real(0, 0.5), random));
+  const Condensed small(small_problem(*rc::gen::inRange(1, 4), *real(0, 0.5), random));
   const std::vector<ContactRows> solutions = all_solutions(small);
-  const States sticking(small.problem.line.node_count(), ContactState::stick);
-  const ActiveSetResult result = solved_from(small, sticking);
+  const ActiveSetResult result = solved_from(small, small.sticking);
   RC_ASSERT(result.status == ContactStatus::converged);
   RC_ASSERT(!solutions.empty());
   for (const ContactRows& rows : solutions) {  // several active sets may have one answer
@@ -86,9 +75,9 @@ RC_GTEST_PROP(ActiveSet, finds_the_solution_that_brute_force_finds, (Random rand
 }
 
 RC_GTEST_PROP(ActiveSet, answer_does_not_depend_on_the_first_guess, (Random random)) {
-  const Small small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.3), random));
+  const Condensed small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.3), random));
   const int nodes = small.problem.line.node_count();
-  const ActiveSetResult reference = solved_from(small, States(nodes, ContactState::stick));
+  const ActiveSetResult reference = solved_from(small, small.sticking);
   const ActiveSetResult result = solved_from(small, random_states(nodes, random));
   RC_ASSERT(reference.status == ContactStatus::converged);
   RC_ASSERT(result.status == ContactStatus::converged);
@@ -96,9 +85,8 @@ RC_GTEST_PROP(ActiveSet, answer_does_not_depend_on_the_first_guess, (Random rand
 }
 
 RC_GTEST_PROP(ActiveSet, converged_multipliers_are_in_the_law_exactly, (Random random)) {
-  const Small small(small_problem(*rc::gen::inRange(1, 7), *real(0, 1), random));
-  const States sticking(small.problem.line.node_count(), ContactState::stick);
-  const ActiveSetResult result = active_set_newton(small.contact, small.law, sticking);
+  const Condensed small(small_problem(*rc::gen::inRange(1, 7), *real(0, 1), random));
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, small.sticking);
   RC_PRE(result.status == ContactStatus::converged);
   for (std::size_t i = 0; i < result.state.size(); ++i) {
     const double Pn = result.P[2 * i], Pt = result.P[2 * i + 1];
@@ -109,9 +97,8 @@ RC_GTEST_PROP(ActiveSet, converged_multipliers_are_in_the_law_exactly, (Random r
 }
 
 RC_GTEST_PROP(ActiveSet, a_solution_is_found_again_in_one_step, (Random random)) {
-  const Small small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.5), random));
-  const States sticking(small.problem.line.node_count(), ContactState::stick);
-  const ActiveSetResult first = active_set_newton(small.contact, small.law, sticking);
+  const Condensed small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.5), random));
+  const ActiveSetResult first = active_set_newton(small.contact, small.law, small.sticking);
   RC_PRE(first.status == ContactStatus::converged);
   const ActiveSetResult again = active_set_newton(small.contact, small.law, first.state);
   RC_ASSERT(again.iterations == 1);
@@ -119,9 +106,8 @@ RC_GTEST_PROP(ActiveSet, a_solution_is_found_again_in_one_step, (Random random))
 }
 
 TEST(ActiveSet, says_when_its_iterations_are_used_up) {
-  const Small small(example_1(Multiplier::force, 8));
-  const States sticking(small.problem.line.node_count(), ContactState::stick);
-  const ActiveSetResult result = active_set_newton(small.contact, small.law, sticking, {1, 1e-10});
+  const Condensed small(example_1(Multiplier::force, 8));
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, small.sticking, {1, 1e-10});
   EXPECT_EQ(result.status, ContactStatus::not_converged);
   EXPECT_EQ(result.iterations, 1);
   EXPECT_GT(result.violation, 1e-10);
@@ -131,16 +117,15 @@ TEST(ActiveSet, says_when_its_iterations_are_used_up) {
 TEST(ActiveSet, finds_contact_from_open_nodes_that_let_the_body_go) {
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
     for (int cells = 1; cells <= 12; ++cells) {
-      const Small small(example_2(multiplier, 0.3, cells));
+      const Condensed small(example_2(multiplier, 0.3, cells));
       const States open(small.problem.line.node_count(), ContactState::open);
       EXPECT_EQ(active_set_newton(small.contact, small.law, open).status, ContactStatus::converged) << cells;
     }
 }
 
 TEST(ActiveSet, frictionless_nodes_never_stick) {
-  const Small small(example_2(Multiplier::force, 0, 8));
-  const States sticking(small.problem.line.node_count(), ContactState::stick);
-  const ActiveSetResult result = active_set_newton(small.contact, small.law, sticking);
+  const Condensed small(example_2(Multiplier::force, 0, 8));
+  const ActiveSetResult result = active_set_newton(small.contact, small.law, small.sticking);
   ASSERT_EQ(result.status, ContactStatus::converged);
   for (ContactState state : result.state) EXPECT_NE(state, ContactState::stick);
 }

@@ -5,25 +5,13 @@
 
 #include "support/bodies.hpp"
 #include "support/cases.hpp"
+#include "support/condensed.hpp"
 #include "support/refusals.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-/// A problem, its factorisation and the condensed relation.
-struct Condensed {
-  Problem problem;
-  ElasticSystem system;
-  CondensedStiffness stiffness;
-  CondensedContact contact;
-  explicit Condensed(const Problem& p)
-      : problem(p),
-        system(p.system()),
-        stiffness(system, contact_dofs(p.line, system)),
-        contact(condensed_contact(p.line, p.law, system, stiffness)) {}
-};
 
 /// A rectangle in contact on two sides that meet in a corner, with a gap and a previous displacement.
 Problem cornered(Random& random, Multiplier multiplier) {

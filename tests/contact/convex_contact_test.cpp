@@ -3,24 +3,13 @@
 
 #include "support/bodies.hpp"
 #include "support/cases.hpp"
+#include "support/condensed.hpp"
 #include "support/odd_problems.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-struct Condensed {
-  CondensedContact contact;
-  NodalLaw law;
-  std::vector<ContactState> sticking;
-  explicit Condensed(const Problem& problem) : law(nodal_law(problem.law, problem.line)) {
-    const ElasticSystem system = problem.system();
-    contact = condensed_contact(problem.line, problem.law, system,
-                                CondensedStiffness(system, contact_dofs(problem.line, system)));
-    sticking.assign(problem.line.node_count(), ContactState::stick);
-  }
-};
 
 std::string in_figures(const ContactSolution& solution) {
   std::ostringstream text;
@@ -46,6 +35,19 @@ RC_GTEST_PROP(ConvexContact, ends_where_newton_ends, (Random random)) {
   const ActiveSetResult convex = convex_contact(c.contact, c.law);
   const double scale = motion_scale(c.contact, newton.v);
   RC_ASSERT((newton.v - convex.v).cwiseAbs().maxCoeff() <= 1e-7 * scale);
+}
+
+/// The fixed point would try Newton once more.
+TEST(ConvexContact, takes_over_where_newton_ends_without_an_answer) {
+  for (const unsigned seed : {16, 49, 56, 117}) {
+    Random random(seed);
+    const Condensed c(odd_problem(random, 0));
+    ASSERT_NE(active_set_newton(c.contact, c.law, c.sticking).status, ContactStatus::converged) << seed;
+    const ActiveSetResult convex = solve_convex(c.contact, c.law, c.sticking);
+    const ContactSolution solution = solved(c.problem);
+    EXPECT_TRUE(solution.accepted({})) << seed;
+    EXPECT_EQ(solution.iterations, convex.iterations) << seed;
+  }
 }
 
 RC_GTEST_PROP(OddProblems, have_a_solution_that_is_found, (Random random)) {

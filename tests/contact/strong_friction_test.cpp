@@ -3,25 +3,13 @@
 
 #include "ffcontact/contact/fixed_point.hpp"
 #include "support/cases.hpp"
+#include "support/condensed.hpp"
 #include "support/odd_problems.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-struct Condensed {
-  CondensedContact contact;
-  NodalLaw law;
-  std::vector<ContactState> sticking;
-};
-
-Condensed condensed(const Problem& problem) {
-  const ElasticSystem system = problem.system();
-  const CondensedStiffness stiffness(system, contact_dofs(problem.line, system));
-  return {condensed_contact(problem.line, problem.law, system, stiffness), nodal_law(problem.law, problem.line),
-          std::vector<ContactState>(problem.line.node_count(), ContactState::stick)};
-}
 
 RC_GTEST_PROP(StrongFriction, is_solved_and_certified, ()) {
   const ContactSettings settings;
@@ -52,7 +40,7 @@ TEST(StrongFriction, example_1_up_to_friction_3) {
 TEST(StrongFriction, example_1_where_newton_from_stick_cycles_the_fixed_point_leads_the_way) {
   Problem problem = example_1(Multiplier::pressure);
   set_friction(problem, 2);
-  const Condensed c = condensed(problem);
+  const Condensed c(problem);
   EXPECT_EQ(active_set_newton(c.contact, c.law, c.sticking).status, ContactStatus::cycled);
   const FixedPointResult alone = fixed_point(c.contact, c.law, c.sticking, {10000, 1e-10});
   const FixedPointResult helped = fixed_point(c.contact, c.law, c.sticking, {10000, 1e-10}, true);
@@ -65,7 +53,7 @@ TEST(StrongFriction, example_1_where_newton_from_stick_cycles_the_fixed_point_le
 TEST(StrongFriction, a_fixed_point_cut_short_leaves_the_better_answer_of_newton) {
   Problem problem = example_1(Multiplier::pressure);
   set_friction(problem, 2);
-  const Condensed c = condensed(problem);
+  const Condensed c(problem);
   const ActiveSetResult newton = active_set_newton(c.contact, c.law, c.sticking);
   ContactSettings settings;
   settings.max_iterations = newton.iterations + 1;
@@ -78,7 +66,7 @@ TEST(StrongFriction, a_fixed_point_cut_short_leaves_the_better_answer_of_newton)
 TEST(StrongFriction, damping_makes_the_fixed_point_converge_where_it_does_not_contract) {
   for (const unsigned seed : {3, 81, 94}) {
     Random random(seed);
-    const Condensed c = condensed(odd_problem(random, 4));
+    const Condensed c(odd_problem(random, 4));
     const FixedPointResult path = fixed_point(c.contact, c.law, c.sticking, {1000, 1e-10});
     EXPECT_EQ(path.answer.status, ContactStatus::converged) << seed;
     EXPECT_LT(path.answer.iterations, 400) << seed;
