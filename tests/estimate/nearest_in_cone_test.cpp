@@ -37,10 +37,12 @@ ContactDensities nearest(const Problem& problem, const ContactDensities& densiti
   return *r;
 }
 
-/// Random densities brought into the cone edge by edge.
+/// Random densities in the cone.
 ContactDensities inside(const Problem& problem, Random& random) {
-  return nearest(problem, random_densities(problem.line.edge_count(), random), Eigen::MatrixXd(problem.b.size(), 0),
-                 {});
+  ContactDensities r = random_densities(problem.line.edge_count(), random);
+  for (int e = 0; e < problem.line.edge_count(); ++e)
+    set_end_values(r, e, clamped_to_cone(problem.line, problem.law, e, end_values(r, e)));
+  return r;
 }
 
 /// int |r - s|^2 over the line.

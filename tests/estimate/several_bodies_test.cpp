@@ -88,6 +88,8 @@ RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible
     const Estimate estimate = estimated(problem, solution, sweeps(2, tractions));
     RC_ASSERT(estimate.cone < 1e-12);
     RC_ASSERT(estimate.equilibrium.largest() < 1e-10 || has_slivers(estimate));
+    const double square = estimate.relative * estimate.relative;
+    RC_ASSERT(std::abs(estimate.local.squaredNorm() - square) < 1e-10 * square);
     RC_ASSERT(estimate.admissible || has_slivers(estimate));
     const ContactLine& line = estimate.refinement ? estimate.refinement->line : problem.line;
     const Eigen::Matrix2Xd w = contact_components(line, estimate.displacement);
