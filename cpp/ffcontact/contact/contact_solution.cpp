@@ -107,8 +107,10 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   require_balance(mesh, line, law, system);
 
   // 1. The body as the contact line sees it, P = S v - g.
-  const CondensedStiffness stiffness(system, contact_dofs(line, system));
-  const CondensedContact contact = condensed_contact(line, law, system, stiffness);
+  const auto stiffness = settings.stiffness
+                             ? settings.stiffness
+                             : std::make_shared<const CondensedStiffness>(system, contact_dofs(line, system));
+  const CondensedContact contact = condensed_contact(line, law, system, *stiffness);
 
   // 2. The conditions of Prop. 3.4 / 3.5.
   const NodalLaw nodal = nodal_law(law, line);
@@ -120,11 +122,12 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
 
   // 3. Back to the whole body.
   ContactSolution solution;
+  solution.stiffness = stiffness;
   solution.status = answer.status;
   for (ContactState state : answer.state) solution.state.push_back(is_open(state) ? ContactState::open : state);
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
-  BodyAnswer whole = body_answer(line, law, system, stiffness, contact, answer, solution.residual);
+  BodyAnswer whole = body_answer(line, law, system, *stiffness, contact, answer, solution.residual);
   solution.displacement = std::move(whole.displacement);
   const Eigen::Matrix2Xd P = whole.P.reshaped(2, line.node_count());
   put_multipliers(line, law, system.prescribed, P, solution);

@@ -135,6 +135,16 @@ Eigen::Matrix2Xd nodal_pressures(const Origin& origin) {
       "), as where a body stands on one end of its line; hold it otherwise, or let the line go on there");
 }
 
+/// Stresses that balance a small change of the nodal forces: of a displacement that is small, so that its own rounding is nothing.
+Eigen::Matrix3Xd balancing_stresses(const Origin& origin, const Eigen::VectorXd& force_change) {
+  const auto& [mesh, edges, line, system, body, refinement, stress_terms, unstressed] = origin;
+  const Eigen::MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
+  const Eigen::VectorXd u =
+      body.stiffness ? rebalancing_displacement(*body.stiffness, system, line, force_change, motions)
+                     : rebalancing_displacement(system, line, force_change, motions);
+  return stresses(mesh, body.hooke, u);
+}
+
 Start start_published(const Origin& origin, const Setting& setting, Estimate& estimate) {
   const ContactDensities computed = edge_densities(setting.line, setting.body.pressure);
   const ConeCorrection correction = correct_edges_to_cone(setting.mesh, setting.line, setting.body.law, computed);
@@ -169,9 +179,7 @@ Start start_in_cone(const Origin& origin, const Setting& setting, const Stars& s
   const Eigen::VectorXd change =
       (origin.refinement ? unrefined_forces(*origin.refinement, balanced) : balanced) -
       nodal_forces(origin.mesh, origin.line, edge_densities(origin.line, origin.body.pressure));
-  start.stress += stresses(origin.mesh, origin.body.hooke,
-                           rebalancing_displacement(origin.system, origin.line, change,
-                                                    free_rigid_motions(origin.mesh, origin.system.prescribed)));
+  start.stress += balancing_stresses(origin, change);
   return start;
 }
 
@@ -180,14 +188,6 @@ double longest_edge(const Origin& origin) {
   for (int e = 0; e < origin.edges.count(); ++e)
     longest = std::max(longest, edge_vector(origin.mesh, origin.edges, e).norm());
   return longest;
-}
-
-/// What balances the nodal forces that the rounding of u leaves over: stresses of a displacement that is small, so that its own
-/// rounding is nothing.
-Eigen::Matrix3Xd balancing_stresses(const Origin& origin, const Eigen::Matrix2Xd& missing) {
-  return stresses(origin.mesh, origin.body.hooke,
-                  rebalancing_displacement(origin.system, origin.line, missing.reshaped(),
-                                           free_rigid_motions(origin.mesh, origin.system.prescribed)));
 }
 
 /// Edge tractions in equilibrium with the balanced contact tractions, on the mesh of the origin.
@@ -203,7 +203,7 @@ EdgeMoments first_moments_of(const Origin& origin, const Stars& stars, const Bou
     refuse(imbalance.what(), ", ", cause_of(imbalance, origin.mesh, origin.line, origin.system, origin.body));
   }
   if (first.missing.cwiseAbs().maxCoeff() <= rounding * first.scale) return std::move(first.moments);
-  stress += balancing_stresses(origin, first.missing);
+  stress += balancing_stresses(origin, first.missing.reshaped());
   return equilibrium().moments;
 }
 

@@ -9,8 +9,14 @@ namespace ffcontact {
 
 Eigen::VectorXd rebalancing_displacement(const ElasticSystem& system, const ContactLine& line,
                                          const Eigen::VectorXd& force_change, const Eigen::MatrixXd& motions) {
+  return rebalancing_displacement(CondensedStiffness(system, contact_dofs(line, system)), system, line, force_change,
+                                  motions);
+}
+
+Eigen::VectorXd rebalancing_displacement(const CondensedStiffness& stiffness, const ElasticSystem& system,
+                                         const ContactLine& line, const Eigen::VectorXd& force_change,
+                                         const Eigen::MatrixXd& motions) {
   const std::vector<int> kept = contact_dofs(line, system);
-  const CondensedStiffness stiffness(system, kept);
   const auto size = static_cast<Eigen::Index>(kept.size());
   Eigen::MatrixXd Z(size, motions.cols());
   for (Eigen::Index k = 0; k < size; ++k) Z.row(k) = motions.row(kept[k]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/elastic/elastic_system.hpp"
+#include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/mesh/contact_line.hpp"
 
 namespace ffcontact {
@@ -17,5 +17,11 @@ namespace ffcontact {
 /// @throws std::runtime_error  if a part of the body is held by nothing
 Eigen::VectorXd rebalancing_displacement(const ElasticSystem& system, const ContactLine& line,
                                          const Eigen::VectorXd& force_change, const Eigen::MatrixXd& motions);
+
+/// The same with the factor at hand: one back-substitution.
+/// @param stiffness  K condensed to contact_dofs(line, system)
+Eigen::VectorXd rebalancing_displacement(const CondensedStiffness& stiffness, const ElasticSystem& system,
+                                         const ContactLine& line, const Eigen::VectorXd& force_change,
+                                         const Eigen::MatrixXd& motions);
 
 }  // namespace ffcontact

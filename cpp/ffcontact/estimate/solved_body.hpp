@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 
@@ -15,6 +18,7 @@ struct SolvedBody {
   ContactLaw law;
   Eigen::Matrix4Xd neumann;   ///< moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
   BodyLoadsOfAll body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
+  std::shared_ptr<const CondensedStiffness> stiffness;  ///< of the solution on the contact line; null: factorised if needed
 };
 
 }  // namespace ffcontact
