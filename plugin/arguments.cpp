@@ -1,10 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arguments.hpp"
 
-#include <cassert>
 #include <cstring>
+#include <set>
+
+#include "ffcontact/base/require.hpp"
 
 namespace ffcontact::plugin {
+
+namespace {
+
+/// The number that a name has after that of a parameter; -1 if it is another name.
+int number_after(const char* parameter, const char* name) {
+  const std::size_t size = std::strlen(parameter);
+  if (std::strncmp(parameter, name, size) != 0 || name[size] == 0) return -1;
+  char* end;
+  const long number = std::strtol(name + size, &end, 10);
+  constexpr long most = 1000;
+  return *end == 0 && number <= most ? static_cast<int>(number) : -1;
+}
+
+/// The same name as long as the plugin is loaded.
+const char* kept(const std::string& name) {
+  static std::set<std::string> names;
+  return names.insert(name).first->c_str();
+}
+
+}  // namespace
 
 NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
     : table_(std::move(table)), values_(table_.size(), nullptr), list_kind_(table_.size(), 'a') {
@@ -30,41 +52,56 @@ NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
   }
 }
 
-std::size_t NamedArguments::place(const char* name) const {
+std::size_t NamedArguments::place(const std::string& name) const {
   for (std::size_t k = 0; k < table_.size(); ++k)
-    if (std::strcmp(table_[k].name, name) == 0) return k;
-  assert(false && "a parameter that the table does not name");
-  return 0;
+    if (name == table_[k].name) return k;
+  return nowhere;
 }
 
-Expression NamedArguments::component(const char* name, int k, int size) const {
+Expression NamedArguments::expression(const std::string& name) const {
+  const std::size_t k = place(name);
+  return k == nowhere ? nullptr : values_[k];
+}
+
+Expression NamedArguments::component(const std::string& name, int k, int size) const {
   if (!given(name)) return nullptr;
   const std::vector<Expression>& components = components_[place(name)];
-  if (static_cast<int>(components.size()) != size)
-    CompileError(std::string(name) + " must be a list of " + std::to_string(size) + " expressions");
+  if (static_cast<int>(components.size()) != size) refuse(name, " must be a list of ", size, " expressions");
   return components[k];
 }
 
-double NamedArguments::number(Stack stack, const char* name, double otherwise) const {
+std::vector<int> NamedArguments::numbers_after(const char* name) const {
+  std::vector<int> numbers;
+  for (std::size_t k = 0; k < table_.size(); ++k)
+    if (values_[k] && number_after(name, table_[k].name) >= 0) numbers.push_back(number_after(name, table_[k].name));
+  return numbers;
+}
+
+double NamedArguments::number(Stack stack, const std::string& name, double otherwise) const {
   const Expression value = expression(name);
   return value ? GetAny<double>((*value)(stack)) : otherwise;
 }
 
-long NamedArguments::integer(Stack stack, const char* name, long otherwise) const {
+long NamedArguments::integer(Stack stack, const std::string& name, long otherwise) const {
   const Expression value = expression(name);
   return value ? GetAny<long>((*value)(stack)) : otherwise;
 }
 
-std::string NamedArguments::text(Stack stack, const char* name, const char* otherwise) const {
+std::string NamedArguments::text(Stack stack, const std::string& name, const char* otherwise) const {
   const Expression value = expression(name);
   return value ? *GetAny<string*>((*value)(stack)) : otherwise;
 }
 
-std::vector<int> NamedArguments::integers(Stack stack, const char* name) const {
+bool NamedArguments::flag(Stack stack, const std::string& name) const {
+  const Expression value = expression(name);
+  return value && GetAny<bool>((*value)(stack));
+}
+
+std::vector<int> NamedArguments::integers(Stack stack, const std::string& name) const {
   const std::size_t k = place(name);
-  const Expression value = values_[k];
   std::vector<int> result;
-  if (!value) return result;
+  if (!given(name)) return result;
+  const Expression value = values_[k];
   if (list_kind_[k] == 'i') {
     result.push_back(static_cast<int>(GetAny<long>((*value)(stack))));
   } else if (list_kind_[k] == 'l') {
@@ -78,7 +115,7 @@ std::vector<int> NamedArguments::integers(Stack stack, const char* name) const {
   return result;
 }
 
-void NamedArguments::put(Stack stack, const char* name, const Eigen::Ref<const Eigen::VectorXd>& values) const {
+void NamedArguments::put(Stack stack, const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& values) const {
   const Expression target = expression(name);
   if (!target) return;
   KN<double>* array = GetAny<KN<double>*>((*target)(stack));
@@ -86,7 +123,7 @@ void NamedArguments::put(Stack stack, const char* name, const Eigen::Ref<const E
   for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
 }
 
-void NamedArguments::put_integers(Stack stack, const char* name, const std::vector<long>& values) const {
+void NamedArguments::put_integers(Stack stack, const std::string& name, const std::vector<long>& values) const {
   const Expression target = expression(name);
   if (!target) return;
   KN<long>* array = GetAny<KN<long>*>((*target)(stack));
@@ -94,16 +131,46 @@ void NamedArguments::put_integers(Stack stack, const char* name, const std::vect
   for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
 }
 
-void NamedArguments::put(Stack stack, const char* name, double value) const {
+void NamedArguments::put(Stack stack, const std::string& name, double value) const {
   if (const Expression target = expression(name)) *GetAny<double*>((*target)(stack)) = value;
 }
 
-void NamedArguments::put(Stack stack, const char* name, long value) const {
+void NamedArguments::put(Stack stack, const std::string& name, long value) const {
   if (const Expression target = expression(name)) *GetAny<long*>((*target)(stack)) = value;
 }
 
-void NamedArguments::put(Stack stack, const char* name, bool value) const {
+void NamedArguments::put(Stack stack, const std::string& name, bool value) const {
   if (const Expression target = expression(name)) *GetAny<bool*>((*target)(stack)) = value;
+}
+
+std::string name_of_body(const char* name, int body, int bodies) {
+  return bodies == 1 ? name : name + std::to_string(body + 1);
+}
+
+NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, const basicAC_F0& arguments) {
+  NamedArguments::Table table;
+  for (const auto& parameter : parameters) {
+    int largest = 2;
+    if (arguments.named_parameter)
+      for (const auto& given : *arguments.named_parameter)
+        largest = std::max(largest, number_after(parameter.name, given.first));
+    table.push_back(parameter);
+    for (int k = 0; k < largest; ++k) table.push_back({kept(name_of_body(parameter.name, k, 2)), parameter.type});
+  }
+  return table;
+}
+
+void require_names_of_bodies(const NamedArguments& named, const NamedArguments::Table& parameters, int bodies) {
+  for (const auto& parameter : parameters) {
+    const std::string own = parameter.name;
+    if (bodies > 1 && named.given(own))
+      refuse(own, "= is given, but the contact has ", bodies, " bodies: give ", own, "1=, ", own, "2=, ...");
+    for (int number : named.numbers_after(parameter.name))
+      if (bodies == 1)
+        refuse(own, number, "= is given, but the contact has one body: give ", own, "=");
+      else if (number < 1 || number > bodies)
+        refuse(own, number, "= is given, but the contact has ", bodies, " bodies");
+  }
 }
 
 }  // namespace ffcontact::plugin

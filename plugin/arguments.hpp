@@ -10,25 +10,15 @@
 
 namespace ffcontact::plugin {
 
-/// Positional arguments of these types, any number of them.
-class ArgumentTypes : public ArrayOfaType {
- public:
-  explicit ArgumentTypes(const std::vector<aType>& types) : ArrayOfaType(false) {
-    n = static_cast<int>(types.size());
-    t = new aType[n];  // deleted by the base
-    std::copy(types.begin(), types.end(), t);
-  }
-};
-
 template <class T>
 T value_of(Stack stack, Expression expression) {
   return GetAny<T>((*expression)(stack));
 }
 
-/// The values of several expressions, as T or as what it converts to.
-template <class T, class As = T>
-std::vector<As> values_of(Stack stack, const std::vector<Expression>& expressions) {
-  std::vector<As> values;
+/// The values of several expressions.
+template <class T>
+std::vector<T> values_of(Stack stack, const std::vector<Expression>& expressions) {
+  std::vector<T> values;
   for (Expression expression : expressions) values.push_back(value_of<T>(stack, expression));
   return values;
 }
@@ -44,32 +34,48 @@ class NamedArguments {
   /// Runs when the script is parsed.
   NamedArguments(const basicAC_F0& arguments, Table table);
 
-  bool given(const char* name) const { return expression(name) != nullptr; }
-  Expression expression(const char* name) const { return values_[place(name)]; }
+  bool given(const std::string& name) const { return expression(name) != nullptr; }
+  /// Null where the parameter is not given.
+  Expression expression(const std::string& name) const;
   /// Component of a literal list like [fx, fy], or null where the parameter is not given.
-  /// @throws CompileError  if the list has not `size` components
-  Expression component(const char* name, int k, int size) const;
+  /// @throws std::invalid_argument  if the list has not `size` components
+  Expression component(const std::string& name, int k, int size) const;
 
-  double number(Stack stack, const char* name, double otherwise) const;
-  long integer(Stack stack, const char* name, long otherwise) const;
-  std::string text(Stack stack, const char* name, const char* otherwise) const;
-  std::vector<int> integers(Stack stack, const char* name) const;
+  /// The k of the given parameters that are called name followed by k.
+  std::vector<int> numbers_after(const char* name) const;
+
+  double number(Stack stack, const std::string& name, double otherwise) const;
+  long integer(Stack stack, const std::string& name, long otherwise) const;
+  std::string text(Stack stack, const std::string& name, const char* otherwise) const;
+  std::vector<int> integers(Stack stack, const std::string& name) const;
+  bool flag(Stack stack, const std::string& name) const;
   long verbosity_level(Stack stack) const { return integer(stack, "verbosity", verbosity); }
 
   /// Outputs: written where the script asked for them, otherwise dropped. Arrays are resized.
-  void put(Stack stack, const char* name, const Eigen::Ref<const Eigen::VectorXd>& values) const;
-  void put_integers(Stack stack, const char* name, const std::vector<long>& values) const;
-  void put(Stack stack, const char* name, double value) const;
-  void put(Stack stack, const char* name, long value) const;
-  void put(Stack stack, const char* name, bool value) const;
+  void put(Stack stack, const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& values) const;
+  void put_integers(Stack stack, const std::string& name, const std::vector<long>& values) const;
+  void put(Stack stack, const std::string& name, double value) const;
+  void put(Stack stack, const std::string& name, long value) const;
+  void put(Stack stack, const std::string& name, bool value) const;
 
  private:
-  std::size_t place(const char* name) const;
+  static constexpr std::size_t nowhere = -1;
+  std::size_t place(const std::string& name) const;
 
   Table table_;
   std::vector<Expression> values_;
   std::vector<std::vector<Expression>> components_;  ///< of literal lists of expressions
   std::vector<char> list_kind_;  ///< 'a' array, 'l' literal list, 'i' one integer, for parameters of type KN_<long>
 };
+
+/// The name of a parameter that each body has: itself where there is one body, otherwise followed by the body's number from 1.
+std::string name_of_body(const char* name, int body, int bodies);
+
+/// Rows for parameters that each body has, for one body and for as many as the call names: the number of bodies is not known yet
+/// when the script is parsed.
+NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, const basicAC_F0& arguments);
+
+/// @throws std::invalid_argument  if such a parameter is given without its number, or with the number of no body
+void require_names_of_bodies(const NamedArguments& named, const NamedArguments::Table& parameters, int bodies);
 
 }  // namespace ffcontact::plugin

@@ -8,7 +8,7 @@
 #include "ffcontact/contact/multiplier_projection.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 //
-#include "contact_arguments.hpp"
+#include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
 
@@ -54,7 +54,7 @@ ContactState state_of_number(long number) {
 const char* remedy(ContactStatus status) {
   switch (status) {
     case ContactStatus::not_converged: return "; raise maxit=";
-    case ContactStatus::cycled: return "; lower friction=, or bring the load in steps with previous= and initial=";
+    case ContactStatus::cycled: return "; lower friction=, or bring the load in steps with loadstep=true";
     case ContactStatus::singular: return "; prescribe displacements or give friction= that hold the body";
     default: return "; raise tol= if this is accurate enough";
   }
@@ -69,53 +69,83 @@ bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system, 
 }
 
 /// Part of a sentence that names the vertices of the line whose normal dof is prescribed, the first ones of many.
-std::string held_vertices(const ContactArguments& contact, const ElasticSystem& system) {
+std::string held_vertices(const ContactProblem& problem, const ElasticSystem& system) {
   constexpr int most = 8;
   std::ostringstream names;
   int count = 0;
-  for (int i = 0; i < contact.line.node_count(); ++i)
-    if (is_held_along_normal(contact.line, system, i) && ++count <= most)
-      names << (count > 1 ? ", " : "") << contact.own_vertex[i];
+  for (int i = 0; i < problem.line.node_count(); ++i)
+    if (is_held_along_normal(problem.line, system, i) && ++count <= most)
+      names << (count > 1 ? ", " : "") << problem.own_vertex[i];
   if (count == 0) return "";
   return "; on() prescribes the normal displacement on the contact line at vertex " + names.str() +
          (count > most ? ", ..." : "") + ": leave it free there, or take these edges out of label=";
 }
 
-/// iterations = contactsolve(Th, A, b, u, label=, friction=, ...), or with mesh, matrix, load and displacement of each of
-/// several bodies.
-template <int bodies>
+/// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over lengths.
+NodalResults nodal_results(const ContactLine& line, const ContactLaw& law, const std::vector<char>& prescribed,
+                           const ContactSolution& solution) {
+  const Eigen::Matrix2Xd pressure =
+      law.multiplier == Multiplier::pressure ? solution.pressure : lumped_pressures(line, prescribed, solution.force);
+  const Eigen::Matrix2Xd moved = displacement_against_foundation(line, law, solution.displacement);
+  NodalResults results;
+  results.pn = pressure.row(0);
+  results.pt = pressure.row(1);
+  results.fn = solution.force.row(0);
+  results.ft = solution.force.row(1);
+  results.gap = -moved.row(0);
+  results.slip = moved.row(1);
+  results.state = state_numbers(solution.state);
+  return results;
+}
+
+bool is_same(const ElasticSystem& a, const ElasticSystem& b) {
+  const RowMatrix &A = a.stiffness, &B = b.stiffness;
+  if (A.rows() != B.rows() || A.nonZeros() != B.nonZeros() || a.prescribed != b.prescribed) return false;
+  return std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr()) &&
+         std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr()) &&
+         std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1, B.outerIndexPtr());
+}
+
+/// Are b and u exchanged? Loads on the boundary alone are 0 inside, displacements are not.
+void require_order(const Mesh& mesh, const Eigen::VectorXd& load, const Eigen::VectorXd& displacement) {
+  if (!load.isZero(0) || displacement.isZero(0)) return;
+  std::vector<char> inside(mesh.vertices.cols(), 1);
+  for (int v : mesh.boundary.reshaped()) inside[v] = 0;
+  bool any_inside = false;
+  for (std::size_t v = 0; v < inside.size(); ++v) {
+    any_inside = any_inside || inside[v];
+    if (inside[v] && !displacement.segment<2>(2 * static_cast<Eigen::Index>(v)).isZero(0)) return;
+  }
+  if (any_inside)
+    refuse("b is 0 and u is 0 inside the body, but not on its boundary: they are exchanged, give A, b, u");
+}
+
+/// iterations = contactsolve(C, A, b, u, ...), with matrix, load and displacement of each body.
 class ContactSolve : public E_F0mps {
  public:
   using Result = long;
 
   explicit ContactSolve(const basicAC_F0& arguments)
       : named_(arguments,
-               ContactArguments::table({{"multiplier", &typeid(string*)},   {"solver", &typeid(string*)},
-                                        {"maxit", &typeid(long)},           {"tol", &typeid(double)},
-                                        {"initial", &typeid(KN_<long>)},    {"initialabscissa", &typeid(KN<double>*)},
-                                        {"verbosity", &typeid(long)},       {"pn", &typeid(KN<double>*)},
-                                        {"pt", &typeid(KN<double>*)},       {"fn", &typeid(KN<double>*)},
-                                        {"ft", &typeid(KN<double>*)},       {"node", &typeid(KN<long>*)},
-                                        {"abscissa", &typeid(KN<double>*)}, {"state", &typeid(KN<long>*)},
-                                        {"violation", &typeid(double*)},    {"status", &typeid(long*)},
-                                        {"history", &typeid(KN<double>*)},  {"open", &typeid(long*)},
-                                        {"stick", &typeid(long*)},          {"slip", &typeid(long*)}},
-                                       bodies)) {
-    for (int k = 0; k < bodies; ++k) {
-      mesh_.push_back(to<pmesh>(arguments[4 * k]));
-      matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[4 * k + 1]));
-      load_.push_back(to<KN<double>*>(arguments[4 * k + 2]));
-      displacement_.push_back(to<KN<double>*>(arguments[4 * k + 3]));
+               {{"multiplier", &typeid(string*)},  {"solver", &typeid(string*)},    {"maxit", &typeid(long)},
+                {"tol", &typeid(double)},          {"initial", &typeid(KN_<long>)}, {"loadstep", &typeid(bool)},
+                {"verbosity", &typeid(long)},      {"pn", &typeid(KN<double>*)},    {"pt", &typeid(KN<double>*)},
+                {"fn", &typeid(KN<double>*)},      {"ft", &typeid(KN<double>*)},    {"gap", &typeid(KN<double>*)},
+                {"slip", &typeid(KN<double>*)},    {"node", &typeid(KN<long>*)},    {"abscissa", &typeid(KN<double>*)},
+                {"state", &typeid(KN<long>*)},     {"violation", &typeid(double*)}, {"status", &typeid(long*)},
+                {"history", &typeid(KN<double>*)}, {"opennodes", &typeid(long*)},   {"sticknodes", &typeid(long*)},
+                {"slipnodes", &typeid(long*)}}),
+        contact_(to<ContactVariable*>(arguments[0])) {
+    if (arguments.size() < 4 || arguments.size() % 3 != 1)
+      CompileError("contactsolve: after the contact come A, b and u of each body");
+    for (int k = 1; k < arguments.size(); k += 3) {
+      matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[k]));
+      load_.push_back(to<KN<double>*>(arguments[k + 1]));
+      displacement_.push_back(to<KN<double>*>(arguments[k + 2]));
     }
   }
 
-  static ArrayOfaType typeargs() {
-    std::vector<aType> types;
-    for (int k = 0; k < bodies; ++k)
-      types.insert(types.end(),
-                   {atype<pmesh>(), atype<Matrice_Creuse<double>*>(), atype<KN<double>*>(), atype<KN<double>*>()});
-    return ArgumentTypes(types);
-  }
+  static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), true); }
   static E_F0* f(const basicAC_F0& arguments) { return new ContactSolve(arguments); }
 
   AnyType operator()(Stack stack) const override {
@@ -125,72 +155,99 @@ class ContactSolve : public E_F0mps {
  private:
   long run(Stack stack) const {
     const double start = CPUtime();
-    const ContactArguments contact(stack, named_, values_of<pmesh, const Fem2D::Mesh*>(stack, mesh_));
+    Contact& contact = contact_of(stack, contact_);
+    const ContactProblem& problem = *contact.problem;
+    problem.require_bodies("A, b, u", matrix_.size());
     const std::vector<KN<double>*> u = values_of<KN<double>*>(stack, displacement_);
-    std::vector<ElasticSystem> systems;
-    for (int k = 0; k < bodies; ++k) {
-      const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
-      contact.require_dofs("A", k, A.rows());
-      contact.require_dofs("u", k, u[k]->N());
-      systems.push_back(elastic_system(A, vector_of(value_of<KN<double>*>(stack, load_[k]))));
-    }
-    const ElasticSystem system = bodies == 1 ? std::move(systems.front()) : joined_systems(systems);
 
-    ContactLaw law = contact.law;
-    law.multiplier = multiplier_of(stack, named_);
-    const ContactSettings settings = settings_of(stack, contact.line);
-    const ContactSolution solution = solve_contact(contact.mesh, contact.line, law, system, settings);
+    SolvedContact solved;
+    solved.system = system_of(stack, problem, u);
+    solved.law = law_of(stack, contact);
+    const ContactSettings settings = settings_of(stack, contact, solved.system);
+    solved.solution = solve_contact(problem.mesh, problem.line, solved.law, solved.system, settings);
+    const ContactSolution& solution = solved.solution;
     if (!solution.accepted(settings) && !named_.given("status"))
       refuse("no solution after ", solution.iterations, " iterations (", in_words(solution.status),
              "), largest violation ", solution.complementarity, ", residual ", solution.residual,
-             remedy(solution.status), "; status= returns the best iterate instead", held_vertices(contact, system));
+             remedy(solution.status), "; status= returns the best iterate instead",
+             held_vertices(problem, solved.system));
 
-    for (int k = 0; k < bodies; ++k)
-      vector_of(u[k]) = solution.displacement.segment(contact.first_dof(k), contact.dof_count(k));
-    put(stack, contact, law.multiplier, system.prescribed, solution);
-    report(stack, contact, solution, CPUtime() - start);
-    return solution.iterations;
+    for (int k = 0; k < problem.body_count(); ++k)
+      vector_of(u[k]) = solution.displacement.segment(problem.first_dof(k), problem.dof_count(k));
+    solved.nodes = nodal_results(problem.line, solved.law, solved.system.prescribed, solution);
+    put(stack, problem, solved);
+    report(stack, problem, solution, CPUtime() - start);
+    contact.last_states = solution.state;
+    contact.last_abscissa = problem.line.abscissa;
+    contact.solved = std::move(solved);
+    return contact.solved->solution.iterations;
   }
 
-  ContactSettings settings_of(Stack stack, const ContactLine& line) const {
+  ElasticSystem system_of(Stack stack, const ContactProblem& problem, const std::vector<KN<double>*>& u) const {
+    std::vector<ElasticSystem> systems;
+    Eigen::VectorXd load(problem.first_dof(problem.body_count())), displacement(load.size());
+    for (int k = 0; k < problem.body_count(); ++k) {
+      const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
+      const Eigen::VectorXd b = vector_of(value_of<KN<double>*>(stack, load_[k]));
+      problem.require_dofs("A", k, A.rows());
+      problem.require_dofs("b", k, b.size());
+      problem.require_dofs("u", k, u[k]->N());
+      load.segment(problem.first_dof(k), problem.dof_count(k)) = b;
+      displacement.segment(problem.first_dof(k), problem.dof_count(k)) = vector_of(u[k]);
+      systems.push_back(elastic_system(A, b));
+    }
+    require_order(problem.mesh, load, displacement);
+    return systems.size() == 1 ? std::move(systems.front()) : joined_systems(systems);
+  }
+
+  ContactLaw law_of(Stack stack, const Contact& contact) const {
+    ContactLaw law = contact.problem->law;
+    law.multiplier = multiplier_of(stack, named_);
+    if (named_.flag(stack, "loadstep") && contact.solved)
+      law.previous = contact_components(contact.problem->line, contact.solved->solution.displacement).row(1);
+    return law;
+  }
+
+  ContactSettings settings_of(Stack stack, const Contact& contact, const ElasticSystem& system) const {
     ContactSettings settings;
     settings.solver = solver_named(named_.text(stack, "solver", "newton"));
     settings.max_iterations = static_cast<int>(named_.integer(stack, "maxit", settings.max_iterations));
     settings.tolerance = named_.number(stack, "tol", settings.tolerance);
     if (!(settings.tolerance > 0)) refuse("tol must be positive, got ", settings.tolerance);
+    settings.initial_state = states_at(contact.problem->line, contact.last_abscissa, contact.last_states);
+    if (named_.given("initial")) settings.initial_state.clear();
     for (long number : named_.integers(stack, "initial")) settings.initial_state.push_back(state_of_number(number));
-    if (const Expression abscissa = named_.expression("initialabscissa"))
-      settings.initial_state =
-          states_at(line, vector_of(GetAny<KN<double>*>((*abscissa)(stack))), settings.initial_state);
+    if (contact.solved && is_same(contact.solved->system, system))
+      settings.stiffness = contact.solved->solution.stiffness;
     return settings;
   }
 
-  void put(Stack stack, const ContactArguments& contact, Multiplier multiplier, const std::vector<char>& prescribed,
-           const ContactSolution& solution) const {
-    const Eigen::Matrix2Xd pressure = multiplier == Multiplier::pressure
-                                          ? solution.pressure
-                                          : lumped_pressures(contact.line, prescribed, solution.force);
+  void put(Stack stack, const ContactProblem& problem, const SolvedContact& solved) const {
+    const ContactSolution& solution = solved.solution;
+    const NodalResults& nodes = solved.nodes;
     const Counts counts = counted(solution.state);
-    named_.put(stack, "pn", Eigen::VectorXd(pressure.row(0)));
-    named_.put(stack, "pt", Eigen::VectorXd(pressure.row(1)));
-    named_.put(stack, "fn", Eigen::VectorXd(solution.force.row(0)));
-    named_.put(stack, "ft", Eigen::VectorXd(solution.force.row(1)));
-    named_.put_integers(stack, "node", contact.own_vertex);
-    named_.put(stack, "abscissa", contact.line.abscissa);
-    named_.put_integers(stack, "state", state_numbers(solution.state));
+    named_.put(stack, "pn", nodes.pn);
+    named_.put(stack, "pt", nodes.pt);
+    named_.put(stack, "fn", nodes.fn);
+    named_.put(stack, "ft", nodes.ft);
+    named_.put(stack, "gap", nodes.gap);
+    named_.put(stack, "slip", nodes.slip);
+    named_.put_integers(stack, "node", problem.own_vertex);
+    named_.put(stack, "abscissa", problem.line.abscissa);
+    named_.put_integers(stack, "state", nodes.state);
     named_.put(stack, "violation", solution.complementarity);
     named_.put(stack, "status", static_cast<long>(solution.status));
     named_.put(stack, "history", Eigen::Map<const Eigen::VectorXd>(solution.history.data(), solution.history.size()));
-    named_.put(stack, "open", counts.open);
-    named_.put(stack, "stick", counts.stick);
-    named_.put(stack, "slip", counts.slip);
+    named_.put(stack, "opennodes", counts.open);
+    named_.put(stack, "sticknodes", counts.stick);
+    named_.put(stack, "slipnodes", counts.slip);
   }
 
-  void report(Stack stack, const ContactArguments& contact, const ContactSolution& solution, double seconds) const {
+  void report(Stack stack, const ContactProblem& problem, const ContactSolution& solution, double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
     const Counts counts = counted(solution.state);
-    cout << "contactsolve: " << 2 * contact.mesh.vertex_count() << " dofs, " << contact.line.node_count()
+    cout << "contactsolve: " << 2 * problem.mesh.vertex_count() << " dofs, " << problem.line.node_count()
          << " contact nodes, " << solution.iterations << " iterations, " << counts.open << " open, " << counts.stick
          << " stick, " << counts.slip << " slip, " << in_words(solution.status) << ", " << seconds << " s" << endl;
     if (level > 1 && !solution.history.empty())
@@ -201,26 +258,29 @@ class ContactSolve : public E_F0mps {
   }
 
   NamedArguments named_;
-  std::vector<Expression> mesh_, matrix_, load_, displacement_;
+  Expression contact_;
+  std::vector<Expression> matrix_, load_, displacement_;
 };
 
-/// nodes outside = contactproject(Th, pn, pt, label=, friction=, multiplier=, g=, ...): pn and pt are projected in place; empty
-/// arrays become zeros, one value a node.
+/// The contact and two arrays pn, pt: what contactproject and conecorrection take.
+ArrayOfaType contact_and_pressures() {
+  return ArrayOfaType(atype<ContactVariable*>(), atype<KN<double>*>(), atype<KN<double>*>());
+}
+
+/// nodes outside = contactproject(C, pn, pt, multiplier=, g=, ...): pn and pt are projected in place; empty arrays become zeros, one
+/// value a node.
 class ContactProject : public E_F0mps {
  public:
   using Result = long;
 
   explicit ContactProject(const basicAC_F0& arguments)
-      : named_(arguments, ContactArguments::table({{"multiplier", &typeid(string*)},
-                                                   {"g", &typeid(KN<double>*)},
-                                                   {"node", &typeid(KN<long>*)},
-                                                   {"abscissa", &typeid(KN<double>*)},
-                                                   {"verbosity", &typeid(long)}})),
-        mesh_(to<pmesh>(arguments[0])),
+      : named_(arguments,
+               {{"multiplier", &typeid(string*)}, {"g", &typeid(KN<double>*)}, {"verbosity", &typeid(long)}}),
+        contact_(to<ContactVariable*>(arguments[0])),
         normal_(to<KN<double>*>(arguments[1])),
         tangential_(to<KN<double>*>(arguments[2])) {}
 
-  static ArrayOfaType typeargs() { return ArrayOfaType(atype<pmesh>(), atype<KN<double>*>(), atype<KN<double>*>()); }
+  static ArrayOfaType typeargs() { return contact_and_pressures(); }
   static E_F0* f(const basicAC_F0& arguments) { return new ContactProject(arguments); }
 
   AnyType operator()(Stack stack) const override {
@@ -229,51 +289,49 @@ class ContactProject : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const ContactArguments contact(stack, named_, {value_of<pmesh>(stack, mesh_)});
-    ContactLaw law = contact.law;
+    const ContactProblem& problem = *contact_of(stack, contact_).problem;
+    ContactLaw law = problem.law;
     law.multiplier = multiplier_of(stack, named_);
-    KN<double>*pn = GetAny<KN<double>*>((*normal_)(stack)), *pt = GetAny<KN<double>*>((*tangential_)(stack));
-    const int nodes = contact.line.node_count();
+    KN<double>*pn = value_of<KN<double>*>(stack, normal_), *pt = value_of<KN<double>*>(stack, tangential_);
+    const int nodes = problem.line.node_count();
     const Eigen::Matrix2Xd pressure =
-        pn->N() == 0 && pt->N() == 0 ? Eigen::Matrix2Xd(Eigen::Matrix2Xd::Zero(2, nodes)) : contact.pressures(pn, pt);
+        pn->N() == 0 && pt->N() == 0 ? Eigen::Matrix2Xd(Eigen::Matrix2Xd::Zero(2, nodes)) : problem.pressures(pn, pt);
     const Expression g = named_.expression("g");
-    const Eigen::VectorXd given = g ? Eigen::VectorXd(vector_of(GetAny<KN<double>*>((*g)(stack)))) : Eigen::VectorXd();
-    const MultiplierProjection projection = projected_multipliers(contact.line, law, pressure, given);
+    const Eigen::VectorXd given = g ? Eigen::VectorXd(vector_of(value_of<KN<double>*>(stack, g))) : Eigen::VectorXd();
+    const MultiplierProjection projection = projected_multipliers(problem.line, law, pressure, given);
 
     pn->resize(nodes);
     pt->resize(nodes);
     vector_of(pn) = projection.pressure.row(0);
     vector_of(pt) = projection.pressure.row(1);
-    named_.put_integers(stack, "node", contact.own_vertex);
-    named_.put(stack, "abscissa", contact.line.abscissa);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
       cout << "contactproject: " << nodes << " nodes, " << projection.outside << " were outside" << endl;
     return projection.outside;
   }
 
   NamedArguments named_;
-  Expression mesh_, normal_, tangential_;
+  Expression contact_, normal_, tangential_;
 };
 
-/// edges that (4.1) cannot mend = conecorrection(Th, pn, pt, label=, friction=, ...)
+/// edges that (4.1) cannot mend = conecorrection(C, pn, pt, ...)
 class ConeCorrectionFunction : public E_F0mps {
  public:
   using Result = long;
 
   explicit ConeCorrectionFunction(const basicAC_F0& arguments)
-      : named_(arguments, ContactArguments::table({{"multiplier", &typeid(string*)},
-                                                   {"A", &typeid(Matrice_Creuse<double>*)},
-                                                   {"verbosity", &typeid(long)},
-                                                   {"rn", &typeid(KN<double>*)},
-                                                   {"rt", &typeid(KN<double>*)},
-                                                   {"shift", &typeid(KN<double>*)},
-                                                   {"corrected", &typeid(long*)},
-                                                   {"cone", &typeid(double*)}})),
-        mesh_(to<pmesh>(arguments[0])),
+      : named_(arguments, {{"multiplier", &typeid(string*)},
+                           {"A", &typeid(Matrice_Creuse<double>*)},
+                           {"verbosity", &typeid(long)},
+                           {"rn", &typeid(KN<double>*)},
+                           {"rt", &typeid(KN<double>*)},
+                           {"shift", &typeid(KN<double>*)},
+                           {"corrected", &typeid(long*)},
+                           {"cone", &typeid(double*)}}),
+        contact_(to<ContactVariable*>(arguments[0])),
         normal_(to<KN<double>*>(arguments[1])),
         tangential_(to<KN<double>*>(arguments[2])) {}
 
-  static ArrayOfaType typeargs() { return ArrayOfaType(atype<pmesh>(), atype<KN<double>*>(), atype<KN<double>*>()); }
+  static ArrayOfaType typeargs() { return contact_and_pressures(); }
   static E_F0* f(const basicAC_F0& arguments) { return new ConeCorrectionFunction(arguments); }
 
   AnyType operator()(Stack stack) const override {
@@ -282,13 +340,14 @@ class ConeCorrectionFunction : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const ContactArguments contact(stack, named_, {value_of<pmesh>(stack, mesh_)});
+    const Contact& contact = contact_of(stack, contact_);
+    const ContactProblem& problem = *contact.problem;
     const Eigen::Matrix2Xd given =
-        contact.pressures(GetAny<KN<double>*>((*normal_)(stack)), GetAny<KN<double>*>((*tangential_)(stack)));
+        problem.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));
     const Eigen::Matrix2Xd density =
-        multiplier_density(contact.line, multiplier_of(stack, named_), prescribed(stack, contact), given);
-    const ConeCorrection correction = correct_to_cone(contact.line, contact.law, edge_densities(contact.line, density));
-    const double cone = cone_defect(contact.line, contact.law, correction.densities);
+        multiplier_density(problem.line, multiplier_of(stack, named_), prescribed(stack, contact), given);
+    const ConeCorrection correction = correct_to_cone(problem.line, problem.law, edge_densities(problem.line, density));
+    const double cone = cone_defect(problem.line, problem.law, correction.densities);
     const auto unmended = static_cast<long>(correction.uncorrected.size());
     named_.put(stack, "rn", correction.densities.normal.reshaped());
     named_.put(stack, "rt", correction.densities.tangential.reshaped());
@@ -296,30 +355,31 @@ class ConeCorrectionFunction : public E_F0mps {
     named_.put(stack, "corrected", static_cast<long>(correction.corrected_count()));
     named_.put(stack, "cone", cone);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
-      cout << "conecorrection: " << contact.line.edge_count() << " edges, " << correction.corrected_count()
+      cout << "conecorrection: " << problem.line.edge_count() << " edges, " << correction.corrected_count()
            << " corrected, " << unmended << " unmended, cone defect " << cone << endl;
     return unmended;
   }
 
-  /// The prescribed dofs of A=, or none.
-  std::vector<char> prescribed(Stack stack, const ContactArguments& contact) const {
+  /// The prescribed dofs of A=, of the matrix that the contact was solved with, or none.
+  std::vector<char> prescribed(Stack stack, const Contact& contact) const {
+    const ContactProblem& problem = *contact.problem;
     const Expression A = named_.expression("A");
-    if (!A) return std::vector<char>(contact.dof_count(0), 0);
+    if (!A && contact.solved) return contact.solved->system.prescribed;
+    if (!A) return std::vector<char>(problem.first_dof(problem.body_count()), 0);
+    problem.require_bodies("A", 1);
     const RowMatrix matrix = matrix_of(value_of<Matrice_Creuse<double>*>(stack, A));
-    contact.require_dofs("A", 0, matrix.rows());
+    problem.require_dofs("A", 0, matrix.rows());
     return prescribed_dofs(matrix);
   }
 
   NamedArguments named_;
-  Expression mesh_, normal_, tangential_;
+  Expression contact_, normal_, tangential_;
 };
 
 }  // namespace
 
 void register_contact_functions() {
-  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve<1>>());
-  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve<2>>());
-  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve<3>>());
+  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve>());
   Global.Add("contactproject", "(", new OneOperatorCode<ContactProject>());
   Global.Add("conecorrection", "(", new OneOperatorCode<ConeCorrectionFunction>());
 }

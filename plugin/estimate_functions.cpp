@@ -7,7 +7,7 @@
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 //
-#include "contact_arguments.hpp"
+#include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
 
@@ -18,40 +18,41 @@ namespace {
 /// Sweeps at most when the script asks for a tightness and not for a number of sweeps.
 constexpr int most_sweeps = 20;
 
-/// The components of one body's Hooke tensor, loads and body forces.
-struct BodyExpressions {
-  Expression traction[2], body_force[2], hooke[6];
+/// What is given for each body.
+const NamedArguments::Table of_bodies = {{"lambda", &typeid(double)},     {"G", &typeid(double)},
+                                         {"hooke", &typeid(E_Array)},     {"traction", &typeid(E_Array)},
+                                         {"bodyforce", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
+                                         {"rate", &typeid(KN<double>*)},  {"sxx", &typeid(KN<double>*)},
+                                         {"syy", &typeid(KN<double>*)},   {"sxy", &typeid(KN<double>*)}};
+
+/// A solution that is to be judged: of contactsolve, or given by the script.
+struct Judged {
+  ElasticSystem system;
+  SolvedBody body;
+  double oscillation = 0;
 };
 
-/// eps = contacterror(Th, A, u, pn, pt, label=, friction=, lambda=, G=, traction=[Fx, Fy], eps=, ...), or with mesh, matrix and
-/// displacement of each of several bodies.
-template <int bodies>
+/// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve found, or
+/// eps = contacterror(C, A, u, pn, pt, ...) with matrix and displacement of each body for what another solver found.
 class ContactErrorFunction : public E_F0mps {
  public:
   using Result = double;
 
-  explicit ContactErrorFunction(const basicAC_F0& arguments) : named_(arguments, table()) {
-    for (int k = 0; k < bodies; ++k) {
-      mesh_.push_back(to<pmesh>(arguments[3 * k]));
-      matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[3 * k + 1]));
-      displacement_.push_back(to<KN<double>*>(arguments[3 * k + 2]));
-      for (int c = 0; c < 2; ++c) {
-        body_[k].traction[c] = named_.component(name("traction", k), c, 2);
-        body_[k].body_force[c] = named_.component(name("bodyforce", k), c, 2);
-      }
-      for (int c = 0; c < 6; ++c) body_[k].hooke[c] = named_.component(name("hooke", k), c, 6);
+  explicit ContactErrorFunction(const basicAC_F0& arguments)
+      : named_(arguments, table(arguments)), contact_(to<ContactVariable*>(arguments[0])) {
+    if (arguments.size() == 1) return;
+    if (arguments.size() % 2 == 0 || arguments.size() < 5)
+      CompileError("contacterror: after the contact come A and u of each body, then pn and pt, or nothing at all");
+    const int last = arguments.size() - 2;
+    for (int k = 1; k < last; k += 2) {
+      matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[k]));
+      displacement_.push_back(to<KN<double>*>(arguments[k + 1]));
     }
-    normal_ = to<KN<double>*>(arguments[3 * bodies]);
-    tangential_ = to<KN<double>*>(arguments[3 * bodies + 1]);
+    normal_ = to<KN<double>*>(arguments[last]);
+    tangential_ = to<KN<double>*>(arguments[last + 1]);
   }
 
-  static ArrayOfaType typeargs() {
-    std::vector<aType> types;
-    for (int k = 0; k < bodies; ++k)
-      types.insert(types.end(), {atype<pmesh>(), atype<Matrice_Creuse<double>*>(), atype<KN<double>*>()});
-    types.insert(types.end(), {atype<KN<double>*>(), atype<KN<double>*>()});
-    return ArgumentTypes(types);
-  }
+  static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), true); }
   static E_F0* f(const basicAC_F0& arguments) { return new ContactErrorFunction(arguments); }
 
   AnyType operator()(Stack stack) const override {
@@ -59,63 +60,82 @@ class ContactErrorFunction : public E_F0mps {
   }
 
  private:
-  static const char* name(const char* parameter, int body) { return name_of_body(parameter, body, bodies); }
-
-  static NamedArguments::Table table() {
-    NamedArguments::Table own = for_bodies({{"lambda", &typeid(double)},
-                                            {"G", &typeid(double)},
-                                            {"hooke", &typeid(E_Array)},
-                                            {"traction", &typeid(E_Array)},
-                                            {"bodyforce", &typeid(E_Array)},
-                                            {"eps", &typeid(KN<double>*)},
-                                            {"rate", &typeid(KN<double>*)},
-                                            {"sxx", &typeid(KN<double>*)},
-                                            {"syy", &typeid(KN<double>*)},
-                                            {"sxy", &typeid(KN<double>*)}},
-                                           bodies);
-    own.insert(own.end(), {{"multiplier", &typeid(string*)},
-                           {"tractions", &typeid(string*)},
-                           {"construction", &typeid(string*)},
-                           {"sweeps", &typeid(long)},
-                           {"tightness", &typeid(double)},
-                           {"verbosity", &typeid(long)},
-                           {"e", &typeid(double*)},
-                           {"elastic", &typeid(double*)},
-                           {"contact", &typeid(double*)},
-                           {"history", &typeid(KN<double>*)},
-                           {"rn", &typeid(KN<double>*)},
-                           {"rt", &typeid(KN<double>*)},
-                           {"rabscissa", &typeid(KN<double>*)},
-                           {"corrected", &typeid(long*)},
-                           {"mended", &typeid(long*)},
-                           {"unmended", &typeid(long*)},
-                           {"oscillation", &typeid(double*)},
-                           {"balance", &typeid(double*)},
-                           {"cone", &typeid(double*)},
-                           {"penetration", &typeid(double*)},
-                           {"admissible", &typeid(bool*)}});
-    return ContactArguments::table(own, bodies);
+  static NamedArguments::Table table(const basicAC_F0& arguments) {
+    NamedArguments::Table table = for_bodies(of_bodies, arguments);
+    table.insert(table.end(), {{"multiplier", &typeid(string*)},
+                               {"tractions", &typeid(string*)},
+                               {"construction", &typeid(string*)},
+                               {"sweeps", &typeid(long)},
+                               {"tightness", &typeid(double)},
+                               {"verbosity", &typeid(long)},
+                               {"e", &typeid(double*)},
+                               {"elasticpart", &typeid(double*)},
+                               {"contactpart", &typeid(double*)},
+                               {"history", &typeid(KN<double>*)},
+                               {"rn", &typeid(KN<double>*)},
+                               {"rt", &typeid(KN<double>*)},
+                               {"rabscissa", &typeid(KN<double>*)},
+                               {"corrected", &typeid(long*)},
+                               {"mended", &typeid(long*)},
+                               {"unmended", &typeid(long*)},
+                               {"oscillation", &typeid(double*)},
+                               {"balance", &typeid(double*)},
+                               {"cone", &typeid(double*)},
+                               {"penetration", &typeid(double*)},
+                               {"admissible", &typeid(bool*)}});
+    return table;
   }
 
   double run(Stack stack) const {
     const double start = CPUtime();
-    const ContactArguments contact(stack, named_, values_of<pmesh, const Fem2D::Mesh*>(stack, mesh_));
+    const Contact& contact = contact_of(stack, contact_);
+    const ContactProblem& problem = *contact.problem;
+    require_names_of_bodies(named_, of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
+    Judged judged = matrix_.empty() ? own_solution(contact) : given_solution(stack, problem);
+    add_law_and_loads(stack, problem, judged);
+    const auto& [system, body, oscillation] = judged;
+    const Estimate estimate = estimate_error(problem.mesh, problem.edges, problem.line, system, body, settings);
+    put(stack, problem, estimate);
+    put_rates(stack, problem, system, body);
+    named_.put(stack, "oscillation", oscillation);
+    report(stack, problem, estimate, CPUtime() - start);
+    return estimate.relative;
+  }
+
+  Judged own_solution(const Contact& contact) const {
+    if (named_.given("multiplier"))
+      refuse("multiplier= is given, but pn and pt are not: it is known from contactsolve");
+    const SolvedContact& solved = solved_contact(contact);
+    Judged judged{solved.system, {}};
+    judged.body.displacement = solved.solution.displacement;
+    judged.body.pressure = solved.solution.pressure;
+    judged.body.law = solved.law;
+    judged.body.stiffness = solved.solution.stiffness;
+    return judged;
+  }
+
+  Judged given_solution(Stack stack, const ContactProblem& problem) const {
+    problem.require_bodies("A, u", matrix_.size());
     std::vector<ElasticSystem> systems;
-    for (int k = 0; k < bodies; ++k) {
+    Judged judged;
+    SolvedBody& body = judged.body;
+    body.displacement.resize(problem.first_dof(problem.body_count()));
+    for (int k = 0; k < problem.body_count(); ++k) {
       const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
-      contact.require_dofs("A", k, A.rows());
+      KN<double>* u = value_of<KN<double>*>(stack, displacement_[k]);
+      problem.require_dofs("A", k, A.rows());
+      problem.require_dofs("u", k, u->N());
+      body.displacement.segment(problem.first_dof(k), problem.dof_count(k)) = vector_of(u);
       systems.push_back(elastic_system(A, Eigen::VectorXd::Zero(A.rows())));
     }
-    const ElasticSystem system = bodies == 1 ? std::move(systems.front()) : joined_systems(systems);
-    double oscillation = 0;
-    const SolvedBody body = solved_body(stack, contact, system.prescribed, oscillation);
-    const Estimate estimate = estimate_error(contact.mesh, contact.edges, contact.line, system, body, settings);
-    put(stack, contact, estimate);
-    put_rates(stack, contact, system, body);
-    named_.put(stack, "oscillation", oscillation);
-    report(stack, contact, estimate, CPUtime() - start);
-    return estimate.relative;
+    judged.system = systems.size() == 1 ? std::move(systems.front()) : joined_systems(systems);
+    body.law = problem.law;
+    body.law.multiplier = multiplier_of(stack, named_);
+    const Eigen::Matrix2Xd given =
+        problem.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));
+    body.pressure = multiplier_density(problem.line, body.law.multiplier, judged.system.prescribed, given);
+    return judged;
   }
 
   EstimateSettings estimate_settings(Stack stack) const {
@@ -139,41 +159,37 @@ class ContactErrorFunction : public E_F0mps {
     return settings;
   }
 
-  SolvedBody solved_body(Stack stack, const ContactArguments& contact, const std::vector<char>& prescribed,
-                         double& oscillation) const {
-    const JoinedMesh& joined = contact.joined;
-    SolvedBody body;
-    body.displacement.resize(contact.first_dof(bodies));
+  void add_law_and_loads(Stack stack, const ContactProblem& problem, Judged& judged) const {
+    const JoinedMesh& joined = problem.joined;
+    const int bodies = problem.body_count();
+    SolvedBody& body = judged.body;
     body.neumann.resize(4, joined.first_boundary.back());
     body.body_loads.resize(6, joined.first_triangle.back());
     for (int k = 0; k < bodies; ++k) {
-      const Fem2D::Mesh& fem_mesh = *contact.fem_meshes[k];
-      KN<double>* u = value_of<KN<double>*>(stack, displacement_[k]);
-      contact.require_dofs("u", k, u->N());
-      body.displacement.segment(contact.first_dof(k), contact.dof_count(k)) = vector_of(u);
-      add_hooke(stack, k, fem_mesh, body.hooke);
+      const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[k];
+      const std::string traction = name_of_body("traction", k, bodies), f = name_of_body("bodyforce", k, bodies);
+      add_hooke(stack, problem, k, body.hooke);
       const Mesh mesh = mesh_of(&fem_mesh);
       body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
-          traction_moments(stack, body_[k].traction[0], body_[k].traction[1], fem_mesh, mesh);
-      const BodyForce force = body_force_loads(stack, body_[k].body_force[0], body_[k].body_force[1], fem_mesh, mesh);
+          traction_moments(stack, named_.component(traction, 0, 2), named_.component(traction, 1, 2), fem_mesh, mesh);
+      const BodyForce force =
+          body_force_loads(stack, named_.component(f, 0, 2), named_.component(f, 1, 2), fem_mesh, mesh);
       body.body_loads.middleCols(joined.first_triangle[k], mesh.triangles.cols()) = force.loads;
-      oscillation = std::hypot(oscillation, force.oscillation);
+      judged.oscillation = std::hypot(judged.oscillation, force.oscillation);
     }
-    body.law = contact.law;
-    body.law.multiplier = multiplier_of(stack, named_);
-    body.pressure = multiplier_density(
-        contact.line, body.law.multiplier, prescribed,
-        contact.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_)));
-    return body;
   }
 
   /// Appends the tensors of one body's triangles.
-  void add_hooke(Stack stack, int body, const Fem2D::Mesh& fem_mesh, Hooke& all) const {
-    const Expression lambda = named_.expression(name("lambda", body)), G = named_.expression(name("G", body));
+  void add_hooke(Stack stack, const ContactProblem& problem, int body, Hooke& all) const {
+    const int bodies = problem.body_count();
+    const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[body];
+    const std::string name = name_of_body("hooke", body, bodies), lambda_name = name_of_body("lambda", body, bodies),
+                      G_name = name_of_body("G", body, bodies);
+    const Expression lambda = named_.expression(lambda_name), G = named_.expression(G_name);
     const bool lame = lambda && G;
-    if (lame == named_.given(name("hooke", body)))
-      refuse("give either ", name("lambda", body), "= and ", name("G", body), "= (Lame's constants) or ",
-             name("hooke", body), "=[C11, C12, C13, C22, C23, C33]");
+    if (lame == named_.given(name))
+      refuse("give either ", lambda_name, "= and ", G_name, "= (Lame's constants) or ", name,
+             "=[C11, C12, C13, C22, C23, C33]");
     Hooke hooke(fem_mesh.nt);
     if (lame) {
       const Eigen::VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0);
@@ -182,7 +198,7 @@ class ContactErrorFunction : public E_F0mps {
     } else {
       constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
       for (int c = 0; c < 6; ++c) {
-        const Eigen::VectorXd values = at_triangles(stack, body_[body].hooke[c], fem_mesh, 0);
+        const Eigen::VectorXd values = at_triangles(stack, named_.component(name, c, 6), fem_mesh, 0);
         for (Eigen::Index t = 0; t < values.size(); ++t)
           hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
       }
@@ -190,25 +206,30 @@ class ContactErrorFunction : public E_F0mps {
     all.insert(all.end(), hooke.begin(), hooke.end());
   }
 
-  void put_rates(Stack stack, const ContactArguments& contact, const ElasticSystem& system,
-                 const SolvedBody& body) const {
-    bool wanted = false;
-    for (int k = 0; k < bodies; ++k) wanted = wanted || named_.given(name("rate", k));
-    if (!wanted) return;
-    const Stars stars = stars_of(contact.mesh, contact.edges);
-    const BoundaryTractions boundary = boundary_tractions(contact.mesh, contact.edges, system.prescribed, body.neumann,
-                                                          contact.line, edge_densities(contact.line, body.pressure));
-    const std::vector<SingularVertex> singular = singular_vertices(
-        contact.mesh, contact.edges, stars, body.hooke, stresses(contact.mesh, body.hooke, body.displacement), boundary,
-        contact_edge_numbers(contact.line, contact.edges));
-    put_by_triangles(stack, contact, "rate", local_rates(contact.mesh, stars, singular));
+  bool is_wanted(const char* parameter, int bodies) const {
+    for (int k = 0; k < bodies; ++k)
+      if (named_.given(name_of_body(parameter, k, bodies))) return true;
+    return false;
   }
 
-  void put_by_triangles(Stack stack, const ContactArguments& contact, const char* parameter,
+  void put_rates(Stack stack, const ContactProblem& problem, const ElasticSystem& system,
+                 const SolvedBody& body) const {
+    if (!is_wanted("rate", problem.body_count())) return;
+    const Stars stars = stars_of(problem.mesh, problem.edges);
+    const BoundaryTractions boundary = boundary_tractions(problem.mesh, problem.edges, system.prescribed, body.neumann,
+                                                          problem.line, edge_densities(problem.line, body.pressure));
+    const std::vector<SingularVertex> singular = singular_vertices(
+        problem.mesh, problem.edges, stars, body.hooke, stresses(problem.mesh, body.hooke, body.displacement), boundary,
+        contact_edge_numbers(problem.line, problem.edges));
+    put_by_triangles(stack, problem, "rate", local_rates(problem.mesh, stars, singular));
+  }
+
+  void put_by_triangles(Stack stack, const ContactProblem& problem, const char* parameter,
                         const Eigen::VectorXd& values) const {
-    const std::vector<int>& first = contact.joined.first_triangle;
+    const std::vector<int>& first = problem.joined.first_triangle;
+    const int bodies = problem.body_count();
     for (int k = 0; k < bodies; ++k)
-      named_.put(stack, name(parameter, k), values.segment(first[k], first[k + 1] - first[k]));
+      named_.put(stack, name_of_body(parameter, k, bodies), values.segment(first[k], first[k + 1] - first[k]));
   }
 
   /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is triangle t with vertex k moved to the
@@ -228,18 +249,17 @@ class ContactErrorFunction : public E_F0mps {
     return values;
   }
 
-  void put_stress(Stack stack, const ContactArguments& contact, const Estimate& estimate) const {
+  void put_stress(Stack stack, const ContactProblem& problem, const Estimate& estimate) const {
     constexpr const char* parameter[] = {"sxx", "syy", "sxy"};
-    bool wanted = false;
-    for (const char* p : parameter)
-      for (int k = 0; k < bodies; ++k) wanted = wanted || named_.given(name(p, k));
-    if (!wanted) return;
-    const std::vector<CompositeStress> stress = stress_on_triangles(contact.mesh, estimate);
-    const std::vector<int>& first = contact.joined.first_triangle;
+    const int bodies = problem.body_count();
+    if (!is_wanted("sxx", bodies) && !is_wanted("syy", bodies) && !is_wanted("sxy", bodies)) return;
+    const std::vector<CompositeStress> stress = stress_on_triangles(problem.mesh, estimate);
+    const std::vector<int>& first = problem.joined.first_triangle;
     for (int c = 0; c < 3; ++c) {
       const Eigen::VectorXd values = stress_component(stress, c);
       for (int k = 0; k < bodies; ++k)
-        named_.put(stack, name(parameter[c], k), values.segment(9 * first[k], 9 * (first[k + 1] - first[k])));
+        named_.put(stack, name_of_body(parameter[c], k, bodies),
+                   values.segment(9 * first[k], 9 * (first[k + 1] - first[k])));
     }
   }
 
@@ -253,13 +273,13 @@ class ContactErrorFunction : public E_F0mps {
     return values;
   }
 
-  void put(Stack stack, const ContactArguments& contact, const Estimate& estimate) const {
-    put_by_triangles(stack, contact, "eps", estimate.local);
-    put_stress(stack, contact, estimate);
-    named_.put(stack, "rabscissa", abscissae(estimate.refinement ? estimate.refinement->line : contact.line));
+  void put(Stack stack, const ContactProblem& problem, const Estimate& estimate) const {
+    put_by_triangles(stack, problem, "eps", estimate.local);
+    put_stress(stack, problem, estimate);
+    named_.put(stack, "rabscissa", abscissae(estimate.refinement ? estimate.refinement->line : problem.line));
     named_.put(stack, "e", estimate.e);
-    named_.put(stack, "elastic", estimate.elastic);
-    named_.put(stack, "contact", estimate.contact);
+    named_.put(stack, "elasticpart", estimate.elastic);
+    named_.put(stack, "contactpart", estimate.contact);
     named_.put(stack, "history", Eigen::Map<const Eigen::VectorXd>(estimate.history.data(), estimate.history.size()));
     named_.put(stack, "rn", estimate.tractions.normal.reshaped());
     named_.put(stack, "rt", estimate.tractions.tangential.reshaped());
@@ -272,10 +292,10 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "admissible", estimate.admissible);
   }
 
-  void report(Stack stack, const ContactArguments& contact, const Estimate& estimate, double seconds) const {
+  void report(Stack stack, const ContactProblem& problem, const Estimate& estimate, double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
-    cout << "contacterror: " << contact.mesh.triangle_count() << " triangles, eps " << 100 * estimate.relative
+    cout << "contacterror: " << problem.mesh.triangle_count() << " triangles, eps " << 100 * estimate.relative
          << " %, e " << estimate.e << ", " << estimate.corrected_count() << " edges corrected, "
          << estimate.mended.size() << " mended, " << seconds << " s" << endl;
     if (!estimate.admissible) cout << "contacterror: not admissible: " << estimate.reason << endl;
@@ -286,17 +306,13 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   NamedArguments named_;
-  std::vector<Expression> mesh_, matrix_, displacement_;
-  Expression normal_, tangential_;
-  BodyExpressions body_[bodies];
+  Expression contact_;
+  std::vector<Expression> matrix_, displacement_;  ///< empty: what contactsolve found
+  Expression normal_ = nullptr, tangential_ = nullptr;
 };
 
 }  // namespace
 
-void register_estimate_functions() {
-  Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction<1>>());
-  Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction<2>>());
-  Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction<3>>());
-}
+void register_estimate_functions() { Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction>()); }
 
 }  // namespace ffcontact::plugin

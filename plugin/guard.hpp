@@ -12,7 +12,7 @@ namespace ffcontact::plugin {
 /// Runs the body of a script function; what it throws becomes FreeFEM's ExecError, one sentence "function: what", exit code 8.
 /// FreeFEM loses the message of any other exception.
 template <class Body>
-AnyType guarded(const char* function, Body&& body) {
+auto guarded(const char* function, Body&& body) -> decltype(body()) {
   std::string sentence;
   try {
     return body();
@@ -24,7 +24,7 @@ AnyType guarded(const char* function, Body&& body) {
     sentence = error.what();
   }
   ExecError(std::string(function) + ": " + sentence);
-  return Nothing;
+  std::terminate();  // ExecError throws
 }
 
 }  // namespace ffcontact::plugin

@@ -6,6 +6,7 @@
 namespace {
 
 void register_all() {
+  ffcontact::plugin::register_contact_type();
   ffcontact::plugin::register_contact_functions();
   ffcontact::plugin::register_estimate_functions();
   ffcontact::plugin::register_sizing_functions();

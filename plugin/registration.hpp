@@ -3,6 +3,7 @@
 
 namespace ffcontact::plugin {
 
+void register_contact_type();        ///< contact
 void register_contact_functions();   ///< contactsolve, contactproject, conecorrection
 void register_estimate_functions();  ///< contacterror
 void register_sizing_functions();    ///< optimalsize

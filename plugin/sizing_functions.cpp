@@ -2,34 +2,30 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"
 //
-#include "contact_arguments.hpp"
+#include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
-#include "views.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
 
-/// predicted triangles = optimalsize(Th, eps, target=, size=, ...), or with mesh and eps of each of several bodies: one wanted
-/// error and one Lambda for all of them.
-template <int bodies>
+/// What is given for each body.
+const NamedArguments::Table of_bodies = {
+    {"rate", &typeid(KN<double>*)}, {"size", &typeid(KN<double>*)}, {"ratio", &typeid(KN<double>*)}};
+
+/// predicted triangles = optimalsize(C, eps, target=, size=, ...), with eps of each body: one wanted error and one Lambda for all
+/// of them.
 class OptimalSizeFunction : public E_F0mps {
  public:
   using Result = double;
 
-  explicit OptimalSizeFunction(const basicAC_F0& arguments) : named_(arguments, table()) {
-    for (int k = 0; k < bodies; ++k) {
-      mesh_.push_back(to<pmesh>(arguments[2 * k]));
-      local_error_.push_back(to<KN<double>*>(arguments[2 * k + 1]));
-    }
+  explicit OptimalSizeFunction(const basicAC_F0& arguments)
+      : named_(arguments, table(arguments)), contact_(to<ContactVariable*>(arguments[0])) {
+    for (int k = 1; k < arguments.size(); ++k) local_error_.push_back(to<KN<double>*>(arguments[k]));
   }
 
-  static ArrayOfaType typeargs() {
-    std::vector<aType> types;
-    for (int k = 0; k < bodies; ++k) types.insert(types.end(), {atype<pmesh>(), atype<KN<double>*>()});
-    return ArgumentTypes(types);
-  }
+  static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), atype<KN<double>*>(), true); }
   static E_F0* f(const basicAC_F0& arguments) { return new OptimalSizeFunction(arguments); }
 
   AnyType operator()(Stack stack) const override {
@@ -37,11 +33,8 @@ class OptimalSizeFunction : public E_F0mps {
   }
 
  private:
-  static const char* name(const char* parameter, int body) { return name_of_body(parameter, body, bodies); }
-
-  static NamedArguments::Table table() {
-    NamedArguments::Table table = for_bodies(
-        {{"rate", &typeid(KN<double>*)}, {"size", &typeid(KN<double>*)}, {"ratio", &typeid(KN<double>*)}}, bodies);
+  static NamedArguments::Table table(const basicAC_F0& arguments) {
+    NamedArguments::Table table = for_bodies(of_bodies, arguments);
     table.insert(table.end(), {{"target", &typeid(double)},
                                {"hmin", &typeid(double)},
                                {"hmax", &typeid(double)},
@@ -66,14 +59,17 @@ class OptimalSizeFunction : public E_F0mps {
   }
 
   double run(Stack stack) const {
-    std::vector<Mesh> meshes;
+    const ContactProblem& problem = *contact_of(stack, contact_).problem;
+    const JoinedMesh& all = problem.joined;
+    const int bodies = problem.body_count();
+    problem.require_bodies("eps", local_error_.size());
+    require_names_of_bodies(named_, of_bodies, bodies);
     std::vector<Expression> rates;
     for (int k = 0; k < bodies; ++k) {
-      meshes.push_back(mesh_of(value_of<pmesh>(stack, mesh_[k])));
-      require_size("eps", value_of<KN<double>*>(stack, local_error_[k])->N(), meshes[k].triangle_count());
-      rates.push_back(named_.expression(name("rate", k)));
+      require_size("eps", value_of<KN<double>*>(stack, local_error_[k])->N(),
+                   all.first_triangle[k + 1] - all.first_triangle[k]);
+      rates.push_back(named_.expression(name_of_body("rate", k, bodies)));
     }
-    const JoinedMesh all = joined_mesh(meshes);
     SizeSettings settings;
     settings.target = named_.number(stack, "target", settings.target);
     settings.smallest = named_.number(stack, "hmin", settings.smallest);
@@ -81,11 +77,11 @@ class OptimalSizeFunction : public E_F0mps {
     settings.gradation = named_.number(stack, "gradation", settings.gradation);
     settings.largest_step = named_.number(stack, "largeststep", settings.largest_step);
     const OptimalSize optimal =
-        optimal_size(all.mesh, edges_of(all.mesh), joined(stack, local_error_), joined(stack, rates), settings);
+        optimal_size(all.mesh, problem.edges, joined(stack, local_error_), joined(stack, rates), settings);
     for (int k = 0; k < bodies; ++k) {
       const int v = all.first_vertex[k], t = all.first_triangle[k];
-      named_.put(stack, name("size", k), optimal.size.segment(v, all.first_vertex[k + 1] - v));
-      named_.put(stack, name("ratio", k), optimal.ratio.segment(t, all.first_triangle[k + 1] - t));
+      named_.put(stack, name_of_body("size", k, bodies), optimal.size.segment(v, all.first_vertex[k + 1] - v));
+      named_.put(stack, name_of_body("ratio", k, bodies), optimal.ratio.segment(t, all.first_triangle[k + 1] - t));
     }
     named_.put(stack, "wanted", optimal.wanted);
     named_.put(stack, "predicted", optimal.predicted_error);
@@ -97,15 +93,12 @@ class OptimalSizeFunction : public E_F0mps {
   }
 
   NamedArguments named_;
-  std::vector<Expression> mesh_, local_error_;
+  Expression contact_;
+  std::vector<Expression> local_error_;
 };
 
 }  // namespace
 
-void register_sizing_functions() {
-  Global.Add("optimalsize", "(", new OneOperatorCode<OptimalSizeFunction<1>>());
-  Global.Add("optimalsize", "(", new OneOperatorCode<OptimalSizeFunction<2>>());
-  Global.Add("optimalsize", "(", new OneOperatorCode<OptimalSizeFunction<3>>());
-}
+void register_sizing_functions() { Global.Add("optimalsize", "(", new OneOperatorCode<OptimalSizeFunction>()); }
 
 }  // namespace ffcontact::plugin

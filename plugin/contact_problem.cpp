@@ -4,10 +4,9 @@
 #include "ffcontact/mesh/facing_traces.hpp"
 //
 #include <algorithm>
-#include <set>
 #include <utility>
 
-#include "contact_arguments.hpp"
+#include "contact_problem.hpp"
 
 namespace ffcontact::plugin {
 
@@ -24,15 +23,18 @@ ContactLine line_of(Stack stack, const NamedArguments& named, const BodyPart& pa
   return along_directions(mesh, edges, line, direction);
 }
 
-JoinedMesh joined_meshes(const std::vector<const Fem2D::Mesh*>& fem_meshes) {
+JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
   std::vector<Mesh> meshes;
-  for (const Fem2D::Mesh* fem_mesh : fem_meshes) meshes.push_back(mesh_of(fem_mesh));
+  for (pmesh fem_mesh : fem_meshes) meshes.push_back(mesh_of(fem_mesh));
   return joined_mesh(meshes);
 }
 
+/// What is stated for each body.
+const NamedArguments::Table of_bodies = {{"label", &typeid(KN_<long>)}, {"previous", &typeid(KN<double>*)}};
+
 /// The labels of one body in the joined mesh's numbering.
-std::vector<int> joined_labels(Stack stack, const NamedArguments& named, const char* name, const JoinedMesh& joined,
-                               int body) {
+std::vector<int> joined_labels(Stack stack, const NamedArguments& named, const std::string& name,
+                               const JoinedMesh& joined, int body) {
   std::vector<int> labels = named.integers(stack, name);
   if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
   const int first = joined.first_boundary[body], end = joined.first_boundary[body + 1];
@@ -67,32 +69,25 @@ void append(const Eigen::Matrix2Xd& values, Eigen::Matrix2Xd& all) {
   all.rightCols(values.cols()) = values;
 }
 
+void require_law(const NamedArguments& named) {
+  if (named.given("friction") && named.given("slipbound"))
+    refuse("give friction= (Coulomb's law) or slipbound= (Tresca's), not both");
+  if (!named.given("friction") && !named.given("slipbound"))
+    refuse("no law is given: friction= (Coulomb's coefficient, 0 for none) or slipbound= (Tresca's bound)");
+}
+
 /// Points of an edge at which a coefficient is evaluated.
 constexpr int samples_of_an_edge = 9;
 
 }  // namespace
 
-const char* name_of_body(const char* name, int body, int bodies) {
-  static std::set<std::string> names;  // those of the tables, made while scripts are parsed
-  return bodies == 1 ? name : names.insert(name + std::to_string(body + 1)).first->c_str();
-}
-
-NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, int bodies) {
-  NamedArguments::Table table;
-  for (int body = 0; body < bodies; ++body)
-    for (const auto& parameter : parameters)
-      table.push_back({name_of_body(parameter.name, body, bodies), parameter.type});
-  return table;
-}
-
-NamedArguments::Table ContactArguments::table(const NamedArguments::Table& own, int bodies) {
-  NamedArguments::Table table = for_bodies({{"label", &typeid(KN_<long>)}, {"previous", &typeid(KN<double>*)}}, bodies);
-  if (bodies == 1) table.push_back({"opposite", &typeid(KN_<long>)});
-  table.insert(table.end(), {{"friction", &typeid(double)},
+NamedArguments::Table ContactProblem::table(const basicAC_F0& arguments) {
+  NamedArguments::Table table = for_bodies(of_bodies, arguments);
+  table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
+                             {"friction", &typeid(double)},
                              {"slipbound", &typeid(double)},
                              {"gap", &typeid(double)},
                              {"normal", &typeid(E_Array)}});
-  table.insert(table.end(), own.begin(), own.end());
   return table;
 }
 
@@ -103,10 +98,12 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
   return Multiplier::force;
 }
 
-ContactArguments::ContactArguments(Stack stack, const NamedArguments& named,
-                                   const std::vector<const Fem2D::Mesh*>& meshes)
-    : joined(joined_meshes(meshes)), fem_meshes(meshes), edges(edges_of(joined.mesh)) {
+ContactProblem::ContactProblem(Stack stack, const NamedArguments& named, const std::vector<pmesh>& meshes)
+    : joined(joined_meshes(meshes)), fem_meshes(meshes.begin(), meshes.end()), edges(edges_of(joined.mesh)) {
   const int bodies = body_count();
+  require_names_of_bodies(named, of_bodies, bodies);
+  require_law(named);
+  if (bodies > 1 && named.given("opposite")) refuse("opposite= is given, but the contact has ", bodies, " meshes");
   std::vector<std::vector<int>> labels;
   for (int k = 0; k < bodies; ++k) {
     labels.push_back(joined_labels(stack, named, name_of_body("label", k, bodies), joined, k));
@@ -123,24 +120,28 @@ ContactArguments::ContactArguments(Stack stack, const NamedArguments& named,
              k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]}, lines);
   line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
 
+  add_previous(stack, named);
+  require_valid(law, line);
+}
+
+void ContactProblem::add_previous(Stack stack, const NamedArguments& named) {
   Eigen::VectorXd previous = Eigen::VectorXd::Zero(2 * mesh.vertices.cols());
   bool incremental = false;
-  for (int k = 0; k < bodies; ++k) {
-    const char* name = name_of_body("previous", k, bodies);
+  for (int k = 0; k < body_count(); ++k) {
+    const std::string name = name_of_body("previous", k, body_count());
     const Expression expression = named.expression(name);
     KN<double>* u = expression ? GetAny<KN<double>*>((*expression)(stack)) : nullptr;
     if (!u || u->N() == 0) continue;
-    require_dofs(name, k, u->N());
+    require_dofs(name.c_str(), k, u->N());
     previous.segment(first_dof(k), dof_count(k)) = vector_of(u);
     incremental = true;
   }
   if (incremental) law.previous = contact_components(line, previous).row(1);
-  require_valid(law, line);
 }
 
-void ContactArguments::add_pair(Stack stack, const NamedArguments& named, int body, const std::vector<int>& labels,
-                                int opposite_body, const std::vector<int>& opposite_labels,
-                                std::vector<ContactLine>& lines) {
+void ContactProblem::add_pair(Stack stack, const NamedArguments& named, int body, const std::vector<int>& labels,
+                              int opposite_body, const std::vector<int>& opposite_labels,
+                              std::vector<ContactLine>& lines) {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
   ContactLine own = line_of(stack, named, part, mesh, edges, labels);
   const bool rigid = opposite_labels.empty() && opposite_body == body;
@@ -161,8 +162,8 @@ void ContactArguments::add_pair(Stack stack, const NamedArguments& named, int bo
   lines.push_back(facing_line(mesh, edges, std::move(own), traces));
 }
 
-void ContactArguments::add_coefficients(Stack stack, const NamedArguments& named, int body, const ContactLine& own,
-                                        const Eigen::VectorXd& mesh_gap) {
+void ContactProblem::add_coefficients(Stack stack, const NamedArguments& named, int body, const ContactLine& own,
+                                      const Eigen::VectorXd& mesh_gap) {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
   append(at_nodes(stack, named.expression("friction"), part, edges, own, 0), law.friction);
   const Expression friction = named.expression("friction"), slip_bound = named.expression("slipbound");
@@ -180,12 +181,17 @@ void ContactArguments::add_coefficients(Stack stack, const NamedArguments& named
   }
 }
 
-void ContactArguments::require_dofs(const char* name, int body, Eigen::Index count) const {
+void ContactProblem::require_dofs(const char* name, int body, Eigen::Index count) const {
   if (count != dof_count(body))
     refuse(name, " has size ", count, " but [P1, P1] has ", dof_count(body), " dofs on this mesh");
 }
 
-Eigen::Matrix2Xd ContactArguments::pressures(KN<double>* normal, KN<double>* tangential) const {
+void ContactProblem::require_bodies(const char* names, std::size_t count) const {
+  if (static_cast<int>(count) != body_count())
+    refuse(names, " are given for ", count, " bodies, but the contact has ", body_count());
+}
+
+Eigen::Matrix2Xd ContactProblem::pressures(KN<double>* normal, KN<double>* tangential) const {
   require_size("pn", normal->N(), line.node_count());
   require_size("pt", tangential->N(), line.node_count());
   Eigen::Matrix2Xd pressure(2, line.node_count());

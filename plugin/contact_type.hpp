@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ffcontact/contact/contact_solution.hpp"
+//
+#include "contact_problem.hpp"
+
+namespace ffcontact::plugin {
+
+/// What a solve leaves at the contact nodes; the script reads them as C.pn, C.pt, ...
+struct NodalResults {
+  Eigen::VectorXd pn, pt;   ///< pressures [MPa]
+  Eigen::VectorXd fn, ft;   ///< forces [N/mm]
+  Eigen::VectorXd gap;      ///< opening, gap - u_n [mm]
+  Eigen::VectorXd slip;     ///< u_t - u_t of the load step before [mm]
+  std::vector<long> state;  ///< 0 open, 1 stick, 2 slip along t, -2 slip against t
+};
+
+/// A solution with the system it belongs to.
+struct SolvedContact {
+  ElasticSystem system;
+  ContactLaw law;  ///< with the multiplier, and u_t of the load step before
+  ContactSolution solution;
+  NodalResults nodes;
+};
+
+/// What a script variable of type `contact` holds.
+struct Contact {
+  std::shared_ptr<const ContactProblem> problem;  ///< null until it is stated
+  std::optional<SolvedContact> solved;
+  std::vector<ContactState> last_states;  ///< of the last solution: the next one starts from them
+  Eigen::VectorXd last_abscissa;          ///< where they were
+};
+
+/// The script variable: FreeFEM gives it memory, calls init() and destroy().
+struct ContactVariable {
+  Contact* contact;
+
+  void init() { contact = new Contact; }
+  void destroy() { delete contact; }
+};
+
+/// The contact that an argument of a script function names.
+/// @throws std::invalid_argument  if it was never stated
+Contact& contact_of(Stack stack, Expression variable);
+
+/// The solution of that contact.
+/// @throws std::invalid_argument  if it was not solved
+const SolvedContact& solved_contact(const Contact& contact);
+
+}  // namespace ffcontact::plugin
