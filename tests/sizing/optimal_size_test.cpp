@@ -197,6 +197,8 @@ TEST(OptimalSize, refuses_bad_errors_and_settings) {
   EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e.conservativeResize(3); }), "eps_E has 3 values"));
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = 0; }), "target must be positive, got 0");
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = std::nan(""); }), "target must be positive, got nan");
+  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = 2; }),
+            "target is a part of the solution, 0.02 for 2 %, got 2");
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.gradation = 0; }), "gradation must be positive, got 0");
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.smallest = 3, s.largest = 2; }), "hmin 3 exceeds hmax 2");
 }

@@ -44,6 +44,7 @@ void require_valid(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& lo
   require_nonnegative("eps_E", local_error);
   if (!(settings.target > 0) || !std::isfinite(settings.target))
     refuse("target must be positive, got ", settings.target);
+  if (settings.target >= 1) refuse("target is a part of the solution, 0.02 for 2 %, got ", settings.target);
   if (!(settings.largest_step > 1)) refuse("the largest step must exceed 1, got ", settings.largest_step);
   if (!(settings.gradation > 0)) refuse("gradation must be positive, got ", settings.gradation);
   if (!(settings.smallest >= 0)) refuse("hmin must not be negative, got ", settings.smallest);

@@ -8,7 +8,7 @@
 namespace ffcontact {
 
 struct SizeSettings {
-  double target = 0;        ///< wanted relative error eps_0 > 0
+  double target = 0;        ///< wanted relative error eps_0, between 0 and 1
   double largest_step = 3;  ///< eps is divided by at most this much in one step; a farther target is reached in several
   double smallest = 0;      ///< lower bound of the sizes [mm]; 0 for none
   double largest = 0;       ///< upper bound of the sizes [mm]; 0 for the body's extent
@@ -44,7 +44,7 @@ Eigen::VectorXd size_ratios(const Eigen::Ref<const Eigen::VectorXd>& local_error
                             const Eigen::Ref<const Eigen::VectorXd>& rate, double wanted);
 
 /// @param rate  q_E per triangle, as local_rates gives them; empty for 1
-/// @throws std::invalid_argument  if the target is not positive, sizes differ or an error is negative or not finite
+/// @throws std::invalid_argument  if the target is not between 0 and 1, sizes differ or an error is negative or not finite
 OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<const Eigen::VectorXd>& local_error,
                          const Eigen::VectorXd& rate, const SizeSettings& settings);
 
