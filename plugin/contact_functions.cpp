@@ -155,7 +155,7 @@ class ContactSolve : public E_F0mps {
  private:
   long run(Stack stack) const {
     const double start = CPUtime();
-    Contact& contact = contact_of(stack, contact_);
+    Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
     problem.require_bodies("A, b, u", matrix_.size());
     const std::vector<KN<double>*> u = values_of<KN<double>*>(stack, displacement_);
@@ -203,8 +203,11 @@ class ContactSolve : public E_F0mps {
   ContactLaw law_of(Stack stack, const Contact& contact) const {
     ContactLaw law = contact.problem->law;
     law.multiplier = multiplier_of(stack, named_);
-    if (named_.flag(stack, "loadstep") && contact.solved)
+    if (!named_.flag(stack, "loadstep")) return law;
+    if (contact.solved)
       law.previous = contact_components(contact.problem->line, contact.solved->solution.displacement).row(1);
+    else if (!contact.last_states.empty() && law.previous.size() == 0)
+      refuse("loadstep=true, but the contact was stated anew since its last solution: state it with previous=");
     return law;
   }
 
@@ -289,7 +292,7 @@ class ContactProject : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const ContactProblem& problem = *contact_of(stack, contact_).problem;
+    const ContactProblem& problem = *stated_contact(stack, contact_).problem;
     ContactLaw law = problem.law;
     law.multiplier = multiplier_of(stack, named_);
     KN<double>*pn = value_of<KN<double>*>(stack, normal_), *pt = value_of<KN<double>*>(stack, tangential_);
@@ -340,7 +343,7 @@ class ConeCorrectionFunction : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const Contact& contact = contact_of(stack, contact_);
+    const Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
     const Eigen::Matrix2Xd given =
         problem.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));

@@ -70,10 +70,8 @@ void append(const Eigen::Matrix2Xd& values, Eigen::Matrix2Xd& all) {
 }
 
 void require_law(const NamedArguments& named) {
-  if (named.given("friction") && named.given("slipbound"))
-    refuse("give friction= (Coulomb's law) or slipbound= (Tresca's), not both");
   if (!named.given("friction") && !named.given("slipbound"))
-    refuse("no law is given: friction= (Coulomb's coefficient, 0 for none) or slipbound= (Tresca's bound)");
+    refuse("no law is given: friction= (Coulomb's coefficient, 0 for none), slipbound= (Tresca's bound), or both");
 }
 
 /// Points of an edge at which a coefficient is evaluated.
@@ -165,14 +163,19 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named, int body
 void ContactProblem::add_coefficients(Stack stack, const NamedArguments& named, int body, const ContactLine& own,
                                       const Eigen::VectorXd& mesh_gap) {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
-  append(at_nodes(stack, named.expression("friction"), part, edges, own, 0), law.friction);
   const Expression friction = named.expression("friction"), slip_bound = named.expression("slipbound");
-  if (slip_bound) append(at_nodes(stack, slip_bound, part, edges, own, 0), law.slip_bound);
-  if (const Expression coefficient = slip_bound ? slip_bound : friction) {
+  const auto add = [&](Expression coefficient, Eigen::VectorXd& nodal, EdgeRange& between_nodes) {
+    append(at_nodes(stack, coefficient, part, edges, own, 0), nodal);
+    if (!coefficient) return;
     const EdgeRange range = enclosing_range(along_edges(stack, coefficient, part, edges, own, samples_of_an_edge));
-    append(range.least, law.between_nodes.least);
-    append(range.most, law.between_nodes.most);
-  }
+    append(range.least, between_nodes.least);
+    append(range.most, between_nodes.most);
+  };
+  add(friction, law.friction, law.between_nodes);
+  if (slip_bound && friction)
+    add(slip_bound, law.shear_limit, law.limit_between_nodes);
+  else if (slip_bound)
+    add(slip_bound, law.slip_bound, law.between_nodes);
   if (const Expression gap = named.expression("gap")) {
     append(at_nodes(stack, gap, part, edges, own, 0), law.gap);
   } else {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
 #include "ffcontact/base/require.hpp"
 //
 #include "contact_type.hpp"
@@ -33,9 +35,15 @@ class StatementArguments {
   std::vector<Expression> meshes_;
 };
 
+/// All contacts of the script by their numbers.
+std::map<long, Contact>& contacts() {
+  static std::map<long, Contact> all;
+  return all;
+}
+
 /// A new problem in a variable: the last states stay, to start from.
 void state(ContactVariable* variable, Problem problem) {
-  Contact& contact = *variable->contact;
+  Contact& contact = contact_of(*variable);
   contact.solved.reset();
   contact.problem = std::move(problem);
 }
@@ -94,9 +102,9 @@ ContactVariable* assign(ContactVariable* const& variable, ContactStatement* cons
   return variable;
 }
 
-const ContactProblem& problem_of(ContactVariable* variable) {
-  if (!variable->contact->problem) refuse("the contact is not stated: contact C(Th, label=, friction=)");
-  return *variable->contact->problem;
+const ContactProblem& problem_of(const Contact& contact) {
+  if (!contact.problem) refuse("the contact is not stated: contact C(Th, label=, friction=)");
+  return *contact.problem;
 }
 
 /// Arrays that members give are the script's own until the statement ends.
@@ -114,19 +122,19 @@ KN<long>* array_of(Stack stack, const std::vector<long>& values) {
 
 template <Eigen::VectorXd NodalResults::*values>
 KN<double>* nodal_values(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, solved_contact(*variable->contact).nodes.*values); });
+  return guarded("contact", [&] { return array_of(stack, solved_contact(contact_of(*variable)).nodes.*values); });
 }
 
 KN<long>* states(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, solved_contact(*variable->contact).nodes.state); });
+  return guarded("contact", [&] { return array_of(stack, solved_contact(contact_of(*variable)).nodes.state); });
 }
 
 KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, problem_of(variable).own_vertex); });
+  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).own_vertex); });
 }
 
 KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, problem_of(variable).line.abscissa); });
+  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).line.abscissa); });
 }
 
 template <class Result>
@@ -136,10 +144,24 @@ void add_member(const char* name, Result (*value)(Stack, ContactVariable* const&
 
 }  // namespace
 
-Contact& contact_of(Stack stack, Expression variable) {
-  auto* value = value_of<ContactVariable*>(stack, variable);
-  problem_of(value);
-  return *value->contact;
+void ContactVariable::init() {
+  static long last = 0;
+  number = ++last;
+  contacts()[number];
+}
+
+void ContactVariable::destroy() const { contacts().erase(number); }
+
+Contact& contact_of(const ContactVariable& variable) {
+  const auto found = contacts().find(variable.number);
+  if (found == contacts().end()) refuse("the contact is gone: a function that takes one must take contact & C");
+  return found->second;
+}
+
+Contact& stated_contact(Stack stack, Expression variable) {
+  Contact& contact = contact_of(*value_of<ContactVariable*>(stack, variable));
+  problem_of(contact);
+  return contact;
 }
 
 const SolvedContact& solved_contact(const Contact& contact) {

@@ -35,17 +35,21 @@ struct Contact {
   Eigen::VectorXd last_abscissa;          ///< where they were
 };
 
-/// The script variable: FreeFEM gives it memory, calls init() and destroy().
+/// The script variable: FreeFEM gives it memory, calls init() and destroy(). It is a number and no pointer, because a parameter that
+/// is no reference, f(contact C), is a copy of these bytes and is destroyed when f returns.
 struct ContactVariable {
-  Contact* contact;
+  long number;
 
-  void init() { contact = new Contact; }
-  void destroy() { delete contact; }
+  void init();
+  void destroy() const;
 };
+
+/// @throws std::invalid_argument  if the contact is gone
+Contact& contact_of(const ContactVariable& variable);
 
 /// The contact that an argument of a script function names.
 /// @throws std::invalid_argument  if it was never stated
-Contact& contact_of(Stack stack, Expression variable);
+Contact& stated_contact(Stack stack, Expression variable);
 
 /// The solution of that contact.
 /// @throws std::invalid_argument  if it was not solved

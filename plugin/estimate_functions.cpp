@@ -88,7 +88,7 @@ class ContactErrorFunction : public E_F0mps {
 
   double run(Stack stack) const {
     const double start = CPUtime();
-    const Contact& contact = contact_of(stack, contact_);
+    const Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
     require_names_of_bodies(named_, of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);

@@ -59,7 +59,7 @@ class OptimalSizeFunction : public E_F0mps {
   }
 
   double run(Stack stack) const {
-    const ContactProblem& problem = *contact_of(stack, contact_).problem;
+    const ContactProblem& problem = *stated_contact(stack, contact_).problem;
     const JoinedMesh& all = problem.joined;
     const int bodies = problem.body_count();
     problem.require_bodies("eps", local_error_.size());

@@ -131,7 +131,7 @@ TEST(ActiveSet, frictionless_nodes_never_stick) {
 }
 
 TEST(LawViolation, sees_every_spoiled_condition) {
-  const NodalLaw law{Eigen::VectorXd::Constant(3, 0.5), {}};
+  const NodalLaw law{Eigen::VectorXd::Constant(3, 0.5), {}, {}};
   Eigen::VectorXd P(6), v(6);  // open, stick, slip forward
   P << 0, 0, -4, 1, -2, -1;
   v << -3, 1, 0, 0, 0, 2;

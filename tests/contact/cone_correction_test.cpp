@@ -132,36 +132,55 @@ TEST(ConeDefect, is_zero_inside_and_sees_one_spoiled_number) {
   EXPECT_EQ(defect(densities_of({0, 0}, {0, 0})), 0);
 }
 
-/// Worst of r_n and |r_t| - c at many points of an edge, c by the lower bound of the coefficient.
+/// Worst of r_n and |r_t| - c at many points of an edge, c by the lower bounds of the coefficient and of the shear limit.
 double worst_by_points(const EdgeProblem& edge, const ContactDensities& r) {
   const Eigen::Vector2d m = least_coefficient(edge.line, edge.law, 0);
   double worst = r.normal.maxCoeff();
   for (int k = 0; k <= 1000; ++k) {
     const Eigen::Vector2d at(1 - k / 1000., k / 1000.);
     const double p = std::max(0.0, -at.dot(r.normal.col(0)));
-    worst = std::max(worst, std::abs(at.dot(r.tangential.col(0))) - at.dot(m) * (edge.law.tresca() ? 1 : p));
+    double c = at.dot(m) * (edge.law.tresca() ? 1 : p);
+    if (edge.law.limited()) c = std::min(c, at.dot(edge.law.shear_limit));
+    worst = std::max(worst, std::abs(at.dot(r.tangential.col(0))) - c);
   }
   return worst;
 }
 
-EdgeProblem random_edge(Random& random, bool tresca) {
+EdgeProblem random_edge(Random& random) {
   EdgeProblem edge = one_edge(0);
   edge.law.friction = random_vector(2, random).cwiseAbs();
   if (*rc::gen::inRange(0, 4) == 0) edge.law.friction[*rc::gen::inRange(0, 2)] = 0;
-  if (tresca) edge.law.slip_bound = edge.law.friction;
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0: break;
+    case 1: edge.law.slip_bound = edge.law.friction; break;
+    default: edge.law.shear_limit = 0.5 * random_vector(2, random).cwiseAbs();
+  }
   return edge;
 }
 
 RC_GTEST_PROP(ConeDefect, is_the_largest_violation_along_the_edge, (Random random)) {
-  const EdgeProblem edge = random_edge(random, *rc::gen::arbitrary<bool>());
+  const EdgeProblem edge = random_edge(random);
   const ContactDensities r = random_densities(1, random);
   const double scale = std::max(r.normal.cwiseAbs().maxCoeff(), r.tangential.cwiseAbs().maxCoeff());
   if (r.normal.maxCoeff() > 0) return;  // then p has a kink
   RC_ASSERT(std::abs(cone_defect(edge.line, edge.law, r) - std::max(0.0, worst_by_points(edge, r)) / scale) < 1e-5);
 }
 
+RC_GTEST_PROP(ConeCorrection, with_a_shear_limit_is_the_smallest_shift_into_the_cone, (Random random)) {
+  EdgeProblem edge = one_edge(1);
+  edge.law.shear_limit = random_vector(2, random).cwiseAbs();
+  const ContactDensities r = random_densities(1, random);
+  const ConeCorrection correction = correct_to_cone(edge.line, edge.law, r);
+  if (!correction.uncorrected.empty()) return;
+  RC_ASSERT(cone_defect(edge.line, edge.law, correction.densities) < 1e-12);
+  if (correction.shift[0] == 0) return;
+  ContactDensities less = r;
+  less.tangential.col(0) += 0.999 * correction.shift[0] * Eigen::Vector2d(-1, 1);
+  RC_ASSERT(cone_defect(edge.line, edge.law, less) > 0);
+}
+
 RC_GTEST_PROP(EdgeCone, is_the_cone_all_along_the_edge, (Random random)) {
-  const EdgeProblem edge = random_edge(random, *rc::gen::arbitrary<bool>());
+  const EdgeProblem edge = random_edge(random);
   ContactDensities r = random_densities(1, random);
   const EdgeCone cone = edge_cone(edge.line, edge.law, 0);
   for (int end = 0; end < 2; ++end)

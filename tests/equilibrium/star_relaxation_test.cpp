@@ -16,7 +16,7 @@ using namespace test;
 /// r_hat = lambda_h brought into the cone, with its costs: what relaxation with free tractions starts from.
 FreeTractions free_tractions(const Problem& problem, const Eigen::VectorXd& displacement,
                              const ContactDensities& densities) {
-  const TractionCosts costs = traction_costs(problem.line, problem.law, displacement);
+  const TractionCosts costs = traction_costs(problem.line, problem.law, densities, displacement);
   return {densities, costs.normal, costs.tangential, contact_edge_numbers(problem.line, problem.edges)};
 }
 

@@ -21,20 +21,26 @@ struct Fields {
   Eigen::VectorXd displacement;
 };
 
-Fields random_fields(Random& random, bool tresca) {
+enum class Law { coulomb, limited, tresca };
+
+Law any_law() { return *rc::gen::element(Law::coulomb, Law::limited, Law::tresca); }
+
+Fields random_fields(Random& random, Law kind) {
   Fields f{body(rotated(irregular(5, 2, 5, 2, random), 0.3), material(1, 0), {bottom, left}), {}, {}};
   const ContactLine& line = f.problem.line;
   f.densities = {random_matrix(2, line.edge_count(), random), random_matrix(2, line.edge_count(), random)};
   f.displacement = random_vector(2 * f.problem.mesh.vertices.cols(), random);
   f.problem.law.friction = random_vector(line.node_count(), random).cwiseAbs();
   f.problem.law.gap = random_vector(line.node_count(), random);
-  if (tresca) f.problem.law.slip_bound = random_vector(line.node_count(), random).cwiseAbs();
+  const Eigen::VectorXd bound = random_vector(line.node_count(), random).cwiseAbs();
+  if (kind == Law::tresca) f.problem.law.slip_bound = bound;
+  if (kind == Law::limited) f.problem.law.shear_limit = 0.5 * bound;
   return f;
 }
 
 double between(double a, double b, double x) { return a + x * (b - a); }
 
-/// 2 int (mu |r_n||w_t| + r_t w_t + r_n (w_n - gap)) over edge e, by the midpoint rule.
+/// 2 int (min(mu |r_n|, k) |w_t| + r_t w_t + r_n (w_n - gap)) over edge e, by the midpoint rule.
 double by_midpoints(const Fields& f, int e) {
   const ContactLine& line = f.problem.line;
   const ContactLaw& law = f.problem.law;
@@ -46,22 +52,23 @@ double by_midpoints(const Fields& f, int e) {
     const double rn = between(f.densities.normal(0, e), f.densities.normal(1, e), x);
     const double rt = between(f.densities.tangential(0, e), f.densities.tangential(1, e), x);
     const double wn = between(w(0, i) - law.gap[i], w(0, j) - law.gap[j], x), wt = between(w(1, i), w(1, j), x);
-    const double bound = law.tresca() ? between(law.slip_bound[i], law.slip_bound[j], x)
-                                      : between(law.friction[i], law.friction[j], x) * std::abs(rn);
+    double bound = law.tresca() ? between(law.slip_bound[i], law.slip_bound[j], x)
+                                : between(law.friction[i], law.friction[j], x) * std::abs(rn);
+    if (law.limited()) bound = std::min(bound, between(law.shear_limit[i], law.shear_limit[j], x));
     sum += bound * std::abs(wt) + rt * wt + rn * wn;
   }
   return 2 * line.length[e] * sum / steps;
 }
 
 RC_GTEST_PROP(ContactError, is_its_quadrature, (Random random)) {
-  const Fields f = random_fields(random, *rc::gen::arbitrary<bool>());
+  const Fields f = random_fields(random, any_law());
   const Eigen::VectorXd error = contact_error(f.problem.line, f.problem.law, f.densities, f.displacement);
   const int e = random() % f.problem.line.edge_count();
   RC_ASSERT(std::abs(error[e] - by_midpoints(f, e)) < 1e-7);
 }
 
 RC_GTEST_PROP(ContactError, is_not_negative_in_the_cone_without_penetration, (Random random)) {
-  Fields f = random_fields(random, false);
+  Fields f = random_fields(random, Law::coulomb);
   const ContactLine& line = f.problem.line;
   f.problem.law.friction.setConstant(0.5);
   f.densities.normal = -f.densities.normal.cwiseAbs();
@@ -72,9 +79,9 @@ RC_GTEST_PROP(ContactError, is_not_negative_in_the_cone_without_penetration, (Ra
 }
 
 RC_GTEST_PROP(ContactError, in_the_cone_is_linear_in_the_tractions_with_the_costs, (Random random)) {
-  Fields f = random_fields(random, *rc::gen::arbitrary<bool>());
+  Fields f = random_fields(random, *rc::gen::element(Law::coulomb, Law::tresca));
   f.densities.normal = -f.densities.normal.cwiseAbs();
-  const TractionCosts costs = traction_costs(f.problem.line, f.problem.law, f.displacement);
+  const TractionCosts costs = traction_costs(f.problem.line, f.problem.law, f.densities, f.displacement);
   const ContactDensities none{Eigen::Matrix2Xd::Zero(2, f.problem.line.edge_count()),
                               Eigen::Matrix2Xd::Zero(2, f.problem.line.edge_count())};
   const double error = (contact_error(f.problem.line, f.problem.law, f.densities, f.displacement) -
@@ -83,6 +90,26 @@ RC_GTEST_PROP(ContactError, in_the_cone_is_linear_in_the_tractions_with_the_cost
   const double linear =
       costs.normal.cwiseProduct(f.densities.normal).sum() + costs.tangential.cwiseProduct(f.densities.tangential).sum();
   RC_ASSERT(std::abs(error - linear) < 1e-12 * f.problem.line.edge_count());
+}
+
+RC_GTEST_PROP(ContactError, with_a_shear_limit_changes_by_no_more_than_the_costs_say, (Random random)) {
+  Fields f = random_fields(random, Law::limited);
+  const ContactLine& line = f.problem.line;
+  f.densities.normal = -f.densities.normal.cwiseAbs();
+  const TractionCosts costs = traction_costs(line, f.problem.law, f.densities, f.displacement);
+  ContactDensities other{-random_matrix(2, line.edge_count(), random).cwiseAbs(),
+                         random_matrix(2, line.edge_count(), random)};
+  const Eigen::VectorXd change = contact_error(line, f.problem.law, other, f.displacement) -
+                                 contact_error(line, f.problem.law, f.densities, f.displacement);
+  const Eigen::VectorXd said = costs.normal.cwiseProduct(other.normal - f.densities.normal).colwise().sum() +
+                               costs.tangential.cwiseProduct(other.tangential - f.densities.tangential).colwise().sum();
+  RC_ASSERT((change - said).maxCoeff() < 1e-12);
+  other.normal = (1 + 1e-7) * f.densities.normal;  // close by, they are the change itself
+  other.tangential = f.densities.tangential;
+  const Eigen::VectorXd near = contact_error(line, f.problem.law, other, f.displacement) -
+                               contact_error(line, f.problem.law, f.densities, f.displacement);
+  const Eigen::VectorXd slope = costs.normal.cwiseProduct(other.normal - f.densities.normal).colwise().sum();
+  RC_ASSERT((near - slope).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 TEST(ContactError, of_slip_at_the_bound_against_the_motion_is_zero) {
@@ -97,7 +124,7 @@ TEST(ContactError, of_slip_at_the_bound_against_the_motion_is_zero) {
 }
 
 RC_GTEST_PROP(AdmissibleDisplacement, lowers_penetrating_nodes_to_the_foundation_and_nothing_else, (Random random)) {
-  const Fields f = random_fields(random, false);
+  const Fields f = random_fields(random, Law::coulomb);
   Problem problem = body(f.problem.mesh, material(1, 0));
   problem.law.gap = random_vector(problem.line.node_count(), random);
   const Eigen::VectorXd u = admissible_displacement(problem.line, problem.law, f.displacement);

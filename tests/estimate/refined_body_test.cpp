@@ -18,9 +18,10 @@ SolvedBody random_body(const CutBodies& cut, std::mt19937& random) {
   return {problem.hooke,
           random_vector(problem.A.rows(), random),
           random_matrix(2, nodes, random),
-          {Multiplier::pressure, random_vector(nodes, random), {}, random_vector(nodes, random), {}, {}},
+          {Multiplier::pressure, random_vector(nodes, random), {}, random_vector(nodes, random), {}, {}, {}, {}},
           random_matrix(4, problem.mesh.boundary.cols(), random),
-          random_matrix(6, problem.mesh.triangles.cols(), random)};
+          random_matrix(6, problem.mesh.triangles.cols(), random),
+          nullptr};
 }
 
 SolvedBody refined(const CutBodies& cut, const SolvedBody& old) {

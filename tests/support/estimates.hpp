@@ -22,7 +22,8 @@ inline BodyLoadsOfAll body_loads(const Problem& problem) {
 }
 
 inline SolvedBody solved_body(const Problem& problem, const ContactSolution& solution) {
-  return {problem.hooke, solution.displacement, solution.pressure, problem.law, problem.neumann, body_loads(problem)};
+  return {problem.hooke,   solution.displacement, solution.pressure, problem.law,
+          problem.neumann, body_loads(problem),   solution.stiffness};
 }
 
 inline EstimateSettings sweeps(int count, Tractions tractions = Tractions::free) {

@@ -32,6 +32,10 @@ ContactState closed_state(int slip) {
   return slip > 0 ? ContactState::slip_forward : slip < 0 ? ContactState::slip_backward : ContactState::stick;
 }
 
+ContactState limited_state(int slip) {
+  return slip > 0 ? ContactState::limited_forward : ContactState::limited_backward;
+}
+
 ContactState open_state(int slip) {
   return slip > 0   ? ContactState::open_slip_forward
          : slip < 0 ? ContactState::open_slip_backward
@@ -60,8 +64,9 @@ ContactState next_state(const NodalLaw& law, int node, ContactState now, const C
     return open ? open_state(slip) : closed_state(slip);
   }
   if (open) return ContactState::open;
-  if (now == ContactState::open) return closed_state(direction(vt, rounding));
-  return closed_state(next_slip(Pt, vt, law.bound(node, Pn), slip_sign(now), rounding));
+  const int slip = now == ContactState::open ? direction(vt, rounding)
+                                             : next_slip(Pt, vt, law.bound(node, Pn), slip_sign(now), rounding);
+  return slip != 0 && -law.friction[node] * Pn > law.limit(node) ? limited_state(slip) : closed_state(slip);
 }
 
 /// The nearest state that the law has at a node.

@@ -31,7 +31,7 @@ struct NewtonSettings {
 
 /// Semismooth Newton on the condensed system: solve for the active set (solve_active_set), then change the state of every node
 /// that its own answer contradicts: closed and P_n > 0 opens; open and v_n > 0 slips along v_t; stick and |P_t| > b slips against
-/// P_t; slip s and s v_t < 0 sticks; a closed or sticking node that a prescribed dof moves away opens or slips. With Tresca's
+/// P_t, at the shear limit where -mu P_n exceeds it; slip s and s v_t < 0 sticks; a closed or sticking node that a prescribed dof moves away opens or slips. With Tresca's
 /// law, whose friction does not ask for contact, the two components of a node change independently. A node never
 /// turns from slip to slip directly: that is the primal-dual active set with its augmentation parameter sent to zero, free of
 /// scale, and it does not cycle between the two slips. The first set without a contradiction is a solution of Prop. 3.4 / 3.5.

@@ -32,6 +32,7 @@ RowCondition row_condition(const NodalLaw& law, int row, ContactState state) {
   if (holds(state, component)) return {true, 0, 0};
   if (component == 0 || state == ContactState::open) return {false, 0, 0};
   if (law.tresca()) return {false, -slip_sign(state) * law.tresca_bound[node], 0};
+  if (is_limited(state)) return {false, -slip_sign(state) * law.shear_limit[node], 0};
   return {false, 0, slip_sign(state) * law.friction[node]};
 }
 

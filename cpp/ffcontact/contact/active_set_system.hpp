@@ -22,7 +22,8 @@ enum class SystemKind {
 
 /// With the state of every node known, all conditions are linear:
 ///     open:  P_n = 0, P_t = 0        closed:  v_n = 0
-///     stick: v_t = 0                 slip s:  P_t = s mu P_n  (Tresca: P_t = -s b, open or not),  s = sign of v_t
+///     stick: v_t = 0                 slip s:  P_t = s mu P_n  (Tresca: P_t = -s b, open or not; at the shear limit P_t = -s k),
+///                                             s = sign of v_t
 /// together with P = S v - g - E q of the body. Unknown are v of the primary rows that are not given and q; rows and columns
 /// are scaled by the diagonal of S, so that neither units nor the sizes of the elements matter.
 /// A dependent row that the unknowns do not move has its multiplier continued (CondensedContact::continued), or 0

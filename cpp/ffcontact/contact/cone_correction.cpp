@@ -20,8 +20,14 @@ struct SlipLimits {
 SlipLimits slip_limits(const ContactLine& line, const ContactLaw& law, const Eigen::Vector2d& normal, int edge) {
   const Eigen::Vector2d m = least_coefficient(line, law, edge), p = (-normal).cwiseMax(0.0);
   if (law.tresca()) return {m[0], m[1], m[0] + m[1]};
-  const double ends = m[0] * p[0] + m[1] * p[1];
-  return {m[0] * p[0], m[1] * p[1], m[0] == m[1] ? ends : std::min(ends, m[0] * p[1] + m[1] * p[0])};
+  const Eigen::Vector2d k = least_shear_limit(line, law, edge);
+  const double first = std::min(m[0] * p[0], k[0]), second = std::min(m[1] * p[1], k[1]), ends = first + second;
+  return {first, second, m[0] == m[1] ? ends : std::min(ends, m[0] * p[1] + m[1] * p[0])};
+}
+
+/// Largest |r_t| - k at the ends of an edge, for a limit that is linear.
+double largest_excess(const Eigen::Vector2d& limit, const Eigen::Vector2d& tangential) {
+  return (tangential.cwiseAbs() - limit).maxCoeff();
 }
 
 /// Largest |r_t| - m p on an edge, both linear or the last one quadratic: at an end or where its slope vanishes.
@@ -63,7 +69,10 @@ ContactDensities edge_densities(const ContactLine& line, const Eigen::Ref<const 
 
 EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
   const Eigen::Vector2d m = least_coefficient(line, law, edge);
-  EdgeCone cone{m.array() == 0, Eigen::Matrix<double, Eigen::Dynamic, 4>::Zero(8, 4), Eigen::VectorXd::Zero(8)};
+  const Eigen::Vector2d k = least_shear_limit(line, law, edge);
+  EdgeCone cone{m.array() == 0 || k.array() == 0,
+                Eigen::Matrix<double, Eigen::Dynamic, 4>::Zero(EdgeCone::most_rows, 4),
+                Eigen::VectorXd::Zero(EdgeCone::most_rows)};
   Eigen::Index rows = 0;
   for (int end = 0; end < 2; ++end) {
     // For Coulomb's law |r_t| <= m p implies r_n <= 0, but in a thin cone their rounding divided by m is its.
@@ -73,6 +82,9 @@ EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
       cone.C(rows, 2 * end + 1) = sign;
       cone.C(rows, 2 * end) = law.tresca() ? 0 : -m[end];
       cone.d[rows++] = law.tresca() ? -m[end] : 0;
+      if (!law.limited()) continue;
+      cone.C(rows, 2 * end + 1) = sign;
+      cone.d[rows++] = -k[end];
     }
   }
   if (!law.tresca() && m[0] != m[1])
@@ -127,8 +139,9 @@ double cone_defect(const ContactLine& line, const ContactLaw& law, const Contact
   const double tension = densities.normal.maxCoeff();
   double excess = 0;
   for (int e = 0; e < line.edge_count(); ++e)
-    excess = std::max(excess, largest_excess(least_coefficient(line, law, e), densities.normal.col(e),
-                                             densities.tangential.col(e), law.tresca()));
+    excess = std::max({excess, largest_excess(least_shear_limit(line, law, e), densities.tangential.col(e)),
+                       largest_excess(least_coefficient(line, law, e), densities.normal.col(e),
+                                      densities.tangential.col(e), law.tresca())});
   return std::max({0.0, tension, excess}) / scale;
 }
 

@@ -36,10 +36,12 @@ ContactDensities edge_densities(const ContactLine& line, const Eigen::Ref<const 
 /// With the lower bound m of the coefficient (least_coefficient), linear between m_i and m_j, and p = -r_n:
 ///     r_n <= 0 and |r_t| <= m p at both ends,    |r_t,i + r_t,j| <= m_i p_j + m_j p_i                     (Coulomb)
 ///     r_n <= 0 and |r_t| <= m at both ends                                                                (Tresca)
+/// and with a shear limit |r_t| <= k at both ends, k its lower bound (least_shear_limit), beside Coulomb's.
 /// Coulomb's last one, for which m may not be the same at both ends, is the middle Bernstein coefficient of the quadratics
 /// m p -+ r_t: with it the edge is in the cone all along.
 /// Without friction, m = 0 at an end, r_t = 0 at that end is no inequality: it is not in C.
 struct EdgeCone {
+  static constexpr Eigen::Index most_rows = 12;
   Eigen::Array2<bool> frictionless;  ///< per end
   Eigen::Matrix<double, Eigen::Dynamic, 4> C;
   Eigen::VectorXd d;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_law.hpp"
@@ -14,21 +15,41 @@ namespace {
 /// Deviations from the chord below this part of the coefficient are rounding.
 constexpr double rounding = 1e-12;
 
-Eigen::Vector2d at_ends(const ContactLine& line, const ContactLaw& law, int edge) {
-  const Eigen::VectorXd& coefficient = law.tresca() ? law.slip_bound : law.friction;
-  return {coefficient[line.edge_node(0, edge)], coefficient[line.edge_node(1, edge)]};
+/// The end values of a bound along an edge, which is linear between the nodes where it is not given.
+Eigen::Vector2d at_ends(const ContactLine& line, const Eigen::Matrix2Xd& bound, const Eigen::VectorXd& nodal,
+                        int edge) {
+  if (bound.size() > 0) return bound.col(edge);
+  return {nodal[line.edge_node(0, edge)], nodal[line.edge_node(1, edge)]};
+}
+
+const Eigen::VectorXd& coefficient(const ContactLaw& law) { return law.tresca() ? law.slip_bound : law.friction; }
+
+Eigen::Vector2d unlimited() { return Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()); }
+
+void require_valid(const char* name, const EdgeRange& range, const ContactLine& line) {
+  for (const Eigen::Matrix2Xd* bound : {&range.least, &range.most}) {
+    if (bound->size() == 0) continue;
+    require_size(name, bound->cols(), line.edge_count());
+    require_nonnegative(name, bound->reshaped());
+  }
 }
 
 }  // namespace
 
 Eigen::Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
-  return law.between_nodes.least.size() > 0 ? Eigen::Vector2d(law.between_nodes.least.col(edge))
-                                            : at_ends(line, law, edge);
+  return at_ends(line, law.between_nodes.least, coefficient(law), edge);
 }
 
 Eigen::Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
-  return law.between_nodes.most.size() > 0 ? Eigen::Vector2d(law.between_nodes.most.col(edge))
-                                           : at_ends(line, law, edge);
+  return at_ends(line, law.between_nodes.most, coefficient(law), edge);
+}
+
+Eigen::Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
+  return law.limited() ? at_ends(line, law.limit_between_nodes.least, law.shear_limit, edge) : unlimited();
+}
+
+Eigen::Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
+  return law.limited() ? at_ends(line, law.limit_between_nodes.most, law.shear_limit, edge) : unlimited();
 }
 
 EdgeRange enclosing_range(const Eigen::Ref<const Eigen::MatrixXd>& samples) {
@@ -53,11 +74,13 @@ void require_valid(const ContactLaw& law, const ContactLine& line) {
     require_size("slipbound", law.slip_bound.size(), line.node_count());
     require_nonnegative("slipbound", law.slip_bound);
   }
-  for (const Eigen::Matrix2Xd* bound : {&law.between_nodes.least, &law.between_nodes.most}) {
-    if (bound->size() == 0) continue;
-    require_size("the coefficient between the nodes", bound->cols(), line.edge_count());
-    require_nonnegative("the coefficient between the nodes", bound->reshaped());
+  if (law.limited()) {
+    if (law.tresca()) refuse("a shear limit belongs to Coulomb's law, not to Tresca's");
+    require_size("shear limit", law.shear_limit.size(), line.node_count());
+    require_nonnegative("shear limit", law.shear_limit);
   }
+  require_valid("the coefficient between the nodes", law.between_nodes, line);
+  require_valid("the shear limit between the nodes", law.limit_between_nodes, line);
   if (law.gap.size() > 0) {
     require_size("gap", law.gap.size(), line.node_count());
     require_finite("gap", law.gap);

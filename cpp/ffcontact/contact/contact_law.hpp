@@ -23,8 +23,8 @@ struct EdgeRange {
 /// The law of contact and friction along the line, given at its nodes.
 ///     P_n <= 0,  v_n <= 0,  P_n v_n = 0
 ///     |P_t| <= b,  |P_t| < b => v_t = 0,  P_t v_t <= 0
-/// for v = W (u_n - gap, u_t - previous) with the bound b = -mu P_n (Coulomb) or, in units of P, b = slip_bound (Tresca; M
-/// slip_bound for nodal forces).
+/// for v = W (u_n - gap, u_t - previous) with the bound b = -mu P_n (Coulomb), b = min(-mu P_n, k) with k = shear_limit (Coulomb and
+/// Orowan), or b = slip_bound (Tresca); bounds in units of P, M k for nodal forces.
 struct ContactLaw {
   Multiplier multiplier = Multiplier::force;
   Eigen::VectorXd friction;    ///< mu >= 0 at each node [p]; 0 is the frictionless case
@@ -34,14 +34,21 @@ struct ContactLaw {
   /// The coefficient between the nodes, where it is not linear there: mu of Coulomb's law, k of Tresca's. Empty where it is. The
   /// solver knows the nodes alone; tractions are judged along the edges.
   EdgeRange between_nodes;
+  Eigen::VectorXd shear_limit;    ///< largest |lambda_t| of Coulomb's law at each node >= 0 [MPa]; empty for none
+  EdgeRange limit_between_nodes;  ///< of shear_limit likewise
 
   bool tresca() const { return slip_bound.size() > 0; }
+  bool limited() const { return shear_limit.size() > 0; }
 };
 
 /// Values of mu (Coulomb) or k (Tresca) at the ends of a contact edge: of a linear function that is nowhere above the
 /// coefficient, and of one that is nowhere below it.
 Eigen::Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
 Eigen::Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
+
+/// The same of shear_limit; infinite where there is none.
+Eigen::Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
+Eigen::Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
 
 /// The two lines nearest to the chord that enclose a coefficient >= 0 sampled at evenly spaced points of each edge, ends
 /// included: the chord shifted by the largest deviation to either side, or the constant least value where the lower one would
@@ -59,6 +66,8 @@ enum class ContactState : char {
   stick,
   slip_forward,
   slip_backward,
+  limited_forward,  ///< slip under the shear limit, P_t = -k; within the solver, answers say slip
+  limited_backward,
   open_stick,  ///< Tresca's law only, within the solver; answers say open
   open_slip_forward,
   open_slip_backward,
@@ -68,14 +77,20 @@ enum class ContactState : char {
 inline int slip_sign(ContactState state) {
   switch (state) {
     case ContactState::slip_forward:
+    case ContactState::limited_forward:
     case ContactState::open_slip_forward: return 1;
     case ContactState::slip_backward:
+    case ContactState::limited_backward:
     case ContactState::open_slip_backward: return -1;
     default: return 0;
   }
 }
 
 inline bool is_open(ContactState state) { return state == ContactState::open || state >= ContactState::open_stick; }
+
+inline bool is_limited(ContactState state) {
+  return state == ContactState::limited_forward || state == ContactState::limited_backward;
+}
 
 /// Does a state keep a component (0 normal, 1 tangential) from moving, v = 0?
 inline bool holds(ContactState state, int component) {

@@ -57,6 +57,13 @@ BodyAnswer body_answer(const ContactLine& line, const ContactLaw& law, const Ela
   return answer;
 }
 
+/// A state as answers have it.
+ContactState answered(ContactState state) {
+  if (is_open(state)) return ContactState::open;
+  if (!is_limited(state)) return state;
+  return slip_sign(state) > 0 ? ContactState::slip_forward : ContactState::slip_backward;
+}
+
 /// The pressures and forces of the multipliers that were solved for.
 void put_multipliers(const ContactLine& line, const ContactLaw& law, const std::vector<char>& prescribed,
                      const Eigen::Matrix2Xd& P, ContactSolution& solution) {
@@ -124,7 +131,7 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
   ContactSolution solution;
   solution.stiffness = stiffness;
   solution.status = answer.status;
-  for (ContactState state : answer.state) solution.state.push_back(is_open(state) ? ContactState::open : state);
+  for (ContactState state : answer.state) solution.state.push_back(answered(state));
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
   BodyAnswer whole = body_answer(line, law, system, *stiffness, contact, answer, solution.residual);

@@ -20,7 +20,8 @@ struct ContactSettings {
   int max_iterations = 2000;                ///< linear systems of the contact line in all
   double tolerance = 1e-10;                 ///< largest complementarity and residual defect of an accepted answer
   std::vector<ContactState> initial_state;  ///< a guess, e.g. of the load step before; empty: every node sticks
-  std::shared_ptr<const CondensedStiffness> stiffness;  ///< of an earlier solution with this K and line; null: factorise
+  std::shared_ptr<const CondensedStiffness>
+      stiffness;  ///< of an earlier solution with this K and line; null: factorise
 };
 
 /// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
@@ -33,8 +34,8 @@ struct ContactSolution {
   int iterations = 0;               ///< dense systems solved
   std::vector<double>
       history;  ///< relative change of lambda_n per step of the fixed point; empty where Newton was enough
-  double complementarity = 0;  ///< complementarity_defect of the answer
-  double residual = 0;         ///< residual_defect of the answer
+  double complementarity = 0;                           ///< complementarity_defect of the answer
+  double residual = 0;                                  ///< residual_defect of the answer
   std::shared_ptr<const CondensedStiffness> stiffness;  ///< K and its factor, for further loads and for the estimate
 
   bool accepted(const ContactSettings& settings) const {

@@ -7,15 +7,16 @@
 namespace ffcontact {
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
-  NodalLaw nodal;
-  nodal.friction = law.friction;
-  if (law.tresca())
-    nodal.tresca_bound = law.multiplier == Multiplier::force ? contact_mass(line) * law.slip_bound : law.slip_bound;
-  return nodal;
+  const auto in_units_of_P = [&](const Eigen::VectorXd& pressure) -> Eigen::VectorXd {
+    return law.multiplier == Multiplier::force && pressure.size() > 0 ? contact_mass(line) * pressure : pressure;
+  };
+  return {law.friction, in_units_of_P(law.slip_bound), in_units_of_P(law.shear_limit)};
 }
 
 NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& normal) {
-  return {law.friction, law.friction.cwiseProduct((-normal).cwiseMax(0.0))};
+  NodalLaw given{law.friction, Eigen::VectorXd(normal.size()), {}};
+  for (int i = 0; i < normal.size(); ++i) given.tresca_bound[i] = law.bound(i, normal[i]);
+  return given;
 }
 
 double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& P,
@@ -26,7 +27,8 @@ double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd
   for (int i = 0; 2 * i < P.size(); ++i) {
     const double Pn = relative(P[2 * i], p_scale), Pt = relative(P[2 * i + 1], p_scale);
     const double vn = relative(v[2 * i], v_scale), vt = relative(v[2 * i + 1], v_scale);
-    const double bound = law.tresca() ? relative(law.tresca_bound[i], p_scale) : -law.friction[i] * Pn;
+    const double bound = law.tresca() ? relative(law.tresca_bound[i], p_scale)
+                                      : std::min(-law.friction[i] * Pn, relative(law.limit(i), p_scale));
     largest = std::max({largest, Pn, vn, std::abs(Pn * vn),            // (3.17)-(3.19)
                         std::abs(Pt) - bound,                          // (3.20)
                         std::min(bound - std::abs(Pt), std::abs(vt)),  // (3.21)

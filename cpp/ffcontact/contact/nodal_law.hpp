@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "ffcontact/contact/contact_law.hpp"
 
 namespace ffcontact {
@@ -9,19 +12,26 @@ namespace ffcontact {
 struct NodalLaw {
   Eigen::VectorXd friction;      ///< mu [p]
   Eigen::VectorXd tresca_bound;  ///< in units of P [p]; empty for Coulomb
+  Eigen::VectorXd shear_limit;   ///< of Coulomb's law in units of P [p]; empty for none
 
   bool tresca() const { return tresca_bound.size() > 0; }
+  double limit(int node) const {
+    return shear_limit.size() > 0 ? shear_limit[node] : std::numeric_limits<double>::infinity();
+  }
   double bound(int node, double normal_multiplier) const {
-    return tresca() ? tresca_bound[node] : friction[node] * std::max(0.0, -normal_multiplier);
+    if (tresca()) return tresca_bound[node];
+    return std::min(friction[node] * std::max(0.0, -normal_multiplier), limit(node));
   }
   /// Frictionless everywhere, or Tresca's: the solution is the minimum of a convex function.
   bool is_convex() const { return tresca() || friction.isZero(0); }
-  bool frictionless(int node) const { return tresca() ? tresca_bound[node] == 0 : friction[node] == 0; }
+  bool frictionless(int node) const {
+    return tresca() ? tresca_bound[node] == 0 : friction[node] == 0 || limit(node) == 0;
+  }
 };
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
 
-/// Tresca's law of the problem P(g) [CHH01, (3.1)]: the bound -mu g_n of Coulomb's law at given normal multipliers.
+/// Tresca's law of the problem P(g) [CHH01, (3.1)]: the bound of Coulomb's law at given normal multipliers.
 /// @param normal  g_n in units of P [p]; what is above 0 counts as 0
 NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& normal);
 

@@ -77,6 +77,7 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law, const Elastic
   const CondensedContact correction = with_loads(contact, stiffness, load, v);
   NodalLaw unbounded = nodal_law(law, line);
   unbounded.tresca_bound.setZero();
+  unbounded.shear_limit.setZero();
   ContactRows rows;
   if (solve_active_set(correction, unbounded, state, rows) == SystemKind::inconsistent) return answer;
   const Eigen::VectorXd kept =

@@ -93,7 +93,8 @@ class Conditions {
 
 /// Where friction may vanish at an end of the edge, r_t is left as it is.
 bool frictionless(const FreeContact& contact, int e) {
-  return least_coefficient(contact.line, contact.law, e).minCoeff() == 0;
+  return least_coefficient(contact.line, contact.law, e).minCoeff() == 0 ||
+         least_shear_limit(contact.line, contact.law, e).minCoeff() == 0;
 }
 
 /// Basis of the corrections that leave known boundary tractions alone and load both bodies of a contact edge oppositely
@@ -150,7 +151,7 @@ struct ContactTerms {
 };
 
 ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, const FreeContact* contact) {
-  const auto most = 8 * static_cast<Eigen::Index>(ends.size());
+  const auto most = EdgeCone::most_rows * static_cast<Eigen::Index>(ends.size());
   ContactTerms terms{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd(most, unknowns), Eigen::VectorXd(most)};
   Eigen::Index row = 0;
   for (const auto& [e, change] : ends) {

@@ -6,8 +6,9 @@
 namespace ffcontact {
 
 /// The contact part of e^2 on each contact edge, exactly [N/mm times mm]:
-///     2 int (mu |r_n| |w_t| + r_t w_t + r_n (w_n - gap))      [CHH01, (2.11)], with k |w_t| for Tresca's law (2.19).
-/// mu and k are the law's upper bounds along the edge (most_coefficient). Each edge is split where w_t or r_n changes sign.
+///     2 int (mu |r_n| |w_t| + r_t w_t + r_n (w_n - gap))      [CHH01, (2.11)], with k |w_t| for Tresca's law (2.19) and
+/// min(mu |r_n|, k) |w_t| with a shear limit k. mu and k are the law's upper bounds along the edge (most_coefficient,
+/// most_shear_limit). Each edge is split where w_t or r_n changes sign, and where mu |r_n| = k.
 /// Inside the cone and without penetration every value is >= 0; the indicator functions are left out: outside the cone the value
 /// has no meaning as a bound and can be negative.
 /// @param displacement  u_hat on all dofs [mm]
@@ -16,11 +17,13 @@ Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, co
 
 /// What the end values of r_hat cost in the contact part of e^2 when r_hat is in the cone, [mm^2]:
 ///     cost_n = 2 int phi (-mu |w_t| + w_n - gap)   (Tresca: 2 int phi (w_n - gap)),   cost_t = 2 int phi w_t
-/// at the two ends of each edge [2 x m]. For Tresca's law the constant 2 int k |w_t| is left out.
+/// at the two ends of each edge [2 x m]. For Tresca's law the constant 2 int k |w_t| is left out. With a shear limit mu |w_t| counts
+/// where -mu r_n is below the limit k for the given densities: min(-mu r_n, k) is concave in r_n, so that this is never below its
+/// change.
 struct TractionCosts {
   Eigen::Matrix2Xd normal, tangential;
 };
-TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
+TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
                              const Eigen::Ref<const Eigen::VectorXd>& displacement);
 
 }  // namespace ffcontact

@@ -139,9 +139,9 @@ Eigen::Matrix2Xd nodal_pressures(const Origin& origin) {
 Eigen::Matrix3Xd balancing_stresses(const Origin& origin, const Eigen::VectorXd& force_change) {
   const auto& [mesh, edges, line, system, body, refinement, stress_terms, unstressed] = origin;
   const Eigen::MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
-  const Eigen::VectorXd u =
-      body.stiffness ? rebalancing_displacement(*body.stiffness, system, line, force_change, motions)
-                     : rebalancing_displacement(system, line, force_change, motions);
+  const Eigen::VectorXd u = body.stiffness
+                                ? rebalancing_displacement(*body.stiffness, system, line, force_change, motions)
+                                : rebalancing_displacement(system, line, force_change, motions);
   return stresses(mesh, body.hooke, u);
 }
 
@@ -354,7 +354,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
 
   // 4. Star relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
   EdgeLoadsOfAll difference = difference_loads(mesh, edges, moments, stress);
-  const TractionCosts costs = traction_costs(line, body.law, estimate.displacement);
+  const TractionCosts costs = traction_costs(line, body.law, start.densities, estimate.displacement);
   FreeTractions tractions{start.densities, costs.normal, costs.tangential, contact_edge};
   FreeContact contact{line, body.law, tractions};
   const std::vector<double> falls =

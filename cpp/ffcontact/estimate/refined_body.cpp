@@ -38,6 +38,12 @@ Eigen::Matrix2Xd refined_bound(const Edges& old_edges, const ContactLine& old_li
   return refined;
 }
 
+EdgeRange refined_range(const Edges& old_edges, const ContactLine& old_line, const CommonRefinement& refinement,
+                        const EdgeRange& range) {
+  return {refined_bound(old_edges, old_line, refinement, range.least),
+          refined_bound(old_edges, old_line, refinement, range.most)};
+}
+
 }  // namespace
 
 SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges, const ContactLine& old_line,
@@ -51,8 +57,9 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges, const Cont
               refined_values(refinement, old.law.slip_bound),
               refined_values(refinement, old.law.gap),
               refined_values(refinement, old.law.previous),
-              {refined_bound(old_edges, old_line, refinement, old.law.between_nodes.least),
-               refined_bound(old_edges, old_line, refinement, old.law.between_nodes.most)}};
+              refined_range(old_edges, old_line, refinement, old.law.between_nodes),
+              refined_values(refinement, old.law.shear_limit),
+              refined_range(old_edges, old_line, refinement, old.law.limit_between_nodes)};
   body.neumann = refined_boundary_moments(old_mesh, refinement, old.neumann);
   body.body_loads = refined_body_loads(old_mesh, refinement, old.body_loads);
   return body;

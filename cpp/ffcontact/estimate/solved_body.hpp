@@ -18,7 +18,8 @@ struct SolvedBody {
   ContactLaw law;
   Eigen::Matrix4Xd neumann;   ///< moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
   BodyLoadsOfAll body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
-  std::shared_ptr<const CondensedStiffness> stiffness;  ///< of the solution on the contact line; null: factorised if needed
+  std::shared_ptr<const CondensedStiffness>
+      stiffness;  ///< of the solution on the contact line; null: factorised if needed
 };
 
 }  // namespace ffcontact
