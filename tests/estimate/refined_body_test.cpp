@@ -40,12 +40,16 @@ RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges, (Ran
     for (int e = 0; e < line.edge_count(); ++e)
       for (int end = 0; end < 2; ++end) (*bound)(end, e) = old.law.friction[line.edge_node(end, e)];
   }
+  old.law.shear_limit = old.law.friction;
+  old.law.limit_between_nodes = old.law.between_nodes;
   const ContactLaw law = refined(cut, old).law;
   for (int e = 0; e < parts.edge_count(); ++e)
     for (int end = 0; end < 2; ++end) {
       const double expected = law.friction[parts.edge_node(end, e)];
       RC_ASSERT(std::abs(least_coefficient(parts, law, e)[end] - expected) < 1e-13);
       RC_ASSERT(std::abs(most_coefficient(parts, law, e)[end] - expected) < 1e-13);
+      RC_ASSERT(std::abs(least_shear_limit(parts, law, e)[end] - expected) < 1e-13);
+      RC_ASSERT(std::abs(most_shear_limit(parts, law, e)[end] - expected) < 1e-13);
     }
 }
 
