@@ -202,7 +202,7 @@ TEST(EdgeCone, of_friction_that_varies_is_narrower_than_at_its_ends) {
 }
 
 RC_GTEST_PROP(ClampedToCone, is_in_the_cone_and_leaves_what_is_in_it, (Random random)) {
-  const EdgeProblem edge = random_edge(random, *rc::gen::arbitrary<bool>());
+  const EdgeProblem edge = random_edge(random);
   ContactDensities r = random_densities(1, random);
   const Eigen::Vector4d clamped = clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0));
   set_end_values(r, 0, clamped);
