@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# kernels.sh FREEFEM [KERNEL...]: the scripts of tests/edp under OpenBLAS's kernels, with 1 and 2 threads. Prints every figure
-# that they check: its smallest and largest value, what is wanted, the limit of the difference, and how many times the largest
-# difference goes into it. Fails where a script fails or a figure uses up more than half of its limit.
+# kernels.sh BUILD [KERNEL...]: the tests of the modules and the scripts of tests/edp under OpenBLAS's kernels, with 1 and 2
+# threads. Prints every figure that scripts check: its smallest and largest value, what is wanted, the limit of the difference, and
+# how many times the largest difference goes into it. Fails where a test fails or a figure uses up more than half of its limit.
 set -euo pipefail
-freefem=$(realpath "$1")
+build=$(realpath "$1")
 shift
 kernels=("$@")
 [ $# -gt 0 ] || kernels=(Prescott Nehalem Sandybridge Haswell SkylakeX Zen)
@@ -15,21 +15,26 @@ trap 'rm -rf "$scratch"' EXIT
 # What a kernel asks of the processor.
 needs() { case $1 in SkylakeX) echo avx512f ;; Haswell | Zen) echo avx2 ;; Sandybridge) echo avx ;; *) echo fpu ;; esac; }
 
-# run_one KERNEL THREADS SCRIPT
+# run_one KERNEL THREADS TEST: a program, or a script
 run_one() {
-  local folder=$scratch/$1.$2.$3 code=0
-  mkdir "$folder" && cd "$folder"
-  OPENBLAS_CORETYPE=$1 OMP_NUM_THREADS=$2 OPENBLAS_NUM_THREADS=$2 "$freefem" "$scripts/$3.edp" >out 2>&1 || code=$?
-  grep '^figure' out | sed "s/^figure/$3/" >figures || true
-  [ $code = 0 ] || { echo "$3 fails under $1 with $2 threads:"; tail -n 5 out; touch "$scratch/failed"; }
+  local name command=("$3") code=0
+  name=$(basename "$3" .edp)
+  [[ $3 != *.edp ]] || command=("$build/freefem" "$3")
+  mkdir "$scratch/$1.$2.$name" && cd "$scratch/$1.$2.$name"
+  OPENBLAS_CORETYPE=$1 OMP_NUM_THREADS=$2 OPENBLAS_NUM_THREADS=$2 "${command[@]}" >out 2>&1 || code=$?
+  grep '^figure' out | sed "s/^figure/$name/" >figures || true
+  [ $code = 0 ] || { echo "$name fails under $1 with $2 threads:"; tail -n 20 out; touch "$scratch/failed"; }
 }
 export -f run_one
-export freefem scripts scratch
+export build scratch
 
 for kernel in "${kernels[@]}"; do
   grep -qw "$(needs "$kernel")" /proc/cpuinfo || { echo "$kernel: this processor cannot run it"; continue; }
   for threads in 1 2; do
-    for script in "$scripts"/*.edp; do printf '%s\0' "$kernel $threads $(basename "$script" .edp)"; done
+    for module in "$scripts"/../../cpp/ffcontact/*/; do
+      printf '%s\0' "$kernel $threads $build/tests/test_$(basename "$module")"
+    done
+    for script in "$scripts"/*.edp; do printf '%s\0' "$kernel $threads $script"; done
   done
 done | xargs -0 -P "$(nproc)" -I{} bash -c 'run_one {}'
 
