@@ -39,15 +39,18 @@ RC_GTEST_PROP(ConvexContact, ends_where_newton_ends, (Random random)) {
 
 /// The fixed point would try Newton once more.
 TEST(ConvexContact, takes_over_where_newton_ends_without_an_answer) {
-  for (const unsigned seed : {16, 49, 56, 117}) {
+  int without_answer = 0;
+  for (unsigned seed = 0; seed < 130; ++seed) {
     Random random(seed);
     const Condensed c(odd_problem(random, 0));
-    ASSERT_NE(active_set_newton(c.contact, c.law, c.sticking).status, ContactStatus::converged) << seed;
+    if (active_set_newton(c.contact, c.law, c.sticking).status == ContactStatus::converged) continue;
+    ++without_answer;
     const ActiveSetResult convex = solve_convex(c.contact, c.law, c.sticking);
     const ContactSolution solution = solved(c.problem);
     EXPECT_TRUE(solution.accepted({})) << seed;
     EXPECT_EQ(solution.iterations, convex.iterations) << seed;
   }
+  EXPECT_GT(without_answer, 3);
 }
 
 RC_GTEST_PROP(OddProblems, have_a_solution_that_is_found, (Random random)) {

@@ -17,7 +17,7 @@ needs() { case $1 in SkylakeX) echo avx512f ;; Haswell | Zen) echo avx2 ;; Sandy
 
 # run_one KERNEL THREADS TEST: a program, or a script
 run_one() {
-  local name command=("$3") code=0
+  local name command=("$3" --gtest_brief=1) code=0
   name=$(basename "$3" .edp)
   [[ $3 != *.edp ]] || command=("$build/freefem" "$3")
   mkdir "$scratch/$1.$2.$name" && cd "$scratch/$1.$2.$name"

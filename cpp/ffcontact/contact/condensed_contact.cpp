@@ -113,12 +113,6 @@ Eigen::SparseMatrix<double> selected_rows(const Eigen::SparseMatrix<double>& A, 
   return selection * A;
 }
 
-Eigen::VectorXd selected(const Eigen::VectorXd& values, const std::vector<int>& rows) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t k = 0; k < rows.size(); ++k) result[k] = values[rows[k]];
-  return result;
-}
-
 /// Displacement of the kept dofs in terms of w.
 Eigen::SparseMatrix<double> kept_operator(const std::map<int, VertexMotion>& motions, const std::vector<int>& kept,
                                           Eigen::Index unknowns) {
@@ -206,13 +200,13 @@ void put_loads(const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
   const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
   contact.v_prescribed = v_prescribed;
   Eigen::VectorXd w_prescribed = Eigen::VectorXd::Zero(f + o);
-  w_prescribed.head(f) = factor.solve(selected(v_prescribed, contact.primary));
+  w_prescribed.head(f) = factor.solve(v_prescribed(contact.primary));
   const Eigen::VectorXd forces =
       stiffness.condensed_load(load) + stiffness.schur() * Eigen::VectorXd(contact.to_kept * w_prescribed);
   const Eigen::VectorXd g_w = contact.to_kept.transpose() * forces;
   contact.g = factor.transpose().solve(Eigen::VectorXd(g_w.head(f)));
   contact.dependent_offset =
-      selected(v_prescribed, contact.dependent) - selected_rows(contact.A, contact.dependent) * w_prescribed;
+      v_prescribed(contact.dependent) - selected_rows(contact.A, contact.dependent) * w_prescribed;
   contact.opposite_offset = Eigen::VectorXd::Zero(o);
   if (o == 0) return;
   const Eigen::SparseMatrix<double> A_o = selected_rows(contact.A, contact.primary).rightCols(o);
@@ -286,7 +280,7 @@ Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::
   Eigen::VectorXd w(f + o);
   w.tail(o) = contact.opposite_offset + contact.opposite_of_v * v + contact.opposite_of_q * q;
   const Eigen::VectorXd from_opposite = selected_rows(contact.A, contact.primary).rightCols(o) * w.tail(o);
-  w.head(f) = factor.solve(Eigen::VectorXd(v - selected(contact.v_prescribed, contact.primary) - from_opposite));
+  w.head(f) = factor.solve(Eigen::VectorXd(v - contact.v_prescribed(contact.primary) - from_opposite));
   return contact.to_kept * w;
 }
 

@@ -15,12 +15,6 @@ namespace ffcontact {
 
 namespace {
 
-Eigen::VectorXd selected(const Eigen::VectorXd& values, const std::vector<int>& rows) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
-  for (Eigen::Index k = 0; k < result.size(); ++k) result[k] = values[rows[k]];
-  return result;
-}
-
 /// Newton; where it does not converge, the convex minimum, or with Coulomb's law the fixed point helped by Newton.
 FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
                                     const std::vector<ContactState>& start, const NewtonSettings& settings) {
@@ -42,8 +36,7 @@ BodyAnswer body_answer(const ContactLine& line, const ContactLaw& law, const Ela
   constexpr double rounding = 1e-12;
   constexpr int most_steps = 3;
   const NodalLaw nodal = nodal_law(law, line);
-  const Eigen::VectorXd kept =
-      kept_displacement(contact, selected(condensed.v, contact.primary), selected(condensed.P, contact.dependent));
+  const Eigen::VectorXd kept = kept_displacement(contact, condensed.v(contact.primary), condensed.P(contact.dependent));
   BodyAnswer answer{stiffness.extended(system.load, kept) + system.prescribed_value, condensed.P};
   residual = residual_defect(line, law, system, answer);
   for (int k = 0; k < most_steps && residual > rounding && condensed.status == ContactStatus::converged; ++k) {

@@ -33,12 +33,6 @@ Eigen::VectorXd residual(const ElasticSystem& system, const Eigen::VectorXd& u, 
 
 double largest(const Eigen::VectorXd& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0; }
 
-Eigen::VectorXd selected(const Eigen::VectorXd& values, const std::vector<int>& rows) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(rows.size()));
-  for (Eigen::Index k = 0; k < result.size(); ++k) result[k] = values[rows[k]];
-  return result;
-}
-
 }  // namespace
 
 Eigen::Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law, const Eigen::VectorXd& P) {
@@ -80,8 +74,7 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law, const Elastic
   unbounded.shear_limit.setZero();
   ContactRows rows;
   if (solve_active_set(correction, unbounded, state, rows) == SystemKind::inconsistent) return answer;
-  const Eigen::VectorXd kept =
-      kept_displacement(correction, selected(rows.v, contact.primary), selected(rows.P, contact.dependent));
+  const Eigen::VectorXd kept = kept_displacement(correction, rows.v(contact.primary), rows.P(contact.dependent));
   return {answer.displacement + stiffness.extended(load, kept), answer.P + rows.P};
 }
 
