@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/bounded_minimum.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "ffcontact/base/cholesky.hpp"
 
 namespace ffcontact {
 
@@ -70,7 +71,7 @@ class FaceByFace {
     ++steps_;
     const Eigen::MatrixXd part = H_(free, free);
     const Eigen::VectorXd right = -gradient_(free);
-    const Eigen::VectorXd on_face = part.llt().solve(right);
+    const Eigen::VectorXd on_face = Cholesky(part).solve(right);
     step(free) = on_face;
     return step;
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 
-#include <Eigen/QR>
 #include <limits>
 #include <vector>
+
+#include "ffcontact/base/least_squares.hpp"
 
 namespace ffcontact {
 
@@ -16,7 +17,7 @@ Eigen::VectorXd passive_solution(const Eigen::MatrixXd& G, const Eigen::VectorXd
     if (passive[j]) columns.push_back(j);
   Eigen::MatrixXd selected(G.rows(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k) selected.col(k) = G.col(columns[k]);
-  const Eigen::VectorXd z = selected.completeOrthogonalDecomposition().solve(b);
+  const Eigen::VectorXd z = least_squares(selected, b);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(G.cols());
   for (std::size_t k = 0; k < columns.size(); ++k) x[columns[k]] = z[k];
   return x;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/quadratic_minimum.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/least_squares.hpp"
 
 namespace ffcontact {
 
@@ -55,8 +56,7 @@ class LeastDistance {
     for (;;) {
       const Eigen::MatrixXd normals = active_normals();
       const Eigen::VectorXd g = G_.row(row).transpose();
-      const Eigen::VectorXd share =
-          active_.empty() ? Eigen::VectorXd() : Eigen::VectorXd(normals.householderQr().solve(g));
+      const Eigen::VectorXd share = active_.empty() ? Eigen::VectorXd() : least_squares(normals, g);
       const Eigen::VectorXd direction = active_.empty() ? g : Eigen::VectorXd(g - normals * share);
       const bool free = direction.norm() > dependent;
       const double full =
@@ -87,7 +87,7 @@ class LeastDistance {
   void place_on_active() {
     Eigen::VectorXd limits(static_cast<Eigen::Index>(active_.size()));
     for (std::size_t k = 0; k < active_.size(); ++k) limits[k] = h_[active_[k]];
-    z_ = active_normals().transpose().completeOrthogonalDecomposition().solve(limits);
+    z_ = least_squares(active_normals().transpose(), limits);
   }
 
   const Eigen::MatrixXd& G_;
@@ -102,13 +102,13 @@ class LeastDistance {
 
 std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
                                                  const Eigen::MatrixXd& C, const Eigen::VectorXd& d) {
-  const Eigen::LLT<Eigen::MatrixXd> llt(H);
-  if (llt.info() != Eigen::Success) return std::nullopt;
-  const Eigen::VectorXd free = -llt.solve(g);
+  const Cholesky cholesky(H);
+  if (!cholesky.is_positive_definite()) return std::nullopt;
+  const Eigen::VectorXd free = -cholesky.solve(g);
   if (d.size() == 0 || (d - C * free).maxCoeff() <= 0) return free;
 
   // Rows scaled to length 1: least distance does not care, its rounding does.
-  Eigen::MatrixXd G = llt.matrixL().solve(C.transpose()).transpose();
+  Eigen::MatrixXd G = cholesky.half_solve(C.transpose()).transpose();
   Eigen::VectorXd h = d - C * free;
   double scale = 0;
   for (Eigen::Index row = 0; row < G.rows(); ++row) {
@@ -120,7 +120,7 @@ std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const
   }
   LeastDistance least(G, h, scale);
   if (!least.solve()) return std::nullopt;
-  return free + llt.matrixL().transpose().solve(least.z());
+  return free + cholesky.other_half_solve(least.z());
 }
 
 }  // namespace ffcontact

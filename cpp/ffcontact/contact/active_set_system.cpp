@@ -2,10 +2,10 @@
 #include "ffcontact/contact/active_set_system.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <cmath>
 
 #include "ffcontact/base/dense_lu.hpp"
+#include "ffcontact/base/least_squares.hpp"
 
 namespace ffcontact {
 
@@ -124,10 +124,7 @@ class LinearStep {
     if (matrix_.rows() == 0) return right_;
     const DenseLu lu(matrix_);
     if (lu.reciprocal_condition() > singular) return lu.solve(right_);
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> orthogonal;
-    orthogonal.setThreshold(10 * singular);
-    orthogonal.compute(matrix_);
-    const Eigen::VectorXd smallest = orthogonal.solve(right_);
+    const Eigen::VectorXd smallest = least_squares(matrix_, right_, {10 * singular});
     kind = SystemKind::consistent;
     if ((matrix_ * smallest - right_).norm() <= solved * right_.norm()) return smallest;
     kind = SystemKind::inconsistent;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/condensed_contact.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <map>
 #include <stdexcept>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/sparse_lu.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
@@ -127,22 +126,14 @@ Eigen::SparseMatrix<double> kept_operator(const std::map<int, VertexMotion>& mot
   return Q;
 }
 
-using Factor = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
-
-void factorise_primary(const CondensedContact& contact, Factor& factor) {
+/// Of A on the primary rows.
+SparseLu primary_factor(const CondensedContact& contact) {
   const auto f = static_cast<Eigen::Index>(contact.primary.size());
-  Eigen::SparseMatrix<double> A_primary = selected_rows(contact.A, contact.primary).leftCols(f);
-  A_primary.makeCompressed();
-  factor.compute(A_primary);
-  if (factor.info() != Eigen::Success)
+  SparseLu factor(selected_rows(contact.A, contact.primary).leftCols(f));
+  if (!factor.is_regular())
     refuse(
         "the contact multipliers are not independent: the contact line turns too sharply between prescribed vertices");
-}
-
-/// X with A_primary^T X = right; SparseLU does not take zero columns.
-Eigen::MatrixXd solved_transposed(Factor& factor, const Eigen::MatrixXd& right) {
-  if (right.cols() == 0) return right;
-  return factor.transpose().solve(right);
+  return factor;
 }
 
 /// The relation between v, w_o and the multipliers before w_o is condensed, loads apart:
@@ -152,23 +143,22 @@ struct OppositeTerms {
 };
 
 /// Fills S and E as if w_o were given.
-OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness, Factor& factor, CondensedContact& contact) {
+OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness, const SparseLu& factor,
+                                     CondensedContact& contact) {
   const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
   const Eigen::SparseMatrix<double> Qt = contact.to_kept.transpose();
   const Eigen::MatrixXd S_w = Qt * stiffness.schur() * contact.to_kept;
-  const Eigen::MatrixXd half = factor.transpose().solve(S_w.topLeftCorner(f, f));  // A^-T S_w
-  const Eigen::MatrixXd half_transposed = half.transpose();
-  contact.S = factor.transpose().solve(half_transposed);
+  const Eigen::MatrixXd half = factor.solve_transposed_columns(S_w.topLeftCorner(f, f));  // A^-T S_w
+  contact.S = factor.solve_transposed_columns(half.transpose());
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
   const Eigen::MatrixXd A_dependent = selected_rows(contact.A, contact.dependent);
-  contact.E = solved_transposed(factor, A_dependent.leftCols(f).transpose());
+  contact.E = factor.solve_transposed_columns(A_dependent.leftCols(f).transpose());
 
   // w = A^-1 (v - v_prescribed) - X w_o with X = A^-1 A_o.
   OppositeTerms terms;
-  const Eigen::MatrixXd A_o = Eigen::MatrixXd(selected_rows(contact.A, contact.primary).rightCols(o));
-  const Eigen::MatrixXd X = o > 0 ? Eigen::MatrixXd(factor.solve(A_o)) : A_o;
+  const Eigen::MatrixXd X = factor.solve_columns(selected_rows(contact.A, contact.primary).rightCols(o));
   const Eigen::MatrixXd S_ow = S_w.bottomLeftCorner(o, f) - X.transpose() * S_w.topLeftCorner(f, f);
-  terms.V = solved_transposed(factor, S_ow.transpose()).transpose();
+  terms.V = factor.solve_transposed_columns(S_ow.transpose()).transpose();
   terms.O = S_w.bottomRightCorner(o, o) - S_ow * X - X.transpose() * S_w.topRightCorner(f, o);
   terms.E = A_dependent.rightCols(o).transpose() - X.transpose() * A_dependent.leftCols(f).transpose();
   return terms;
@@ -183,20 +173,20 @@ void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
   contact.opposite_scale = terms.O.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const auto R = contact.opposite_scale.asDiagonal();
   contact.opposite_stiffness.emplace(Eigen::MatrixXd(R * (0.5 * (terms.O + terms.O.transpose())) * R));
-  if (contact.opposite_stiffness->info() != Eigen::Success || contact.opposite_stiffness->rcond() < 1e-15)
+  if (!contact.opposite_stiffness->is_positive_definite() || contact.opposite_stiffness->reciprocal_condition() < 1e-15)
     throw std::runtime_error("the bodies are not held, even with their contact lines glued to each other");
-  contact.opposite_of_v = R * contact.opposite_stiffness->solve(-(R * terms.V));
+  contact.opposite_of_v = R * contact.opposite_stiffness->solve_columns(-(R * terms.V));
   contact.S += terms.V.transpose() * contact.opposite_of_v;
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
   if (terms.E.cols() == 0) return;  // Eigen's solve reads the first of no columns
-  contact.opposite_of_q = R * contact.opposite_stiffness->solve(R * terms.E);
+  contact.opposite_of_q = R * contact.opposite_stiffness->solve_columns(R * terms.E);
   contact.E += contact.opposite_of_v.transpose() * terms.E;
   contact.F = terms.E.transpose() * contact.opposite_of_q;
 }
 
 /// g and the offsets for a load and the v of prescribed values.
 void put_loads(const CondensedStiffness& stiffness, const Eigen::VectorXd& load, const Eigen::VectorXd& v_prescribed,
-               Factor& factor, CondensedContact& contact) {
+               const SparseLu& factor, CondensedContact& contact) {
   const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
   contact.v_prescribed = v_prescribed;
   Eigen::VectorXd w_prescribed = Eigen::VectorXd::Zero(f + o);
@@ -204,7 +194,7 @@ void put_loads(const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
   const Eigen::VectorXd forces =
       stiffness.condensed_load(load) + stiffness.schur() * Eigen::VectorXd(contact.to_kept * w_prescribed);
   const Eigen::VectorXd g_w = contact.to_kept.transpose() * forces;
-  contact.g = factor.transpose().solve(Eigen::VectorXd(g_w.head(f)));
+  contact.g = factor.solve_transposed(g_w.head(f));
   contact.dependent_offset =
       v_prescribed(contact.dependent) - selected_rows(contact.A, contact.dependent) * w_prescribed;
   contact.opposite_offset = Eigen::VectorXd::Zero(o);
@@ -256,8 +246,7 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
   contact.A = W * trace_operator(line, motions, unknowns);
   contact.to_kept = kept_operator(motions, contact.kept_dofs, unknowns);
-  Factor factor;
-  factorise_primary(contact, factor);
+  const SparseLu factor = primary_factor(contact);
   condense_opposite(relation_with_opposite(stiffness, factor, contact), contact);
   const Eigen::VectorXd v_prescribed =
       W * displacement_against_foundation(line, law, system.prescribed_value).reshaped();
@@ -267,20 +256,16 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
 
 CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
                             const Eigen::VectorXd& v_prescribed) {
-  Factor factor;
-  factorise_primary(contact, factor);
-  put_loads(stiffness, load, v_prescribed, factor, contact);
+  put_loads(stiffness, load, v_prescribed, primary_factor(contact), contact);
   return contact;
 }
 
 Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v, const Eigen::VectorXd& q) {
   const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
-  Factor factor;
-  factorise_primary(contact, factor);
   Eigen::VectorXd w(f + o);
   w.tail(o) = contact.opposite_offset + contact.opposite_of_v * v + contact.opposite_of_q * q;
   const Eigen::VectorXd from_opposite = selected_rows(contact.A, contact.primary).rightCols(o) * w.tail(o);
-  w.head(f) = factor.solve(Eigen::VectorXd(v - contact.v_prescribed(contact.primary) - from_opposite));
+  w.head(f) = primary_factor(contact).solve(v - contact.v_prescribed(contact.primary) - from_opposite);
   return contact.to_kept * w;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/SparseLU>
 #include <optional>
 #include <vector>
 
+#include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
@@ -44,7 +43,7 @@ struct CondensedContact {
   Eigen::MatrixXd opposite_of_v;        ///< [o x f]
   Eigen::MatrixXd opposite_of_q;        ///< [o x d]
   Eigen::VectorXd opposite_scale;       ///< R = diag(S~_oo)^-1/2 [o]
-  std::optional<Eigen::LLT<Eigen::MatrixXd>> opposite_stiffness;  ///< of R S~_oo R; nothing if o = 0
+  std::optional<Cholesky> opposite_stiffness;  ///< of R S~_oo R; nothing if o = 0
 
   bool is_primary(int row) const { return position[row] >= 0; }
   /// Does the multiplier of dependent row d do anything to a body? Nodal forces on prescribed dofs do not.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ffcontact/base/bounded_minimum.hpp"
+#include "ffcontact/base/cholesky.hpp"
 
 namespace ffcontact {
 
@@ -88,11 +89,11 @@ class ProximalPasses {
   void put_compliance() {
     Eigen::MatrixXd S = contact_.S;
     S.diagonal() *= 1 + proximal;
-    stiffness_.compute(S);
+    stiffness_ = Cholesky(S);
     Eigen::MatrixXd& C = compliance_;
     C.resize(primary_ + dependent_, primary_ + dependent_);
-    C.topLeftCorner(primary_, primary_) = stiffness_.solve(Eigen::MatrixXd::Identity(primary_, primary_));
-    C.topRightCorner(primary_, dependent_) = stiffness_.solve(contact_.E);
+    C.topLeftCorner(primary_, primary_) = stiffness_.solve_columns(Eigen::MatrixXd::Identity(primary_, primary_));
+    C.topRightCorner(primary_, dependent_) = stiffness_.solve_columns(contact_.E);
     C.bottomLeftCorner(dependent_, primary_) = C.topRightCorner(primary_, dependent_).transpose();
     C.bottomRightCorner(dependent_, dependent_) =
         contact_.F + contact_.E.transpose() * C.topRightCorner(primary_, dependent_);
@@ -142,8 +143,8 @@ class ProximalPasses {
   const CondensedContact& contact_;
   const NodalLaw& law_;
   const Eigen::Index primary_, dependent_;
-  std::vector<int> rows_;                  ///< of each position
-  Eigen::LLT<Eigen::MatrixXd> stiffness_;  ///< S + r diag(S)
+  std::vector<int> rows_;  ///< of each position
+  Cholesky stiffness_;     ///< S + r diag(S)
   Eigen::MatrixXd compliance_;
   Eigen::VectorXd unit_, low_, high_;
   Eigen::VectorXd x_, v_;  ///< multipliers in their units; v of the primary rows

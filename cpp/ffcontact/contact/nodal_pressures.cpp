@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/nodal_pressures.hpp"
 
-#include <Eigen/SparseLU>
+#include "ffcontact/base/sparse_lu.hpp"
 
 namespace ffcontact {
 
@@ -78,7 +78,7 @@ Eigen::Matrix2Xd consistent_pressures(const ContactLine& line, const std::vector
   }
   Eigen::SparseMatrix<double> system(mass.rows(), mass.cols());
   system.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd pressure = Eigen::SparseLU<Eigen::SparseMatrix<double>>(system).solve(right);
+  Eigen::VectorXd pressure = SparseLu(std::move(system)).solve(right);
   for (int row = 0; row < right.size(); ++row)
     if (source[row] >= 0) pressure[row] = pressure[source[row]];
   return pressure.reshaped(2, line.node_count());

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <map>
 
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/star_corrections.hpp"
 
@@ -80,10 +80,7 @@ class Conditions {
   }
   Eigen::MatrixXd kernel() const {
     if (count_ == 0) return Eigen::MatrixXd::Identity(rows_.cols(), rows_.cols());
-    Eigen::FullPivLU<Eigen::MatrixXd> lu(rows_.topRows(count_));
-    lu.setThreshold(1e-10);
-    if (lu.dimensionOfKernel() == 0) return Eigen::MatrixXd(rows_.cols(), 0);
-    return lu.kernel();
+    return kernel_basis(rows_.topRows(count_), {1e-10});
   }
 
  private:

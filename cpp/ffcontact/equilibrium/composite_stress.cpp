@@ -2,10 +2,10 @@
 #include "ffcontact/equilibrium/composite_stress.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <array>
 #include <cmath>
 
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {
@@ -97,7 +97,7 @@ TriangleCorners reference_triangle() {
 /// The conditions on the reference triangle (0,0), (1,0), (0,1), solved for every unit load.
 StressMap solve_reference() {
   const Conditions conditions(reference_triangle());
-  return conditions.matrix.completeOrthogonalDecomposition().solve(conditions.right);
+  return least_squares_of_columns(conditions.matrix, conditions.right);
 }
 
 const StressMap& reference_map() {
@@ -141,7 +141,7 @@ CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads
   loads << on_edges, body_loads;
   if (is_thin(corners)) {  // backward stable: what is left of each condition is of the size of rounding
     const Conditions conditions(corners.colwise() - corners.rowwise().mean());
-    const Eigen::VectorXd stress = conditions.matrix.colPivHouseholderQr().solve(conditions.right * loads);
+    const Eigen::VectorXd stress = least_squares(conditions.matrix, conditions.right * loads);
     return Eigen::Map<const CompositeStress>(stress.data());
   }
   const Eigen::Matrix2d B = piola_matrix(corners);

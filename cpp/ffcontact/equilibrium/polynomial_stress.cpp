@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "ffcontact/base/cholesky.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -189,7 +191,7 @@ PolynomialStress polynomial_stress(const TriangleCorners& corners, const Eigen::
   const Eigen::Matrix<double, unknowns, 3> Z = rigid_motions(B);
   K += K.trace() / unknowns * Z * Z.transpose();  // balanced loads: w without rigid motion solves both systems
   PolynomialStress stress{corners, hooke, {}};
-  stress.displacement.reshaped() = K.llt().solve(load_of(on_edges, body_loads));
+  stress.displacement.reshaped() = Cholesky(K).solve(load_of(on_edges, body_loads));
   return stress;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/refined_moments.hpp"
 
-#include <Eigen/QR>
 #include <map>
 
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 
 namespace ffcontact {
@@ -77,7 +77,7 @@ void balance_fan(const CommonRefinement& refinement, const std::vector<int>& tri
         conditions.block<3, 4>(3 * k, inner->second) = effect;
     }
   }
-  const Eigen::VectorXd change = -conditions.completeOrthogonalDecomposition().solve(left_over);
+  const Eigen::VectorXd change = -least_squares(conditions, left_over);
   for (const auto& [edge, first] : column) moments.col(edge) += change.segment<4>(first);
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/star_relaxation.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
 namespace ffcontact {
@@ -138,7 +138,7 @@ class Acceleration {
     Eigen::Matrix2d M;
     M << products[0], products[1], products[1], square_;
     const Eigen::Vector2d slope(products[2], products[3]);
-    const Eigen::Vector2d step = -M.completeOrthogonalDecomposition().solve(slope);
+    const Eigen::Vector2d step = -least_squares(M, slope);
     const double fall = -step.dot(M * step) - 2 * step.dot(slope);
     if (!(fall > 0) || step.cwiseAbs().maxCoeff() > longest_step) {
       direction_ = std::move(sweep);

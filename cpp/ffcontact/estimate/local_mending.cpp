@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/local_mending.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <set>
 #include <unordered_map>
 
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/estimate/rebalancing_displacement.hpp"
@@ -113,11 +112,10 @@ Eigen::VectorXd nearest(const Mesh& mesh, const ContactLine& line, const Contact
   const auto solves = [&](const Eigen::VectorXd& values) {
     return (problem.equations * values - problem.right).cwiseAbs().maxCoeff() <= resultant_tolerance * scale;
   };
-  const Eigen::VectorXd start = problem.computed + problem.equations.completeOrthogonalDecomposition().solve(
-                                                       problem.right - problem.equations * problem.computed);
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(problem.equations);
-  if (!solves(start) || lu.dimensionOfKernel() == 0) return {};
-  const Eigen::MatrixXd Z = lu.kernel();
+  const Eigen::VectorXd start =
+      problem.computed + least_squares(problem.equations, problem.right - problem.equations * problem.computed);
+  const Eigen::MatrixXd Z = kernel_basis(problem.equations);
+  if (!solves(start) || Z.cols() == 0) return {};
   const auto x =
       quadratic_minimum(Z.transpose() * problem.mass * Z, Z.transpose() * problem.mass * (start - problem.computed),
                         problem.cone * Z, problem.limits - problem.cone * start);

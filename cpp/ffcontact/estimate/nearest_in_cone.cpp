@@ -2,11 +2,11 @@
 #include "ffcontact/estimate/nearest_in_cone.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 #include <vector>
 
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 
 namespace ffcontact {
@@ -81,7 +81,7 @@ class EdgeProjection {
     const Eigen::MatrixXd moving = lower().solve(basis_.transpose() * mass_ * motions_);
     if (held.empty()) return moving.transpose() * moving;
     const Eigen::MatrixXd normals = lower().solve((cone_.C(held, Eigen::all) * basis_).transpose());
-    const Eigen::MatrixXd stopped = normals * normals.completeOrthogonalDecomposition().solve(moving);
+    const Eigen::MatrixXd stopped = normals * least_squares_of_columns(normals, moving);
     return moving.transpose() * (moving - stopped);
   }
 

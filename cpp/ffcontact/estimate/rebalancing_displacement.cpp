@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/rebalancing_displacement.hpp"
 
-#include <Eigen/Cholesky>
-
+#include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 
 namespace ffcontact {
@@ -22,7 +21,7 @@ Eigen::VectorXd rebalancing_displacement(const CondensedStiffness& stiffness, co
   for (Eigen::Index k = 0; k < size; ++k) Z.row(k) = motions.row(kept[k]);
   const double scale = stiffness.schur().diagonal().mean();
   const Eigen::MatrixXd S = stiffness.schur() + scale * Z * Z.transpose();
-  return stiffness.extended(force_change, S.llt().solve(stiffness.condensed_load(force_change)));
+  return stiffness.extended(force_change, Cholesky(S).solve(stiffness.condensed_load(force_change)));
 }
 
 }  // namespace ffcontact
