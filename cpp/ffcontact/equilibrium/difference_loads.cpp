@@ -28,19 +28,4 @@ EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges, const Edge
   return loads;
 }
 
-void take_known_tractions(const Mesh& mesh, const Edges& edges, const BoundaryTractions& boundary,
-                          const Eigen::Ref<const Eigen::Matrix3Xd>& stress, EdgeLoadsOfAll& difference) {
-  for (int edge = 0; edge < edges.count(); ++edge) {
-    if (!edges.on_boundary(edge)) continue;
-    const int t = edges.triangles(0, edge);
-    int k = 0;
-    while (edges.of_triangle(k, t) != edge) ++k;
-    const Eigen::Vector2d side = edge_vector(mesh, edges, edge);
-    const Eigen::Vector2d half = 0.5 * traction(stress.col(t), Eigen::Vector2d(side.y(), -side.x()));
-    for (int end = 0; end < 2; ++end)
-      for (int c = 0; c < 2; ++c)
-        if (boundary.known(c, edge)) difference(4 * k + 2 * end + c, t) = boundary.moments(2 * end + c, edge) - half[c];
-  }
-}
-
 }  // namespace ffcontact

@@ -13,11 +13,6 @@ using EdgeLoadsOfAll = Eigen::Matrix<double, 12, Eigen::Dynamic>;  ///< EdgeLoad
 EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress);
 
-/// Puts the known boundary tractions into the edge loads of sigma_hat - sigma, where they stand but for the rounding of the
-/// relaxation: on an edge much shorter than its neighbours that is much of its traction.
-void take_known_tractions(const Mesh& mesh, const Edges& edges, const BoundaryTractions& boundary,
-                          const Eigen::Ref<const Eigen::Matrix3Xd>& stress, EdgeLoadsOfAll& difference);
-
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 
 }  // namespace ffcontact

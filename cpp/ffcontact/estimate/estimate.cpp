@@ -363,7 +363,6 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
   estimate.tractions = tractions.densities;
   if (settings.tractions != Tractions::published) clamp_rounding(line, body.law, estimate.tractions);
   const BoundaryTractions relaxed = setting.boundary_with(estimate.tractions);
-  take_known_tractions(mesh, edges, relaxed, stress, difference);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   Norms norms = measure(mesh, body.hooke, stress, difference, body.body_loads, estimate.stress);
