@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "ffcontact/base/require.hpp"
@@ -68,6 +70,10 @@ bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system, 
   return true;
 }
 
+int number_in_its_mesh(const JoinedMesh& joined, int vertex) {
+  return vertex - *std::prev(std::upper_bound(joined.first_vertex.begin(), joined.first_vertex.end() - 1, vertex));
+}
+
 /// Part of a sentence that names the vertices of the line whose normal dof is prescribed, the first ones of many.
 std::string held_vertices(const ContactProblem& problem, const ElasticSystem& system) {
   constexpr int most = 8;
@@ -75,7 +81,7 @@ std::string held_vertices(const ContactProblem& problem, const ElasticSystem& sy
   int count = 0;
   for (int i = 0; i < problem.line.node_count(); ++i)
     if (is_held_along_normal(problem.line, system, i) && ++count <= most)
-      names << (count > 1 ? ", " : "") << problem.own_vertex[i];
+      names << (count > 1 ? ", " : "") << number_in_its_mesh(problem.joined, problem.line.vertex[i]);
   if (count == 0) return "";
   return "; on() prescribes the normal displacement on the contact line at vertex " + names.str() +
          (count > most ? ", ..." : "") + ": leave it free there, or take these edges out of label=";
@@ -156,12 +162,13 @@ class ContactSolve : public E_F0mps {
   long run(Stack stack) const {
     const double start = CPUtime();
     Contact& contact = stated_contact(stack, contact_);
-    const ContactProblem& problem = *contact.problem;
+    ContactProblem& problem = *contact.problem;
     problem.require_bodies("A, b, u", matrix_.size());
     const std::vector<KN<double>*> u = values_of<KN<double>*>(stack, displacement_);
 
     SolvedContact solved;
     solved.system = system_of(stack, problem, u);
+    problem.choose_sides(solved.system);
     solved.law = law_of(stack, contact);
     const ContactSettings settings = settings_of(stack, contact, solved.system);
     solved.solution = solve_contact(problem.mesh, problem.line, solved.law, solved.system, settings);
@@ -178,7 +185,7 @@ class ContactSolve : public E_F0mps {
     put(stack, problem, solved);
     report(stack, problem, solution, CPUtime() - start);
     contact.last_states = solution.state;
-    contact.last_abscissa = problem.line.abscissa;
+    contact.last_abscissa = problem.abscissa;
     contact.solved = std::move(solved);
     return contact.solved->solution.iterations;
   }
@@ -217,7 +224,9 @@ class ContactSolve : public E_F0mps {
     settings.max_iterations = static_cast<int>(named_.integer(stack, "maxit", settings.max_iterations));
     settings.tolerance = named_.number(stack, "tol", settings.tolerance);
     if (!(settings.tolerance > 0)) refuse("tol must be positive, got ", settings.tolerance);
-    settings.initial_state = states_at(contact.problem->line, contact.last_abscissa, contact.last_states);
+    ContactLine stated = contact.problem->line;
+    stated.abscissa = contact.problem->abscissa;
+    settings.initial_state = states_at(stated, contact.last_abscissa, contact.last_states);
     if (named_.given("initial")) settings.initial_state.clear();
     for (long number : named_.integers(stack, "initial")) settings.initial_state.push_back(state_of_number(number));
     if (contact.solved && is_same(contact.solved->system, system))
@@ -236,7 +245,7 @@ class ContactSolve : public E_F0mps {
     named_.put(stack, "gap", nodes.gap);
     named_.put(stack, "slip", nodes.slip);
     named_.put_integers(stack, "node", problem.own_vertex);
-    named_.put(stack, "abscissa", problem.line.abscissa);
+    named_.put(stack, "abscissa", problem.abscissa);
     named_.put_integers(stack, "state", nodes.state);
     named_.put(stack, "violation", solution.complementarity);
     named_.put(stack, "status", static_cast<long>(solution.status));
@@ -251,13 +260,21 @@ class ContactSolve : public E_F0mps {
     if (level < 1 || mpirank != 0) return;
     const Counts counts = counted(solution.state);
     cout << "contactsolve: " << 2 * problem.mesh.vertex_count() << " dofs, " << problem.line.node_count()
-         << " contact nodes, " << solution.iterations << " iterations, " << counts.open << " open, " << counts.stick
-         << " stick, " << counts.slip << " slip, " << in_words(solution.status) << ", " << seconds << " s" << endl;
+         << " contact nodes" << sides(problem) << ", " << solution.iterations << " iterations, " << counts.open
+         << " open, " << counts.stick << " stick, " << counts.slip << " slip, " << in_words(solution.status) << ", "
+         << seconds << " s" << endl;
     if (level > 1 && !solution.history.empty())
       cout << "contactsolve: " << solution.history.size()
            << " steps of the fixed point, last change of the normal multipliers " << solution.history.back() << endl;
     if (level > 1)
       cout << "contactsolve: violation " << solution.complementarity << ", residual " << solution.residual << endl;
+  }
+
+  /// Part of a sentence that says which side of each pair of bodies carries the multipliers.
+  static std::string sides(const ContactProblem& problem) {
+    std::ostringstream text;
+    for (std::size_t k = 0; k < problem.side.size(); ++k) text << (k > 0 ? ", " : " on side ") << problem.side[k];
+    return text.str();
   }
 
   NamedArguments named_;

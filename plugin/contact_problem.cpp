@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/mesh/curve_directions.hpp"
 #include "ffcontact/mesh/facing_traces.hpp"
 //
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "contact_problem.hpp"
@@ -19,7 +21,8 @@ ContactLine line_of(Stack stack, const NamedArguments& named, const BodyPart& pa
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Eigen::Matrix2Xd direction(2, line.node_count());
   for (int c = 0; c < 2; ++c)
-    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part, edges, line, 0).transpose();
+    direction.row(c) =
+        at_nodes(stack, named.component("normal", c, 2), part, edges, line, stated_places(line, false), 0).transpose();
   return along_directions(mesh, edges, line, direction);
 }
 
@@ -74,8 +77,17 @@ void require_law(const NamedArguments& named) {
     refuse("no law is given: friction= (Coulomb's coefficient, 0 for none), slipbound= (Tresca's bound), or both");
 }
 
-/// Points of an edge at which a coefficient is evaluated.
-constexpr int samples_of_an_edge = 9;
+/// Which side of pair number `pair` the script wants, 1 or 2, or 0.
+int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
+  if (!named.given("side")) return 0;
+  const std::vector<int> sides = named.integers(stack, "side");
+  if (sides.size() != 1 && static_cast<int>(sides.size()) != pairs)
+    refuse("side has ", sides.size(), " values: give one, or one for each of the ", pairs, " pairs of bodies");
+  const int side = sides.size() == 1 ? sides[0] : sides[pair];
+  if (side != 1 && side != 2)
+    refuse("side must be 1 (the body that comes first carries the multipliers) or 2 (the other one), got ", side);
+  return side;
+}
 
 }  // namespace
 
@@ -85,7 +97,8 @@ NamedArguments::Table ContactProblem::table(const basicAC_F0& arguments) {
                              {"friction", &typeid(double)},
                              {"slipbound", &typeid(double)},
                              {"gap", &typeid(double)},
-                             {"normal", &typeid(E_Array)}});
+                             {"normal", &typeid(E_Array)},
+                             {"side", &typeid(KN_<long>)}});
   return table;
 }
 
@@ -108,21 +121,18 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named, const s
     if (k > 0 && k + 1 < bodies && labels[k].size() != 2)
       refuse("label", k + 1, " must be two labels: the first faces body ", k, ", the second body ", k + 2);
   }
-  std::vector<ContactLine> lines;
   if (bodies == 1) {
     const std::vector<int> opposite = joined_labels(stack, named, "opposite", joined, 0);
-    add_pair(stack, named, 0, labels[0], 0, opposite, lines);
+    add_pair(stack, named, 0, labels[0], 0, opposite);
   }
   for (int k = 0; k + 1 < bodies; ++k)
     add_pair(stack, named, k, k == 0 ? labels[k] : std::vector<int>{labels[k][1]}, k + 1,
-             k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]}, lines);
-  line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
-
-  add_previous(stack, named);
-  require_valid(law, line);
+             k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]});
+  read_previous(stack, named);
+  join_carriers();
 }
 
-void ContactProblem::add_previous(Stack stack, const NamedArguments& named) {
+void ContactProblem::read_previous(Stack stack, const NamedArguments& named) {
   Eigen::VectorXd previous = Eigen::VectorXd::Zero(2 * mesh.vertices.cols());
   bool incremental = false;
   for (int k = 0; k < body_count(); ++k) {
@@ -134,42 +144,69 @@ void ContactProblem::add_previous(Stack stack, const NamedArguments& named) {
     previous.segment(first_dof(k), dof_count(k)) = vector_of(u);
     incremental = true;
   }
-  if (incremental) law.previous = contact_components(line, previous).row(1);
+  if (incremental) previous_ = previous;
 }
 
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named, int body, const std::vector<int>& labels,
-                              int opposite_body, const std::vector<int>& opposite_labels,
-                              std::vector<ContactLine>& lines) {
+                              int opposite_body, const std::vector<int>& opposite_labels) {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
   ContactLine own = line_of(stack, named, part, mesh, edges, labels);
   const bool rigid = opposite_labels.empty() && opposite_body == body;
   if (!named.given("normal") && turns(own)) {
     const Expression gap = named.expression("gap");
-    const Eigen::VectorXd distance =
-        gap || rigid ? at_nodes(stack, gap, part, edges, own, 0) : facing_traces(mesh, edges, own, opposite_labels).gap;
+    const Eigen::VectorXd distance = gap || rigid ? at_nodes(stack, gap, part, edges, own, stated_places(own, false), 0)
+                                                  : facing_traces(mesh, edges, own, opposite_labels).gap;
     own = with_one_direction_a_curve(mesh, edges, std::move(own), distance);
   }
-  for (int v : own.vertex) own_vertex.push_back(v - joined.first_vertex[body]);
   if (rigid) {
-    add_coefficients(stack, named, body, own, {});
-    lines.push_back(std::move(own));
+    if (named.given("side")) refuse("side= is for bodies that face each other, not for a rigid foundation");
+    pairs_.push_back({true, 1, carrier(stack, named, body, own, own, false), std::nullopt});
     return;
   }
-  const FacingTraces traces = facing_traces(mesh, edges, own, opposite_labels);
-  add_coefficients(stack, named, body, own, traces.gap);
-  lines.push_back(facing_line(mesh, edges, std::move(own), traces));
+  const int wanted = wanted_side(stack, named, static_cast<int>(pairs_.size()), std::max(1, body_count() - 1));
+  const ContactLine facing = facing_line(mesh, edges, own, facing_traces(mesh, edges, own, opposite_labels));
+  std::optional<ContactLine> exchanged;
+  if (wanted != 1) exchanged = exchanged_line(mesh, edges, facing, opposite_labels);
+  if (!exchanged && wanted == 2)
+    refuse(
+        "side=2: the other body cannot carry the multipliers, as two parts of the first one's line face the same part "
+        "of it; give one contact direction with normal=[nx, ny], or side=1");
+  Pair pair{false, wanted, carrier(stack, named, body, own, facing, false), std::nullopt};
+  if (exchanged) pair.other = carrier(stack, named, body, own, *exchanged, true);
+  pairs_.push_back(std::move(pair));
 }
 
-void ContactProblem::add_coefficients(Stack stack, const NamedArguments& named, int body, const ContactLine& own,
-                                      const Eigen::VectorXd& mesh_gap) {
+ContactProblem::Carrier ContactProblem::carrier(Stack stack, const NamedArguments& named, int body,
+                                                const ContactLine& stated, ContactLine line, bool on_opposite) const {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body], joined.first_boundary[body]};
+  const StatedPlaces places = stated_places(line, on_opposite);
+  std::map<int, int> number;  // contact edge of each mesh edge
+  for (int e = 0; e < stated.edge_count(); ++e) number[stated.edge[e]] = e;
+  Carrier result;
+  result.own_vertex.resize(line.node_count());
+  result.abscissa.resize(line.node_count());
+  result.edge_abscissa.resize(2, line.edge_count());
+  for (int e = line.edge_count() - 1; e >= 0; --e)
+    for (int end = 1; end >= 0; --end) {
+      const auto [edge, place] = end == 0 ? places[e].front() : places[e].back();
+      result.edge_abscissa(end, e) = abscissa_at(stated, number.at(edge), place);
+      if (!ends_at_its_node(line, end, e)) continue;
+      const int node = line.edge_node(end, e);
+      result.own_vertex[node] = edges.vertices(place < 0.5 ? 0 : 1, edge) - part.first_vertex;
+      result.abscissa[node] = result.edge_abscissa(end, e);
+    }
+  result.law = coefficients(stack, named, part, line, places);
+  result.line = std::move(line);
+  return result;
+}
+
+ContactLaw ContactProblem::coefficients(Stack stack, const NamedArguments& named, const BodyPart& part,
+                                        const ContactLine& line, const StatedPlaces& places) const {
+  ContactLaw law;
   const Expression friction = named.expression("friction"), slip_bound = named.expression("slipbound");
   const auto add = [&](Expression coefficient, Eigen::VectorXd& nodal, EdgeRange& between_nodes) {
-    append(at_nodes(stack, coefficient, part, edges, own, 0), nodal);
-    if (!coefficient) return;
-    const EdgeRange range = enclosing_range(along_edges(stack, coefficient, part, edges, own, samples_of_an_edge));
-    append(range.least, between_nodes.least);
-    append(range.most, between_nodes.most);
+    nodal = at_nodes(stack, coefficient, part, edges, line, places, 0);
+    if (coefficient) between_nodes = enclosing_range(along_edges(stack, coefficient, part, edges, places));
   };
   add(friction, law.friction, law.between_nodes);
   if (slip_bound && friction)
@@ -177,11 +214,48 @@ void ContactProblem::add_coefficients(Stack stack, const NamedArguments& named, 
   else if (slip_bound)
     add(slip_bound, law.slip_bound, law.between_nodes);
   if (const Expression gap = named.expression("gap")) {
-    append(at_nodes(stack, gap, part, edges, own, 0), law.gap);
-  } else {
-    require_apart(mesh, own, mesh_gap);
-    append(mesh_gap, law.gap);
+    law.gap = at_nodes(stack, gap, part, edges, line, places, 0);
+  } else if (line.against_a_body()) {
+    law.gap = facing_gap(line);
+    require_apart(mesh, line, law.gap);
   }
+  return law;
+}
+
+void ContactProblem::choose_sides(const ElasticSystem& system) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k)
+    if (!pairs_[k].rigid && pairs_[k].wanted == 0 && pairs_[k].other)
+      side[k] = compliance_ratio(mesh, edges, pairs_[k].own.line, system) > much_softer ? 2 : 1;
+  join_carriers();
+}
+
+void ContactProblem::join_carriers() {
+  if (side.empty())
+    for (const Pair& pair : pairs_)
+      if (!pair.rigid) side.push_back(std::max(1, pair.wanted));
+  std::vector<ContactLine> lines;
+  law = {};
+  own_vertex.clear();
+  abscissa.resize(0);
+  edge_abscissa.resize(2, 0);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const Carrier& carrier = !pairs_[k].rigid && side[k] == 2 ? *pairs_[k].other : pairs_[k].own;
+    lines.push_back(carrier.line);
+    own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(), carrier.own_vertex.end());
+    append(carrier.abscissa, abscissa);
+    append(carrier.edge_abscissa, edge_abscissa);
+    append(carrier.law.friction, law.friction);
+    append(carrier.law.slip_bound, law.slip_bound);
+    append(carrier.law.shear_limit, law.shear_limit);
+    append(carrier.law.gap, law.gap);
+    for (EdgeRange ContactLaw::*range : {&ContactLaw::between_nodes, &ContactLaw::limit_between_nodes}) {
+      append((carrier.law.*range).least, (law.*range).least);
+      append((carrier.law.*range).most, (law.*range).most);
+    }
+  }
+  line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
+  if (previous_.size() > 0) law.previous = contact_components(line, previous_).row(1);
+  require_valid(law, line);
 }
 
 void ContactProblem::require_dofs(const char* name, int body, Eigen::Index count) const {
@@ -195,6 +269,9 @@ void ContactProblem::require_bodies(const char* names, std::size_t count) const 
 }
 
 Eigen::Matrix2Xd ContactProblem::pressures(KN<double>* normal, KN<double>* tangential) const {
+  if (!side.empty() && normal->N() != line.node_count())
+    refuse("pn has size ", normal->N(), " but the line that carries the multipliers has ", line.node_count(),
+           " nodes: state the side= that pn belongs to");
   require_size("pn", normal->N(), line.node_count());
   require_size("pt", tangential->N(), line.node_count());
   Eigen::Matrix2Xd pressure(2, line.node_count());

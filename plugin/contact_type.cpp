@@ -11,7 +11,7 @@ namespace ffcontact::plugin {
 
 namespace {
 
-using Problem = std::shared_ptr<const ContactProblem>;
+using Problem = std::shared_ptr<ContactProblem>;
 
 /// The value of contact(Th, ...), for an assignment.
 struct ContactStatement {
@@ -27,7 +27,7 @@ class StatementArguments {
   }
 
   Problem problem(Stack stack) const {
-    return std::make_shared<const ContactProblem>(stack, named_, values_of<pmesh>(stack, meshes_));
+    return std::make_shared<ContactProblem>(stack, named_, values_of<pmesh>(stack, meshes_));
   }
 
  private:
@@ -134,7 +134,11 @@ KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
 }
 
 KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).line.abscissa); });
+  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).abscissa); });
+}
+
+KN<long>* sides(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).side); });
 }
 
 template <class Result>
@@ -186,6 +190,7 @@ void register_contact_type() {
   add_member("state", states);
   add_member("node", nodes);
   add_member("abscissa", abscissae);
+  add_member("side", sides);
 }
 
 }  // namespace ffcontact::plugin

@@ -29,7 +29,7 @@ struct SolvedContact {
 
 /// What a script variable of type `contact` holds.
 struct Contact {
-  std::shared_ptr<const ContactProblem> problem;  ///< null until it is stated
+  std::shared_ptr<ContactProblem> problem;  ///< null until it is stated
   std::optional<SolvedContact> solved;
   std::vector<ContactState> last_states;  ///< of the last solution: the next one starts from them
   Eigen::VectorXd last_abscissa;          ///< where they were

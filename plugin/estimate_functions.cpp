@@ -263,12 +263,19 @@ class ContactErrorFunction : public E_F0mps {
     }
   }
 
-  /// Abscissae of the ends of the edges on which r_hat is linear, two an edge.
-  static Eigen::VectorXd abscissae(const ContactLine& line) {
+  /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the line that coefficients are stated on.
+  static Eigen::VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
+    if (!estimate.refinement) return problem.edge_abscissa.reshaped();
+    const ContactLine& line = estimate.refinement->line;
     Eigen::VectorXd values(2 * line.edge_count());
     for (int e = 0; e < line.edge_count(); ++e) {
-      values[2 * e] = line.abscissa[line.edge_node(0, e)];
-      values[2 * e + 1] = values[2 * e] + line.length[e];
+      const int k = estimate.refinement->parent_contact_edge[e];
+      const Eigen::Vector2d ends = problem.edge_abscissa.col(k);
+      for (int end = 0; end < 2; ++end) {
+        const int vertex = line.vertex[line.edge_node(end, e)];
+        const double place = estimate.refinement->place(problem.edges, vertex, problem.line.edge[k]);
+        values[2 * e + end] = ends[0] + problem.line.share(k, place) * (ends[1] - ends[0]);
+      }
     }
     return values;
   }
@@ -276,7 +283,7 @@ class ContactErrorFunction : public E_F0mps {
   void put(Stack stack, const ContactProblem& problem, const Estimate& estimate) const {
     put_by_triangles(stack, problem, "eps", estimate.local);
     put_stress(stack, problem, estimate);
-    named_.put(stack, "rabscissa", abscissae(estimate.refinement ? estimate.refinement->line : problem.line));
+    named_.put(stack, "rabscissa", abscissae(problem, estimate));
     named_.put(stack, "e", estimate.e);
     named_.put(stack, "elasticpart", estimate.elastic);
     named_.put(stack, "contactpart", estimate.contact);

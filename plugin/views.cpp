@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/facing_traces.hpp"
 //
 #include "views.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
+
+/// Points of a contact edge at which a coefficient is evaluated.
+constexpr int samples_of_an_edge = 9;
 
 /// Evaluates expressions at points of the mesh and gives the script its current point back.
 class PointEvaluator {
@@ -27,6 +31,12 @@ class PointEvaluator {
     const R2 second(Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][1]]);
     const R2 hat = first * s + second * (1 - s);
     point_->set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab, normal, side);
+  }
+  /// Goes to a place on a boundary edge of a part of the joined mesh.
+  void go_to_edge(const BodyPart& part, const Edges& edges, const EdgePlace& at) {
+    const int element = edges.boundary_index[at.edge] - part.first_boundary;
+    const bool first = first_vertex(element) == edges.vertices(0, at.edge) - part.first_vertex;
+    go_to_boundary(element, first ? 1 - at.place : at.place);
   }
   int first_vertex(int element) const {
     int side;
@@ -105,35 +115,51 @@ RowMatrix matrix_of(Matrice_Creuse<double>* matrix) {
 
 Eigen::Map<Eigen::VectorXd> vector_of(KN<double>* array) { return {static_cast<double*>(*array), array->N()}; }
 
+StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
+  StatedPlaces places(line.edge_count(), std::vector<EdgePlace>(samples_of_an_edge));
+  const auto at = [&](int k, double begin, double end) {
+    return begin + static_cast<double>(k) / (samples_of_an_edge - 1) * (end - begin);
+  };
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int k = 0; k < samples_of_an_edge; ++k)
+      places[e][k] = {line.edge[e], at(k, line.place(0, e), line.place(1, e))};
+  if (!on_opposite) return places;
+  for (auto piece = line.pieces.rbegin(); piece != line.pieces.rend(); ++piece)
+    for (int k = 0; k < samples_of_an_edge; ++k) {
+      const int e = piece->contact_edge;
+      const double x = at(k, line.place(0, e), line.place(1, e));
+      if (x < piece->begin || x > piece->end) continue;
+      const double share = (x - piece->begin) / (piece->end - piece->begin);
+      places[e][k] = {piece->opposite_edge,
+                      piece->opposite_begin + share * (piece->opposite_end - piece->opposite_begin)};
+    }
+  return places;
+}
+
 Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                         const ContactLine& line, double otherwise) {
+                         const ContactLine& line, const StatedPlaces& places, double otherwise) {
   Eigen::VectorXd values = Eigen::VectorXd::Constant(line.node_count(), otherwise);
   if (!expression) return values;
   PointEvaluator point(stack, part.fem_mesh);
   for (int e = line.edge_count() - 1; e >= 0;
        --e)  // backwards: a node between two edges ends with the value of the first
     for (int end = 1; end >= 0; --end) {
-      const int element = edges.boundary_index[line.edge[e]] - part.first_boundary, node = line.edge_node(end, e);
-      const int vertex = line.vertex[node] - part.first_vertex;
-      point.go_to_boundary(element, point.first_vertex(element) == vertex ? 1 : 0);
-      values[node] = point.value(expression);
+      if (!ends_at_its_node(line, end, e)) continue;
+      point.go_to_edge(part, edges, end == 0 ? places[e].front() : places[e].back());
+      values[line.edge_node(end, e)] = point.value(expression);
     }
   return values;
 }
 
 Eigen::MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                            const ContactLine& line, int points) {
-  Eigen::MatrixXd values(points, line.edge_count());
+                            const StatedPlaces& places) {
+  Eigen::MatrixXd values(samples_of_an_edge, static_cast<Eigen::Index>(places.size()));
   PointEvaluator point(stack, part.fem_mesh);
-  for (int e = 0; e < line.edge_count(); ++e) {
-    const int element = edges.boundary_index[line.edge[e]] - part.first_boundary;
-    const bool first = point.first_vertex(element) == line.vertex[line.edge_node(0, e)] - part.first_vertex;
-    for (int k = 0; k < points; ++k) {
-      const double s = static_cast<double>(k) / (points - 1);
-      point.go_to_boundary(element, first ? 1 - s : s);
-      values(k, e) = point.value(expression);
+  for (std::size_t e = 0; e < places.size(); ++e)
+    for (int k = 0; k < samples_of_an_edge; ++k) {
+      point.go_to_edge(part, edges, places[e][k]);
+      values(k, static_cast<Eigen::Index>(e)) = point.value(expression);
     }
-  }
   return values;
 }
 

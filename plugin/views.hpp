@@ -25,14 +25,26 @@ struct BodyPart {
   int first_vertex, first_boundary;
 };
 
-/// An expression of the script on a contact line of one body, at its nodes (x, y, label, N as on the boundary) [p].
+/// Where an expression is evaluated for a point of a contact edge: a mesh edge of the body that it is stated on, and the place on it
+/// (0 at its first vertex).
+struct EdgePlace {
+  int edge;
+  double place;
+};
+
+/// The places that belong to the points of a line, evenly spaced on each contact edge, ends included [edge][point]. They are on the
+/// line itself, or on what it faces when coefficients are stated on the opposite body.
+using StatedPlaces = std::vector<std::vector<EdgePlace>>;
+StatedPlaces stated_places(const ContactLine& line, bool on_opposite);
+
+/// An expression of the script at the nodes of a contact line (x, y, label, N as on the boundary) [p].
 /// @return an array of `otherwise` where the expression is null
 Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                         const ContactLine& line, double otherwise);
+                         const ContactLine& line, const StatedPlaces& places, double otherwise);
 
-/// An expression at evenly spaced points of each edge of a contact line, ends included, with the label of the edge [points x edges].
+/// An expression at the places of each edge, with the label of the edge [points x edges].
 Eigen::MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                            const ContactLine& line, int points);
+                            const StatedPlaces& places);
 
 /// An expression at the centroid of each triangle (x, y, region) [triangles].
 Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, double otherwise);

@@ -97,6 +97,26 @@ RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible
   }
 }
 
+/// A block on a longer one, the line of which carries the multipliers.
+RC_GTEST_PROP(SeveralBodiesEstimate, a_line_that_the_opposite_body_ends_on_has_an_admissible_pair, (Random random)) {
+  const int upper = *rc::gen::inRange(1, 9), lower = *rc::gen::inRange(3, 9);
+  const double x = -0.8 + 0.01 * *rc::gen::inRange(0, 260);
+  Bodies two = bodies({shifted(with_random_rows(upper, 3, 5, 3, random), {x, 4}),
+                       shifted(with_random_rows(lower, 3, 8, 4, random), {-1, 0})},
+                      {material(70e3, 0.3), material(7, 0.2)}, {{1, top, 0, bottom}});
+  add_traction(two.problem, two.label(0, top), {0.5, -10});
+  clamp(two.problem, two.label(1, bottom));
+  set_friction(two.problem, 0.4);
+  two.problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  const ContactSolution solution = solved(two.problem);
+  RC_PRE(solution.accepted({}));
+  RC_ASSERT(std::abs(solution.force.row(0).sum() + 50) < 1e-5);
+  const Estimate estimate = estimated(two.problem, solution, sweeps(1));
+  RC_ASSERT(estimate.cone < 1e-12);
+  RC_ASSERT(estimate.equilibrium.largest() < 1e-9 || has_slivers(estimate));
+  RC_ASSERT(estimate.penetration < 1e-12);
+}
+
 /// Friction alone holds the upper body sideways; its tangential resultant must survive the mending of tensile edges.
 TEST(SeveralBodiesEstimate, tresca_keeps_the_resultants_of_a_body_held_by_friction) {
   for (const double slip_bound : {0.5, 1.0, 1.6, 2.5}) {

@@ -121,8 +121,9 @@ void put_lines(const Case& problem, Assembled& parts) {
     if (contact.opposite_body >= 0) {
       const FacingTraces traces =
           facing_traces(mesh, parts.edges, line, {parts.joined.label(contact.opposite_body, contact.opposite_label)});
-      gaps.insert(gaps.end(), traces.gap.begin(), traces.gap.end());
       line = facing_line(mesh, parts.edges, line, traces);
+      const Eigen::VectorXd gap = facing_gap(line);
+      gaps.insert(gaps.end(), gap.begin(), gap.end());
     } else {
       gaps.resize(gaps.size() + line.node_count(), 0.0);
     }

@@ -43,7 +43,8 @@ inline Bodies bodies(const std::vector<Mesh>& meshes, const std::vector<Material
     result.traces.push_back(
         facing_traces(mesh, problem.edges, line, {result.label(pairs[k].second, pairs[k].second_label)}));
     lines.push_back(facing_line(mesh, problem.edges, line, result.traces.back()));
-    gaps.insert(gaps.end(), result.traces.back().gap.begin(), result.traces.back().gap.end());
+    const Eigen::VectorXd gap = facing_gap(lines.back());
+    gaps.insert(gaps.end(), gap.begin(), gap.end());
   }
   problem.line = joined_lines(lines);
   problem.law.friction = everywhere(problem.line, 0);

@@ -35,18 +35,19 @@ Station station_at_node(const Mesh& mesh, const ContactLine& line, const Contact
   return station;
 }
 
-/// @param s, y  parameters on the contact edge and on the opposite one
+/// @param x, y  places on the mesh edge of the contact edge and on the opposite one
 Station station_on_piece(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ContactLaw& law,
-                         const FacingPiece& piece, double s, double y) {
-  const int a = line.edge_node(0, piece.contact_edge), b = line.edge_node(1, piece.contact_edge);
-  const auto between = [&](auto&& value) { return ((1 - s) * value(a) + s * value(b)).eval(); };
+                         const FacingPiece& piece, double x, double y) {
+  const int e = piece.contact_edge, a = line.edge_node(0, e), b = line.edge_node(1, e);
+  const int first = edges.vertices(0, line.edge[e]), second = edges.vertices(1, line.edge[e]);
+  const double s = line.share(e, x);
   const auto gap = [&](int i) { return law.gap.size() > 0 ? law.gap[i] : 0; };
-  return {between([&](int i) { return mesh.vertices.col(line.vertex[i]); }),
-          between([&](int i) { return line.normal.col(i); }).normalized(),
+  return {(1 - x) * mesh.vertices.col(first) + x * mesh.vertices.col(second),
+          ((1 - s) * line.normal.col(a) + s * line.normal.col(b)).normalized(),
           s < 0.5 ? a : b,
           (1 - s) * gap(a) + s * gap(b),
-          {{line.vertex[a], 1 - s},
-           {line.vertex[b], s},
+          {{first, 1 - x},
+           {second, x},
            {edges.vertices(0, piece.opposite_edge), y - 1},
            {edges.vertices(1, piece.opposite_edge), -y}}};
 }

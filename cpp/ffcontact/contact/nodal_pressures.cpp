@@ -2,6 +2,7 @@
 #include "ffcontact/contact/nodal_pressures.hpp"
 
 #include "ffcontact/base/sparse_lu.hpp"
+#include "ffcontact/mesh/facing_traces.hpp"
 
 namespace ffcontact {
 
@@ -11,7 +12,8 @@ namespace {
 Eigen::VectorXi neighbours(const ContactLine& line) {
   Eigen::VectorXi neighbour(line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end) neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
+    for (int end = 0; end < 2; ++end)
+      if (!is_constant_on(line, e)) neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
   return neighbour;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/refined_body.hpp"
 
-#include <map>
-
 #include "ffcontact/equilibrium/refined_moments.hpp"
 
 namespace ffcontact {
@@ -22,16 +20,13 @@ Eigen::VectorXd refined_values(const CommonRefinement& refinement, const Eigen::
 Eigen::Matrix2Xd refined_bound(const Edges& old_edges, const ContactLine& old_line, const CommonRefinement& refinement,
                                const Eigen::Matrix2Xd& bound) {
   if (bound.size() == 0) return {};
-  std::map<int, int> number;  // contact edge of each old mesh edge
-  for (int e = 0; e < old_line.edge_count(); ++e) number[old_line.edge[e]] = e;
   const ContactLine& line = refinement.line;
   Eigen::Matrix2Xd refined(2, line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
-    const int old = refinement.parent_edge[line.edge[e]], k = number.at(old);
-    const bool along = old_line.vertex[old_line.edge_node(0, k)] == old_edges.vertices(0, old);
+    const int k = refinement.parent_contact_edge[e];
     for (int end = 0; end < 2; ++end) {
-      const double place = refinement.place(old_edges, line.vertex[line.edge_node(end, e)], old);
-      const double share = along ? place : 1 - place;
+      const int vertex = line.vertex[line.edge_node(end, e)];
+      const double share = old_line.share(k, refinement.place(old_edges, vertex, old_line.edge[k]));
       refined(end, e) = (1 - share) * bound(0, k) + share * bound(1, k);
     }
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/facing_traces.hpp"
 
 namespace ffcontact {
 
@@ -44,8 +45,11 @@ class WithoutSlivers {
   double opposite_length(const FacingPiece& piece) const {
     return edge_vector(mesh_, edges_, piece.opposite_edge).norm();
   }
+  double own_length(const FacingPiece& piece) const {
+    return edge_vector(mesh_, edges_, line_.edge[piece.contact_edge]).norm();
+  }
   double smallest_length(const FacingPiece& piece) const {
-    return sliver * std::min(line_.length[piece.contact_edge], opposite_length(piece));
+    return sliver * std::min(own_length(piece), opposite_length(piece));
   }
 
   /// Do two pieces that follow each other face parts of the same edge?
@@ -56,7 +60,7 @@ class WithoutSlivers {
   /// Gives a sliver to its neighbours.
   bool absorbed(std::size_t k) {
     const FacingPiece piece = pieces_[k];
-    if ((piece.end - piece.begin) * line_.length[piece.contact_edge] >= smallest_length(piece)) return false;
+    if ((piece.end - piece.begin) * own_length(piece) >= smallest_length(piece)) return false;
     FacingPiece *before = k > 0 ? &pieces_[k - 1] : nullptr,
                 *after = k + 1 < pieces_.size() ? &pieces_[k + 1] : nullptr;
     if (after && after->contact_edge == piece.contact_edge)
@@ -256,18 +260,22 @@ class Refiner {
                        1);
         continue;
       }
-      int node = old_line_.edge_node(0, e);
+      int node = ends_at_its_node(old_line_, 0, e) ? old_line_.edge_node(0, e)
+                                                   : parts.add_node(vertex_at(edge, piece->begin), e, 0, old_line_);
+      parts.vertex[node] = vertex_at(edge, piece->begin);
       for (; piece != pieces_.end() && piece->contact_edge == e; ++piece) {
         const int first = vertex_at(edge, piece->begin), second = vertex_at(edge, piece->end);
         const int facing_first = vertex_at(piece->opposite_edge, piece->opposite_begin);
         const int facing_second = vertex_at(piece->opposite_edge, piece->opposite_end);
-        const int next = piece->end == 1 ? old_line_.edge_node(1, e) : parts.add_node(second, e, piece->end, old_line_);
+        const double begin = old_line_.share(e, piece->begin), end = old_line_.share(e, piece->end);
+        const bool at_node = end == 1 && ends_at_its_node(old_line_, 1, e);
+        const int next = at_node ? old_line_.edge_node(1, e) : parts.add_node(second, e, end, old_line_);
+        parts.vertex[next] = second;
         parts.face(node, facing_first);
         parts.face(next, facing_second);
         const auto facing = boundary_edge.find({facing_second, facing_first});
         if (facing == boundary_edge.end()) refuse_shared(facing_first);
-        parts.add_edge(e, node, next, boundary_edge.find({first, second})->second, facing->second,
-                       piece->end - piece->begin);
+        parts.add_edge(e, node, next, boundary_edge.find({first, second})->second, facing->second, end - begin);
         node = next;
       }
     }
@@ -278,18 +286,22 @@ class Refiner {
   struct LineParts {
     std::vector<int> vertex, edge, opposite_edge, parent_edge;
     std::vector<Eigen::Vector2i> edge_node;
+    std::vector<double> abscissa;
     std::vector<double> share;  ///< of the parent's length
     std::map<int, int> facing;  ///< vertex that a node faces
     Triplets weights;           ///< node_weights
 
-    explicit LineParts(const ContactLine& line) : vertex(line.vertex.begin(), line.vertex.end()) {
+    explicit LineParts(const ContactLine& line)
+        : vertex(line.vertex.begin(), line.vertex.end()), abscissa(line.abscissa.begin(), line.abscissa.end()) {
       for (int i = 0; i < line.node_count(); ++i) weights.emplace_back(i, i, 1.0);
     }
-    int add_node(int at, int e, double place, const ContactLine& line) {
+    int add_node(int at, int e, double share, const ContactLine& line) {
       const int node = static_cast<int>(vertex.size());
       vertex.push_back(at);
-      weights.emplace_back(node, line.edge_node(0, e), 1 - place);
-      weights.emplace_back(node, line.edge_node(1, e), place);
+      const bool from_second = !ends_at_its_node(line, 0, e);
+      abscissa.push_back(line.abscissa[line.edge_node(0, e)] + (from_second ? share - 1 : share) * line.length[e]);
+      weights.emplace_back(node, line.edge_node(0, e), 1 - share);
+      weights.emplace_back(node, line.edge_node(1, e), share);
       return node;
     }
     void face(int node, int opposite_vertex) { facing.emplace(node, opposite_vertex); }
@@ -310,10 +322,11 @@ class Refiner {
       line.normal.leftCols(old.node_count()) = old.normal;
       for (Eigen::Index node = old.node_count(); node < p; ++node)
         line.normal.col(node) = old.normal.col(WeightsByNode::InnerIterator(result.node_weights, node).col());
-      line.abscissa = result.node_weights * old.abscissa;
+      line.abscissa = Eigen::Map<const Eigen::VectorXd>(abscissa.data(), p);
       line.precision = old.precision;
       line.edge = Eigen::Map<const Eigen::VectorXi>(edge.data(), m);
       line.opposite_edge = Eigen::Map<const Eigen::VectorXi>(opposite_edge.data(), m);
+      result.parent_contact_edge = Eigen::Map<const Eigen::VectorXi>(parent_edge.data(), m);
       line.edge_node.resize(2, m);
       line.length.resize(m);
       for (Eigen::Index e = 0; e < m; ++e) {

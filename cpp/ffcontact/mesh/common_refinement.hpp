@@ -21,9 +21,10 @@ struct CommonRefinement {
   Eigen::VectorXi parent;  ///< old triangle of each triangle
   Eigen::VectorXi
       parent_edge;  ///< old edge that each edge is a part of; -1 for the edges between the triangles of a fan
-  Eigen::VectorXi parent_boundary;  ///< old column of Mesh::boundary of each column
-  WeightsByNode vertex_weights;     ///< old vertices that each vertex lies between [vertices x old vertices]
-  WeightsByNode node_weights;       ///< old contact nodes that each node lies between [p x old p]
+  Eigen::VectorXi parent_contact_edge;  ///< old contact edge of each contact edge
+  Eigen::VectorXi parent_boundary;      ///< old column of Mesh::boundary of each column
+  WeightsByNode vertex_weights;         ///< old vertices that each vertex lies between [vertices x old vertices]
+  WeightsByNode node_weights;           ///< old contact nodes that each node lies between [p x old p]
   bool exact = true;
 
   /// Place of a vertex on an old edge: 0 at its first, 1 at its second vertex.

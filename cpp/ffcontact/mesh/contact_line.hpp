@@ -12,14 +12,15 @@ namespace ffcontact {
 /// Weights of vertices, one row per contact node.
 using WeightsByNode = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// A piece of the common refinement of two facing traces: the part (begin, end) of a contact edge and the part of the edge of
-/// the opposite body that it faces, which runs the other way. Parameters go from 0 at the first to 1 at the second vertex of
-/// their mesh edge; between the ends of a piece they correspond linearly.
+/// A piece of the common refinement of two facing traces: the part (begin, end) of the mesh edge of a contact edge and the part of
+/// the edge of the opposite body that it faces, which runs the other way. Parameters go from 0 at the first to 1 at the second
+/// vertex of their mesh edge; between the ends of a piece they correspond linearly.
 struct FacingPiece {
   int contact_edge;                     ///< number on the contact line
   double begin, end;                    ///< begin < end
   int opposite_edge;                    ///< mesh edge
   double opposite_begin, opposite_end;  ///< opposite_begin > opposite_end
+  double gap_begin = 0, gap_end = 0;    ///< distance along n at its ends, negative where the bodies overlap [mm]
 
   bool is_whole() const { return begin == 0 && end == 1 && opposite_begin == 1 && opposite_end == 0; }
 };
@@ -34,16 +35,20 @@ struct FacingPiece {
 /// vertex then keeps clear of both lines, with W u as with W u_h on each of them: for nodal forces both normal components of
 /// its displacement are bounded, for pressures each end row of M is. On a polygon that stands for a smooth curve this would
 /// lock sliding at every vertex; a line of given directions (along_directions) has one node a vertex instead.
+///
+/// Where the opposite body ends within a mesh edge so does the contact edge (facing_line), at a node between the vertices.
 struct ContactLine {
-  Eigen::VectorXi vertex;      ///< mesh vertex of each node [p]
+  Eigen::VectorXi vertex;      ///< mesh vertex of each node, or the nearer one of the two that it lies between [p]
   Eigen::Matrix2Xd normal;     ///< outward unit normal at each node [2 x p]
   Eigen::VectorXd abscissa;    ///< arc length of each node [mm]
   Eigen::Matrix2Xi edge_node;  ///< first and second node of each contact edge [2 x m]
   Eigen::VectorXi edge;        ///< mesh edge of each contact edge [m]
   Eigen::VectorXd length;      ///< of each contact edge [mm]
-  double precision = 0;        ///< of the coordinates of its vertices (coordinate_precision) [mm]
-  /// Displacement of the opposite body at each node from that of the vertices, the same for both components [p x vertices]; no
-  /// rows where all of the foundation is rigid.
+  Eigen::Matrix2Xd part;  ///< places of the ends of contact edges on their mesh edges [2 x m]; empty where all are 0, 1
+  double precision = 0;   ///< of the coordinates of its vertices (coordinate_precision) [mm]
+  /// What is taken from the displacement of a node's vertex to give the jump [u] there, the same for both components
+  /// [p x vertices]: the displacement of the opposite body, and at a node between two vertices what it moves less than its own.
+  /// No rows where all of the foundation is rigid.
   WeightsByNode opposite;
   Eigen::VectorXi opposite_edge;  ///< mesh edge that faces each contact edge as a whole, or -1 [m]; empty as `opposite`
   std::vector<FacingPiece> pieces;  ///< what the contact edges face, in their order; none on a rigid foundation
@@ -51,6 +56,9 @@ struct ContactLine {
   int node_count() const { return static_cast<int>(vertex.size()); }
   int edge_count() const { return static_cast<int>(edge.size()); }
   bool against_a_body() const { return opposite.rows() > 0; }
+  double place(int end, int e) const { return part.size() > 0 ? part(end, e) : end; }
+  /// Share of a contact edge at a place on its mesh edge.
+  double share(int e, double at) const { return (at - place(0, e)) / (place(1, e) - place(0, e)); }
   /// Does every contact edge that faces another body face one whole edge?
   bool matches() const {
     return std::all_of(pieces.begin(), pieces.end(), [](const FacingPiece& p) { return p.is_whole(); });
@@ -75,7 +83,7 @@ ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges, const std:
 ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
                              const Eigen::Ref<const Eigen::Matrix2Xd>& direction);
 
-/// Calls visit(vertex, weight) for the vertices of the opposite body that make up its displacement at a node.
+/// Calls visit(vertex, weight) for the entries of ContactLine::opposite at a node.
 template <class Visit>
 void visit_opposite(const ContactLine& line, int node, Visit&& visit) {
   if (!line.against_a_body()) return;
@@ -83,7 +91,7 @@ void visit_opposite(const ContactLine& line, int node, Visit&& visit) {
     visit(static_cast<int>(part.col()), part.value());
 }
 
-/// The vertices of opposite bodies that take part in contact, each once.
+/// The vertices in ContactLine::opposite, each once: those of opposite bodies, and ends of edges in which the line ends.
 std::vector<int> opposite_vertices(const ContactLine& line);
 
 /// Mass matrix on Gamma_C [mm], m_ij = int psi_i psi_j, tridiagonal [CHH01, (3.9)].
