@@ -167,21 +167,21 @@ class ContactSolve : public E_F0mps {
     const std::vector<KN<double>*> u = values_of<KN<double>*>(stack, displacement_);
 
     SolvedContact solved;
-    solved.system = system_of(stack, problem, u);
-    problem.choose_sides(solved.system);
+    solved.system = std::make_shared<const ElasticSystem>(system_of(stack, problem, u));
+    const ElasticSystem& system = *solved.system;
+    if (!contact.solved) problem.choose_sides(system);  // and stays: what a solution left belongs to its line
     solved.law = law_of(stack, contact);
-    const ContactSettings settings = settings_of(stack, contact, solved.system);
-    solved.solution = solve_contact(problem.mesh, problem.line, solved.law, solved.system, settings);
+    const ContactSettings settings = settings_of(stack, contact, system);
+    solved.solution = solve_contact(problem.mesh, problem.line, solved.law, system, settings);
     const ContactSolution& solution = solved.solution;
     if (!solution.accepted(settings) && !named_.given("status"))
       refuse("no solution after ", solution.iterations, " iterations (", in_words(solution.status),
              "), largest violation ", solution.complementarity, ", residual ", solution.residual,
-             remedy(solution.status), "; status= returns the best iterate instead",
-             held_vertices(problem, solved.system));
+             remedy(solution.status), "; status= returns the best iterate instead", held_vertices(problem, system));
 
     for (int k = 0; k < problem.body_count(); ++k)
       vector_of(u[k]) = solution.displacement.segment(problem.first_dof(k), problem.dof_count(k));
-    solved.nodes = nodal_results(problem.line, solved.law, solved.system.prescribed, solution);
+    solved.nodes = nodal_results(problem.line, solved.law, system.prescribed, solution);
     put(stack, problem, solved);
     report(stack, problem, solution, CPUtime() - start);
     contact.last_states = solution.state;
@@ -229,7 +229,7 @@ class ContactSolve : public E_F0mps {
     settings.initial_state = states_at(stated, contact.last_abscissa, contact.last_states);
     if (named_.given("initial")) settings.initial_state.clear();
     for (long number : named_.integers(stack, "initial")) settings.initial_state.push_back(state_of_number(number));
-    if (contact.solved && is_same(contact.solved->system, system))
+    if (contact.solved && is_same(*contact.solved->system, system))
       settings.stiffness = contact.solved->solution.stiffness;
     return settings;
   }
@@ -384,7 +384,7 @@ class ConeCorrectionFunction : public E_F0mps {
   std::vector<char> prescribed(Stack stack, const Contact& contact) const {
     const ContactProblem& problem = *contact.problem;
     const Expression A = named_.expression("A");
-    if (!A && contact.solved) return contact.solved->system.prescribed;
+    if (!A && contact.solved) return contact.solved->system->prescribed;
     if (!A) return std::vector<char>(problem.first_dof(problem.body_count()), 0);
     problem.require_bodies("A", 1);
     const RowMatrix matrix = matrix_of(value_of<Matrice_Creuse<double>*>(stack, A));

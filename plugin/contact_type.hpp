@@ -21,7 +21,7 @@ struct NodalResults {
 
 /// A solution with the system it belongs to.
 struct SolvedContact {
-  ElasticSystem system;
+  std::shared_ptr<const ElasticSystem> system;
   ContactLaw law;  ///< with the multiplier, and u_t of the load step before
   ContactSolution solution;
   NodalResults nodes;

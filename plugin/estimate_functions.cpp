@@ -27,7 +27,7 @@ const NamedArguments::Table of_bodies = {{"lambda", &typeid(double)},     {"G", 
 
 /// A solution that is to be judged: of contactsolve, or given by the script.
 struct Judged {
-  ElasticSystem system;
+  std::shared_ptr<const ElasticSystem> system;
   SolvedBody body;
   double oscillation = 0;
 };
@@ -95,9 +95,9 @@ class ContactErrorFunction : public E_F0mps {
     Judged judged = matrix_.empty() ? own_solution(contact) : given_solution(stack, problem);
     add_law_and_loads(stack, problem, judged);
     const auto& [system, body, oscillation] = judged;
-    const Estimate estimate = estimate_error(problem.mesh, problem.edges, problem.line, system, body, settings);
+    const Estimate estimate = estimate_error(problem.mesh, problem.edges, problem.line, *system, body, settings);
     put(stack, problem, estimate);
-    put_rates(stack, problem, system, body);
+    put_rates(stack, problem, *system, body);
     named_.put(stack, "oscillation", oscillation);
     report(stack, problem, estimate, CPUtime() - start);
     return estimate.relative;
@@ -129,12 +129,13 @@ class ContactErrorFunction : public E_F0mps {
       body.displacement.segment(problem.first_dof(k), problem.dof_count(k)) = vector_of(u);
       systems.push_back(elastic_system(A, Eigen::VectorXd::Zero(A.rows())));
     }
-    judged.system = systems.size() == 1 ? std::move(systems.front()) : joined_systems(systems);
+    judged.system = std::make_shared<const ElasticSystem>(systems.size() == 1 ? std::move(systems.front())
+                                                                              : joined_systems(systems));
     body.law = problem.law;
     body.law.multiplier = multiplier_of(stack, named_);
     const Eigen::Matrix2Xd given =
         problem.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));
-    body.pressure = multiplier_density(problem.line, body.law.multiplier, judged.system.prescribed, given);
+    body.pressure = multiplier_density(problem.line, body.law.multiplier, judged.system->prescribed, given);
     return judged;
   }
 
