@@ -123,5 +123,13 @@ TEST(QuadraticMinimum, is_nothing_where_the_form_is_not_positive_definite) {
   EXPECT_FALSE(quadratic_minimum(H, Eigen::Vector2d::Zero(), Eigen::MatrixXd(0, 2), Eigen::VectorXd()).has_value());
 }
 
+/// A condition that y hardly changes has terms that are large against what y does to it; the others are met to their own.
+TEST(QuadraticMinimum, meets_conditions_beside_one_that_hardly_changes) {
+  const Eigen::MatrixXd H = Eigen::MatrixXd::Identity(1, 1), C = (Eigen::MatrixXd(2, 1) << -1, 1e-15).finished();
+  const auto y = quadratic_minimum(H, Eigen::VectorXd::Constant(1, -2), C, Eigen::Vector2d(-1, -1));
+  ASSERT_TRUE(y.has_value());
+  EXPECT_NEAR((*y)[0], 1, 1e-14);
+}
+
 }  // namespace
 }  // namespace ffcontact

@@ -23,8 +23,8 @@ constexpr double rounding = 1e-14;
 /// conditions alone, and the multipliers u >= 0 of z = sum of u_j g_j.
 class LeastDistance {
  public:
-  /// @param scale  of the terms in h
-  LeastDistance(const Eigen::MatrixXd& G, const Eigen::VectorXd& h, double scale)
+  /// @param scale  of the terms in each h
+  LeastDistance(const Eigen::MatrixXd& G, const Eigen::VectorXd& h, const Eigen::VectorXd& scale)
       : G_(G), h_(h), scale_(scale), z_(Eigen::VectorXd::Zero(G.cols())) {}
 
   /// @return whether all conditions can be met
@@ -32,8 +32,8 @@ class LeastDistance {
     const Eigen::Index most = 20 * (h_.size() + 1);  // far above what rounding could make of a finite method
     for (Eigen::Index round = 0; round < most; ++round) {
       Eigen::Index violated = 0;
-      const Eigen::VectorXd missing = h_ - G_ * z_;
-      if (missing.maxCoeff(&violated) <= rounding * (scale_ + z_.norm()) || is_active(violated)) return true;
+      const Eigen::VectorXd missing = h_ - G_ * z_ - rounding * scale_;
+      if (missing.maxCoeff(&violated) <= rounding * z_.norm() || is_active(violated)) return true;
       if (!activate(violated)) return false;
     }
     return false;
@@ -92,7 +92,7 @@ class LeastDistance {
 
   const Eigen::MatrixXd& G_;
   const Eigen::VectorXd& h_;
-  const double scale_;
+  const Eigen::VectorXd& scale_;
   Eigen::VectorXd z_;
   std::vector<Eigen::Index> active_;
   std::vector<double> multipliers_;
@@ -110,13 +110,13 @@ std::optional<Eigen::VectorXd> quadratic_minimum(const Eigen::MatrixXd& H, const
   // Rows scaled to length 1: least distance does not care, its rounding does.
   Eigen::MatrixXd G = cholesky.half_solve(C.transpose()).transpose();
   Eigen::VectorXd h = d - C * free;
-  double scale = 0;
+  Eigen::VectorXd scale = Eigen::VectorXd::Zero(h.size());
   for (Eigen::Index row = 0; row < G.rows(); ++row) {
     const double length = G.row(row).norm();
     if (length == 0) continue;
     G.row(row) /= length;
     h[row] /= length;
-    scale = std::max(scale, (C.row(row).cwiseAbs().dot(free.transpose().cwiseAbs()) + std::abs(d[row])) / length);
+    scale[row] = (C.row(row).cwiseAbs().dot(free.transpose().cwiseAbs()) + std::abs(d[row])) / length;
   }
   LeastDistance least(G, h, scale);
   if (!least.solve()) return std::nullopt;

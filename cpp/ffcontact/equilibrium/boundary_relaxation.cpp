@@ -12,6 +12,10 @@ namespace ffcontact {
 
 namespace {
 
+/// A condition that corrections change by less than this part of what they could is not changed by them: coordinates far from
+/// the origin are known to little more.
+constexpr double negligible = 1e-10;
+
 /// The vertices that are relaxed together: one, or those that contact edges join across two bodies. The unknowns of their stars
 /// follow each other.
 struct Group {
@@ -80,7 +84,7 @@ class Conditions {
   }
   Eigen::MatrixXd kernel() const {
     if (count_ == 0) return Eigen::MatrixXd::Identity(rows_.cols(), rows_.cols());
-    return kernel_basis(rows_.topRows(count_), {1e-10});
+    return kernel_basis(rows_.topRows(count_), {negligible});
   }
 
  private:
@@ -167,12 +171,11 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, cons
 
 /// The conditions on x for y = Z x, without those that no x can change.
 void restrict(const Eigen::MatrixXd& Z, ContactTerms& terms) {
-  constexpr double rounding = 1e-13;
   Eigen::Index kept = 0;
   const Eigen::MatrixXd C = terms.C * Z;
   const double size = Z.norm();
   for (Eigen::Index row = 0; row < C.rows(); ++row)
-    if (C.row(row).norm() > rounding * size * terms.C.row(row).norm()) {
+    if (C.row(row).norm() > negligible * size * terms.C.row(row).norm()) {
       terms.d[kept] = terms.d[row];
       terms.C.row(kept++) = terms.C.row(row);
     }
