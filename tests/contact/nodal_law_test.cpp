@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "support/problems.hpp"
 
 namespace ffcontact {
@@ -34,6 +37,19 @@ TEST(NodalLaw, a_given_slip_limit_freezes_coulombs_bound) {
   EXPECT_TRUE(given.tresca());
   const double expected[] = {1, 0.5, 0, 0, 2};
   for (int i = 0; i < 5; ++i) EXPECT_EQ(given.bound(i, -100), expected[i]);
+}
+
+/// A defect of what is not a number is no small one.
+TEST(NodalLaw, is_violated_by_what_is_not_finite) {
+  const NodalLaw law = nodal_law(example_1(Multiplier::force, 2).law, example_1(Multiplier::force, 2).line);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double spoilt : {std::nan(""), infinity, -infinity}) {
+    Eigen::VectorXd P = Eigen::VectorXd::Zero(10), v = P;
+    P[4] = spoilt;
+    EXPECT_EQ(law_violation(law, P, v, 1), infinity);
+    std::swap(P, v);
+    EXPECT_EQ(law_violation(law, P, v, 1), infinity);
+  }
 }
 
 }  // namespace

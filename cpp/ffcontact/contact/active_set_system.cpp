@@ -6,13 +6,12 @@
 
 #include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// A dependent row that moves less than this with the unknowns cannot be steered by its multiplier.
-constexpr double unsteered = 1e-6;
 /// Reciprocal condition number below which the scaled system counts as singular.
 constexpr double singular = 1e-13;
 /// Residual, relative to the right-hand side, up to which a singular system counts as solved.

@@ -126,6 +126,16 @@ Eigen::SparseMatrix<double> kept_operator(const std::map<int, VertexMotion>& mot
   return Q;
 }
 
+/// Rows of dependent multipliers that free dofs steer by less than `unsteered` are those of prescribed values alone: a force that
+/// had to act through what is left would be larger than all others by as much.
+void forget_unsteered_rows(const Eigen::SparseMatrix<double>& W, CondensedContact& contact) {
+  const Eigen::VectorXd steered = contact.A.cwiseAbs() * Eigen::VectorXd::Ones(contact.A.cols());
+  const Eigen::VectorXd whole = W.cwiseAbs() * Eigen::VectorXd::Ones(W.cols());
+  contact.A.prune([&](Eigen::Index row, Eigen::Index, double) {
+    return contact.is_primary(static_cast<int>(row)) || steered[row] > unsteered * whole[row];
+  });
+}
+
 /// Of A on the primary rows.
 SparseLu primary_factor(const CondensedContact& contact) {
   const auto f = static_cast<Eigen::Index>(contact.primary.size());
@@ -223,6 +233,13 @@ std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& syst
   return dofs;
 }
 
+std::vector<char> idle_rows(const CondensedContact& contact) {
+  std::vector<char> idle(contact.position.size(), 0);
+  for (std::size_t d = 0; d < contact.dependent.size(); ++d)
+    idle[contact.dependent[d]] = !contact.loads_the_body(static_cast<Eigen::Index>(d));
+  return idle;
+}
+
 double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v) {
   double scale = v.cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < contact.g.size(); ++i) {
@@ -245,6 +262,7 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
 
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
   contact.A = W * trace_operator(line, motions, unknowns);
+  forget_unsteered_rows(W, contact);
   contact.to_kept = kept_operator(motions, contact.kept_dofs, unknowns);
   const SparseLu factor = primary_factor(contact);
   condense_opposite(relation_with_opposite(stiffness, factor, contact), contact);

@@ -25,6 +25,8 @@ namespace ffcontact {
 /// S~_oo is the stiffness with the traces glued to each other, hence definite when contact can hold the bodies at all.
 ///
 /// At a vertex with one free dof the primary row is the normal one unless the dof is tangential.
+/// A dependent row that free dofs move by less than 1e-6 of its weights, as where a prescribed vertex all but faces a prescribed
+/// one, is taken for one that they do not move.
 struct CondensedContact {
   std::vector<int> primary;          ///< row of each primary unknown [f]
   std::vector<int> dependent;        ///< row of each dependent unknown [d]
@@ -49,6 +51,9 @@ struct CondensedContact {
   /// Does the multiplier of dependent row d do anything to a body? Nodal forces on prescribed dofs do not.
   bool loads_the_body(Eigen::Index d) const { return !E.col(d).isZero(0) || !F.col(d).isZero(0); }
 };
+
+/// 1 for the rows whose multiplier does not load the body [2 p].
+std::vector<char> idle_rows(const CondensedContact& contact);
 
 /// The free dofs of the vertices on the line, in the order of its nodes, then those of the opposite vertices.
 std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system);

@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_law.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
 
@@ -128,14 +129,18 @@ Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const 
 
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale) {
+                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale,
+                              const std::vector<char>& idle) {
   const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
-  const Eigen::VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
+  Eigen::VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
   const Eigen::VectorXd weight = weight_matrix(law.multiplier, line) * Eigen::VectorXd::Ones(line.node_count());
   double largest = displacement.cwiseAbs().maxCoeff();
   if (law.gap.size() > 0) largest = std::max(largest, law.gap.cwiseAbs().maxCoeff());
   if (law.previous.size() > 0) largest = std::max(largest, law.previous.cwiseAbs().maxCoeff());
-  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, std::max(v_scale, largest * weight.maxCoeff()));
+  const double scale = std::max(v_scale, largest * weight.maxCoeff());
+  for (std::size_t row = 0; row < idle.size(); ++row)
+    if (idle[row] && std::abs(v[row]) <= unsteered * scale) v[row] = 0;
+  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, scale);
 }
 
 }  // namespace ffcontact

@@ -114,8 +114,11 @@ Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const 
 /// @param displacement  on all dofs [mm]
 /// @param multiplier    (P_n, P_t) at each node [2 x p]
 /// @param v_scale       what v = W (u - gap) is relative to at least: where all nodes stick, u is nothing but rounding
+/// @param idle          1 for rows 2 i + c whose multiplier moves nothing: v is that of prescribed values there, to 1e-6 of the
+///                      scale, and 0 where it is below that; empty for none
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale = 0);
+                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale = 0,
+                              const std::vector<char>& idle = {});
 
 }  // namespace ffcontact

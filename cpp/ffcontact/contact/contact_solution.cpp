@@ -134,7 +134,7 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const C
 
   // 4. What the theory promises, measured.
   solution.complementarity =
-      complementarity_defect(line, law, solution.displacement, P, motion_scale(contact, answer.v));
+      complementarity_defect(line, law, solution.displacement, P, motion_scale(contact, answer.v), idle_rows(contact));
   const bool fulfilled = solution.complementarity <= settings.tolerance && solution.residual <= settings.tolerance;
   if (fulfilled && solution.status != ContactStatus::singular) solution.status = ContactStatus::converged;
   if (!fulfilled && solution.status == ContactStatus::converged) solution.status = ContactStatus::inaccurate;

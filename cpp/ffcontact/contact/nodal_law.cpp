@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ffcontact {
 
@@ -21,6 +22,7 @@ NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen
 
 double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& P,
                      const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale, double P_scale) {
+  if (!P.allFinite() || !v.allFinite()) return std::numeric_limits<double>::infinity();
   const double p_scale = std::max(P_scale, P.cwiseAbs().maxCoeff());
   const auto relative = [](double value, double scale) { return scale > 0 ? value / scale : 0; };
   double largest = 0;

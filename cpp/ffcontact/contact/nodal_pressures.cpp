@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/nodal_pressures.hpp"
 
+#include <cmath>
+
 #include "ffcontact/base/sparse_lu.hpp"
 #include "ffcontact/mesh/facing_traces.hpp"
 
@@ -22,10 +24,10 @@ std::vector<char> rows_without_work(const ContactLine& line, const std::vector<c
   std::vector<char> without(2 * line.node_count(), 1);
   for (int i = 0; i < line.node_count(); ++i) {
     const Eigen::Vector2d direction[2] = {line.normal.col(i), line.tangent(i)};
-    const auto works_at = [&](int vertex, double) {
+    const auto works_at = [&](int vertex, double weight) {
       for (int c = 0; c < 2; ++c)
         for (int k = 0; k < 2; ++k)
-          if (!prescribed[2 * vertex + k] && direction[c][k] != 0) without[2 * i + c] = 0;
+          if (!prescribed[2 * vertex + k] && std::abs(weight * direction[c][k]) > unsteered) without[2 * i + c] = 0;
     };
     works_at(line.vertex[i], 1);
     visit_opposite(line, i, works_at);

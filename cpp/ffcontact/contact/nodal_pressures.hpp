@@ -12,6 +12,9 @@ namespace ffcontact {
 ///     p_i = F_i / len_i,  len_i = int psi_i:   in the cone where F is, with the same resultant; what a contact pressure looks like
 ///     lambda_h = M^-1 F [CHH01, 3.1]:          the density with the loads F; alternates, and is tensile at open nodes
 
+/// A row that free dofs move by less than this part of its weights is one that they do not move.
+constexpr double unsteered = 1e-6;
+
 /// len_i = int psi_i, the length of the line that belongs to each node [mm, p].
 Eigen::VectorXd nodal_lengths(const ContactLine& line);
 
