@@ -82,6 +82,27 @@ RC_GTEST_PROP(BoundaryTractions, are_the_contact_densities_on_the_line, (Random 
   }
 }
 
+/// A pressure that acts on the contact line itself, as a fluid's, is carried beside the contact tractions, on both bodies.
+TEST(BoundaryTractions, add_given_tractions_on_the_contact_line) {
+  const Bodies two = bodies({shifted(rectangle(3, 2, 3, 2), {0, 2}), rectangle(3, 2, 3, 2)},
+                            {material(1, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}});
+  Problem problem = two.problem;
+  const ContactLine& line = problem.line;
+  const ContactDensities contact{Eigen::Matrix2Xd::Constant(2, line.edge_count(), -3),
+                                 Eigen::Matrix2Xd::Constant(2, line.edge_count(), 0.5)};
+  const BoundaryTractions without = tractions_of(problem, contact);
+  problem.neumann = Eigen::Matrix4Xd::Random(4, problem.mesh.boundary.cols());
+  const BoundaryTractions with = tractions_of(problem, contact);
+  for (int k = 0; k < line.edge_count(); ++k)
+    for (const int edge : {line.edge[k], line.opposite_edge[k]}) {
+      const int b = problem.edges.boundary_index[edge];
+      const bool same = problem.mesh.boundary(0, b) == problem.edges.vertices(0, edge);
+      Eigen::Vector4d given = problem.neumann.col(b);
+      if (!same) given << problem.neumann.col(b).tail<2>(), problem.neumann.col(b).head<2>();
+      EXPECT_LT((with.moments.col(edge) - without.moments.col(edge) - given).norm(), 1e-14);
+    }
+}
+
 RC_GTEST_PROP(BoundaryTractions, are_opposite_on_facing_edges, (Random random)) {
   const Bodies two = bodies({shifted(rectangle(3, 2, 3, 2), {0, 2}), rectangle(3, 2, 3, 2)},
                             {material(1, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}});

@@ -54,12 +54,16 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const
     Eigen::Vector4d density;
     density << contact.normal(0, k) * n + contact.tangential(0, k) * t,
         contact.normal(1, k) * n + contact.tangential(1, k) * t;
-    result.known.col(line.edge[k]).setConstant(true);
-    result.moments.col(line.edge[k]) = moments_of_density(density, line.length[k]);
+    const Eigen::Vector4d moments = moments_of_density(density, line.length[k]);
+    const auto load = [&](int edge, const Eigen::Vector4d& contact_moments) {
+      result.known.col(edge).setConstant(true);
+      result.moments.col(edge) += contact_moments;
+    };
+    load(line.edge[k], moments);
     if (!line.against_a_body() || line.opposite_edge[k] < 0) continue;
-    result.known.col(line.opposite_edge[k]).setConstant(true);
-    result.moments.col(line.opposite_edge[k]) << -result.moments.col(line.edge[k]).tail<2>(),
-        -result.moments.col(line.edge[k]).head<2>();
+    Eigen::Vector4d opposite;
+    opposite << -moments.tail<2>(), -moments.head<2>();
+    load(line.opposite_edge[k], opposite);
   }
   return result;
 }

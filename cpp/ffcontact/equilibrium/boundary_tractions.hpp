@@ -14,7 +14,7 @@ using EdgeMoments = Eigen::Matrix4Xd;
 
 /// What the boundary of an admissible stress must carry, per edge and Cartesian component.
 ///
-/// On Neumann and contact edges both components are known. On a Dirichlet edge a prescribed component is free (the support
+/// On Neumann and contact edges both components are known, on the latter as the sum of given and contact tractions. On a Dirichlet edge a prescribed component is free (the support
 /// answers) and the other one known, e.g. 0 on a symmetry line. A component of an edge counts as prescribed when that dof is
 /// prescribed at every vertex of every edge with the same label: a single Neumann edge between two supports stays Neumann.
 struct BoundaryTractions {
@@ -24,7 +24,7 @@ struct BoundaryTractions {
 
 /// @param prescribed  1 where the dof is prescribed [2 * vertices]
 /// @param neumann     moments of the given tractions at the two vertices of each column of Mesh::boundary [4 x boundary];
-///                    not read on contact edges and on prescribed components
+///                    not read on prescribed components
 /// @param line        where it faces whole edges of another body, these carry the opposite forces
 /// @param contact     densities on the contact edges
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const std::vector<char>& prescribed,
