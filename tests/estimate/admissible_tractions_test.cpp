@@ -36,7 +36,7 @@ Eigen::Matrix2Xd pressures_inside(const Problem& problem, Random& random) {
 
 AdmissibleTractions tractions_of(const Problem& problem, const ContactDensities& computed, Random& random) {
   const auto result = admissible_tractions(problem.mesh, problem.line, problem.law, computed,
-                                           pressures_inside(problem, random), Eigen::MatrixXd(problem.b.size(), 0));
+                                           pressures_inside(problem, random), Eigen::MatrixXd(problem.b.size(), 0), {});
   RC_ASSERT(result.has_value());
   return *result;
 }

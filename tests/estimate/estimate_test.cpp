@@ -192,6 +192,25 @@ TEST(Estimate, of_a_rigid_motion_is_zero) {
     }
 }
 
+/// M'_h lets one node penetrate where its neighbours keep clear: u has no stress, but u_hat, which is lifted there, has.
+TEST(Estimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
+  Problem problem = body(rectangle(4, 2, 4, 2), material(1000, 0.3));
+  clamp(problem, top);
+  problem.law.multiplier = Multiplier::pressure;
+  problem.law.gap = everywhere(problem.line, 1);
+  problem.law.gap[2] = -0.1;
+  const ContactSolution solution = solved(problem);
+  ASSERT_LT(solution.displacement.cwiseAbs().maxCoeff(), 1e-12);
+  for (const double slip_bound : {0.0, 1.0}) {
+    if (slip_bound > 0) problem.law.slip_bound = everywhere(problem.line, slip_bound);
+    const Estimate estimate = estimated(problem, solution);
+    EXPECT_GT(estimate.e, 1);
+    EXPECT_NEAR(estimate.relative, 1, 1e-12);  // sigma_hat = 0
+    EXPECT_TRUE(estimate.admissible) << estimate.reason;
+    EXPECT_EQ(estimate.tractions.normal.cwiseAbs().maxCoeff(), 0);
+  }
+}
+
 /// Small stresses beside a large rigid motion are judged by what rounding of that motion leaves of them.
 TEST(Estimate, of_small_stresses_beside_a_large_motion) {
   const auto estimate_of = [](double motion) {

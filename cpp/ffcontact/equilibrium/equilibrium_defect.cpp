@@ -35,13 +35,14 @@ Eigen::Vector2d divergence(const SubtriangleCorners& x, const Eigen::Matrix3d& c
 /// Largest divergence times size over the subtriangles of one triangle.
 double divergence_of_triangle(const Mesh& mesh, int t, const CompositeStress& stress, const BodyLoads& body_loads) {
   const Eigen::Matrix<double, 2, 3> f = body_force_of(body_loads, signed_area(mesh, t));
-  double worst = 0;
+  double worst = 0, longest = 0;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector2d left_over =
         divergence(subtriangle_corners(mesh, t, k), stress.middleCols<3>(3 * k)) + f.col(k);
-    worst = std::max(worst, std::sqrt(signed_area(mesh, t)) * left_over.norm());
+    worst = std::max(worst, left_over.norm());
+    longest = std::max(longest, (mesh.corner(t, k) - mesh.corner(t, (k + 1) % 3)).norm());
   }
-  return worst;
+  return worst * signed_area(mesh, t) / longest;
 }
 
 /// Largest jump across the edges from the vertices to the centroid.

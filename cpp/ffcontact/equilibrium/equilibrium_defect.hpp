@@ -10,7 +10,8 @@
 namespace ffcontact {
 
 /// How far a stress that is linear on the subtriangles is from statically admissible (2.2), measured on its point values:
-///     h |div sigma + f|                    in each subtriangle (h = square root of the triangle's area)
+///     h |div sigma + f|                    in each subtriangle, h = the triangle's area over its longest side: the traction on
+///                                          that side that would balance it, whatever the triangle's shape
 ///     |jump of sigma n|                    across inner edges of the triangles and across mesh edges, at both ends
 ///     |sigma n - F|                        for the known components on the boundary, at both ends
 /// each relative to the largest traction sigma n on any edge, or to a least scale where all tractions are below it.

@@ -14,6 +14,9 @@ namespace {
 /// Sine of the angle below which a contact tangent is that of its edge.
 constexpr double parallel = 1e-13;
 
+/// Resultants are the same to this part of the largest density on the whole line; motions are of size 1.
+constexpr double rounding = 1e-12;
+
 /// int r phi at the two ends of an edge, Cartesian, one column each: l (2 r_i + r_j) / 6 at i.
 Eigen::Matrix2d end_moments(const ContactLine& line, const ContactDensities& densities, int e) {
   Eigen::Matrix2d frame;
@@ -34,6 +37,14 @@ bool skew(const Mesh& mesh, const ContactLine& line, int e) {
   visit_opposite(line, j, [&](int vertex, double weight) { facing += weight * mesh.vertices.col(vertex); });
   visit_opposite(line, i, [&](int vertex, double weight) { facing -= weight * mesh.vertices.col(vertex); });
   return off_tangent(facing);
+}
+
+bool has_resultants(const ContactLine& line, const ContactDensities& densities, const Eigen::MatrixXd& motions,
+                    const Eigen::VectorXd& resultants) {
+  if (motions.cols() == 0) return true;
+  const double largest = std::max(densities.normal.cwiseAbs().maxCoeff(), densities.tangential.cwiseAbs().maxCoeff());
+  return (resultants_of(line, densities, motions) - resultants).cwiseAbs().maxCoeff() <=
+         rounding * line.length.sum() * largest;
 }
 
 }  // namespace
@@ -68,11 +79,14 @@ Eigen::VectorXd nodal_forces(const Mesh& mesh, const ContactLine& line, const Co
 std::optional<AdmissibleTractions> admissible_tractions(const Mesh& mesh, const ContactLine& line,
                                                         const ContactLaw& law, const ContactDensities& computed,
                                                         const Eigen::Matrix2Xd& pressure,
-                                                        const Eigen::MatrixXd& motions) {
+                                                        const Eigen::MatrixXd& motions,
+                                                        const Eigen::VectorXd& resultants) {
   const ConeCorrection correction = correct_edges_to_cone(mesh, line, law, computed);
-  if (correction.uncorrected.empty()) return AdmissibleTractions{correction.densities, computed, correction.shift, {}};
-  const auto r =
-      nearest_in_cone(line, law, edge_densities(line, pressure), motions, resultants_of(line, computed, motions));
+  const bool corrected = correction.uncorrected.empty();
+  if (corrected && has_resultants(line, computed, motions, resultants))
+    return AdmissibleTractions{correction.densities, computed, correction.shift, {}};
+  const ContactDensities near = corrected ? correction.densities : edge_densities(line, pressure);
+  const auto r = nearest_in_cone(line, law, near, motions, resultants);
   if (!r) return std::nullopt;
   AdmissibleTractions result{*r, *r, Eigen::VectorXd::Zero(line.edge_count()), std::vector<int>(line.edge_count())};
   std::iota(result.mended.begin(), result.mended.end(), 0);

@@ -14,8 +14,9 @@ namespace ffcontact {
 /// 2. Where it leaves edges outside (lambda_n tensile at an end, as happens with M''_h), r_hat is linear between the nodal pressures
 ///    p_i = F_i / len_i on the whole line: the forces obey the law, so that p is in the cone, and has their resultant. Where the
 ///    law varies between the nodes, the density in the cone nearest to it is taken.
-/// 3. Where rigid motions z of the body are held by contact alone, int z . r must stay as it was: of the tractions in the cone
-///    with these resultants the nearest ones to p are taken (nearest_in_cone).
+/// 3. Where rigid motions z of the body are held by contact alone, int z . r must be what balances the loads: of the tractions in
+///    the cone with these resultants the nearest ones to p are taken (nearest_in_cone), or to those of step 1 where lambda_h has
+///    other resultants, as on a refinement whose facing edges are not of one length.
 /// Steps 2 and 3 change the nodal forces, so that stresses have to be rebalanced.
 struct AdmissibleTractions {
   ContactDensities densities;  ///< r_hat
@@ -26,14 +27,16 @@ struct AdmissibleTractions {
   int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
 };
 
-/// @param computed  lambda_h
-/// @param pressure  p at the nodes [2 x p]
-/// @param motions   rigid motions that no prescribed dof stops [2 * vertices x k]
-/// @return nothing if no tractions in the cone have the resultants of lambda_h, as where a body stands on one end of the line
+/// @param computed    lambda_h
+/// @param pressure    p at the nodes [2 x p]
+/// @param motions     rigid motions that no prescribed dof stops [2 * vertices x k]
+/// @param resultants  work of the contact forces along them [k]
+/// @return nothing if no tractions in the cone have these resultants, as where a body stands on one end of the line
 std::optional<AdmissibleTractions> admissible_tractions(const Mesh& mesh, const ContactLine& line,
                                                         const ContactLaw& law, const ContactDensities& computed,
                                                         const Eigen::Matrix2Xd& pressure,
-                                                        const Eigen::MatrixXd& motions);
+                                                        const Eigen::MatrixXd& motions,
+                                                        const Eigen::VectorXd& resultants);
 
 /// Correction (4.1) where it keeps the balance of a triangle. Where the contact tangent is not that of the edge (given
 /// directions), a shift d of r_t has the moment d l/6 times the edge's part along n: such an edge is listed as uncorrected.

@@ -28,7 +28,8 @@ constexpr double penetration_tolerance = 1e-12;
 /// A body without loads whose stresses are below this part of their terms C du/dx has none: they are the rounding of u.
 constexpr double rounding = 1e-12;
 
-/// Equilibrium is judged against the tractions, or against this part of the terms that stresses are summed from.
+/// Equilibrium is judged against the tractions, against the stresses of u_hat, from which sigma_hat differs by what e measures, and
+/// against this part of the terms that these are summed from.
 constexpr double least_part = 1e-4;
 
 void require_valid(const Mesh& mesh, const ContactLine& line, const ElasticSystem& system, const SolvedBody& body,
@@ -57,14 +58,22 @@ struct Origin {
   const SolvedBody& body;
   const CommonRefinement* refinement;  ///< null where traces match
   double stress_terms;                 ///< largest sum of the terms of a stress [MPa]
-  bool unstressed;                     ///< rigid motions of bodies without loads: stresses and tractions are rounding
+  bool unstressed;                     ///< rigid motions without loads and slip: stresses and tractions are rounding
 };
+
+/// Largest displacement, gap or displacement of the load step before [mm].
+double largest_displacement(const SolvedBody& body) {
+  double largest = body.displacement.cwiseAbs().maxCoeff();
+  for (const Eigen::VectorXd* values : {&body.law.gap, &body.law.previous})
+    if (values->size() > 0) largest = std::max(largest, values->cwiseAbs().maxCoeff());
+  return largest;
+}
 
 /// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle, or what the gap and the displacement of the load step
 /// before come to as strains along the line [MPa].
-double largest_terms(const Mesh& mesh, const Edges& edges, const ContactLine& line, const SolvedBody& body) {
+double largest_terms(const Mesh& mesh, const Edges& edges, const ContactLine& line, const SolvedBody& body,
+                     const Eigen::VectorXd& displacement) {
   const Hooke& hooke = body.hooke;
-  const Eigen::VectorXd& displacement = body.displacement;
   double given = 0, largest = 0;
   for (const Eigen::VectorXd* values : {&body.law.gap, &body.law.previous})
     if (values->size() > 0) given = std::max(given, values->cwiseAbs().maxCoeff());
@@ -81,10 +90,21 @@ double largest_terms(const Mesh& mesh, const Edges& edges, const ContactLine& li
   return largest;
 }
 
-bool is_unstressed(const Mesh& mesh, const SolvedBody& body, double stress_terms) {
-  if (!body.neumann.isZero(0) || !body.body_loads.isZero(0)) return false;
+/// Does a node slide against Tresca's friction? Then stresses are not rounding, however small.
+bool slides(const ContactLine& line, const SolvedBody& body) {
+  if (!body.law.tresca()) return false;
+  const Eigen::Matrix2Xd w = displacement_against_foundation(line, body.law, body.displacement);
+  return (w.row(1).transpose().cwiseProduct(body.law.slip_bound).array().abs() >
+          rounding * largest_displacement(body) * body.law.slip_bound.array())
+      .any();
+}
+
+bool is_unstressed(const Mesh& mesh, const Edges& edges, const ContactLine& line, const std::vector<char>& prescribed,
+                   const SolvedBody& body, double stress_terms) {
+  const BoundaryTractions given = boundary_tractions(mesh, edges, prescribed, body.neumann, ContactLine{}, {});
+  if (!given.moments.isZero(0) || !body.body_loads.isZero(0)) return false;  // loads on supports are felt by nothing
   const double stress = stresses(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
-  return std::max(stress, body.pressure.cwiseAbs().maxCoeff()) <= rounding * stress_terms;
+  return std::max(stress, body.pressure.cwiseAbs().maxCoeff()) <= rounding * stress_terms && !slides(line, body);
 }
 
 /// What admissible fields are built on: the same bodies, with matching traces.
@@ -106,13 +126,30 @@ struct Start {
   Eigen::Matrix3Xd stress;  ///< on the triangles of the origin
 };
 
-Eigen::Matrix3Xd stresses_of(const Origin& origin, const Mesh& mesh, const Hooke& hooke, const Eigen::VectorXd& u) {
-  if (origin.unstressed) return Eigen::Matrix3Xd::Zero(3, mesh.triangles.cols());
-  return stresses(mesh, hooke, u);
+Eigen::Matrix3Xd computed_stresses(const Origin& origin) {
+  if (origin.unstressed) return Eigen::Matrix3Xd::Zero(3, origin.mesh.triangles.cols());
+  return stresses(origin.mesh, origin.body.hooke, origin.body.displacement);
 }
 
-Eigen::Matrix3Xd computed_stresses(const Origin& origin) {
-  return stresses_of(origin, origin.mesh, origin.body.hooke, origin.body.displacement);
+/// What sigma_hat and r_hat are compared with: u_hat, or, where u has no stress and slides nowhere, what u_hat differs by from it.
+struct Compared {
+  Eigen::VectorXd displacement;
+  ContactLaw law;
+  Eigen::Matrix3Xd stress;
+};
+
+Compared compared(const Origin& origin, const Setting& setting, const Eigen::VectorXd& u_hat) {
+  const auto& [mesh, edges, line, prescribed, body] = setting;
+  if (!origin.unstressed) return {u_hat, body.law, stresses(mesh, body.hooke, u_hat)};
+  Compared change{u_hat - body.displacement, body.law, {}};
+  change.law.gap.resize(0);
+  change.law.previous.resize(0);
+  change.stress = stresses(mesh, body.hooke, change.displacement);
+  if (change.stress.cwiseAbs().maxCoeff() <= rounding * origin.stress_terms) {
+    change.displacement.setZero();
+    change.stress.setZero();
+  }
+  return change;
 }
 
 /// p at the nodes of the setting.
@@ -153,6 +190,15 @@ Start start_published(const Origin& origin, const Setting& setting, Estimate& es
   return {correction.densities, computed, computed_stresses(origin)};
 }
 
+Eigen::MatrixXd refined_motions(const Origin& origin, const Eigen::MatrixXd& motions) {
+  Eigen::MatrixXd refined(origin.refinement ? 2 * origin.refinement->mesh.vertices.cols() : motions.rows(),
+                          motions.cols());
+  for (Eigen::Index k = 0; k < motions.cols(); ++k)
+    refined.col(k) =
+        origin.refinement ? refined_field(*origin.refinement, motions.col(k)) : Eigen::VectorXd(motions.col(k));
+  return refined;
+}
+
 Start start_in_cone(const Origin& origin, const Setting& setting, const Stars& stars, Estimate& estimate) {
   const auto& [mesh, edges, line, prescribed, body] = setting;
   const ContactDensities computed = edge_densities(line, body.pressure);
@@ -166,19 +212,22 @@ Start start_in_cone(const Origin& origin, const Setting& setting, const Stars& s
     add_balancing_stresses(mesh, stars, body.hooke, line, computed, *mending, start.stress);
     return start;
   }
+  // Rigid motions as the loads know them: on the old mesh, whose facing edges need not be of one length.
+  const Eigen::MatrixXd motions = free_rigid_motions(origin.mesh, origin.system.prescribed);
+  const Eigen::VectorXd forces =
+      nodal_forces(origin.mesh, origin.line, edge_densities(origin.line, origin.body.pressure));
   const auto admissible = admissible_tractions(mesh, line, body.law, computed, nodal_pressures(origin),
-                                               free_rigid_motions(mesh, prescribed));
+                                               refined_motions(origin, motions), motions.transpose() * forces);
   if (!admissible) refuse_unheld(origin);
   const AdmissibleTractions& tractions = *admissible;
   estimate.shift = tractions.shift;
   estimate.mended = tractions.mended;
   start.densities = tractions.densities;
   start.balanced = tractions.balanced;
-  if (tractions.mended.empty() && (!origin.refinement || origin.refinement->exact)) return start;
   const Eigen::VectorXd balanced = nodal_forces(mesh, line, tractions.balanced);
   const Eigen::VectorXd change =
-      (origin.refinement ? unrefined_forces(*origin.refinement, balanced) : balanced) -
-      nodal_forces(origin.mesh, origin.line, edge_densities(origin.line, origin.body.pressure));
+      (origin.refinement ? unrefined_forces(*origin.refinement, balanced) : balanced) - forces;
+  if (change.cwiseAbs().maxCoeff() <= rounding * forces.cwiseAbs().maxCoeff()) return start;
   start.stress += balancing_stresses(origin, change);
   return start;
 }
@@ -337,7 +386,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
 
   // 1. Admissible displacement [CHH01, 4.1].
   estimate.displacement = admissible_displacement(line, body.law, body.displacement, prescribed);
-  const Eigen::Matrix3Xd stress = stresses_of(origin, mesh, body.hooke, estimate.displacement);
+  const auto [u_hat, law, stress] = compared(origin, setting, estimate.displacement);
 
   // 2. Contact tractions in the cone [CHH01, (4.1)] and stresses that balance them at every node.
   const Stars stars = stars_of(mesh, edges);
@@ -354,7 +403,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
 
   // 4. Star relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
   EdgeLoadsOfAll difference = difference_loads(mesh, edges, moments, stress);
-  const TractionCosts costs = traction_costs(line, body.law, start.densities, estimate.displacement);
+  const TractionCosts costs = traction_costs(line, law, start.densities, u_hat);
   FreeTractions tractions{start.densities, costs.normal, costs.tangential, contact_edge};
   FreeContact contact{line, body.law, tractions};
   const std::vector<double> falls =
@@ -366,7 +415,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   Norms norms = measure(mesh, body.hooke, stress, difference, body.body_loads, estimate.stress);
-  const Eigen::VectorXd contact_part = contact_error(line, body.law, estimate.tractions, estimate.displacement);
+  const Eigen::VectorXd contact_part = contact_error(line, law, estimate.tractions, u_hat);
   estimate.history = error_history(norms.difference.sum() + contact_part.sum(), falls);
   if (settings.construction == Construction::polynomial)
     norms = measure_polynomial(mesh, body.hooke, stress, difference, body.body_loads, estimate.stress);
@@ -379,9 +428,13 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
   share_contact_part(edges, line, contact_part, local);
   estimate.local = (local_sums(origin, local) / scale).cwiseMax(0.0).cwiseSqrt();
 
+  if (origin.unstressed)  // to the last digit: above it is what u_hat - u leaves of its own stress
+    for (CompositeStress& zero : estimate.stress) zero.setZero();
+
   // 6. What the theory promises, measured.
-  estimate.equilibrium =
-      equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, relaxed, least_part * origin.stress_terms);
+  const double least = std::max(stress.cwiseAbs().maxCoeff(),
+                                least_part * largest_terms(mesh, edges, line, body, estimate.displacement));
+  estimate.equilibrium = equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, relaxed, least);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) * share_of_contact(estimate.tractions, stress);
   const PenetrationDefect penetration = penetration_defect(line, body.law, estimate.displacement);
   estimate.penetration = penetration.value;
@@ -395,9 +448,9 @@ Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine&
   require_valid(mesh, line, system, body, settings);
   require_law_of_matrix(mesh, system, body.hooke);
   Estimate estimate;
-  const double stress_terms = largest_terms(mesh, edges, line, body);
+  const double stress_terms = largest_terms(mesh, edges, line, body, body.displacement);
   SolvedBody own;  // where the tractions of u are rounding
-  const bool unstressed = is_unstressed(mesh, body, stress_terms);
+  const bool unstressed = is_unstressed(mesh, edges, line, system.prescribed, body, stress_terms);
   if (unstressed) {
     own = body;
     own.pressure.setZero();

@@ -73,7 +73,9 @@ struct Estimate {
 /// their common refinement: non-penetration holds at each of its nodes, r_hat is linear on each of its edges, and the triangles
 /// beside it are the fans of the refinement.
 ///
-/// A body without loads that u moves rigidly, to rounding, has no stress and no tractions: e = 0.
+/// Bodies without loads whose stresses and tractions are below 1e-12 of the terms |C| |grad phi| max(|u|, |gap|, |previous|) that
+/// stresses are summed from, and that slide nowhere against Tresca's friction, have none: sigma_hat = 0, r_hat = 0, and e is that
+/// of u_hat - u, which is 0 but where u penetrates.
 /// @param system  the stiffness and the prescribed dofs u_h was computed with
 /// @throws std::invalid_argument  for input that does not fit (see data_defect.hpp), or where no tractions in the cone hold the body
 /// @throws std::runtime_error     if tractions had to be mended and a part of the body is held by nothing

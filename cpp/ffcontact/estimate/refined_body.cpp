@@ -7,11 +7,6 @@ namespace ffcontact {
 
 namespace {
 
-/// A vertex field on the refinement.
-Eigen::VectorXd refined_field(const CommonRefinement& refinement, const Eigen::VectorXd& field) {
-  return (field.reshaped(2, field.size() / 2) * refinement.vertex_weights.transpose()).reshaped();
-}
-
 Eigen::VectorXd refined_values(const CommonRefinement& refinement, const Eigen::VectorXd& values) {
   return values.size() > 0 ? Eigen::VectorXd(refinement.node_weights * values) : values;
 }
@@ -40,6 +35,10 @@ EdgeRange refined_range(const Edges& old_edges, const ContactLine& old_line, con
 }
 
 }  // namespace
+
+Eigen::VectorXd refined_field(const CommonRefinement& refinement, const Eigen::VectorXd& field) {
+  return (field.reshaped(2, field.size() / 2) * refinement.vertex_weights.transpose()).reshaped();
+}
 
 SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges, const ContactLine& old_line,
                         const SolvedBody& old, const CommonRefinement& refinement) {

@@ -12,6 +12,9 @@ namespace ffcontact {
 SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges, const ContactLine& old_line,
                         const SolvedBody& old, const CommonRefinement& refinement);
 
+/// A vertex field, linear in between, at the vertices of the refinement.
+Eigen::VectorXd refined_field(const CommonRefinement& refinement, const Eigen::VectorXd& field);
+
 /// 1 where a dof of the refinement is prescribed: a new vertex is held where both ends of its edge are.
 std::vector<char> refined_prescribed(const CommonRefinement& refinement, const std::vector<char>& old);
 
