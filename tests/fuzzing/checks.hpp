@@ -27,9 +27,14 @@ Feasible feasible(const Case& problem, const Assembled& parts);
 /// support: prescribed values; law: (3.17)-(3.22) node by node with our own W (1e-9).
 Finds solution_finds(const Case& problem, const Assembled& parts, const ContactSolution& solution);
 
+/// Does no density that is linear on the contact edges, and in the friction cone at five places of each, have the resultants of the contact forces along the
+/// rigid motions that prescribed dofs leave free? So it is where a body stands on one end of its line: its reaction is concentrated,
+/// which no finite stress of the continuous problem has, and there is no admissible pair. Not answered (false) for Tresca's law.
+bool no_density_holds(const Case& problem, const Assembled& parts, const ContactSolution& solution);
+
 /// displacement: u_hat keeps prescribed values and does not penetrate (1e-9);
 /// divergence, jump, traction: div + f = 0 on each subtriangle, sigma n continuous and equal to the given and the contact
-/// tractions (1e-10 of the largest stress); cone: r_hat in the cone all along the edges (1e-12);
+/// tractions (1e-10 of the largest stress of u, of the loads or of sigma_hat); cone: r_hat in the cone all along the edges (1e-12);
 /// error: e, its parts, eps and eps_E against our own integrals (1e-8); admissible: the estimate says so itself.
 Finds estimate_finds(const Case& problem, const Assembled& parts, const Estimate& estimate);
 

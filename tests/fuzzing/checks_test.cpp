@@ -207,6 +207,39 @@ TEST(spoilt, bound) {
   EXPECT_GE(tried, 4);
 }
 
+/// A square on one contact edge that nothing else holds: on a linear density it stands with its reaction in the middle third.
+TEST(holding, by_no_density_where_a_body_stands_on_one_end) {
+  Body square;
+  square.mesh.vertices = (Eigen::Matrix2Xd(2, 4) << 0, 1, 1, 0, 0, 0, 1, 1).finished();
+  square.mesh.triangles = (Eigen::Matrix3Xi(3, 2) << 0, 0, 1, 2, 2, 3).finished();
+  square.mesh.boundary = (Eigen::Matrix2Xi(2, 4) << 0, 1, 2, 3, 1, 2, 3, 0).finished();
+  square.mesh.boundary_label = Eigen::Vector4i(1, 2, 3, 4);
+  square.region = {0, 0};
+  square.materials = {{1, 0.3}};
+  Case problem;
+  problem.contacts = {{0, {1}}};
+  ContactSolution solution;
+  const auto held_at = [&](double place) {
+    problem.bodies = {square};
+    const Assembled parts = assembled(problem);
+    solution.force.setZero(2, 2);
+    for (int i = 0; i < 2; ++i) {
+      const double x = square.mesh.vertices(0, parts.line.vertex[i]);
+      solution.force(0, i) = -(x * place + (1 - x) * (1 - place));
+    }
+    return !no_density_holds(problem, parts, solution);
+  };
+  for (const Law law : {Law::frictionless, Law::coulomb}) {
+    problem.law = law;
+    problem.friction.mean = law == Law::coulomb ? 0.3 : 0;
+    for (const double place : {0.35, 0.5, 0.65}) EXPECT_TRUE(held_at(place)) << place;
+    for (const double place : {0.0, 0.3, 0.7, 1.0}) EXPECT_FALSE(held_at(place)) << place;
+    for (int c = 0; c < 2; ++c) square.supports.push_back({3, c, {}});
+    EXPECT_TRUE(held_at(0)) << "what is clamped elsewhere needs no contact";
+    square.supports.clear();
+  }
+}
+
 TEST(text, keeps_every_digit) {
   for (std::uint64_t index = 0; index < 50; ++index) {
     const std::string text = text_of(random_case(5, index));

@@ -116,7 +116,7 @@ std::map<int, std::array<bool, 2>> held_labels(const Mesh& mesh, const std::vect
   return held;
 }
 
-/// Given tractions by the case's data; contact tractions on both sides over them. Where facing edges of the refinement are not
+/// Given tractions by the case's data and contact tractions on both sides. Where facing edges of the refinement are not
 /// of the same length (vertices that all but meet) their forces are opposite, not their tractions: check_refinement says by how much.
 GivenTractions given_tractions(const Case& problem, const Assembled& parts, const Ground& ground,
                                const Estimate& estimate) {
@@ -131,21 +131,25 @@ GivenTractions given_tractions(const Case& problem, const Assembled& parts, cons
     given[{ground.mesh.boundary(0, e), ground.mesh.boundary(1, e)}] = here;
     given[{ground.mesh.boundary(1, e), ground.mesh.boundary(0, e)}] = here;
   }
+  const auto add = [&](int a, int b, const Eigen::Matrix2d& value) {
+    Given& here = given.at({a, b});
+    here = {here.value + value, {true, true}};
+  };
   const ContactLine& line = ground.line;
   for (int e = 0; e < line.edge_count(); ++e) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e), a = line.vertex[i], b = line.vertex[j];
     const Eigen::Vector2d n = line.normal.col(i), t(-n.y(), n.x());
-    Given here{Eigen::Matrix2d::Zero(), {true, true}};
+    Eigen::Matrix2d r;
     for (int end = 0; end < 2; ++end)
-      here.value.col(end) = estimate.tractions.normal(end, e) * n + estimate.tractions.tangential(end, e) * t;
-    given[{a, b}] = here;
+      r.col(end) = estimate.tractions.normal(end, e) * n + estimate.tractions.tangential(end, e) * t;
+    add(a, b, r);
     if (line.opposite.rows() == 0) continue;
     const auto facing = [&](int node) {
       return static_cast<int>(WeightsByNode::InnerIterator(line.opposite, node).col());
     };
     const double ratio = (ground.mesh.vertices.col(a) - ground.mesh.vertices.col(b)).norm() /
                          (ground.mesh.vertices.col(facing(i)) - ground.mesh.vertices.col(facing(j))).norm();
-    given[{facing(j), facing(i)}] = {-ratio * here.value.rowwise().reverse(), {true, true}};
+    add(facing(j), facing(i), -ratio * r.rowwise().reverse());
   }
   return given;
 }
@@ -192,6 +196,8 @@ StressDefects stress_defects(const Case& problem, const Assembled& parts, const 
 void check_stress(const Case& problem, const Assembled& parts, const Ground& ground, const Estimate& estimate,
                   double scale, Finds& finds) {
   const StressDefects defects = stress_defects(problem, parts, ground, estimate);
+  for (const CompositeStress& stress : estimate.stress)  // known to its own last place, however far from that of u
+    scale = std::max(scale, stress.cwiseAbs().maxCoeff());
   const auto judge = [&](const char* check, const Largest& defect) {
     if (!(defect.value <= stress_tolerance * scale))
       finds.push_back(finding(check, how_far(defect.value / scale), "at ", defect.place, " by ", defect.value / scale,
@@ -211,6 +217,7 @@ struct AlongEdge {
   double integrand(double s) const {
     return bound(s) * std::abs(at(wt, s)) + at(rt, s) * at(wt, s) + at(rn, s) * at(wn, s);
   }
+  double force(double s) const { return bound(s) + std::abs(at(rt, s)) + std::abs(at(rn, s)); }
   double size(double s) const {
     return bound(s) * std::abs(at(wt, s)) + std::abs(at(rt, s) * at(wt, s)) + std::abs(at(rn, s) * at(wn, s));
   }
@@ -276,6 +283,7 @@ double energy_of(const Corners& corners, const Eigen::Matrix3d& compliance, cons
 struct OwnError {
   double elastic = 0, contact = 0, sum = 0, contact_size = 0;  ///< squares
   double compliance = 0;  ///< int of the largest entry of C^-1: a stress squared times this is a square, too
+  double force = 0;       ///< 2 int (bound + |r_t| + |r_n|): a displacement times this is a square, too
 };
 
 OwnError own_error(const Case& problem, const Assembled& parts, const Ground& ground, const Estimate& estimate) {
@@ -296,16 +304,20 @@ OwnError own_error(const Case& problem, const Assembled& parts, const Ground& gr
                               .norm();
     own.contact += 2 * length * integral(edge, [&](double s) { return edge.integrand(s); });
     own.contact_size += 2 * length * integral(edge, [&](double s) { return edge.size(s); });
+    own.force += 2 * length * integral(edge, [&](double s) { return edge.force(s); });
   }
   return own;
 }
 
-/// Squares that differ by rounding of what they are made of are the same; `stress` is the problem's (stress_scale).
+/// Squares that differ by rounding of what they are made of are the same: of stresses (`stress` is stress_scale), of the terms
+/// of the sums, and of displacements, which are known to the last place of the largest one. Where e is exactly 0 stresses and
+/// slips are called so that are below 1e-12 of what they are summed from.
 void check_error(const Case& problem, const Assembled& parts, const Ground& ground, const Estimate& estimate,
                  double stress, Finds& finds) {
   const OwnError own = own_error(problem, parts, ground, estimate);
+  const double displacement = (estimate.e == 0 ? 1e-12 : 1e-15) * displacement_scale(parts, estimate.displacement);
   const double rounding = 1e-12 * (own.sum + own.contact_size) + own.compliance * std::pow(1e-12 * stress, 2) +
-                          square_called_zero(parts, ground, estimate);
+                          own.force * displacement + square_called_zero(parts, ground, estimate);
   const auto compare = [&](const char* what, double theirs, double ours) {
     if (!(std::abs(theirs - ours) <= error_tolerance * std::abs(ours) + rounding))
       finds.push_back(finding("error", what, " is ", theirs, ", by our integrals ", ours));

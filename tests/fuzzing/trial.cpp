@@ -16,9 +16,12 @@ void append(const Finds& more, Finds& finds) { finds.insert(finds.end(), more.be
 
 bool is_sentence(const std::string& message) { return message.find(' ') != std::string::npos && message.size() > 12; }
 
+Feasible always() { return Feasible::yes; }
+
 /// Runs a step; notes what it threw. @return whether it ended
-bool ended(const char* step, const Case& problem, Feasible possible, const std::function<void()>& run,
-           Outcome& outcome) {
+/// @param possible  asked for where it threw
+bool ended(const char* step, const Case& problem, const std::function<Feasible()>& possible,
+           const std::function<void()>& run, Outcome& outcome) {
   std::string message;
   try {
     run();
@@ -32,7 +35,7 @@ bool ended(const char* step, const Case& problem, Feasible possible, const std::
   }
   if (!message.empty() && !is_sentence(message)) outcome.finds.push_back(finding("exception", step, ": ", message));
   outcome.answer = std::string("refused by ") + step + ": " + without_numbers(message);
-  if (problem.promise == Promise::solution && possible == Feasible::yes)
+  if (problem.promise == Promise::solution && possible() == Feasible::yes)
     outcome.finds.push_back(finding("refused", step, ": ", message));
   return false;
 }
@@ -42,11 +45,12 @@ void judge_estimate(const Case& problem, const Assembled& parts, const ElasticSy
   EstimateSettings settings;
   settings.relaxation.sweeps = problem.sweeps;
   Estimate estimate;
-  // What is solved has an estimate, whatever the problem promised.
+  // What is solved has an estimate, whatever the problem promised, where there is an admissible pair.
   Case promised = problem;
   promised.promise = Promise::solution;
   if (!ended(
-          "estimate", promised, Feasible::yes,
+          "estimate", promised,
+          [&] { return no_density_holds(problem, parts, solution) ? Feasible::no : Feasible::yes; },
           [&] {
             estimate = estimate_error(parts.mesh(), parts.edges, parts.line, system, parts.solved(solution), settings);
           },
@@ -55,7 +59,7 @@ void judge_estimate(const Case& problem, const Assembled& parts, const ElasticSy
   append(estimate_finds(problem, parts, estimate), outcome.finds);
   if (problem.with_reference && problem.promise == Promise::solution && outcome.finds.empty())
     ended(
-        "reference", problem, Feasible::yes, [&] { append(bound_finds(problem, parts, estimate, 2), outcome.finds); },
+        "reference", problem, always, [&] { append(bound_finds(problem, parts, estimate, 2), outcome.finds); },
         outcome);
   outcome.answer = "judged";
 }
@@ -87,16 +91,16 @@ Outcome outcome_of(const Case& problem) {
   ElasticSystem system;
   ContactSolution solution;
   if (!ended(
-          "mesh and line", problem, Feasible::yes, [&] { parts = assembled(problem); }, outcome))
+          "mesh and line", problem, always, [&] { parts = assembled(problem); }, outcome))
     return outcome;
   append(line_finds(problem, parts), outcome.finds);
   const Feasible possible = feasible(problem, parts);
   if (!ended(
-          "matrix", problem, Feasible::yes, [&] { system = elastic_system(parts.A, parts.b); }, outcome))
+          "matrix", problem, always, [&] { system = elastic_system(parts.A, parts.b); }, outcome))
     return outcome;
   if (!ended(
-          "contact", problem, possible, [&] { solution = solve_contact(parts.mesh(), parts.line, parts.law, system); },
-          outcome))
+          "contact", problem, [&] { return possible; },
+          [&] { solution = solve_contact(parts.mesh(), parts.line, parts.law, system); }, outcome))
     return outcome;
   if (!solution.accepted({})) {
     outcome.answer = std::string("not solved: ") + in_words(solution.status);
