@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
-#include "ffcontact/mesh/curve_directions.hpp"
-#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/interface/facing_traces.hpp"
 //
 #include <algorithm>
 #include <map>

@@ -9,8 +9,9 @@
 ///
 /// Modules, each using only those before it:
 ///   base         refusals, small dense problems
-///   mesh         triangulation, edges, stars, the contact line, several bodies: joined meshes, facing traces, their refinement
+///   mesh         triangulation, edges, stars, several bodies as one joined mesh, boundary parts and curves
 ///   elastic      Hooke's law, the linear system with its prescribed dofs, condensation on a few dofs
+///   interface    the contact line, facing traces, their common refinement
 ///   contact      the laws of contact and friction, the solver, tractions brought into the cone
 ///   equilibrium  edge tractions in equilibrium, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
@@ -21,7 +22,7 @@
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
-#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/interface/facing_traces.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"

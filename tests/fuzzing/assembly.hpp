@@ -4,7 +4,7 @@
 #include "case.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
-#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/interface/facing_traces.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 
 namespace ffcontact::fuzz {

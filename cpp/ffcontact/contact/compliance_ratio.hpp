@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/elastic/elastic_system.hpp"
-#include "ffcontact/mesh/contact_line.hpp"
+#include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/base/sparse_lu.hpp"
-#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/interface/facing_traces.hpp"
 
 namespace ffcontact {
 

@@ -3,7 +3,7 @@
 
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
-#include "ffcontact/mesh/common_refinement.hpp"
+#include "ffcontact/interface/common_refinement.hpp"
 
 namespace ffcontact {
 

@@ -12,7 +12,7 @@
 #include "ffcontact/estimate/admissible_tractions.hpp"
 #include "ffcontact/estimate/contact_error.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
-#include "ffcontact/mesh/common_refinement.hpp"
+#include "ffcontact/interface/common_refinement.hpp"
 
 namespace ffcontact {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ffcontact/estimate/solved_body.hpp"
-#include "ffcontact/mesh/common_refinement.hpp"
+#include "ffcontact/interface/common_refinement.hpp"
 
 namespace ffcontact {
 

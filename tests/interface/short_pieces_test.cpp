@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/mesh/common_refinement.hpp"
+#include "ffcontact/interface/common_refinement.hpp"
 #include "support/bodies.hpp"
 
 namespace ffcontact {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ffcontact/mesh/contact_line.hpp"
+#include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/contact_line.hpp"
+#include "ffcontact/interface/contact_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ffcontact/mesh/curve_directions.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"

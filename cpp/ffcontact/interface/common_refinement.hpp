@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/mesh/contact_line.hpp"
+#include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/curve_directions.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
 
 #include <gtest/gtest.h>
 

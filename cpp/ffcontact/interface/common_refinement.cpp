@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/common_refinement.hpp"
+#include "ffcontact/interface/common_refinement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/interface/facing_traces.hpp"
 
 namespace ffcontact {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/contact_line.hpp"
+#include "ffcontact/interface/contact_line.hpp"
 
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/mesh/curve_directions.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/mesh/smooth_curve.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/common_refinement.hpp"
+#include "ffcontact/interface/common_refinement.hpp"
 
 #include <gtest/gtest.h>
 

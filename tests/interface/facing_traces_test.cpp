@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/facing_traces.hpp"
+#include "ffcontact/interface/facing_traces.hpp"
 
 #include <gtest/gtest.h>
 
