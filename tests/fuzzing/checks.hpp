@@ -19,7 +19,8 @@ using Finds = std::vector<Find>;
 /// and int psi_i phi_j = M Pi for the trace of the opposite body.
 Finds line_finds(const Case& problem, const Assembled& parts);
 
-/// Where prescribed values push the line into the foundation whatever the free ones do; unknown also where the line cannot move.
+/// Where prescribed values push the line into the foundation whatever the free ones do; unknown also where the line cannot move,
+/// or where a vertex on rollers locks itself.
 enum class Feasible { yes, no, unknown };
 Feasible feasible(const Case& problem, const Assembled& parts);
 
@@ -27,7 +28,7 @@ Feasible feasible(const Case& problem, const Assembled& parts);
 /// support: prescribed values; law: (3.17)-(3.22) node by node with our own W (1e-9).
 Finds solution_finds(const Case& problem, const Assembled& parts, const ContactSolution& solution);
 
-/// Does no density that is linear on the contact edges, and in the friction cone at five places of each, have the resultants of the contact forces along the
+/// Does no density that is linear on the contact edges, and in the friction cone at nine places of each, have the resultants of the contact forces along the
 /// rigid motions that prescribed dofs leave free? So it is where a body stands on one end of its line: its reaction is concentrated,
 /// which no finite stress of the continuous problem has, and there is no admissible pair. Not answered (false) for Tresca's law.
 bool no_density_holds(const Case& problem, const Assembled& parts, const ContactSolution& solution);

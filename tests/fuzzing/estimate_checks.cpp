@@ -309,7 +309,8 @@ OwnError own_error(const Case& problem, const Assembled& parts, const Ground& gr
   return own;
 }
 
-/// Squares that differ by rounding of what they are made of are the same: of stresses (`stress` is stress_scale), of the terms
+/// Squares that differ by rounding of what they are made of are the same: of stresses, (a + d)^2 = a^2 + 2 a d + d^2 with d =
+/// 1e-12 `stress` (stress_scale), of the terms
 /// of the sums, and of displacements, which are known to the last place of the largest one. Where e is exactly 0 stresses and
 /// slips are called so that are below 1e-12 of what they are summed from.
 void check_error(const Case& problem, const Assembled& parts, const Ground& ground, const Estimate& estimate,
@@ -317,7 +318,8 @@ void check_error(const Case& problem, const Assembled& parts, const Ground& grou
   const OwnError own = own_error(problem, parts, ground, estimate);
   const double displacement = (estimate.e == 0 ? 1e-12 : 1e-15) * displacement_scale(parts, estimate.displacement);
   const double rounding = 1e-12 * (own.sum + own.contact_size) + own.compliance * std::pow(1e-12 * stress, 2) +
-                          own.force * displacement + square_called_zero(parts, ground, estimate);
+                          2 * std::sqrt(own.elastic * own.compliance) * 1e-12 * stress + own.force * displacement +
+                          square_called_zero(parts, ground, estimate);
   const auto compare = [&](const char* what, double theirs, double ours) {
     if (!(std::abs(theirs - ours) <= error_tolerance * std::abs(ours) + rounding))
       finds.push_back(finding("error", what, " is ", theirs, ", by our integrals ", ours));

@@ -77,7 +77,8 @@ double distance_to_cone(const Dense& columns, const Eigen::VectorXd& wanted) {
   return (wanted - columns * x).norm();
 }
 
-constexpr int places = 5;  ///< on each edge, its ends included
+/// Places on each edge. What is beside its ends bounds the slope of r_t where friction starts from 0 there.
+constexpr double places[] = {0, 1e-5, 0.1, 0.25, 0.5, 0.75, 0.9, 1 - 1e-5, 1};
 
 /// Work of the end values (r_n,i, r_t,i, r_n,j, r_t,j) of each contact edge along the motions [motions x 4 edges], for edges of
 /// length 1: a factor on the density of an edge is one on its forces.
@@ -97,12 +98,12 @@ Dense work_of_densities(const Assembled& parts, const Dense& motions) {
 /// -r_n >= 0 and -mu r_n +- r_t >= 0 at some places of each edge: what the cone asks for there [conditions x 4 edges].
 Dense cone_conditions(const Assembled& parts) {
   const ContactLine& line = parts.line;
-  Dense conditions = Dense::Zero(3 * places * line.edge_count(), 4 * line.edge_count());
+  Dense conditions = Dense::Zero(3 * std::size(places) * line.edge_count(), 4 * line.edge_count());
   Eigen::Index row = 0;
   for (int e = 0; e < line.edge_count(); ++e)
-    for (int k = 0; k < places; ++k)
+    for (const double s : places)
       for (int sign : {-1, 0, 1}) {
-        const double s = k / (places - 1.0), hat[2] = {1 - s, s};
+        const double hat[2] = {1 - s, s};
         const double mu =
             hat[0] * parts.law.friction[line.edge_node(0, e)] + hat[1] * parts.law.friction[line.edge_node(1, e)];
         for (int end = 0; end < 2; ++end)

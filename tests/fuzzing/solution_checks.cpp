@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ground.hpp"
 
@@ -49,6 +50,34 @@ Segment segment(const Mesh& mesh, const std::pair<int, int>& ends) {
   return {mesh.vertices.col(ends.first), mesh.vertices.col(ends.second)};
 }
 
+/// The part of a contact edge that faces an opposite edge along n, by places on the former; `from` to `to` is all of the latter.
+struct FacingPart {
+  std::pair<int, int> ends;  ///< of the opposite edge
+  double from, to, distance;
+};
+
+/// Those that are nearest: a line that turns back has others behind.
+std::vector<FacingPart> facing_parts(const Mesh& mesh, const std::map<std::pair<int, int>, Labelled>& labelled,
+                                     const std::pair<int, int>& edge) {
+  const Segment own = segment(mesh, edge);
+  std::vector<FacingPart> parts;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& [ends, what] : labelled) {
+    if (!what.opposite || what.contact != labelled.at(edge).contact) continue;
+    const Segment other = segment(mesh, ends);
+    if (own.outward().dot(other.outward()) > -0.99) continue;
+    const auto place = [&](const Eigen::Vector2d& y) { return (y - own.a).dot(own.along()) / own.length(); };
+    const double from = place(other.b), to = place(other.a);  // the other edge runs backwards
+    if (std::min(1.0, to) <= std::max(0.0, from)) continue;
+    const double distance = std::abs((0.5 * (other.a + other.b) - own.a).dot(own.outward()));
+    parts.push_back({ends, from, to, distance});
+    nearest = std::min(nearest, distance);
+  }
+  const auto behind = [&](const FacingPart& part) { return part.distance > nearest + 1e-3 * own.length(); };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), behind), parts.end());
+  return parts;
+}
+
 /// int psi_i phi_j over the parts of the line that face edges of the opposite label along n.
 Dense coupling(const Case& problem, const Assembled& parts) {
   const ContactLine& line = parts.line;
@@ -57,22 +86,16 @@ Dense coupling(const Case& problem, const Assembled& parts) {
   const double gauss = 0.5 / std::sqrt(3.0);
   for (int e = 0; e < line.edge_count(); ++e) {
     const std::pair<int, int> ends(line.vertex[line.edge_node(0, e)], line.vertex[line.edge_node(1, e)]);
-    const Segment own = segment(parts.mesh(), ends);
-    for (const auto& [other_ends, what] : labelled) {
-      if (!what.opposite || what.contact != labelled.at(ends).contact) continue;
-      const Segment other = segment(parts.mesh(), other_ends);
-      if (own.outward().dot(other.outward()) > -0.99) continue;
-      const auto place = [&](const Eigen::Vector2d& y) { return (y - own.a).dot(own.along()) / own.length(); };
-      const double from = place(other.b), to = place(other.a);  // the other edge runs backwards
+    const double length = segment(parts.mesh(), ends).length();
+    for (const auto& [other, from, to, distance] : facing_parts(parts.mesh(), labelled, ends)) {
       const double begin = std::max(0.0, from), end = std::min(1.0, to);
       for (double x : {0.5 - gauss, 0.5 + gauss}) {
-        if (end <= begin) break;
         const double s = begin + x * (end - begin), r = (s - from) / (to - from);
-        const double weight = 0.5 * (end - begin) * own.length();
+        const double weight = 0.5 * (end - begin) * length;
         for (int i = 0; i < 2; ++i) {
           const double psi = weight * (i == 0 ? 1 - s : s);
-          D(line.edge_node(i, e), other_ends.second) += psi * (1 - r);
-          D(line.edge_node(i, e), other_ends.first) += psi * r;
+          D(line.edge_node(i, e), other.second) += psi * (1 - r);
+          D(line.edge_node(i, e), other.first) += psi * r;
         }
       }
     }
@@ -247,6 +270,16 @@ void check_law(const Case& problem, const Assembled& parts, const ContactSolutio
     finds.push_back(finding("law", "forces are not M times pressures"));
 }
 
+/// A vertex that may move along d alone, at an angle to the line so small that friction along the line outweighs the normal force
+/// along d, |n . d| <= mu |t . d|: no force of the cone need hold it, and the problem no solution have.
+bool locks_itself(const Assembled& parts, int node) {
+  const int x = 2 * parts.line.vertex[node];
+  if (parts.prescribed[x] == parts.prescribed[x + 1]) return false;
+  const int free = parts.prescribed[x] ? 1 : 0;
+  const double across = std::abs(parts.line.normal(free, node)), along = std::abs(parts.line.normal(1 - free, node));
+  return across > 1e-9 && across <= parts.law.friction[node] * along;
+}
+
 }  // namespace
 
 Finds line_finds(const Case& problem, const Assembled& parts) {
@@ -268,6 +301,8 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
     if (result != Feasible::no) result = to;
   };
   const Eigen::Matrix2Xd w = against_foundation(line, gap, {}, parts.value);
+  for (int i = 0; i < line.node_count(); ++i)
+    if (problem.law == Law::coulomb && locks_itself(parts, i)) worsen(Feasible::unknown);
   for (int i = 0; i < line.node_count(); ++i) {
     const int x = 2 * line.vertex[i];
     bool movable = false;
