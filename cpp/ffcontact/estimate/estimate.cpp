@@ -28,8 +28,7 @@ constexpr double penetration_tolerance = 1e-12;
 /// A body without loads whose stresses are below this part of their terms C du/dx has none: they are the rounding of u.
 constexpr double rounding = 1e-12;
 
-/// Equilibrium is judged against the tractions, against the stresses of u_hat, from which sigma_hat differs by what e measures, and
-/// against this part of the terms that these are summed from.
+/// Equilibrium is judged against sigma_hat, and against this part of the terms that the stresses of u_hat are summed from.
 constexpr double least_part = 1e-4;
 
 void require_valid(const Mesh& mesh, const ContactLine& line, const ElasticSystem& system, const SolvedBody& body,
@@ -105,6 +104,12 @@ bool is_unstressed(const Mesh& mesh, const Edges& edges, const ContactLine& line
   if (!given.moments.isZero(0) || !body.body_loads.isZero(0)) return false;  // loads on supports are felt by nothing
   const double stress = stresses(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
   return std::max(stress, body.pressure.cwiseAbs().maxCoeff()) <= rounding * stress_terms && !slides(line, body);
+}
+
+double largest_value(const std::vector<CompositeStress>& stress) {
+  double largest = 0;
+  for (const CompositeStress& values : stress) largest = std::max(largest, values.cwiseAbs().maxCoeff());
+  return largest;
 }
 
 /// What admissible fields are built on: the same bodies, with matching traces.
@@ -432,7 +437,7 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
     for (CompositeStress& zero : estimate.stress) zero.setZero();
 
   // 6. What the theory promises, measured.
-  const double least = std::max(stress.cwiseAbs().maxCoeff(),
+  const double least = std::max(largest_value(estimate.stress),
                                 least_part * largest_terms(mesh, edges, line, body, estimate.displacement));
   estimate.equilibrium = equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, relaxed, least);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) * share_of_contact(estimate.tractions, stress);

@@ -71,21 +71,36 @@ class EdgeProjection {
 
   Eigen::VectorXd resultants(const Eigen::Vector4d& r) const { return motions_.transpose() * (mass_ * r); }
 
-  /// d resultants / d eta where r is the projection of `outside`: the conditions that are tight at r stay so. Where r is the
-  /// apex of the cone it is rounding, small against `outside` only.
+  /// d resultants / d eta where r is the projection of `outside`.
   Eigen::MatrixXd slope(const Eigen::Vector4d& r, const Eigen::Vector4d& outside) const {
+    return moving().transpose() * moving_on_face(r, outside);
+  }
+
+  /// r moved by what its face of the cone lets through of the motions.
+  Eigen::Vector4d moved_on_face(const Eigen::Vector4d& r, const Eigen::Vector4d& outside,
+                                const Eigen::VectorXd& eta) const {
+    const Eigen::VectorXd step = moving_on_face(r, outside) * eta;
+    const Eigen::VectorXd change = half_.transpose().triangularView<Eigen::Upper>().solve(step);
+    return clamped_to_cone(line_, law_, edge_, r + basis_ * change);
+  }
+
+ private:
+  /// The motions in the coordinates y = half' x of the free end values x [b x k].
+  Eigen::MatrixXd moving() const { return lower().solve(basis_.transpose() * mass_ * motions_); }
+
+  /// What is left of them where the conditions that are tight at r stay so. Where r is the apex of the cone it is rounding, small
+  /// against `outside` only.
+  Eigen::MatrixXd moving_on_face(const Eigen::Vector4d& r, const Eigen::Vector4d& outside) const {
     const double scale = outside.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
     std::vector<int> held;
     for (int row = 0; row < cone_.d.size(); ++row)
       if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale) held.push_back(row);
-    const Eigen::MatrixXd moving = lower().solve(basis_.transpose() * mass_ * motions_);
-    if (held.empty()) return moving.transpose() * moving;
+    const Eigen::MatrixXd all = moving();
+    if (held.empty()) return all;
     const Eigen::MatrixXd normals = lower().solve((cone_.C(held, Eigen::all) * basis_).transpose());
-    const Eigen::MatrixXd stopped = normals * least_squares_of_columns(normals, moving);
-    return moving.transpose() * (moving - stopped);
+    return all - normals * least_squares_of_columns(normals, all);
   }
 
- private:
   Eigen::TriangularView<const Eigen::MatrixXd, Eigen::Lower> lower() const {
     return half_.triangularView<Eigen::Lower>();
   }
@@ -130,6 +145,19 @@ class Dual {
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
       sum += edges_[e].slope(end_values(point.r, e), edges_[e].moved(end_values(densities_, e), point.eta));
     return sum;
+  }
+
+  /// The tractions moved on their faces of the cone, eta beside what they are: where eta itself is large its rounding is not that of
+  /// the tractions.
+  Point moved_on_faces(const Point& point, const Eigen::VectorXd& eta) const {
+    Point next{point.eta, point.r, -resultants_};
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
+      const Eigen::Vector4d outside = edges_[e].moved(end_values(densities_, e), point.eta);
+      const Eigen::Vector4d r = edges_[e].moved_on_face(end_values(point.r, e), outside, eta);
+      set_end_values(next.r, e, r);
+      next.off += edges_[e].resultants(r);
+    }
+    return next;
   }
 
   /// Sum of the sizes of the terms of the resultants.
@@ -181,7 +209,10 @@ std::optional<ContactDensities> nearest_in_cone(const ContactLine& line, const C
   const double length = line.length.sum();  // [z] is of size 1: what the slope is where nothing is held
   for (int step = 0; step < most_steps; ++step) {
     const double rounding = std::numeric_limits<double>::epsilon() * length * point.eta.norm();
-    if (point.off.cwiseAbs().maxCoeff() <= std::max(resultant_tolerance * scale, 2 * rounding)) return point.r;
+    if (point.off.cwiseAbs().maxCoeff() <= std::max(resultant_tolerance * scale, 2 * rounding)) {
+      const Dual::Point closer = dual.moved_on_faces(point, -least_squares_of_columns(dual.slope(point), point.off));
+      return closer.off.norm() < point.off.norm() ? closer.r : point.r;
+    }
     // Regularised by what is left to do: no step is longer than the tractions, and the last ones are Newton's.
     const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
     const Eigen::MatrixXd slope = dual.slope(point) + regular * identity;
