@@ -189,5 +189,16 @@ TEST(AdmissibleDisplacement, does_not_penetrate_at_a_sharp_corner) {
   EXPECT_LE(w.row(0).maxCoeff(), 1e-14);
 }
 
+TEST(AdmissibleDisplacement, moves_a_roller_back_on_a_line_that_it_all_but_runs_along) {
+  const Problem problem = body(rotated(rectangle(4, 1, 4, 1), 1e-5), material(1, 0));
+  const Eigen::VectorXd u = nodal_values(problem.mesh, [](const Eigen::Vector2d&) { return Eigen::Vector2d(1, 0); });
+  std::vector<char> rollers(u.size(), 0);
+  for (Eigen::Index dof = 1; dof < u.size(); dof += 2) rollers[dof] = 1;
+  ASSERT_GT(penetration_defect(problem.line, problem.law, u).value, 9e-6);
+  const Eigen::VectorXd u_hat = admissible_displacement(problem.line, problem.law, u, rollers);
+  EXPECT_LT(penetration_defect(problem.line, problem.law, u_hat).value, 1e-12);
+  for (int node : problem.line.vertex) EXPECT_NEAR(u_hat[2 * node], 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace ffcontact

@@ -110,6 +110,9 @@ double displacement_scale(const Assembled& parts, const Eigen::VectorXd& u) {
   double scale = std::max(u.cwiseAbs().maxCoeff(), parts.value.cwiseAbs().maxCoeff());
   for (const Eigen::VectorXd* given : {&parts.law.gap, &parts.law.previous})
     if (given->size() > 0) scale = std::max(scale, given->cwiseAbs().maxCoeff());
+  const Eigen::VectorXd diagonal = parts.stiffness.diagonal();
+  for (Eigen::Index dof = 0; dof < diagonal.size(); ++dof)
+    if (!parts.prescribed[dof]) scale = std::max(scale, std::abs(parts.load[dof]) / diagonal[dof]);
   return scale;
 }
 

@@ -74,7 +74,7 @@ Eigen::Matrix2Xd against_foundation(const ContactLine& line, const Eigen::Vector
 /// C eps(u) of one triangle.
 Eigen::Vector3d stress_of(const Mesh& mesh, int triangle, const Eigen::Matrix3d& C, const Eigen::VectorXd& u);
 
-/// Largest displacement, given or found: what those that vanish are small against.
+/// Largest displacement, given or found, or by which a load would move its dof alone: what those that vanish are small against.
 double displacement_scale(const Assembled& parts, const Eigen::VectorXd& u);
 
 /// Largest stress of a displacement, and of the loads; not below what rounding of displacements makes of them.

@@ -204,18 +204,19 @@ void check_supports(const Assembled& parts, const ContactSolution& solution, Fin
       finds.push_back(finding("support", "dof ", dof, " is ", solution.displacement[dof], ", not ", parts.value[dof]));
 }
 
-/// Largest part of free dofs in a row of W [u]. Below 1e-6 of the row, as where prescribed vertices all but meet, the row is one
+/// Part of free dofs in a normal row of W [u]. Below 1e-6 of the row, as where prescribed vertices all but meet, the row is one
 /// of prescribed values: a force that acted through it would be larger than all others by as much.
 double free_part(const Assembled& parts, const Dense& W, int node) {
   double part = 0;
-  const auto visit = [&](int vertex, double weight) {
+  const auto visit = [&](int vertex, const Eigen::Vector2d& weight) {
     for (int c = 0; c < 2; ++c)
-      if (!parts.prescribed[2 * vertex + c]) part += std::abs(weight);
+      if (!parts.prescribed[2 * vertex + c]) part += std::abs(weight[c]);
   };
   for (int j = 0; j < W.cols(); ++j) {
-    visit(parts.line.vertex[j], W(node, j));
+    const Eigen::Vector2d weight = W(node, j) * parts.line.normal.col(j);
+    visit(parts.line.vertex[j], weight);
     if (parts.line.opposite.rows() > 0)
-      for (WeightsByNode::InnerIterator w(parts.line.opposite, j); w; ++w) visit(w.col(), W(node, j) * w.value());
+      for (WeightsByNode::InnerIterator w(parts.line.opposite, j); w; ++w) visit(w.col(), w.value() * weight);
   }
   return part / W.row(node).sum();
 }

@@ -12,8 +12,10 @@ namespace ffcontact {
 
 namespace {
 
-/// A free component lowers no node whose normal has less of it than this.
-constexpr double along_the_line = 1e-3;
+/// A free component lowers no node whose normal has less of it than this: it would be rounding of the normal.
+constexpr double along_the_line = 1e-9;
+/// No vertex moves farther than this, against the largest displacement or gap, to lower a node.
+constexpr double farthest = 1e3;
 
 /// Some vertices that move together, and the nodes on them.
 class MovingVertices {
@@ -28,14 +30,15 @@ class MovingVertices {
 
   /// The smallest change of the free components after which no node penetrates [2 x vertices]; nothing if there is none.
   /// @param penetration  u_n - gap of all nodes of the line
-  std::optional<Eigen::Matrix2Xd> lowering(const Eigen::VectorXd& penetration,
-                                           const std::vector<char>& prescribed) const {
+  /// @param largest      change of a component
+  std::optional<Eigen::Matrix2Xd> lowering(const Eigen::VectorXd& penetration, const std::vector<char>& prescribed,
+                                           double largest) const {
     const auto size = 2 * static_cast<Eigen::Index>(vertices_.size());
     const Eigen::VectorXd deep = penetration(nodes_);
     if (deep.maxCoeff() <= 0) return Eigen::Matrix2Xd(Eigen::Matrix2Xd::Zero(2, size / 2));
     const auto change =
         quadratic_minimum(Eigen::MatrixXd::Identity(size, size), Eigen::VectorXd::Zero(size), away(prescribed), deep);
-    if (!change) return std::nullopt;
+    if (!change || change->cwiseAbs().maxCoeff() > largest) return std::nullopt;
     return Eigen::Matrix2Xd(change->reshaped(2, size / 2));
   }
 
@@ -64,6 +67,11 @@ class MovingVertices {
   std::vector<int> nodes_;
 };
 
+double displacement_scale(const ContactLaw& law, const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+  const double largest = displacement.cwiseAbs().maxCoeff();
+  return law.gap.size() > 0 ? std::max(largest, law.gap.cwiseAbs().maxCoeff()) : largest;
+}
+
 }  // namespace
 
 Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
@@ -76,8 +84,9 @@ Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLa
   const auto penetration = [&] {
     return Eigen::VectorXd(displacement_against_foundation(line, law, admissible).row(0));
   };
+  const double scale = displacement_scale(law, displacement);
   const auto lower = [&](const std::vector<int>& vertices, const Eigen::VectorXd& deep) {
-    const auto change = MovingVertices(line, nodes_of_vertex, vertices).lowering(deep, prescribed);
+    const auto change = MovingVertices(line, nodes_of_vertex, vertices).lowering(deep, prescribed, farthest * scale);
     for (std::size_t j = 0; change && j < vertices.size(); ++j)
       admissible.segment<2>(2 * vertices[j]) += change->col(j);
     return change.has_value();
@@ -96,11 +105,9 @@ Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLa
 PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
                                      const Eigen::Ref<const Eigen::VectorXd>& displacement) {
   const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-  double scale = displacement.cwiseAbs().maxCoeff();
-  if (law.gap.size() > 0) scale = std::max(scale, law.gap.cwiseAbs().maxCoeff());
   PenetrationDefect defect;
   const double deepest = w.row(0).maxCoeff(&defect.node);
-  if (deepest > 0) defect.value = deepest / scale;
+  if (deepest > 0) defect.value = deepest / displacement_scale(law, displacement);
   return defect;
 }
 

@@ -11,7 +11,8 @@ namespace ffcontact {
 /// Needed for M'_h only; a displacement that does not penetrate comes back as it is.
 /// At a vertex with two nodes, or with a prescribed component, it is the smallest change that keeps all of them; where the vertex
 /// cannot move so, the vertices that face it on another body move with it. Where there is no such change, as where prescribed
-/// components push a vertex into the foundation, nothing is changed (see penetration_defect).
+/// components push a vertex into the foundation, or only one of 1000 times the largest displacement or gap, nothing is changed (see
+/// penetration_defect).
 /// @param displacement  u_h on all dofs [mm]
 /// @param prescribed    1 where the dof is prescribed and stays; empty for none
 Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,

@@ -28,7 +28,7 @@ constexpr double penetration_tolerance = 1e-12;
 /// A body without loads whose stresses are below this part of their terms C du/dx has none: they are the rounding of u.
 constexpr double rounding = 1e-12;
 
-/// Equilibrium is judged against sigma_hat, and against this part of the terms that the stresses of u_hat are summed from.
+/// Equilibrium is judged against sigma_hat and the stresses of u_hat, and against this part of the terms that these are summed from.
 constexpr double least_part = 1e-4;
 
 void require_valid(const Mesh& mesh, const ContactLine& line, const ElasticSystem& system, const SolvedBody& body,
@@ -437,8 +437,8 @@ void put_estimate(const Origin& origin, const Setting& setting, const EstimateSe
     for (CompositeStress& zero : estimate.stress) zero.setZero();
 
   // 6. What the theory promises, measured.
-  const double least = std::max(largest_value(estimate.stress),
-                                least_part * largest_terms(mesh, edges, line, body, estimate.displacement));
+  const double least = std::max({stress.cwiseAbs().maxCoeff(), largest_value(estimate.stress),
+                                 least_part * largest_terms(mesh, edges, line, body, estimate.displacement)});
   estimate.equilibrium = equilibrium_defect(mesh, edges, estimate.stress, body.body_loads, relaxed, least);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) * share_of_contact(estimate.tractions, stress);
   const PenetrationDefect penetration = penetration_defect(line, body.law, estimate.displacement);
