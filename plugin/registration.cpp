@@ -8,6 +8,7 @@ namespace {
 void register_all() {
   ffcontact::plugin::register_contact_type();
   ffcontact::plugin::register_contact_functions();
+  ffcontact::plugin::register_multiplier_functions();
   ffcontact::plugin::register_estimate_functions();
   ffcontact::plugin::register_sizing_functions();
   ffcontact::plugin::register_gmsh_functions();

@@ -3,12 +3,13 @@
 
 namespace ffcontact::plugin {
 
-void register_contact_type();        ///< contact
-void register_contact_functions();   ///< contactsolve, contactproject, conecorrection
-void register_estimate_functions();  ///< contacterror
-void register_sizing_functions();    ///< optimalsize
-void register_gmsh_functions();      ///< gmshmesh, gmshlabel
-void register_remesh_functions();    ///< contactmeshparts, -angle, -moved, -labelled
-void register_script_functions();    ///< contactstop, wallclock
+void register_contact_type();          ///< contact
+void register_contact_functions();     ///< contactsolve
+void register_multiplier_functions();  ///< contactproject, conecorrection
+void register_estimate_functions();    ///< contacterror
+void register_sizing_functions();      ///< optimalsize
+void register_gmsh_functions();        ///< gmshmesh, gmshlabel
+void register_remesh_functions();      ///< contactmeshparts, -angle, -moved, -labelled
+void register_script_functions();      ///< contactstop, wallclock
 
 }  // namespace ffcontact::plugin

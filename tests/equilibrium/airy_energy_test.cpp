@@ -11,11 +11,6 @@ namespace {
 
 using namespace test;
 
-Eigen::Matrix3d random_compliance(Random& random) {
-  const Eigen::Matrix3d A = random_matrix(3, 3, random);
-  return A * A.transpose() + 0.2 * Eigen::Matrix3d::Identity();
-}
-
 RC_GTEST_PROP(AiryEnergy, expands_the_energy_of_the_composite_stress, (Random random)) {
   const Starred body(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
@@ -24,7 +19,7 @@ RC_GTEST_PROP(AiryEnergy, expands_the_energy_of_the_composite_stress, (Random ra
   add_airy_loads(space, airy, change);
   for (int t = 0; t < body.mesh.triangle_count(); ++t) {
     const TriangleCorners corners = corners_of(body.mesh, t);
-    const Eigen::Matrix3d compliance = random_compliance(random);
+    const Eigen::Matrix3d compliance = random_law(random);
     const Loads loads = balanced_loads(corners, random);
     const auto energy_of = [&](const EdgeLoads& on_edges) {
       return energy(corners, compliance, composite_stress(corners, on_edges, loads.in_body));
@@ -50,7 +45,7 @@ RC_GTEST_PROP(AiryEnergy, is_blind_to_linear_functions, (Random random)) {
     airy[space.of_edge(e)] = linear.tail<2>().dot(edge_normal(body.mesh, body.edges, e));
   for (int t = 0; t < body.mesh.triangle_count(); ++t) {
     const Loads loads = balanced_loads(corners_of(body.mesh, t), random);
-    const AiryEnergy form = airy_energy(space, t, random_compliance(random), loads.on_edges, loads.in_body);
+    const AiryEnergy form = airy_energy(space, t, random_law(random), loads.on_edges, loads.in_body);
     const LocalAiry x = local_airy(space, airy, t), K_x = form.times(x);
     const double size = form.own[0].norm() + form.edge_own.norm();
     RC_ASSERT(std::sqrt(dot(K_x, K_x)) < 1e-10 * size * std::sqrt(dot(x, x)));

@@ -12,11 +12,6 @@ namespace {
 
 using namespace test;
 
-Eigen::Matrix3d random_compliance(Random& random) {
-  const Eigen::Matrix3d A = random_matrix(3, 3, random);
-  return A * A.transpose() + 0.2 * Eigen::Matrix3d::Identity();
-}
-
 double area(const TriangleCorners& x) { return cross(x.col(1) - x.col(0), x.col(2) - x.col(0)) / 2; }
 
 /// Corner c of subtriangle k: vertices k+1, k+2, centroid.
@@ -104,7 +99,7 @@ RC_GTEST_PROP(CompositeStress, unbalanced_loads_give_a_stress_out_of_equilibrium
 RC_GTEST_PROP(CompositeStress, energy_is_its_quadrature, (Random random)) {
   const TriangleCorners x = random_triangle(random);
   const CompositeStress stress = random_matrix(3, 9, random);
-  const Eigen::Matrix3d compliance = random_compliance(random);
+  const Eigen::Matrix3d compliance = random_law(random);
   double sum = 0;  // the middles of the sides integrate quadratic functions exactly
   for (int k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) {

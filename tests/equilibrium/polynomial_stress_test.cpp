@@ -13,11 +13,6 @@ namespace {
 
 using namespace test;
 
-Eigen::Matrix3d random_hooke(Random& random) {
-  const Eigen::Matrix3d A = random_matrix(3, 3, random);
-  return A * A.transpose() + 0.2 * Eigen::Matrix3d::Identity();
-}
-
 /// A displacement of degree 2 whose stress is linear: its edge tractions are linear and its body force is constant.
 struct Quadratic {
   Eigen::Matrix<double, 2, 6> a;  ///< of 1, x, y, x^2, x y, y^2
@@ -47,7 +42,7 @@ struct Quadratic {
 
 RC_GTEST_PROP(PolynomialStress, of_the_loads_of_a_quadratic_displacement_is_its_stress, (Random random)) {
   const TriangleCorners corners = random_triangle(random);
-  const Quadratic exact{random_matrix(2, 6, random), random_hooke(random)};
+  const Quadratic exact{random_matrix(2, 6, random), random_law(random)};
   const Loads loads = exact.loads(corners);
   const PolynomialStress stress = polynomial_stress(corners, exact.hooke, loads.on_edges, loads.in_body);
   for (int trial = 0; trial < 5; ++trial) {
@@ -59,7 +54,7 @@ RC_GTEST_PROP(PolynomialStress, of_the_loads_of_a_quadratic_displacement_is_its_
 /// The composite stress fulfils what the polynomial one fulfils in the mean, and C eps(w) has the least energy among these.
 RC_GTEST_PROP(PolynomialStress, has_less_energy_than_the_composite_stress, (Random random)) {
   const TriangleCorners corners = random_triangle(random);
-  const Eigen::Matrix3d hooke = random_hooke(random);
+  const Eigen::Matrix3d hooke = random_law(random);
   Loads loads = balanced_loads(corners, random);
   loads.in_body.setZero();
   const Eigen::Matrix<double, 3, 12> balance = balance_conditions(corners).leftCols<12>();
@@ -72,7 +67,7 @@ RC_GTEST_PROP(PolynomialStress, has_less_energy_than_the_composite_stress, (Rand
 
 RC_GTEST_PROP(PolynomialStress, energy_with_a_constant_is_that_of_the_sum, (Random random)) {
   const TriangleCorners corners = random_triangle(random);
-  const Quadratic exact{random_matrix(2, 6, random), random_hooke(random)};
+  const Quadratic exact{random_matrix(2, 6, random), random_law(random)};
   const Loads loads = exact.loads(corners);
   const Eigen::Vector3d constant = random_vector(3, random);
   const PolynomialStress stress = polynomial_stress(corners, exact.hooke, loads.on_edges, loads.in_body);

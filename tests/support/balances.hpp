@@ -7,8 +7,14 @@
 #include "ffcontact/mesh/mesh.hpp"
 #include "support/random.hpp"
 
-/// Equilibrium of one triangle in force and moment.
+/// Equilibrium of one triangle in force and moment, and random elastic laws.
 namespace ffcontact::test {
+
+/// An elastic law, or the inverse of one: symmetric and positive definite, coupling all components.
+inline Eigen::Matrix3d random_law(Random& random) {
+  const Eigen::Matrix3d A = random_matrix(3, 3, random);
+  return A * A.transpose() + 0.2 * Eigen::Matrix3d::Identity();
+}
 
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
