@@ -188,7 +188,6 @@ void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
   contact.opposite_of_v = R * contact.opposite_stiffness->solve_columns(-(R * terms.V));
   contact.S += terms.V.transpose() * contact.opposite_of_v;
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
-  if (terms.E.cols() == 0) return;  // Eigen's solve reads the first of no columns
   contact.opposite_of_q = R * contact.opposite_stiffness->solve_columns(R * terms.E);
   contact.E += contact.opposite_of_v.transpose() * terms.E;
   contact.F = terms.E.transpose() * contact.opposite_of_q;
