@@ -29,7 +29,9 @@ const char* kept(const std::string& name) {
 }  // namespace
 
 NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
-    : table_(std::move(table)), values_(table_.size(), nullptr), list_kind_(table_.size(), 'a') {
+    : table_(std::move(table)),
+      values_(table_.size(), nullptr),
+      list_kind_(table_.size(), 'a') {
   Table adapted = table_;
   for (std::size_t k = 0; k < adapted.size(); ++k) {
     if (*adapted[k].type != typeid(KN_<long>)) continue;
@@ -43,12 +45,14 @@ NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
       adapted[k].type = &typeid(long);
     }
   }
-  arguments.SetNameParam(static_cast<int>(adapted.size()), adapted.data(), values_.data());
+  arguments.SetNameParam(static_cast<int>(adapted.size()), adapted.data(),
+                         values_.data());
   for (std::size_t k = 0; k < table_.size(); ++k) {
     components_.emplace_back();
     if (!values_[k] || *table_[k].type != typeid(E_Array)) continue;
     const auto* list = dynamic_cast<const E_Array*>(values_[k]);
-    for (int i = 0; list && i < list->size(); ++i) components_.back().push_back(CastTo<double>((*list)[i]));
+    for (int i = 0; list && i < list->size(); ++i)
+      components_.back().push_back(CastTo<double>((*list)[i]));
   }
 }
 
@@ -66,18 +70,21 @@ Expression NamedArguments::expression(const std::string& name) const {
 Expression NamedArguments::component(const std::string& name, int k, int size) const {
   if (!given(name)) return nullptr;
   const std::vector<Expression>& components = components_[place(name)];
-  if (static_cast<int>(components.size()) != size) refuse(name, " must be a list of ", size, " expressions");
+  if (static_cast<int>(components.size()) != size)
+    refuse(name, " must be a list of ", size, " expressions");
   return components[k];
 }
 
 std::vector<int> NamedArguments::numbers_after(const char* name) const {
   std::vector<int> numbers;
   for (std::size_t k = 0; k < table_.size(); ++k)
-    if (values_[k] && number_after(name, table_[k].name) >= 0) numbers.push_back(number_after(name, table_[k].name));
+    if (values_[k] && number_after(name, table_[k].name) >= 0)
+      numbers.push_back(number_after(name, table_[k].name));
   return numbers;
 }
 
-double NamedArguments::number(Stack stack, const std::string& name, double otherwise) const {
+double NamedArguments::number(Stack stack, const std::string& name,
+                              double otherwise) const {
   const Expression value = expression(name);
   return value ? GetAny<double>((*value)(stack)) : otherwise;
 }
@@ -87,7 +94,8 @@ long NamedArguments::integer(Stack stack, const std::string& name, long otherwis
   return value ? GetAny<long>((*value)(stack)) : otherwise;
 }
 
-std::string NamedArguments::text(Stack stack, const std::string& name, const char* otherwise) const {
+std::string NamedArguments::text(Stack stack, const std::string& name,
+                                 const char* otherwise) const {
   const Expression value = expression(name);
   return value ? *GetAny<string*>((*value)(stack)) : otherwise;
 }
@@ -107,7 +115,8 @@ std::vector<int> NamedArguments::integers(Stack stack, const std::string& name) 
   } else if (list_kind_[k] == 'l') {
     const auto* list = dynamic_cast<const E_Array*>(value);
     for (int i = 0; i < list->size(); ++i)
-      result.push_back(static_cast<int>(GetAny<long>((*CastTo<long>((*list)[i]))(stack))));
+      result.push_back(
+          static_cast<int>(GetAny<long>((*CastTo<long>((*list)[i]))(stack))));
   } else {
     const KN_<long> array = GetAny<KN_<long>>((*value)(stack));
     for (int i = 0; i < array.N(); ++i) result.push_back(static_cast<int>(array[i]));
@@ -115,7 +124,8 @@ std::vector<int> NamedArguments::integers(Stack stack, const std::string& name) 
   return result;
 }
 
-void NamedArguments::put(Stack stack, const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& values) const {
+void NamedArguments::put(Stack stack, const std::string& name,
+                         const Ref<const VectorXd>& values) const {
   const Expression target = expression(name);
   if (!target) return;
   KN<double>* array = GetAny<KN<double>*>((*target)(stack));
@@ -123,7 +133,8 @@ void NamedArguments::put(Stack stack, const std::string& name, const Eigen::Ref<
   for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
 }
 
-void NamedArguments::put_integers(Stack stack, const std::string& name, const std::vector<long>& values) const {
+void NamedArguments::put_integers(Stack stack, const std::string& name,
+                                  const std::vector<long>& values) const {
   const Expression target = expression(name);
   if (!target) return;
   KN<long>* array = GetAny<KN<long>*>((*target)(stack));
@@ -132,22 +143,26 @@ void NamedArguments::put_integers(Stack stack, const std::string& name, const st
 }
 
 void NamedArguments::put(Stack stack, const std::string& name, double value) const {
-  if (const Expression target = expression(name)) *GetAny<double*>((*target)(stack)) = value;
+  if (const Expression target = expression(name))
+    *GetAny<double*>((*target)(stack)) = value;
 }
 
 void NamedArguments::put(Stack stack, const std::string& name, long value) const {
-  if (const Expression target = expression(name)) *GetAny<long*>((*target)(stack)) = value;
+  if (const Expression target = expression(name))
+    *GetAny<long*>((*target)(stack)) = value;
 }
 
 void NamedArguments::put(Stack stack, const std::string& name, bool value) const {
-  if (const Expression target = expression(name)) *GetAny<bool*>((*target)(stack)) = value;
+  if (const Expression target = expression(name))
+    *GetAny<bool*>((*target)(stack)) = value;
 }
 
 std::string name_of_body(const char* name, int body, int bodies) {
   return bodies == 1 ? name : name + std::to_string(body + 1);
 }
 
-NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, const basicAC_F0& arguments) {
+NamedArguments::Table for_bodies(const NamedArguments::Table& parameters,
+                                 const basicAC_F0& arguments) {
   NamedArguments::Table table;
   for (const auto& parameter : parameters) {
     int largest = 2;
@@ -155,16 +170,19 @@ NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, const 
       for (const auto& given : *arguments.named_parameter)
         largest = std::max(largest, number_after(parameter.name, given.first));
     table.push_back(parameter);
-    for (int k = 0; k < largest; ++k) table.push_back({kept(name_of_body(parameter.name, k, 2)), parameter.type});
+    for (int k = 0; k < largest; ++k)
+      table.push_back({kept(name_of_body(parameter.name, k, 2)), parameter.type});
   }
   return table;
 }
 
-void require_names_of_bodies(const NamedArguments& named, const NamedArguments::Table& parameters, int bodies) {
+void require_names_of_bodies(const NamedArguments& named,
+                             const NamedArguments::Table& parameters, int bodies) {
   for (const auto& parameter : parameters) {
     const std::string own = parameter.name;
     if (bodies > 1 && named.given(own))
-      refuse(own, "= is given, but the contact has ", bodies, " bodies: give ", own, "1=, ", own, "2=, ...");
+      refuse(own, "= is given, but the contact has ", bodies, " bodies: give ", own,
+             "1=, ", own, "2=, ...");
     for (int number : named.numbers_after(parameter.name))
       if (bodies == 1)
         refuse(own, number, "= is given, but the contact has one body: give ", own, "=");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "freefem.hpp"
 
 namespace ffcontact::plugin {
@@ -19,14 +19,16 @@ T value_of(Stack stack, Expression expression) {
 template <class T>
 std::vector<T> values_of(Stack stack, const std::vector<Expression>& expressions) {
   std::vector<T> values;
-  for (Expression expression : expressions) values.push_back(value_of<T>(stack, expression));
+  for (Expression expression : expressions)
+    values.push_back(value_of<T>(stack, expression));
   return values;
 }
 
 /// The named parameters of one call of a script function, decoded by name.
 ///
-/// A table names the parameters and their FreeFEM types. A parameter of type KN_<long> also takes one integer or a literal list
-/// [1, 2]. Expressions are kept unevaluated, so that they can be taken at points of the mesh.
+/// A table names the parameters and their FreeFEM types. A parameter of type KN_<long>
+/// also takes one integer or a literal list [1, 2]. Expressions are kept unevaluated, so
+/// that they can be taken at points of the mesh.
 class NamedArguments {
  public:
   using Table = std::vector<basicAC_F0::name_and_type>;
@@ -49,11 +51,15 @@ class NamedArguments {
   std::string text(Stack stack, const std::string& name, const char* otherwise) const;
   std::vector<int> integers(Stack stack, const std::string& name) const;
   bool flag(Stack stack, const std::string& name) const;
-  long verbosity_level(Stack stack) const { return integer(stack, "verbosity", verbosity); }
+  long verbosity_level(Stack stack) const {
+    return integer(stack, "verbosity", verbosity);
+  }
 
-  /// Outputs: written where the script asked for them, otherwise dropped. Arrays are resized.
-  void put(Stack stack, const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& values) const;
-  void put_integers(Stack stack, const std::string& name, const std::vector<long>& values) const;
+  /// Outputs: written where the script asked for them, otherwise dropped. Arrays are
+  /// resized.
+  void put(Stack stack, const std::string& name, const Ref<const VectorXd>& values) const;
+  void put_integers(Stack stack, const std::string& name,
+                    const std::vector<long>& values) const;
   void put(Stack stack, const std::string& name, double value) const;
   void put(Stack stack, const std::string& name, long value) const;
   void put(Stack stack, const std::string& name, bool value) const;
@@ -65,17 +71,22 @@ class NamedArguments {
   Table table_;
   std::vector<Expression> values_;
   std::vector<std::vector<Expression>> components_;  ///< of literal lists of expressions
-  std::vector<char> list_kind_;  ///< 'a' array, 'l' literal list, 'i' one integer, for parameters of type KN_<long>
+  /// 'a' array, 'l' literal list, 'i' one integer, for parameters of type KN_<long>
+  std::vector<char> list_kind_;
 };
 
-/// The name of a parameter that each body has: itself where there is one body, otherwise followed by the body's number from 1.
+/// The name of a parameter that each body has: itself where there is one body, otherwise
+/// followed by the body's number from 1.
 std::string name_of_body(const char* name, int body, int bodies);
 
-/// Rows for parameters that each body has, for one body and for as many as the call names: the number of bodies is not known yet
-/// when the script is parsed.
-NamedArguments::Table for_bodies(const NamedArguments::Table& parameters, const basicAC_F0& arguments);
+/// Rows for parameters that each body has, for one body and for as many as the call
+/// names: the number of bodies is not known yet when the script is parsed.
+NamedArguments::Table for_bodies(const NamedArguments::Table& parameters,
+                                 const basicAC_F0& arguments);
 
-/// @throws std::invalid_argument  if such a parameter is given without its number, or with the number of no body
-void require_names_of_bodies(const NamedArguments& named, const NamedArguments::Table& parameters, int bodies);
+/// @throws std::invalid_argument  if such a parameter is given without its number, or
+///                                with the number of no body
+void require_names_of_bodies(const NamedArguments& named,
+                             const NamedArguments::Table& parameters, int bodies);
 
 }  // namespace ffcontact::plugin

@@ -28,14 +28,17 @@ struct Counts {
 Counts counted(const std::vector<ContactState>& states) {
   Counts counts;
   for (ContactState state : states)
-    ++(state == ContactState::open ? counts.open : state == ContactState::stick ? counts.stick : counts.slip);
+    ++(state == ContactState::open    ? counts.open
+       : state == ContactState::stick ? counts.stick
+                                      : counts.slip);
   return counts;
 }
 
 /// 0 open, 1 stick, 2 slip along t, -2 slip against t.
 std::vector<long> state_numbers(const std::vector<ContactState>& states) {
   std::vector<long> numbers;
-  for (ContactState state : states) numbers.push_back(state == ContactState::stick ? 1 : 2 * slip_sign(state));
+  for (ContactState state : states)
+    numbers.push_back(state == ContactState::stick ? 1 : 2 * slip_sign(state));
   return numbers;
 }
 
@@ -45,7 +48,9 @@ ContactState state_of_number(long number) {
     case 1: return ContactState::stick;
     case 2: return ContactState::slip_forward;
     case -2: return ContactState::slip_backward;
-    default: refuse("an initial state must be 0 (open), 1 (stick), 2 or -2 (slip), got ", number);
+    default:
+      refuse("an initial state must be 0 (open), 1 (stick), 2 or -2 (slip), got ",
+             number);
   }
 }
 
@@ -53,43 +58,56 @@ ContactState state_of_number(long number) {
 const char* remedy(ContactStatus status) {
   switch (status) {
     case ContactStatus::not_converged: return "; raise maxit=";
-    case ContactStatus::cycled: return "; lower friction=, or bring the load in steps with loadstep=true";
-    case ContactStatus::singular: return "; prescribe displacements or give friction= that hold the body";
+    case ContactStatus::cycled:
+      return "; lower friction=, or bring the load in steps with loadstep=true";
+    case ContactStatus::singular:
+      return "; prescribe displacements or give friction= that hold the body";
     default: return "; raise tol= if this is accurate enough";
   }
 }
 
 /// Does no free dof of the node's vertex move it along its normal?
-bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system, int node) {
+bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system,
+                          int node) {
   constexpr double tangential = 1e-3;
   for (int c = 0; c < 2; ++c)
-    if (!system.prescribed[2 * line.vertex[node] + c] && std::abs(line.normal(c, node)) > tangential) return false;
+    if (!system.prescribed[2 * line.vertex[node] + c] &&
+        std::abs(line.normal(c, node)) > tangential)
+      return false;
   return true;
 }
 
 int number_in_its_mesh(const JoinedMesh& joined, int vertex) {
-  return vertex - *std::prev(std::upper_bound(joined.first_vertex.begin(), joined.first_vertex.end() - 1, vertex));
+  return vertex - *std::prev(std::upper_bound(joined.first_vertex.begin(),
+                                              joined.first_vertex.end() - 1, vertex));
 }
 
-/// Part of a sentence that names the vertices of the line whose normal dof is prescribed, the first ones of many.
+/// Part of a sentence that names the vertices of the line whose normal dof is prescribed,
+/// the first ones of many.
 std::string held_vertices(const ContactProblem& problem, const ElasticSystem& system) {
   constexpr int most = 8;
   std::ostringstream names;
   int count = 0;
   for (int i = 0; i < problem.line.node_count(); ++i)
     if (is_held_along_normal(problem.line, system, i) && ++count <= most)
-      names << (count > 1 ? ", " : "") << number_in_its_mesh(problem.joined, problem.line.vertex[i]);
+      names << (count > 1 ? ", " : "")
+            << number_in_its_mesh(problem.joined, problem.line.vertex[i]);
   if (count == 0) return "";
-  return "; on() prescribes the normal displacement on the contact line at vertex " + names.str() +
-         (count > most ? ", ..." : "") + ": leave it free there, or take these edges out of label=";
+  return "; on() prescribes the normal displacement on the contact line at vertex " +
+         names.str() + (count > most ? ", ..." : "") +
+         ": leave it free there, or take these edges out of label=";
 }
 
-/// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over lengths.
-NodalResults nodal_results(const ContactLine& line, const ContactLaw& law, const std::vector<char>& prescribed,
+/// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
+/// lengths.
+NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
+                           const std::vector<char>& prescribed,
                            const ContactSolution& solution) {
-  const Eigen::Matrix2Xd pressure =
-      law.multiplier == Multiplier::pressure ? solution.pressure : lumped_pressures(line, prescribed, solution.force);
-  const Eigen::Matrix2Xd moved = displacement_against_foundation(line, law, solution.displacement);
+  const Matrix2Xd pressure = law.multiplier == Multiplier::pressure
+                                 ? solution.pressure
+                                 : lumped_pressures(line, prescribed, solution.force);
+  const Matrix2Xd moved =
+      displacement_against_foundation(line, law, solution.displacement);
   NodalResults results;
   results.pn = pressure.row(0);
   results.pt = pressure.row(1);
@@ -103,41 +121,53 @@ NodalResults nodal_results(const ContactLine& line, const ContactLaw& law, const
 
 bool is_same(const ElasticSystem& a, const ElasticSystem& b) {
   const RowMatrix &A = a.stiffness, &B = b.stiffness;
-  if (A.rows() != B.rows() || A.nonZeros() != B.nonZeros() || a.prescribed != b.prescribed) return false;
+  if (A.rows() != B.rows() || A.nonZeros() != B.nonZeros() ||
+      a.prescribed != b.prescribed)
+    return false;
   return std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr()) &&
-         std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr()) &&
-         std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1, B.outerIndexPtr());
+         std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(),
+                    B.innerIndexPtr()) &&
+         std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1,
+                    B.outerIndexPtr());
 }
 
-/// Are b and u exchanged? Loads on the boundary alone are 0 inside, displacements are not.
-void require_order(const Mesh& mesh, const Eigen::VectorXd& load, const Eigen::VectorXd& displacement) {
+/// Are b and u exchanged? Loads on the boundary alone are 0 inside, displacements are
+/// not.
+void require_order(const Mesh& mesh, const VectorXd& load, const VectorXd& displacement) {
   if (!load.isZero(0) || displacement.isZero(0)) return;
   std::vector<char> inside(mesh.vertices.cols(), 1);
   for (int v : mesh.boundary.reshaped()) inside[v] = 0;
   bool any_inside = false;
   for (std::size_t v = 0; v < inside.size(); ++v) {
     any_inside = any_inside || inside[v];
-    if (inside[v] && !displacement.segment<2>(2 * static_cast<Eigen::Index>(v)).isZero(0)) return;
+    if (inside[v] && !displacement.segment<2>(2 * static_cast<Index>(v)).isZero(0))
+      return;
   }
   if (any_inside)
-    refuse("b is 0 and u is 0 inside the body, but not on its boundary: they are exchanged, give A, b, u");
+    refuse(
+        "b is 0 and u is 0 inside the body, but not on its boundary: they are exchanged, "
+        "give A, b, u");
 }
 
-/// iterations = contactsolve(C, A, b, u, ...), with matrix, load and displacement of each body.
+/// iterations = contactsolve(C, A, b, u, ...), with matrix, load and displacement of each
+/// body.
 class ContactSolve : public E_F0mps {
  public:
   using Result = long;
 
   explicit ContactSolve(const basicAC_F0& arguments)
       : named_(arguments,
-               {{"multiplier", &typeid(string*)},  {"solver", &typeid(string*)},    {"maxit", &typeid(long)},
-                {"tol", &typeid(double)},          {"initial", &typeid(KN_<long>)}, {"loadstep", &typeid(bool)},
-                {"verbosity", &typeid(long)},      {"pn", &typeid(KN<double>*)},    {"pt", &typeid(KN<double>*)},
-                {"fn", &typeid(KN<double>*)},      {"ft", &typeid(KN<double>*)},    {"gap", &typeid(KN<double>*)},
-                {"slip", &typeid(KN<double>*)},    {"node", &typeid(KN<long>*)},    {"abscissa", &typeid(KN<double>*)},
-                {"state", &typeid(KN<long>*)},     {"violation", &typeid(double*)}, {"status", &typeid(long*)},
-                {"history", &typeid(KN<double>*)}, {"opennodes", &typeid(long*)},   {"sticknodes", &typeid(long*)},
-                {"slipnodes", &typeid(long*)}}),
+               {{"multiplier", &typeid(string*)},   {"solver", &typeid(string*)},
+                {"maxit", &typeid(long)},           {"tol", &typeid(double)},
+                {"initial", &typeid(KN_<long>)},    {"loadstep", &typeid(bool)},
+                {"verbosity", &typeid(long)},       {"pn", &typeid(KN<double>*)},
+                {"pt", &typeid(KN<double>*)},       {"fn", &typeid(KN<double>*)},
+                {"ft", &typeid(KN<double>*)},       {"gap", &typeid(KN<double>*)},
+                {"slip", &typeid(KN<double>*)},     {"node", &typeid(KN<long>*)},
+                {"abscissa", &typeid(KN<double>*)}, {"state", &typeid(KN<long>*)},
+                {"violation", &typeid(double*)},    {"status", &typeid(long*)},
+                {"history", &typeid(KN<double>*)},  {"opennodes", &typeid(long*)},
+                {"sticknodes", &typeid(long*)},     {"slipnodes", &typeid(long*)}}),
         contact_(to<ContactVariable*>(arguments[0])) {
     if (arguments.size() < 4 || arguments.size() % 3 != 1)
       CompileError("contactsolve: after the contact come A, b and u of each body");
@@ -166,18 +196,23 @@ class ContactSolve : public E_F0mps {
     SolvedContact solved;
     solved.system = std::make_shared<const ElasticSystem>(system_of(stack, problem, u));
     const ElasticSystem& system = *solved.system;
-    if (!contact.solved) problem.choose_sides(system);  // and stays: what a solution left belongs to its line
+    // and stays: what a solution left belongs to its line
+    if (!contact.solved) problem.choose_sides(system);
     solved.law = law_of(stack, contact);
     const ContactSettings settings = settings_of(stack, contact, system);
-    solved.solution = solve_contact(problem.mesh, problem.line, solved.law, system, settings);
+    solved.solution =
+        solve_contact(problem.mesh, problem.line, solved.law, system, settings);
     const ContactSolution& solution = solved.solution;
     if (!solution.accepted(settings) && !named_.given("status"))
-      refuse("no solution after ", solution.iterations, " iterations (", in_words(solution.status),
-             "), largest violation ", solution.complementarity, ", residual ", solution.residual,
-             remedy(solution.status), "; status= returns the best iterate instead", held_vertices(problem, system));
+      refuse("no solution after ", solution.iterations, " iterations (",
+             in_words(solution.status), "), largest violation ", solution.complementarity,
+             ", residual ", solution.residual, remedy(solution.status),
+             "; status= returns the best iterate instead",
+             held_vertices(problem, system));
 
     for (int k = 0; k < problem.body_count(); ++k)
-      vector_of(u[k]) = solution.displacement.segment(problem.first_dof(k), problem.dof_count(k));
+      vector_of(u[k]) =
+          solution.displacement.segment(problem.first_dof(k), problem.dof_count(k));
     solved.nodes = nodal_results(problem.line, solved.law, system.prescribed, solution);
     put(stack, problem, solved);
     report(stack, problem, solution, CPUtime() - start);
@@ -187,12 +222,13 @@ class ContactSolve : public E_F0mps {
     return contact.solved->solution.iterations;
   }
 
-  ElasticSystem system_of(Stack stack, const ContactProblem& problem, const std::vector<KN<double>*>& u) const {
+  ElasticSystem system_of(Stack stack, const ContactProblem& problem,
+                          const std::vector<KN<double>*>& u) const {
     std::vector<ElasticSystem> systems;
-    Eigen::VectorXd load(problem.first_dof(problem.body_count())), displacement(load.size());
+    VectorXd load(problem.first_dof(problem.body_count())), displacement(load.size());
     for (int k = 0; k < problem.body_count(); ++k) {
       const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
-      const Eigen::VectorXd b = vector_of(value_of<KN<double>*>(stack, load_[k]));
+      const VectorXd b = vector_of(value_of<KN<double>*>(stack, load_[k]));
       problem.require_dofs("A", k, A.rows());
       problem.require_dofs("b", k, b.size());
       problem.require_dofs("u", k, u[k]->N());
@@ -209,29 +245,39 @@ class ContactSolve : public E_F0mps {
     law.multiplier = multiplier_of(stack, named_);
     if (!named_.flag(stack, "loadstep")) return law;
     if (contact.solved)
-      law.previous = contact_components(contact.problem->line, contact.solved->solution.displacement).row(1);
+      law.previous =
+          contact_components(contact.problem->line, contact.solved->solution.displacement)
+              .row(1);
     else if (!contact.last_states.empty() && law.previous.size() == 0)
-      refuse("loadstep=true, but the contact was stated anew since its last solution: state it with previous=");
+      refuse(
+          "loadstep=true, but the contact was stated anew since its last solution: state "
+          "it with previous=");
     return law;
   }
 
-  ContactSettings settings_of(Stack stack, const Contact& contact, const ElasticSystem& system) const {
+  ContactSettings settings_of(Stack stack, const Contact& contact,
+                              const ElasticSystem& system) const {
     ContactSettings settings;
     settings.solver = solver_named(named_.text(stack, "solver", "newton"));
-    settings.max_iterations = static_cast<int>(named_.integer(stack, "maxit", settings.max_iterations));
+    settings.max_iterations =
+        static_cast<int>(named_.integer(stack, "maxit", settings.max_iterations));
     settings.tolerance = named_.number(stack, "tol", settings.tolerance);
-    if (!(settings.tolerance > 0)) refuse("tol must be positive, got ", settings.tolerance);
+    if (!(settings.tolerance > 0))
+      refuse("tol must be positive, got ", settings.tolerance);
     ContactLine stated = contact.problem->line;
     stated.abscissa = contact.problem->abscissa;
-    settings.initial_state = states_at(stated, contact.last_abscissa, contact.last_states);
+    settings.initial_state =
+        states_at(stated, contact.last_abscissa, contact.last_states);
     if (named_.given("initial")) settings.initial_state.clear();
-    for (long number : named_.integers(stack, "initial")) settings.initial_state.push_back(state_of_number(number));
+    for (long number : named_.integers(stack, "initial"))
+      settings.initial_state.push_back(state_of_number(number));
     if (contact.solved && is_same(*contact.solved->system, system))
       settings.stiffness = contact.solved->solution.stiffness;
     return settings;
   }
 
-  void put(Stack stack, const ContactProblem& problem, const SolvedContact& solved) const {
+  void put(Stack stack, const ContactProblem& problem,
+           const SolvedContact& solved) const {
     const ContactSolution& solution = solved.solution;
     const NodalResults& nodes = solved.nodes;
     const Counts counts = counted(solution.state);
@@ -246,31 +292,38 @@ class ContactSolve : public E_F0mps {
     named_.put_integers(stack, "state", nodes.state);
     named_.put(stack, "violation", solution.complementarity);
     named_.put(stack, "status", static_cast<long>(solution.status));
-    named_.put(stack, "history", Eigen::Map<const Eigen::VectorXd>(solution.history.data(), solution.history.size()));
+    named_.put(stack, "history",
+               Map<const VectorXd>(solution.history.data(), solution.history.size()));
     named_.put(stack, "opennodes", counts.open);
     named_.put(stack, "sticknodes", counts.stick);
     named_.put(stack, "slipnodes", counts.slip);
   }
 
-  void report(Stack stack, const ContactProblem& problem, const ContactSolution& solution, double seconds) const {
+  void report(Stack stack, const ContactProblem& problem, const ContactSolution& solution,
+              double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
     const Counts counts = counted(solution.state);
-    cout << "contactsolve: " << 2 * problem.mesh.vertex_count() << " dofs, " << problem.line.node_count()
-         << " contact nodes" << sides(problem) << ", " << solution.iterations << " iterations, " << counts.open
-         << " open, " << counts.stick << " stick, " << counts.slip << " slip, " << in_words(solution.status) << ", "
-         << seconds << " s" << endl;
+    cout << "contactsolve: " << 2 * problem.mesh.vertex_count() << " dofs, "
+         << problem.line.node_count() << " contact nodes" << sides(problem) << ", "
+         << solution.iterations << " iterations, " << counts.open << " open, "
+         << counts.stick << " stick, " << counts.slip << " slip, "
+         << in_words(solution.status) << ", " << seconds << " s" << endl;
     if (level > 1 && !solution.history.empty())
       cout << "contactsolve: " << solution.history.size()
-           << " steps of the fixed point, last change of the normal multipliers " << solution.history.back() << endl;
+           << " steps of the fixed point, last change of the normal multipliers "
+           << solution.history.back() << endl;
     if (level > 1)
-      cout << "contactsolve: violation " << solution.complementarity << ", residual " << solution.residual << endl;
+      cout << "contactsolve: violation " << solution.complementarity << ", residual "
+           << solution.residual << endl;
   }
 
-  /// Part of a sentence that says which side of each pair of bodies carries the multipliers.
+  /// Part of a sentence that says which side of each pair of bodies carries the
+  /// multipliers.
   static std::string sides(const ContactProblem& problem) {
     std::ostringstream text;
-    for (std::size_t k = 0; k < problem.side.size(); ++k) text << (k > 0 ? ", " : " on side ") << problem.side[k];
+    for (std::size_t k = 0; k < problem.side.size(); ++k)
+      text << (k > 0 ? ", " : " on side ") << problem.side[k];
     return text.str();
   }
 
@@ -281,6 +334,8 @@ class ContactSolve : public E_F0mps {
 
 }  // namespace
 
-void register_contact_functions() { Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve>()); }
+void register_contact_functions() {
+  Global.Add("contactsolve", "(", new OneOperatorCode<ContactSolve>());
+}
 
 }  // namespace ffcontact::plugin

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
 #include "views.hpp"
@@ -13,7 +14,8 @@ namespace ffcontact::plugin {
 /// @throws std::invalid_argument  if it is neither "force" nor "pressure"
 Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 
-/// A FreeFEM mesh that stays as long as this does, also when the script changes its variable.
+/// A FreeFEM mesh that stays as long as this does, also when the script changes its
+/// variable.
 class HeldMesh {
  public:
   explicit HeldMesh(pmesh mesh) : mesh_(mesh) { mesh_->increment(); }
@@ -26,17 +28,22 @@ class HeldMesh {
   pmesh mesh_;
 };
 
-/// A contact problem as a script states it: one mesh or several, and label=, friction=, slipbound=, gap=, normal=[nx, ny] (one
-/// contact direction a vertex in place of the edges' normals), previous= (displacement of the load step before; an empty array is
-/// none), side= (1 or 2: which body of a pair carries the multipliers). All is evaluated when it is stated.
+/// A contact problem as a script states it: one mesh or several, and label=, friction=,
+/// slipbound=, gap=, normal=[nx, ny] (one contact direction a vertex in place of the
+/// edges' normals), previous= (displacement of the load step before; an empty array is
+/// none), side= (1 or 2: which body of a pair carries the multipliers). All is evaluated
+/// when it is stated.
 ///
-/// One mesh: label= faces a rigid foundation, or the labels opposite= of the same mesh, which then is of bodies that share no
-/// vertex. Several meshes: body k faces body k + 1, with label1=, label2=, ... in place of label=; bodies between two others have
-/// two labels, the first faces the body before, the second the one after. Coefficients are those of the body that comes first.
-/// Without gap= the gap against a body is that of the meshes.
+/// One mesh: label= faces a rigid foundation, or the labels opposite= of the same mesh,
+/// which then is of bodies that share no vertex. Several meshes: body k faces body k + 1,
+/// with label1=, label2=, ... in place of label=; bodies between two others have two
+/// labels, the first faces the body before, the second the one after. Coefficients are
+/// those of the body that comes first. Without gap= the gap against a body is that of the
+/// meshes.
 ///
-/// The multipliers are on the line of the body that comes first (side 1), or, where the other's line can carry them and yields much
-/// more (compliance_ratio), on that (side 2). Both are prepared; it is side 1 until choose_sides knows the matrices.
+/// The multipliers are on the line of the body that comes first (side 1), or, where the
+/// other's line can carry them and yields much more (compliance_ratio), on that (side 2).
+/// Both are prepared; it is side 1 until choose_sides knows the matrices.
 struct ContactProblem {
   JoinedMesh joined;
   const Mesh& mesh = joined.mesh;
@@ -45,42 +52,51 @@ struct ContactProblem {
   ContactLine line;
   ContactLaw law;  ///< multiplier left at its default
   std::vector<long>
-      own_vertex;            ///< of each node, or nearest to what it faces, in the mesh of the body that comes first
-  Eigen::VectorXd abscissa;  ///< of each node, or of what it faces, on the line of the body that comes first [mm]
-  Eigen::Matrix2Xd edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
-  std::vector<long> side;          ///< that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
+      /// of each node, or nearest to what it faces, in the mesh of the body that comes
+      /// first
+      own_vertex;
+  /// of each node, or of what it faces, on the line of the body that comes first [mm]
+  VectorXd abscissa;
+  Matrix2Xd edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
+  /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
+  std::vector<long> side;
 
   static NamedArguments::Table table(const basicAC_F0& arguments);
 
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
-  ContactProblem(Stack stack, const NamedArguments& named, const std::vector<pmesh>& meshes);
+  ContactProblem(Stack stack, const NamedArguments& named,
+                 const std::vector<pmesh>& meshes);
   ContactProblem(const ContactProblem&) = delete;
   ContactProblem& operator=(const ContactProblem&) = delete;
 
-  /// Moves the multipliers of each pair whose side is not stated to the side that is to carry them.
+  /// Moves the multipliers of each pair whose side is not stated to the side that is to
+  /// carry them.
   void choose_sides(const ElasticSystem& system);
 
   int body_count() const { return joined.body_count(); }
-  Eigen::Index first_dof(int body) const { return 2 * joined.first_vertex[body]; }
-  Eigen::Index dof_count(int body) const { return first_dof(body + 1) - first_dof(body); }
+  Index first_dof(int body) const { return 2 * joined.first_vertex[body]; }
+  Index dof_count(int body) const { return first_dof(body + 1) - first_dof(body); }
 
-  /// @throws std::invalid_argument  if `count` is not the number of dofs of [P1, P1] on the mesh of a body
-  void require_dofs(const char* name, int body, Eigen::Index count) const;
+  /// @throws std::invalid_argument  if `count` is not the number of dofs of [P1, P1] on
+  ///                                the mesh of a body
+  void require_dofs(const char* name, int body, Index count) const;
 
-  /// @throws std::invalid_argument  if what a function takes of each body is not given for all of them
+  /// @throws std::invalid_argument  if what a function takes of each body is not given
+  ///                                for all of them
   void require_bodies(const char* names, std::size_t count) const;
 
   /// Nodal pressures from the script's pn and pt [2 x p].
-  Eigen::Matrix2Xd pressures(KN<double>* normal, KN<double>* tangential) const;
+  Matrix2Xd pressures(KN<double>* normal, KN<double>* tangential) const;
 
  private:
-  /// The line of one pair of bodies that carries the multipliers, with what belongs to its nodes and edges.
+  /// The line of one pair of bodies that carries the multipliers, with what belongs to
+  /// its nodes and edges.
   struct Carrier {
     ContactLine line;
     ContactLaw law;
     std::vector<long> own_vertex;
-    Eigen::VectorXd abscissa;
-    Eigen::Matrix2Xd edge_abscissa;
+    VectorXd abscissa;
+    Matrix2Xd edge_abscissa;
   };
   struct Pair {
     bool rigid;
@@ -89,17 +105,18 @@ struct ContactProblem {
     std::optional<Carrier> other;
   };
 
-  void add_pair(Stack stack, const NamedArguments& named, int body, const std::vector<int>& labels, int opposite_body,
+  void add_pair(Stack stack, const NamedArguments& named, int body,
+                const std::vector<int>& labels, int opposite_body,
                 const std::vector<int>& opposite_labels);
-  Carrier carrier(Stack stack, const NamedArguments& named, int body, const ContactLine& stated, ContactLine line,
-                  bool on_opposite) const;
-  ContactLaw coefficients(Stack stack, const NamedArguments& named, const BodyPart& part, const ContactLine& line,
-                          const StatedPlaces& places) const;
+  Carrier carrier(Stack stack, const NamedArguments& named, int body,
+                  const ContactLine& stated, ContactLine line, bool on_opposite) const;
+  ContactLaw coefficients(Stack stack, const NamedArguments& named, const BodyPart& part,
+                          const ContactLine& line, const StatedPlaces& places) const;
   void read_previous(Stack stack, const NamedArguments& named);
   void join_carriers();
 
   std::vector<Pair> pairs_;
-  Eigen::VectorXd previous_;  ///< displacement of the load step before; empty for none
+  VectorXd previous_;  ///< displacement of the load step before; empty for none
 };
 
 }  // namespace ffcontact::plugin

@@ -23,11 +23,13 @@ class StatementArguments {
  public:
   StatementArguments(const basicAC_F0& arguments, int first_mesh)
       : named_(arguments, ContactProblem::table(arguments)) {
-    for (int k = first_mesh; k < arguments.size(); ++k) meshes_.push_back(to<pmesh>(arguments[k]));
+    for (int k = first_mesh; k < arguments.size(); ++k)
+      meshes_.push_back(to<pmesh>(arguments[k]));
   }
 
   Problem problem(Stack stack) const {
-    return std::make_shared<ContactProblem>(stack, named_, values_of<pmesh>(stack, meshes_));
+    return std::make_shared<ContactProblem>(stack, named_,
+                                            values_of<pmesh>(stack, meshes_));
   }
 
  private:
@@ -55,7 +57,9 @@ class StateContact : public E_F0mps {
 
   explicit StateContact(const basicAC_F0& arguments)
       : variable_(to<ContactVariable*>(arguments[0])), arguments_(arguments, 1) {}
-  static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), atype<pmesh>(), true); }
+  static ArrayOfaType typeargs() {
+    return ArrayOfaType(atype<ContactVariable*>(), atype<pmesh>(), true);
+  }
   static E_F0* f(const basicAC_F0& arguments) { return new StateContact(arguments); }
 
   AnyType operator()(Stack stack) const override {
@@ -83,7 +87,8 @@ class MakeStatement : public E_F0mps {
 
   AnyType operator()(Stack stack) const override {
     return guarded("contact", [&] {
-      return SetAny<ContactStatement*>(Add2StackOfPtr2Free(stack, new ContactStatement{arguments_.problem(stack)}));
+      return SetAny<ContactStatement*>(
+          Add2StackOfPtr2Free(stack, new ContactStatement{arguments_.problem(stack)}));
     });
   }
 
@@ -91,24 +96,27 @@ class MakeStatement : public E_F0mps {
   StatementArguments arguments_;
 };
 
-ContactVariable* initialize(ContactVariable* const& variable, ContactStatement* const& statement) {
+ContactVariable* initialize(ContactVariable* const& variable,
+                            ContactStatement* const& statement) {
   variable->init();
   state(variable, statement->problem);
   return variable;
 }
 
-ContactVariable* assign(ContactVariable* const& variable, ContactStatement* const& statement) {
+ContactVariable* assign(ContactVariable* const& variable,
+                        ContactStatement* const& statement) {
   state(variable, statement->problem);
   return variable;
 }
 
 const ContactProblem& problem_of(const Contact& contact) {
-  if (!contact.problem) refuse("the contact is not stated: contact C(Th, label=, friction=)");
+  if (!contact.problem)
+    refuse("the contact is not stated: contact C(Th, label=, friction=)");
   return *contact.problem;
 }
 
 /// Arrays that members give are the script's own until the statement ends.
-KN<double>* array_of(Stack stack, const Eigen::VectorXd& values) {
+KN<double>* array_of(Stack stack, const VectorXd& values) {
   auto* array = new KN<double>(static_cast<long>(values.size()));
   vector_of(array) = values;
   return Add2StackOfPtr2Free(stack, array);
@@ -120,25 +128,34 @@ KN<long>* array_of(Stack stack, const std::vector<long>& values) {
   return Add2StackOfPtr2Free(stack, array);
 }
 
-template <Eigen::VectorXd NodalResults::*values>
+template <VectorXd NodalResults::*values>
 KN<double>* nodal_values(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, solved_contact(contact_of(*variable)).nodes.*values); });
+  return guarded("contact", [&] {
+    return array_of(stack, solved_contact(contact_of(*variable)).nodes.*values);
+  });
 }
 
 KN<long>* states(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, solved_contact(contact_of(*variable)).nodes.state); });
+  return guarded("contact", [&] {
+    return array_of(stack, solved_contact(contact_of(*variable)).nodes.state);
+  });
 }
 
 KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).own_vertex); });
+  return guarded("contact", [&] {
+    return array_of(stack, problem_of(contact_of(*variable)).own_vertex);
+  });
 }
 
 KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).abscissa); });
+  return guarded("contact", [&] {
+    return array_of(stack, problem_of(contact_of(*variable)).abscissa);
+  });
 }
 
 KN<long>* sides(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] { return array_of(stack, problem_of(contact_of(*variable)).side); });
+  return guarded("contact",
+                 [&] { return array_of(stack, problem_of(contact_of(*variable)).side); });
 }
 
 template <class Result>
@@ -158,7 +175,8 @@ void ContactVariable::destroy() const { contacts().erase(number); }
 
 Contact& contact_of(const ContactVariable& variable) {
   const auto found = contacts().find(variable.number);
-  if (found == contacts().end()) refuse("the contact is gone: a function that takes one must take contact & C");
+  if (found == contacts().end())
+    refuse("the contact is gone: a function that takes one must take contact & C");
   return found->second;
 }
 
@@ -177,9 +195,13 @@ void register_contact_type() {
   Dcl_Type<ContactVariable*>(InitP<ContactVariable>, Destroy<ContactVariable>);
   Dcl_Type<ContactStatement*>();
   zzzfff->Add("contact", atype<ContactVariable*>());
-  TheOperators->Add("<-", new OneOperatorCode<StateContact>(),
-                    new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(initialize));
-  TheOperators->Add("=", new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(assign));
+  TheOperators->Add(
+      "<-", new OneOperatorCode<StateContact>(),
+      new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(
+          initialize));
+  TheOperators->Add(
+      "=",
+      new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(assign));
   atype<ContactVariable*>()->Add("<--", "(", new OneOperatorCode<MakeStatement>());
   add_member("pn", nodal_values<&NodalResults::pn>);
   add_member("pt", nodal_values<&NodalResults::pt>);

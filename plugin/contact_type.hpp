@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 //
 #include "contact_problem.hpp"
@@ -12,10 +13,10 @@ namespace ffcontact::plugin {
 
 /// What a solve leaves at the contact nodes; the script reads them as C.pn, C.pt, ...
 struct NodalResults {
-  Eigen::VectorXd pn, pt;   ///< pressures [MPa]
-  Eigen::VectorXd fn, ft;   ///< forces [N/mm]
-  Eigen::VectorXd gap;      ///< opening, gap - u_n [mm]
-  Eigen::VectorXd slip;     ///< u_t - u_t of the load step before [mm]
+  VectorXd pn, pt;          ///< pressures [MPa]
+  VectorXd fn, ft;          ///< forces [N/mm]
+  VectorXd gap;             ///< opening, gap - u_n [mm]
+  VectorXd slip;            ///< u_t - u_t of the load step before [mm]
   std::vector<long> state;  ///< 0 open, 1 stick, 2 slip along t, -2 slip against t
 };
 
@@ -31,12 +32,14 @@ struct SolvedContact {
 struct Contact {
   std::shared_ptr<ContactProblem> problem;  ///< null until it is stated
   std::optional<SolvedContact> solved;
-  std::vector<ContactState> last_states;  ///< of the last solution: the next one starts from them
-  Eigen::VectorXd last_abscissa;          ///< where they were
+  /// of the last solution: the next one starts from them
+  std::vector<ContactState> last_states;
+  VectorXd last_abscissa;  ///< where they were
 };
 
-/// The script variable: FreeFEM gives it memory, calls init() and destroy(). It is a number and no pointer, because a parameter that
-/// is no reference, f(contact C), is a copy of these bytes and is destroyed when f returns.
+/// The script variable: FreeFEM gives it memory, calls init() and destroy(). It is a
+/// number and no pointer, because a parameter that is no reference, f(contact C), is a
+/// copy of these bytes and is destroyed when f returns.
 struct ContactVariable {
   long number;
 

@@ -19,11 +19,12 @@ namespace {
 constexpr int most_sweeps = 20;
 
 /// What is given for each body.
-const NamedArguments::Table of_bodies = {{"lambda", &typeid(double)},     {"G", &typeid(double)},
-                                         {"hooke", &typeid(E_Array)},     {"traction", &typeid(E_Array)},
-                                         {"bodyforce", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
-                                         {"rate", &typeid(KN<double>*)},  {"sxx", &typeid(KN<double>*)},
-                                         {"syy", &typeid(KN<double>*)},   {"sxy", &typeid(KN<double>*)}};
+const NamedArguments::Table of_bodies = {
+    {"lambda", &typeid(double)},     {"G", &typeid(double)},
+    {"hooke", &typeid(E_Array)},     {"traction", &typeid(E_Array)},
+    {"bodyforce", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
+    {"rate", &typeid(KN<double>*)},  {"sxx", &typeid(KN<double>*)},
+    {"syy", &typeid(KN<double>*)},   {"sxy", &typeid(KN<double>*)}};
 
 /// A solution that is to be judged: of contactsolve, or given by the script.
 struct Judged {
@@ -32,17 +33,21 @@ struct Judged {
   double oscillation = 0;
 };
 
-/// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve found, or
-/// eps = contacterror(C, A, u, pn, pt, ...) with matrix and displacement of each body for what another solver found.
+/// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve
+/// found, or eps = contacterror(C, A, u, pn, pt, ...) with matrix and displacement of
+/// each body for what another solver found.
 class ContactErrorFunction : public E_F0mps {
  public:
   using Result = double;
 
   explicit ContactErrorFunction(const basicAC_F0& arguments)
-      : named_(arguments, table(arguments)), contact_(to<ContactVariable*>(arguments[0])) {
+      : named_(arguments, table(arguments)),
+        contact_(to<ContactVariable*>(arguments[0])) {
     if (arguments.size() == 1) return;
     if (arguments.size() % 2 == 0 || arguments.size() < 5)
-      CompileError("contacterror: after the contact come A and u of each body, then pn and pt, or nothing at all");
+      CompileError(
+          "contacterror: after the contact come A and u of each body, then pn and pt, or "
+          "nothing at all");
     const int last = arguments.size() - 2;
     for (int k = 1; k < last; k += 2) {
       matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[k]));
@@ -53,7 +58,9 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), true); }
-  static E_F0* f(const basicAC_F0& arguments) { return new ContactErrorFunction(arguments); }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new ContactErrorFunction(arguments);
+  }
 
   AnyType operator()(Stack stack) const override {
     return guarded("contacterror", [&] { return SetAny<double>(run(stack)); });
@@ -92,10 +99,12 @@ class ContactErrorFunction : public E_F0mps {
     const ContactProblem& problem = *contact.problem;
     require_names_of_bodies(named_, of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
-    Judged judged = matrix_.empty() ? own_solution(contact) : given_solution(stack, problem);
+    Judged judged =
+        matrix_.empty() ? own_solution(contact) : given_solution(stack, problem);
     add_law_and_loads(stack, problem, judged);
     const auto& [system, body, oscillation] = judged;
-    const Estimate estimate = estimate_error(problem.mesh, problem.edges, problem.line, *system, body, settings);
+    const Estimate estimate = estimate_error(problem.mesh, problem.edges, problem.line,
+                                             *system, body, settings);
     put(stack, problem, estimate);
     put_rates(stack, problem, *system, body);
     named_.put(stack, "oscillation", oscillation);
@@ -105,7 +114,8 @@ class ContactErrorFunction : public E_F0mps {
 
   Judged own_solution(const Contact& contact) const {
     if (named_.given("multiplier"))
-      refuse("multiplier= is given, but pn and pt are not: it is known from contactsolve");
+      refuse(
+          "multiplier= is given, but pn and pt are not: it is known from contactsolve");
     const SolvedContact& solved = solved_contact(contact);
     Judged judged{solved.system, {}};
     judged.body.displacement = solved.solution.displacement;
@@ -126,16 +136,18 @@ class ContactErrorFunction : public E_F0mps {
       KN<double>* u = value_of<KN<double>*>(stack, displacement_[k]);
       problem.require_dofs("A", k, A.rows());
       problem.require_dofs("u", k, u->N());
-      body.displacement.segment(problem.first_dof(k), problem.dof_count(k)) = vector_of(u);
-      systems.push_back(elastic_system(A, Eigen::VectorXd::Zero(A.rows())));
+      body.displacement.segment(problem.first_dof(k), problem.dof_count(k)) =
+          vector_of(u);
+      systems.push_back(elastic_system(A, VectorXd::Zero(A.rows())));
     }
-    judged.system = std::make_shared<const ElasticSystem>(systems.size() == 1 ? std::move(systems.front())
-                                                                              : joined_systems(systems));
+    judged.system = std::make_shared<const ElasticSystem>(
+        systems.size() == 1 ? std::move(systems.front()) : joined_systems(systems));
     body.law = problem.law;
     body.law.multiplier = multiplier_of(stack, named_);
-    const Eigen::Matrix2Xd given =
-        problem.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));
-    body.pressure = multiplier_density(problem.line, body.law.multiplier, judged.system->prescribed, given);
+    const Matrix2Xd given = problem.pressures(value_of<KN<double>*>(stack, normal_),
+                                              value_of<KN<double>*>(stack, tangential_));
+    body.pressure = multiplier_density(problem.line, body.law.multiplier,
+                                       judged.system->prescribed, given);
     return judged;
   }
 
@@ -147,12 +159,14 @@ class ContactErrorFunction : public E_F0mps {
     else if (tractions == "published")
       settings.tractions = Tractions::published;
     else if (tractions != "free")
-      refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"", tractions, "\"");
+      refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"", tractions,
+             "\"");
     const std::string construction = named_.text(stack, "construction", "composite");
     if (construction == "polynomial")
       settings.construction = Construction::polynomial;
     else if (construction != "composite")
-      refuse("construction must be \"composite\" or \"polynomial\", got \"", construction, "\"");
+      refuse("construction must be \"composite\" or \"polynomial\", got \"", construction,
+             "\"");
     RelaxationSettings& relaxation = settings.relaxation;
     relaxation.tightness = named_.number(stack, "tightness", relaxation.tightness);
     const int sweeps = relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;
@@ -160,7 +174,8 @@ class ContactErrorFunction : public E_F0mps {
     return settings;
   }
 
-  void add_law_and_loads(Stack stack, const ContactProblem& problem, Judged& judged) const {
+  void add_law_and_loads(Stack stack, const ContactProblem& problem,
+                         Judged& judged) const {
     const JoinedMesh& joined = problem.joined;
     const int bodies = problem.body_count();
     SolvedBody& body = judged.body;
@@ -168,14 +183,17 @@ class ContactErrorFunction : public E_F0mps {
     body.body_loads.resize(6, joined.first_triangle.back());
     for (int k = 0; k < bodies; ++k) {
       const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[k];
-      const std::string traction = name_of_body("traction", k, bodies), f = name_of_body("bodyforce", k, bodies);
+      const std::string traction = name_of_body("traction", k, bodies),
+                        f = name_of_body("bodyforce", k, bodies);
       add_hooke(stack, problem, k, body.hooke);
       const Mesh mesh = mesh_of(&fem_mesh);
       body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
-          traction_moments(stack, named_.component(traction, 0, 2), named_.component(traction, 1, 2), fem_mesh, mesh);
-      const BodyForce force =
-          body_force_loads(stack, named_.component(f, 0, 2), named_.component(f, 1, 2), fem_mesh, mesh);
-      body.body_loads.middleCols(joined.first_triangle[k], mesh.triangles.cols()) = force.loads;
+          traction_moments(stack, named_.component(traction, 0, 2),
+                           named_.component(traction, 1, 2), fem_mesh, mesh);
+      const BodyForce force = body_force_loads(stack, named_.component(f, 0, 2),
+                                               named_.component(f, 1, 2), fem_mesh, mesh);
+      body.body_loads.middleCols(joined.first_triangle[k], mesh.cells.cols()) =
+          force.loads;
       judged.oscillation = std::hypot(judged.oscillation, force.oscillation);
     }
   }
@@ -184,23 +202,26 @@ class ContactErrorFunction : public E_F0mps {
   void add_hooke(Stack stack, const ContactProblem& problem, int body, Hooke& all) const {
     const int bodies = problem.body_count();
     const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[body];
-    const std::string name = name_of_body("hooke", body, bodies), lambda_name = name_of_body("lambda", body, bodies),
+    const std::string name = name_of_body("hooke", body, bodies),
+                      lambda_name = name_of_body("lambda", body, bodies),
                       G_name = name_of_body("G", body, bodies);
-    const Expression lambda = named_.expression(lambda_name), G = named_.expression(G_name);
+    const Expression lambda = named_.expression(lambda_name),
+                     G = named_.expression(G_name);
     const bool lame = lambda && G;
     if (lame == named_.given(name))
-      refuse("give either ", lambda_name, "= and ", G_name, "= (Lame's constants) or ", name,
-             "=[C11, C12, C13, C22, C23, C33]");
+      refuse("give either ", lambda_name, "= and ", G_name, "= (Lame's constants) or ",
+             name, "=[C11, C12, C13, C22, C23, C33]");
     Hooke hooke(fem_mesh.nt);
     if (lame) {
-      const Eigen::VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0);
-      const Eigen::VectorXd Gs = at_triangles(stack, G, fem_mesh, 0);
-      for (Eigen::Index t = 0; t < Gs.size(); ++t) hooke[t] = isotropic(lambdas[t], Gs[t]);
+      const VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0);
+      const VectorXd Gs = at_triangles(stack, G, fem_mesh, 0);
+      for (Index t = 0; t < Gs.size(); ++t) hooke[t] = isotropic(lambdas[t], Gs[t]);
     } else {
       constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
       for (int c = 0; c < 6; ++c) {
-        const Eigen::VectorXd values = at_triangles(stack, named_.component(name, c, 6), fem_mesh, 0);
-        for (Eigen::Index t = 0; t < values.size(); ++t)
+        const VectorXd values =
+            at_triangles(stack, named_.component(name, c, 6), fem_mesh, 0);
+        for (Index t = 0; t < values.size(); ++t)
           hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
       }
     }
@@ -217,65 +238,78 @@ class ContactErrorFunction : public E_F0mps {
                  const SolvedBody& body) const {
     if (!is_wanted("rate", problem.body_count())) return;
     const Stars stars = stars_of(problem.mesh, problem.edges);
-    const BoundaryTractions boundary = boundary_tractions(problem.mesh, problem.edges, system.prescribed, body.neumann,
-                                                          problem.line, edge_densities(problem.line, body.pressure));
-    const std::vector<SingularVertex> singular = singular_vertices(
-        problem.mesh, problem.edges, stars, body.hooke, stresses(problem.mesh, body.hooke, body.displacement), boundary,
-        contact_edge_numbers(problem.line, problem.edges));
+    const BoundaryTractions boundary =
+        boundary_tractions(problem.mesh, problem.edges, system.prescribed, body.neumann,
+                           problem.line, edge_densities(problem.line, body.pressure));
+    const std::vector<SingularVertex> singular =
+        singular_vertices(problem.mesh, problem.edges, stars, body.hooke,
+                          stresses(problem.mesh, body.hooke, body.displacement), boundary,
+                          contact_edge_numbers(problem.line, problem.edges));
     put_by_triangles(stack, problem, "rate", local_rates(problem.mesh, stars, singular));
   }
 
   void put_by_triangles(Stack stack, const ContactProblem& problem, const char* parameter,
-                        const Eigen::VectorXd& values) const {
+                        const VectorXd& values) const {
     const std::vector<int>& first = problem.joined.first_triangle;
     const int bodies = problem.body_count();
     for (int k = 0; k < bodies; ++k)
-      named_.put(stack, name_of_body(parameter, k, bodies), values.segment(first[k], first[k + 1] - first[k]));
+      named_.put(stack, name_of_body(parameter, k, bodies),
+                 values.segment(first[k], first[k + 1] - first[k]));
   }
 
-  /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is triangle t with vertex k moved to the
-  /// centroid. FreeFEM keeps P1dc values at the vertices shrunk by 1 % towards the triangle's centroid.
-  static Eigen::VectorXd stress_component(const std::vector<CompositeStress>& stress, int component) {
+  /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is
+  /// triangle t with vertex k moved to the centroid. FreeFEM keeps P1dc values at the
+  /// vertices shrunk by 1 % towards the triangle's centroid.
+  static VectorXd stress_component(const std::vector<CompositeStress>& stress,
+                                   int component) {
     constexpr double shrink = 0.01;
-    Eigen::VectorXd values(9 * static_cast<Eigen::Index>(stress.size()));
+    VectorXd values(9 * static_cast<Index>(stress.size()));
     for (std::size_t t = 0; t < stress.size(); ++t)
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d corners = stress[t].block<1, 3>(component, 3 * k).transpose();  // k+1, k+2, centroid
+        // k+1, k+2, centroid
+        const Vector3d corners = stress[t].block<1, 3>(component, 3 * k).transpose();
         for (int c = 0; c < 3; ++c) {
           const int vertex = (k + 1 + c) % 3;
-          values[9 * static_cast<Eigen::Index>(t) + 3 * k + vertex] =
+          values[9 * static_cast<Index>(t) + 3 * k + vertex] =
               (1 - shrink) * corners[c] + shrink * corners.mean();
         }
       }
     return values;
   }
 
-  void put_stress(Stack stack, const ContactProblem& problem, const Estimate& estimate) const {
+  void put_stress(Stack stack, const ContactProblem& problem,
+                  const Estimate& estimate) const {
     constexpr const char* parameter[] = {"sxx", "syy", "sxy"};
     const int bodies = problem.body_count();
-    if (!is_wanted("sxx", bodies) && !is_wanted("syy", bodies) && !is_wanted("sxy", bodies)) return;
-    const std::vector<CompositeStress> stress = stress_on_triangles(problem.mesh, estimate);
+    if (!is_wanted("sxx", bodies) && !is_wanted("syy", bodies) &&
+        !is_wanted("sxy", bodies))
+      return;
+    const std::vector<CompositeStress> stress =
+        stress_on_triangles(problem.mesh, estimate);
     const std::vector<int>& first = problem.joined.first_triangle;
     for (int c = 0; c < 3; ++c) {
-      const Eigen::VectorXd values = stress_component(stress, c);
+      const VectorXd values = stress_component(stress, c);
       for (int k = 0; k < bodies; ++k)
         named_.put(stack, name_of_body(parameter[c], k, bodies),
                    values.segment(9 * first[k], 9 * (first[k + 1] - first[k])));
     }
   }
 
-  /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the line that coefficients are stated on.
-  static Eigen::VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
+  /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the
+  /// line that coefficients are stated on.
+  static VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
     if (!estimate.refinement) return problem.edge_abscissa.reshaped();
     const ContactLine& line = estimate.refinement->line;
-    Eigen::VectorXd values(2 * line.edge_count());
+    VectorXd values(2 * line.edge_count());
     for (int e = 0; e < line.edge_count(); ++e) {
       const int k = estimate.refinement->parent_contact_edge[e];
-      const Eigen::Vector2d ends = problem.edge_abscissa.col(k);
+      const Vector2d ends = problem.edge_abscissa.col(k);
       for (int end = 0; end < 2; ++end) {
         const int vertex = line.vertex[line.edge_node(end, e)];
-        const double place = estimate.refinement->place(problem.edges, vertex, problem.line.edge[k]);
-        values[2 * e + end] = ends[0] + problem.line.share(k, place) * (ends[1] - ends[0]);
+        const double place =
+            estimate.refinement->place(problem.edges, vertex, problem.line.edge[k]);
+        values[2 * e + end] =
+            ends[0] + problem.line.share(k, place) * (ends[1] - ends[0]);
       }
     }
     return values;
@@ -288,7 +322,8 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "e", estimate.e);
     named_.put(stack, "elasticpart", estimate.elastic);
     named_.put(stack, "contactpart", estimate.contact);
-    named_.put(stack, "history", Eigen::Map<const Eigen::VectorXd>(estimate.history.data(), estimate.history.size()));
+    named_.put(stack, "history",
+               Map<const VectorXd>(estimate.history.data(), estimate.history.size()));
     named_.put(stack, "rn", estimate.tractions.normal.reshaped());
     named_.put(stack, "rt", estimate.tractions.tangential.reshaped());
     named_.put(stack, "corrected", static_cast<long>(estimate.corrected_count()));
@@ -300,16 +335,20 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "admissible", estimate.admissible);
   }
 
-  void report(Stack stack, const ContactProblem& problem, const Estimate& estimate, double seconds) const {
+  void report(Stack stack, const ContactProblem& problem, const Estimate& estimate,
+              double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
-    cout << "contacterror: " << problem.mesh.triangle_count() << " triangles, eps " << 100 * estimate.relative
-         << " %, e " << estimate.e << ", " << estimate.corrected_count() << " edges corrected, "
-         << estimate.mended.size() << " mended, " << seconds << " s" << endl;
-    if (!estimate.admissible) cout << "contacterror: not admissible: " << estimate.reason << endl;
+    cout << "contacterror: " << problem.mesh.cell_count() << " triangles, eps "
+         << 100 * estimate.relative << " %, e " << estimate.e << ", "
+         << estimate.corrected_count() << " edges corrected, " << estimate.mended.size()
+         << " mended, " << seconds << " s" << endl;
+    if (!estimate.admissible)
+      cout << "contacterror: not admissible: " << estimate.reason << endl;
     if (level > 1)
-      cout << "contacterror: elastic part " << estimate.elastic << ", contact part of e^2 " << estimate.contact
-           << ", equilibrium defect " << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
+      cout << "contacterror: elastic part " << estimate.elastic
+           << ", contact part of e^2 " << estimate.contact << ", equilibrium defect "
+           << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
            << ", penetration " << estimate.penetration << endl;
   }
 
@@ -321,6 +360,8 @@ class ContactErrorFunction : public E_F0mps {
 
 }  // namespace
 
-void register_estimate_functions() { Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction>()); }
+void register_estimate_functions() {
+  Global.Add("contacterror", "(", new OneOperatorCode<ContactErrorFunction>());
+}
 
 }  // namespace ffcontact::plugin

@@ -16,12 +16,16 @@ namespace {
 
 using std::filesystem::path;
 
-/// A folder of our own for what goes to gmsh and comes back; it lives as long as the call.
+/// A folder of our own for what goes to gmsh and comes back; it lives as long as the
+/// call.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ffcontact.XXXXXX").string();
-    if (!mkdtemp(name.data())) refuse("no temporary folder can be made in ", std::filesystem::temp_directory_path());
+    std::string name =
+        (std::filesystem::temp_directory_path() / "ffcontact.XXXXXX").string();
+    if (!mkdtemp(name.data()))
+      refuse("no temporary folder can be made in ",
+             std::filesystem::temp_directory_path());
     path_ = name;
   }
   ~TemporaryFolder() {
@@ -58,15 +62,20 @@ std::string first_line(const path& file) {
   return line;
 }
 
-/// Runs gmsh on `input`; its mesh (MSH 2.2, text) goes to `output`. `what` is the user's file.
-void run_gmsh(const std::string& dimension, const path& input, const path& output, const path& what, const path& log) {
+/// Runs gmsh on `input`; its mesh (MSH 2.2, text) goes to `output`. `what` is the user's
+/// file.
+void run_gmsh(const std::string& dimension, const path& input, const path& output,
+              const path& what, const path& log) {
   constexpr int shell_found_nothing = 127;
-  const std::string command = "gmsh " + dimension + " -v 1 " + quoted_for_shell(input.string()) +
-                              " -setnumber Mesh.Binary 0 -format msh22 -o " + quoted_for_shell(output.string()) +
-                              " </dev/null >" + quoted_for_shell(log.string()) + " 2>&1";
+  const std::string command =
+      "gmsh " + dimension + " -v 1 " + quoted_for_shell(input.string()) +
+      " -setnumber Mesh.Binary 0 -format msh22 -o " + quoted_for_shell(output.string()) +
+      " </dev/null >" + quoted_for_shell(log.string()) + " 2>&1";
   const int status = std::system(command.c_str());
   if (WIFEXITED(status) && WEXITSTATUS(status) == shell_found_nothing)
-    refuse("the program gmsh was not found; install it (Debian: apt-get install gmsh) or add its folder to PATH");
+    refuse(
+        "the program gmsh was not found; install it (Debian: apt-get install gmsh) or "
+        "add its folder to PATH");
   if (status != 0 || !std::filesystem::exists(output))
     refuse("gmsh could not use ", what.string(), ": ", first_line(log));
 }
@@ -79,46 +88,53 @@ void require_readable(const path& file) {
 bool is_mesh_file(const path& file) { return file.extension() == ".msh"; }
 
 /// What gmsh makes of `input`, read back.
-GmshMesh made_by_gmsh(const char* dimension, const path& input, const path& what, const TemporaryFolder& folder) {
+GmshMesh made_by_gmsh(const char* dimension, const path& input, const path& what,
+                      const TemporaryFolder& folder) {
   const path output = folder / "mesh.msh";
   run_gmsh(dimension, input, output, what, folder / "log");
   return read_gmsh_mesh(output, what.string());
 }
 
 /// Unit outward directions at the vertices of the boundary; 0 elsewhere.
-Eigen::Matrix2Xd outward_directions(const Mesh& mesh, const Edges& edges) {
-  Eigen::Matrix2Xd direction = Eigen::Matrix2Xd::Zero(2, mesh.vertices.cols());
+Matrix2Xd outward_directions(const Mesh& mesh, const Edges& edges) {
+  Matrix2Xd direction = Matrix2Xd::Zero(2, mesh.vertices.cols());
   for (int e = 0; e < edges.count(); ++e)
     if (edges.on_boundary(e))
-      for (int end = 0; end < 2; ++end) direction.col(edges.vertices(end, e)) += edge_normal(mesh, edges, e);
+      for (int end = 0; end < 2; ++end)
+        direction.col(edges.vertices(end, e)) += edge_normal(mesh, edges, e);
   direction.colwise().normalize();
   return direction;
 }
 
-/// A view whose field is the size, linear in the triangles of the mesh. Where gmsh follows a curved boundary it asks for sizes
-/// outside the polygon too, so a strip is put around.
-void write_size_view(const path& file, const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& size) {
-  constexpr double strip_width = 0.3;  // of the edge, as the rise of an arc of 120 degrees
+/// A view whose field is the size, linear in the triangles of the mesh. Where gmsh
+/// follows a curved boundary it asks for sizes outside the polygon too, so a strip is put
+/// around.
+void write_size_view(const path& file, const Mesh& mesh,
+                     const Ref<const VectorXd>& size) {
+  // of the edge, as the rise of an arc of 120 degrees
+  constexpr double strip_width = 0.3;
   std::ofstream stream(file);
   stream.precision(17);
-  const auto put = [&](const std::array<Eigen::Vector2d, 3>& x, const std::array<double, 3>& h) {
+  const auto put = [&](const std::array<Vector2d, 3>& x, const std::array<double, 3>& h) {
     stream << "ST(";
-    for (int k = 0; k < 3; ++k) stream << (k > 0 ? "," : "") << x[k].x() << ',' << x[k].y() << ",0";
+    for (int k = 0; k < 3; ++k)
+      stream << (k > 0 ? "," : "") << x[k].x() << ',' << x[k].y() << ",0";
     stream << "){" << h[0] << ',' << h[1] << ',' << h[2] << "};\n";
   };
   stream << "View \"size\" {\n";
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const Eigen::Vector3i v = mesh.triangles.col(t);
-    put({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, {size[v[0]], size[v[1]], size[v[2]]});
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const Vector3i v = mesh.cells.col(t);
+    put({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
+        {size[v[0]], size[v[1]], size[v[2]]});
   }
   const Edges edges = edges_of(mesh);
-  const Eigen::Matrix2Xd outward = outward_directions(mesh, edges);
+  const Matrix2Xd outward = outward_directions(mesh, edges);
   for (int e = 0; e < edges.count(); ++e) {
     if (!edges.on_boundary(e)) continue;
     const int i = edges.vertices(0, e), j = edges.vertices(1, e);
     const double width = strip_width * edge_vector(mesh, edges, e).norm();
-    const Eigen::Vector2d a = mesh.vertices.col(i), b = mesh.vertices.col(j);
-    const Eigen::Vector2d c = a + width * outward.col(i), d = b + width * outward.col(j);
+    const Vector2d a = mesh.vertices.col(i), b = mesh.vertices.col(j);
+    const Vector2d c = a + width * outward.col(i), d = b + width * outward.col(j);
     put({a, c, b}, {size[i], size[i], size[j]});
     put({b, c, d}, {size[j], size[i], size[j]});
   }
@@ -126,11 +142,13 @@ void write_size_view(const path& file, const Mesh& mesh, const Eigen::Ref<const 
   if (!stream.flush()) refuse("the size field cannot be written to ", file.string());
 }
 
-/// The geometry with the view as the only source of sizes. gmsh's edges are 4 % shorter than asked on average (measured), so
-/// sizes are raised by as much; with that the number of triangles is as predicted within 5 %.
+/// The geometry with the view as the only source of sizes. gmsh's edges are 4 % shorter
+/// than asked on average (measured), so sizes are raised by as much; with that the number
+/// of triangles is as predicted within 5 %.
 void write_sized_geometry(const path& file, const path& geometry, const path& view) {
   std::ofstream stream(file);
-  stream << "Merge " << quoted_for_gmsh(geometry) << ";\nMerge " << quoted_for_gmsh(view) << R"(;
+  stream << "Merge " << quoted_for_gmsh(geometry) << ";\nMerge " << quoted_for_gmsh(view)
+         << R"(;
 ffcontact_sizes = newf;
 Field[ffcontact_sizes] = PostView;
 Field[ffcontact_sizes].ViewIndex = PostProcessing.NbViews - 1;
@@ -153,13 +171,16 @@ GmshMesh gmsh_mesh(const path& file) {
   return made_by_gmsh(mesh_file ? "-0" : "-2", file, file, TemporaryFolder());
 }
 
-GmshMesh gmsh_mesh(const path& geometry, const Mesh& background, const Eigen::Ref<const Eigen::VectorXd>& size) {
+GmshMesh gmsh_mesh(const path& geometry, const Mesh& background,
+                   const Ref<const VectorXd>& size) {
   require_readable(geometry);
   if (is_mesh_file(geometry))
-    refuse(geometry.string(), " is a mesh; to mesh anew gmsh needs the geometry (.geo, .step, ...)");
+    refuse(geometry.string(),
+           " is a mesh; to mesh anew gmsh needs the geometry (.geo, .step, ...)");
   require_size("size", size.size(), background.vertex_count());
   require_finite("size", size);
-  if (size.minCoeff() <= 0) refuse("sizes must be positive, but one is ", size.minCoeff());
+  if (size.minCoeff() <= 0)
+    refuse("sizes must be positive, but one is ", size.minCoeff());
   const TemporaryFolder folder;
   write_size_view(folder / "size.pos", background, size);
   write_sized_geometry(folder / "sized.geo", geometry, folder / "size.pos");

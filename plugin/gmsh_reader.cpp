@@ -21,7 +21,8 @@ using std::filesystem::path;
 /// Reads MSH 2.2 in text, section by section.
 class Version2Reader {
  public:
-  Version2Reader(const path& file, const std::string& shown) : shown_(shown), stream_(file) {
+  Version2Reader(const path& file, const std::string& shown)
+      : shown_(shown), stream_(file) {
     std::string word;
     while (stream_ >> word) {
       if (word == "$Nodes") read_nodes();
@@ -29,23 +30,27 @@ class Version2Reader {
     }
     if (triangles_.empty())
       refuse(shown_, " has no triangles",
-             lines_.empty() ? "" : ": does the geometry have physical curves but no physical surface?");
+             lines_.empty()
+                 ? ""
+                 : ": does the geometry have physical curves but no physical surface?");
   }
 
   GmshMesh mesh() {
     number_used_nodes();
     GmshMesh result;
     Mesh& mesh = result.mesh;
-    mesh.vertices.resize(2, static_cast<Eigen::Index>(used_.size()));
-    for (std::size_t v = 0; v < used_.size(); ++v) mesh.vertices.col(v) = nodes_[used_[v]].head<2>();
+    mesh.vertices.resize(2, static_cast<Index>(used_.size()));
+    for (std::size_t v = 0; v < used_.size(); ++v)
+      mesh.vertices.col(v) = nodes_[used_[v]].head<2>();
     require_plane();
 
     const int surface_tag = tag_to_use(triangles_);
-    mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles_.size()));
-    result.regions.resize(static_cast<Eigen::Index>(triangles_.size()));
+    mesh.cells.resize(3, static_cast<Index>(triangles_.size()));
+    result.regions.resize(static_cast<Index>(triangles_.size()));
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      for (int k = 0; k < 3; ++k) mesh.triangles(k, t) = vertex_[triangles_[t].nodes[k]];
-      if (signed_area(mesh, static_cast<int>(t)) < 0) std::swap(mesh.triangles(1, t), mesh.triangles(2, t));
+      for (int k = 0; k < 3; ++k) mesh.cells(k, t) = vertex_[triangles_[t].nodes[k]];
+      if (signed_area(mesh, static_cast<int>(t)) < 0)
+        std::swap(mesh.cells(1, t), mesh.cells(2, t));
       result.regions[t] = triangles_[t].tags[surface_tag];
     }
     set_boundary(mesh);
@@ -69,7 +74,7 @@ class Version2Reader {
     stream_ >> count;
     for (std::size_t i = 0; i < count && stream_; ++i) {
       long number;
-      Eigen::Vector3d x;
+      Vector3d x;
       stream_ >> number >> x[0] >> x[1] >> x[2];
       index_[number] = static_cast<int>(nodes_.size());
       nodes_.push_back(x);
@@ -79,7 +84,8 @@ class Version2Reader {
 
   void read_elements() {
     constexpr int line = 1, triangle = 2, point = 15;
-    std::set<std::array<int, 3>> seen_triangles;  // an element of several physical groups is written once for each
+    // an element of several physical groups is written once for each
+    std::set<std::array<int, 3>> seen_triangles;
     std::size_t count = 0;
     stream_ >> count;
     for (std::size_t i = 0; i < count && stream_; ++i) {
@@ -113,7 +119,8 @@ class Version2Reader {
       stream_ >> number;
       const auto found = index_.find(number);
       if (found == index_.end())
-        refuse("element ", element, " of ", shown_, " names the node ", number, ", which is not there");
+        refuse("element ", element, " of ", shown_, " names the node ", number,
+               ", which is not there");
       node = found->second;
     }
     return nodes;
@@ -122,7 +129,10 @@ class Version2Reader {
   /// 0, physical tags, if one element has one; otherwise 1, elementary tags.
   template <class Elements>
   static int tag_to_use(const Elements& elements) {
-    return std::any_of(elements.begin(), elements.end(), [](const auto& e) { return e.tags[0] != 0; }) ? 0 : 1;
+    return std::any_of(elements.begin(), elements.end(),
+                       [](const auto& e) { return e.tags[0] != 0; })
+               ? 0
+               : 1;
   }
 
   /// Vertices are the nodes of triangles, in the order of the file.
@@ -139,38 +149,44 @@ class Version2Reader {
 
   void require_plane() const {
     double extent = 0;
-    for (const int node : used_) extent = std::max(extent, nodes_[node].head<2>().lpNorm<Eigen::Infinity>());
+    for (const int node : used_)
+      extent = std::max(extent, nodes_[node].head<2>().lpNorm<Eigen::Infinity>());
     for (const int node : used_)
       if (std::abs(nodes_[node].z() - nodes_[used_[0]].z()) > 1e-9 * extent)
-        refuse(shown_, " is not plane: z is ", nodes_[used_[0]].z(), " and ", nodes_[node].z(), " at two of its nodes");
+        refuse(shown_, " is not plane: z is ", nodes_[used_[0]].z(), " and ",
+               nodes_[node].z(), " at two of its nodes");
   }
 
-  /// Labelled lines that are edges of triangles, then the boundary edges that no line labels.
+  /// Labelled lines that are edges of triangles, then the boundary edges that no line
+  /// labels.
   void set_boundary(Mesh& mesh) const {
     struct Use {
       int first, second, triangles;  // as in the first triangle
       bool labelled;
     };
     std::map<std::pair<int, int>, Use> edges;
-    for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int t = 0; t < mesh.cell_count(); ++t)
       for (int k = 0; k < 3; ++k) {
-        const int i = mesh.triangles(k, t), j = mesh.triangles((k + 1) % 3, t);
-        ++edges.try_emplace(std::minmax(i, j), Use{i, j, 0, false}).first->second.triangles;
+        const int i = mesh.cells(k, t), j = mesh.cells((k + 1) % 3, t);
+        ++edges.try_emplace(std::minmax(i, j), Use{i, j, 0, false})
+              .first->second.triangles;
       }
 
     std::vector<std::array<int, 3>> boundary;
     const int curve_tag = tag_to_use(lines_);
     for (const auto& line : lines_) {
-      const auto edge = edges.find(std::minmax(vertex_[line.nodes[0]], vertex_[line.nodes[1]]));
+      const auto edge =
+          edges.find(std::minmax(vertex_[line.nodes[0]], vertex_[line.nodes[1]]));
       if (edge == edges.end() || edge->second.labelled) continue;
       edge->second.labelled = true;
       boundary.push_back({edge->second.first, edge->second.second, line.tags[curve_tag]});
     }
     for (const auto& [ends, use] : edges)
-      if (use.triangles == 1 && !use.labelled) boundary.push_back({use.first, use.second, 0});
+      if (use.triangles == 1 && !use.labelled)
+        boundary.push_back({use.first, use.second, 0});
 
-    mesh.boundary.resize(2, static_cast<Eigen::Index>(boundary.size()));
-    mesh.boundary_label.resize(static_cast<Eigen::Index>(boundary.size()));
+    mesh.boundary.resize(2, static_cast<Index>(boundary.size()));
+    mesh.boundary_label.resize(static_cast<Index>(boundary.size()));
     for (std::size_t e = 0; e < boundary.size(); ++e) {
       mesh.boundary.col(e) << boundary[e][0], boundary[e][1];
       mesh.boundary_label[e] = boundary[e][2];
@@ -179,7 +195,7 @@ class Version2Reader {
 
   std::string shown_;  ///< what the user calls the file
   std::ifstream stream_;
-  std::vector<Eigen::Vector3d> nodes_;
+  std::vector<Vector3d> nodes_;
   std::unordered_map<long, int> index_;  ///< of a node's number
   std::vector<Element<2>> lines_;
   std::vector<Element<3>> triangles_;
@@ -188,7 +204,9 @@ class Version2Reader {
 
 }  // namespace
 
-GmshMesh read_gmsh_mesh(const path& file, const std::string& shown) { return Version2Reader(file, shown).mesh(); }
+GmshMesh read_gmsh_mesh(const path& file, const std::string& shown) {
+  return Version2Reader(file, shown).mesh();
+}
 
 bool is_readable_format(const path& file) {
   std::ifstream stream(file);
@@ -207,7 +225,8 @@ int physical_tag(const path& file, const std::string& name, const std::string& s
   }
   int count = 0, surface = 0;
   stream >> count;
-  for (int i = 0, dimension, tag; i < count && stream >> dimension >> tag >> std::quoted(word); ++i) {
+  for (int i = 0, dimension, tag;
+       i < count && stream >> dimension >> tag >> std::quoted(word); ++i) {
     if (dimension == 1 && word == name) return tag;
     if (dimension == 2 && word == name) surface = tag;
     names += (names.empty() ? "" : ", ") + word;

@@ -4,21 +4,25 @@
 #include <filesystem>
 #include <string>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
 namespace ffcontact::plugin {
 
 struct GmshMesh {
-  Mesh mesh;                ///< triangles turned counter-clockwise, unused nodes left out
-  Eigen::VectorXi regions;  ///< one per triangle
+  Mesh mesh;         ///< triangles turned counter-clockwise, unused nodes left out
+  VectorXi regions;  ///< one per triangle
 };
 
 /// Reads gmsh's format MSH 2.2 in text.
 ///
-/// Labels and regions are the tags of physical curves and surfaces; where a file has no physical curve (surface), those of its
-/// elementary entities. An element of several physical groups belongs to the first. Edges of the boundary that no line labels
-/// get 0; lines that are no edge of a triangle are left out. `shown` is what the user calls the file.
-/// @throws std::invalid_argument  if the file is spoilt, has no triangles, is not plane, or has an element that is neither a
+/// Labels and regions are the tags of physical curves and surfaces; where a file has no
+/// physical curve (surface), those of its elementary entities. An element of several
+/// physical groups belongs to the first. Edges of the boundary that no line labels get 0;
+/// lines that are no edge of a triangle are left out. `shown` is what the user calls the
+/// file.
+/// @throws std::invalid_argument  if the file is spoilt, has no triangles, is not plane,
+///                                or has an element that is neither a
 ///                                point, nor a line of two, nor a triangle of three nodes
 GmshMesh read_gmsh_mesh(const std::filesystem::path& file, const std::string& shown);
 
@@ -26,8 +30,10 @@ GmshMesh read_gmsh_mesh(const std::filesystem::path& file, const std::string& sh
 /// @throws std::invalid_argument  if it is no mesh of gmsh at all
 bool is_readable_format(const std::filesystem::path& file);
 
-/// Tag of the physical curve, or else of the physical surface, of that name, in a .msh file of any version.
+/// Tag of the physical curve, or else of the physical surface, of that name, in a .msh
+/// file of any version.
 /// @throws std::invalid_argument  listing the names there are, if it is not one of them
-int physical_tag(const std::filesystem::path& file, const std::string& name, const std::string& shown);
+int physical_tag(const std::filesystem::path& file, const std::string& name,
+                 const std::string& shown);
 
 }  // namespace ffcontact::plugin

@@ -9,8 +9,9 @@
 
 namespace ffcontact::plugin {
 
-/// Runs the body of a script function; what it throws becomes FreeFEM's ExecError, one sentence "function: what", exit code 8.
-/// FreeFEM loses the message of any other exception.
+/// Runs the body of a script function; what it throws becomes FreeFEM's ExecError, one
+/// sentence "function: what", exit code 8. FreeFEM loses the message of any other
+/// exception.
 template <class Body>
 auto guarded(const char* function, Body&& body) -> decltype(body()) {
   std::string sentence;

@@ -13,18 +13,20 @@ namespace {
 
 /// The contact and two arrays pn, pt: what contactproject and conecorrection take.
 ArrayOfaType contact_and_pressures() {
-  return ArrayOfaType(atype<ContactVariable*>(), atype<KN<double>*>(), atype<KN<double>*>());
+  return ArrayOfaType(atype<ContactVariable*>(), atype<KN<double>*>(),
+                      atype<KN<double>*>());
 }
 
-/// nodes outside = contactproject(C, pn, pt, multiplier=, g=, ...): pn and pt are projected in place; empty arrays become zeros, one
-/// value a node.
+/// nodes outside = contactproject(C, pn, pt, multiplier=, g=, ...): pn and pt are
+/// projected in place; empty arrays become zeros, one value a node.
 class ContactProject : public E_F0mps {
  public:
   using Result = long;
 
   explicit ContactProject(const basicAC_F0& arguments)
-      : named_(arguments,
-               {{"multiplier", &typeid(string*)}, {"g", &typeid(KN<double>*)}, {"verbosity", &typeid(long)}}),
+      : named_(arguments, {{"multiplier", &typeid(string*)},
+                           {"g", &typeid(KN<double>*)},
+                           {"verbosity", &typeid(long)}}),
         contact_(to<ContactVariable*>(arguments[0])),
         normal_(to<KN<double>*>(arguments[1])),
         tangential_(to<KN<double>*>(arguments[2])) {}
@@ -41,20 +43,25 @@ class ContactProject : public E_F0mps {
     const ContactProblem& problem = *stated_contact(stack, contact_).problem;
     ContactLaw law = problem.law;
     law.multiplier = multiplier_of(stack, named_);
-    KN<double>*pn = value_of<KN<double>*>(stack, normal_), *pt = value_of<KN<double>*>(stack, tangential_);
+    KN<double>*pn = value_of<KN<double>*>(stack, normal_),
+    *pt = value_of<KN<double>*>(stack, tangential_);
     const int nodes = problem.line.node_count();
-    const Eigen::Matrix2Xd pressure =
-        pn->N() == 0 && pt->N() == 0 ? Eigen::Matrix2Xd(Eigen::Matrix2Xd::Zero(2, nodes)) : problem.pressures(pn, pt);
+    const Matrix2Xd pressure = pn->N() == 0 && pt->N() == 0
+                                   ? Matrix2Xd(Matrix2Xd::Zero(2, nodes))
+                                   : problem.pressures(pn, pt);
     const Expression g = named_.expression("g");
-    const Eigen::VectorXd given = g ? Eigen::VectorXd(vector_of(value_of<KN<double>*>(stack, g))) : Eigen::VectorXd();
-    const MultiplierProjection projection = projected_multipliers(problem.line, law, pressure, given);
+    const VectorXd given =
+        g ? VectorXd(vector_of(value_of<KN<double>*>(stack, g))) : VectorXd();
+    const MultiplierProjection projection =
+        projected_multipliers(problem.line, law, pressure, given);
 
     pn->resize(nodes);
     pt->resize(nodes);
     vector_of(pn) = projection.pressure.row(0);
     vector_of(pt) = projection.pressure.row(1);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
-      cout << "contactproject: " << nodes << " nodes, " << projection.outside << " were outside" << endl;
+      cout << "contactproject: " << nodes << " nodes, " << projection.outside
+           << " were outside" << endl;
     return projection.outside;
   }
 
@@ -81,7 +88,9 @@ class ConeCorrectionFunction : public E_F0mps {
         tangential_(to<KN<double>*>(arguments[2])) {}
 
   static ArrayOfaType typeargs() { return contact_and_pressures(); }
-  static E_F0* f(const basicAC_F0& arguments) { return new ConeCorrectionFunction(arguments); }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new ConeCorrectionFunction(arguments);
+  }
 
   AnyType operator()(Stack stack) const override {
     return guarded("conecorrection", [&] { return SetAny<long>(run(stack)); });
@@ -91,11 +100,12 @@ class ConeCorrectionFunction : public E_F0mps {
   long run(Stack stack) const {
     const Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
-    const Eigen::Matrix2Xd given =
-        problem.pressures(value_of<KN<double>*>(stack, normal_), value_of<KN<double>*>(stack, tangential_));
-    const Eigen::Matrix2Xd density =
-        multiplier_density(problem.line, multiplier_of(stack, named_), prescribed(stack, contact), given);
-    const ConeCorrection correction = correct_to_cone(problem.line, problem.law, edge_densities(problem.line, density));
+    const Matrix2Xd given = problem.pressures(value_of<KN<double>*>(stack, normal_),
+                                              value_of<KN<double>*>(stack, tangential_));
+    const Matrix2Xd density = multiplier_density(
+        problem.line, multiplier_of(stack, named_), prescribed(stack, contact), given);
+    const ConeCorrection correction =
+        correct_to_cone(problem.line, problem.law, edge_densities(problem.line, density));
     const double cone = cone_defect(problem.line, problem.law, correction.densities);
     const auto unmended = static_cast<long>(correction.uncorrected.size());
     named_.put(stack, "rn", correction.densities.normal.reshaped());
@@ -104,8 +114,9 @@ class ConeCorrectionFunction : public E_F0mps {
     named_.put(stack, "corrected", static_cast<long>(correction.corrected_count()));
     named_.put(stack, "cone", cone);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
-      cout << "conecorrection: " << problem.line.edge_count() << " edges, " << correction.corrected_count()
-           << " corrected, " << unmended << " unmended, cone defect " << cone << endl;
+      cout << "conecorrection: " << problem.line.edge_count() << " edges, "
+           << correction.corrected_count() << " corrected, " << unmended
+           << " unmended, cone defect " << cone << endl;
     return unmended;
   }
 

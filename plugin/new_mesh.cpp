@@ -3,8 +3,9 @@
 
 namespace ffcontact::plugin {
 
-pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const Eigen::VectorXi& regions) {
-  const int nv = mesh.vertex_count(), nt = mesh.triangle_count(), neb = static_cast<int>(mesh.boundary.cols());
+pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const VectorXi& regions) {
+  const int nv = mesh.vertex_count(), nt = mesh.cell_count(),
+            neb = static_cast<int>(mesh.boundary.cols());
   auto* vertices = new Fem2D::Vertex[nv];
   auto* triangles = new Fem2D::Triangle[nt];
   auto* boundary = new Fem2D::BoundaryEdge[neb];
@@ -13,9 +14,11 @@ pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const Eigen::VectorXi& regions)
     vertices[v].y = mesh.vertices(1, v);
   }
   for (int t = 0; t < nt; ++t)
-    triangles[t].set(vertices, mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t), regions[t]);
+    triangles[t].set(vertices, mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t),
+                     regions[t]);
   for (int e = 0; e < neb; ++e) {
-    boundary[e] = Fem2D::BoundaryEdge(vertices, mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
+    boundary[e] = Fem2D::BoundaryEdge(vertices, mesh.boundary(0, e), mesh.boundary(1, e),
+                                      mesh.boundary_label[e]);
     for (int end = 0; end < 2; ++end) {
       Fem2D::Vertex& vertex = vertices[mesh.boundary(end, e)];
       if (vertex.lab == 0) vertex.lab = mesh.boundary_label[e];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 //
 #include "freefem.hpp"
@@ -9,6 +10,6 @@ namespace ffcontact::plugin {
 
 /// FreeFEM's mesh; it belongs to the statement that asked for it.
 /// @param regions  one per triangle
-pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const Eigen::VectorXi& regions);
+pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const VectorXi& regions);
 
 }  // namespace ffcontact::plugin

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What contactmesh in ffcontact.idp needs around adaptmesh: labels that keep corners, and vertices put back on lines and curves.
+// What contactmesh in ffcontact.idp needs around adaptmesh: labels that keep corners, and
+// vertices put back on lines and curves.
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/boundary_parts.hpp"
 //
@@ -14,8 +15,8 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 
-Eigen::VectorXi regions_of(const Fem2D::Mesh& Th) {
-  Eigen::VectorXi regions(Th.nt);
+VectorXi regions_of(const Fem2D::Mesh& Th) {
+  VectorXi regions(Th.nt);
   for (int t = 0; t < Th.nt; ++t) regions[t] = Th[t].lab;
   return regions;
 }
@@ -25,10 +26,12 @@ struct Parted {
   Mesh mesh;
   std::vector<BoundaryPart> parts;
 
-  Parted(pmesh Th, double corner) : mesh(mesh_of(Th)), parts(boundary_parts(mesh, corner * degree)) {}
+  Parted(pmesh Th, double corner)
+      : mesh(mesh_of(Th)), parts(boundary_parts(mesh, corner * degree)) {}
 };
 
-/// Tl = contactmeshparts(Th, corner): every straight line and every smooth curve has a label of its own
+/// Tl = contactmeshparts(Th, corner): every straight line and every smooth curve has a
+/// label of its own
 pmesh contactmeshparts(Stack stack, pmesh const& Th, const double& corner) {
   return GetAny<pmesh>(guarded("contactmesh", [&] {
     Parted parted(Th, corner);
@@ -41,27 +44,34 @@ pmesh contactmeshparts(Stack stack, pmesh const& Th, const double& corner) {
 double contactmeshangle(Stack, pmesh const& Th, const double& corner) {
   return GetAny<double>(guarded("contactmesh", [&] {
     const Parted parted(Th, corner);
-    return SetAny<double>(smallest_corner(parted.mesh, parted.parts, corner * degree) / degree);
+    return SetAny<double>(smallest_corner(parted.mesh, parted.parts, corner * degree) /
+                          degree);
   }));
 }
 
-/// Tm = contactmeshmoved(Tl, Th, corner): a mesh made of contactmeshparts(Th, corner), its vertices on the parts of Th
-pmesh contactmeshmoved(Stack stack, pmesh const& fine, pmesh const& Th, const double& corner) {
+/// Tm = contactmeshmoved(Tl, Th, corner): a mesh made of contactmeshparts(Th, corner),
+/// its vertices on the parts of Th
+pmesh contactmeshmoved(Stack stack, pmesh const& fine, pmesh const& Th,
+                       const double& corner) {
   return GetAny<pmesh>(guarded("contactmesh", [&] {
     const Parted parted(Th, corner);
     return SetAny<pmesh>(
-        fem_mesh_of(stack, moved_onto_parts(mesh_of(fine), parted.mesh, parted.parts), regions_of(*fine)));
+        fem_mesh_of(stack, moved_onto_parts(mesh_of(fine), parted.mesh, parted.parts),
+                    regions_of(*fine)));
   }));
 }
 
 /// Tn = contactmeshlabelled(Tm, Th, corner): with the labels of Th again
-pmesh contactmeshlabelled(Stack stack, pmesh const& fine, pmesh const& Th, const double& corner) {
+pmesh contactmeshlabelled(Stack stack, pmesh const& fine, pmesh const& Th,
+                          const double& corner) {
   return GetAny<pmesh>(guarded("contactmesh", [&] {
     const Parted parted(Th, corner);
     Mesh mesh = mesh_of(fine);
-    const int first = part_label(parted.mesh, 0), count = static_cast<int>(parted.parts.size());
+    const int first = part_label(parted.mesh, 0),
+              count = static_cast<int>(parted.parts.size());
     for (int& label : mesh.boundary_label)
-      if (label >= first && label < first + count) label = parted.parts[label - first].label;
+      if (label >= first && label < first + count)
+        label = parted.parts[label - first].label;
     return SetAny<pmesh>(fem_mesh_of(stack, mesh, regions_of(*fine)));
   }));
 }
@@ -69,10 +79,14 @@ pmesh contactmeshlabelled(Stack stack, pmesh const& fine, pmesh const& Th, const
 }  // namespace
 
 void register_remesh_functions() {
-  Global.Add("contactmeshparts", "(", new OneOperator2s_<pmesh, pmesh, double>(contactmeshparts));
-  Global.Add("contactmeshangle", "(", new OneOperator2s_<double, pmesh, double>(contactmeshangle));
-  Global.Add("contactmeshmoved", "(", new OneOperator3s_<pmesh, pmesh, pmesh, double>(contactmeshmoved));
-  Global.Add("contactmeshlabelled", "(", new OneOperator3s_<pmesh, pmesh, pmesh, double>(contactmeshlabelled));
+  Global.Add("contactmeshparts", "(",
+             new OneOperator2s_<pmesh, pmesh, double>(contactmeshparts));
+  Global.Add("contactmeshangle", "(",
+             new OneOperator2s_<double, pmesh, double>(contactmeshangle));
+  Global.Add("contactmeshmoved", "(",
+             new OneOperator3s_<pmesh, pmesh, pmesh, double>(contactmeshmoved));
+  Global.Add("contactmeshlabelled", "(",
+             new OneOperator3s_<pmesh, pmesh, pmesh, double>(contactmeshlabelled));
 }
 
 }  // namespace ffcontact::plugin

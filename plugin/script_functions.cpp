@@ -9,15 +9,19 @@ namespace ffcontact::plugin {
 
 namespace {
 
-/// contactstop("function: what was wrong") stops the script with that sentence, exit code 8.
+/// contactstop("function: what was wrong") stops the script with that sentence, exit code
+/// 8.
 long contactstop(string* const& sentence) {
   ExecError(sentence->c_str());
   return 0;
 }
 
-/// Seconds on a wall clock, with fractions: FreeFEM's time() counts whole seconds, its clock() those of all threads together.
+/// Seconds on a wall clock, with fractions: FreeFEM's time() counts whole seconds, its
+/// clock() those of all threads together.
 double wallclock() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return std::chrono::duration<double>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
 }
 
 }  // namespace

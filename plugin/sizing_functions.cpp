@@ -11,22 +11,29 @@ namespace ffcontact::plugin {
 namespace {
 
 /// What is given for each body.
-const NamedArguments::Table of_bodies = {
-    {"rate", &typeid(KN<double>*)}, {"size", &typeid(KN<double>*)}, {"ratio", &typeid(KN<double>*)}};
+const NamedArguments::Table of_bodies = {{"rate", &typeid(KN<double>*)},
+                                         {"size", &typeid(KN<double>*)},
+                                         {"ratio", &typeid(KN<double>*)}};
 
-/// predicted triangles = optimalsize(C, eps, target=, size=, ...), with eps of each body: one wanted error and one Lambda for all
-/// of them.
+/// predicted triangles = optimalsize(C, eps, target=, size=, ...), with eps of each body:
+/// one wanted error and one Lambda for all of them.
 class OptimalSizeFunction : public E_F0mps {
  public:
   using Result = double;
 
   explicit OptimalSizeFunction(const basicAC_F0& arguments)
-      : named_(arguments, table(arguments)), contact_(to<ContactVariable*>(arguments[0])) {
-    for (int k = 1; k < arguments.size(); ++k) local_error_.push_back(to<KN<double>*>(arguments[k]));
+      : named_(arguments, table(arguments)),
+        contact_(to<ContactVariable*>(arguments[0])) {
+    for (int k = 1; k < arguments.size(); ++k)
+      local_error_.push_back(to<KN<double>*>(arguments[k]));
   }
 
-  static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), atype<KN<double>*>(), true); }
-  static E_F0* f(const basicAC_F0& arguments) { return new OptimalSizeFunction(arguments); }
+  static ArrayOfaType typeargs() {
+    return ArrayOfaType(atype<ContactVariable*>(), atype<KN<double>*>(), true);
+  }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new OptimalSizeFunction(arguments);
+  }
 
   AnyType operator()(Stack stack) const override {
     return guarded("optimalsize", [&] { return SetAny<double>(run(stack)); });
@@ -46,12 +53,13 @@ class OptimalSizeFunction : public E_F0mps {
     return table;
   }
 
-  /// The given arrays of all bodies one after the other; none where the first is not given.
-  static Eigen::VectorXd joined(Stack stack, const std::vector<Expression>& arrays) {
-    Eigen::VectorXd values;
+  /// The given arrays of all bodies one after the other; none where the first is not
+  /// given.
+  static VectorXd joined(Stack stack, const std::vector<Expression>& arrays) {
+    VectorXd values;
     for (Expression array : arrays) {
       if (!array) return {};
-      const Eigen::VectorXd own = vector_of(value_of<KN<double>*>(stack, array));
+      const VectorXd own = vector_of(value_of<KN<double>*>(stack, array));
       values.conservativeResize(values.size() + own.size());
       values.tail(own.size()) = own;
     }
@@ -77,18 +85,22 @@ class OptimalSizeFunction : public E_F0mps {
     settings.gradation = named_.number(stack, "gradation", settings.gradation);
     settings.largest_step = named_.number(stack, "largeststep", settings.largest_step);
     const OptimalSize optimal =
-        optimal_size(all.mesh, problem.edges, joined(stack, local_error_), joined(stack, rates), settings);
+        optimal_size(all.mesh, problem.edges, joined(stack, local_error_),
+                     joined(stack, rates), settings);
     for (int k = 0; k < bodies; ++k) {
       const int v = all.first_vertex[k], t = all.first_triangle[k];
-      named_.put(stack, name_of_body("size", k, bodies), optimal.size.segment(v, all.first_vertex[k + 1] - v));
-      named_.put(stack, name_of_body("ratio", k, bodies), optimal.ratio.segment(t, all.first_triangle[k + 1] - t));
+      named_.put(stack, name_of_body("size", k, bodies),
+                 optimal.size.segment(v, all.first_vertex[k + 1] - v));
+      named_.put(stack, name_of_body("ratio", k, bodies),
+                 optimal.ratio.segment(t, all.first_triangle[k + 1] - t));
     }
     named_.put(stack, "wanted", optimal.wanted);
     named_.put(stack, "predicted", optimal.predicted_error);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
-      cout << "optimalsize: sizes " << optimal.size.minCoeff() << " to " << optimal.size.maxCoeff() << ", about "
-           << std::lround(optimal.predicted_count) << " triangles for eps " << 100 * optimal.predicted_error << " %"
-           << endl;
+      cout << "optimalsize: sizes " << optimal.size.minCoeff() << " to "
+           << optimal.size.maxCoeff() << ", about "
+           << std::lround(optimal.predicted_count) << " triangles for eps "
+           << 100 * optimal.predicted_error << " %" << endl;
     return optimal.predicted_count;
   }
 
@@ -99,6 +111,8 @@ class OptimalSizeFunction : public E_F0mps {
 
 }  // namespace
 
-void register_sizing_functions() { Global.Add("optimalsize", "(", new OneOperatorCode<OptimalSizeFunction>()); }
+void register_sizing_functions() {
+  Global.Add("optimalsize", "(", new OneOperatorCode<OptimalSizeFunction>());
+}
 
 }  // namespace ffcontact::plugin

@@ -11,7 +11,8 @@ namespace {
 /// Points of a contact edge at which a coefficient is evaluated.
 constexpr int samples_of_an_edge = 9;
 
-/// Evaluates expressions at points of the mesh and gives the script its current point back.
+/// Evaluates expressions at points of the mesh and gives the script its current point
+/// back.
 class PointEvaluator {
  public:
   PointEvaluator(Stack stack, const Fem2D::Mesh& mesh)
@@ -20,7 +21,8 @@ class PointEvaluator {
   PointEvaluator(const PointEvaluator&) = delete;
   PointEvaluator& operator=(const PointEvaluator&) = delete;
 
-  /// Goes to a boundary element, a share `s` of the way from its second local end to its first.
+  /// Goes to a boundary element, a share `s` of the way from its second local end to its
+  /// first.
   void go_to_boundary(int element, double s) {
     int side;
     const int k = mesh_.BoundaryElement(element, side);
@@ -30,12 +32,14 @@ class PointEvaluator {
     const R2 first(Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][0]]);
     const R2 second(Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][1]]);
     const R2 hat = first * s + second * (1 - s);
-    point_->set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab, normal, side);
+    point_->set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab, normal,
+                side);
   }
   /// Goes to a place on a boundary edge of a part of the joined mesh.
   void go_to_edge(const BodyPart& part, const Edges& edges, const EdgePlace& at) {
     const int element = edges.boundary_index[at.edge] - part.first_boundary;
-    const bool first = first_vertex(element) == edges.vertices(0, at.edge) - part.first_vertex;
+    const bool first =
+        first_vertex(element) == edges.vertices(0, at.edge) - part.first_vertex;
     go_to_boundary(element, first ? 1 - at.place : at.place);
   }
   int first_vertex(int element) const {
@@ -47,8 +51,9 @@ class PointEvaluator {
     const Fem2D::Triangle& triangle = mesh_[t];
     point_->set(mesh_, triangle(hat), hat, triangle, triangle.lab);
   }
-  /// What the evaluation made is freed at once: FreeFEM frees temporaries only at the end of the statement. Those that were there
-  /// before are the statement's own: texts of a sum, a mesh among the arguments.
+  /// What the evaluation made is freed at once: FreeFEM frees temporaries only at the end
+  /// of the statement. Those that were there before are the statement's own: texts of a
+  /// sum, a mesh among the arguments.
   double value(Expression expression) const {
     StackOfPtr2Free& temporaries = *WhereStackOfPtr2Free(stack_);
     const auto own = static_cast<int>(temporaries.size());
@@ -66,13 +71,15 @@ class PointEvaluator {
   Fem2D::MeshPoint saved_;
 };
 
-/// (h / pi)^2 |f - f~|^2 on one triangle, h = square root of twice its area; f~ is constant on the subtriangles, and
-/// subtriangle k holds the points where phi_k is the smallest.
-double oscillation_square(const Eigen::Matrix2Xd& f, const Eigen::Matrix3Xd& phi, const Eigen::VectorXd& weight,
-                          const Eigen::Matrix<double, 2, 3>& constant, double area) {
+/// (h / pi)^2 |f - f~|^2 on one triangle, h = square root of twice its area; f~ is
+/// constant on the subtriangles, and subtriangle k holds the points where phi_k is the
+/// smallest.
+double oscillation_square(const Matrix2Xd& f, const Matrix3Xd& phi,
+                          const VectorXd& weight, const Matrix<double, 2, 3>& constant,
+                          double area) {
   double square = 0;
-  for (Eigen::Index q = 0; q < weight.size(); ++q) {
-    Eigen::Index k;
+  for (Index q = 0; q < weight.size(); ++q) {
+    Index k;
     phi.col(q).minCoeff(&k);
     square += weight[q] * (f.col(q) - constant.col(k)).squaredNorm();
   }
@@ -86,11 +93,11 @@ Mesh mesh_of(const Fem2D::Mesh* fem_mesh) {
   const Fem2D::Mesh& Th = *fem_mesh;
   Mesh mesh;
   mesh.vertices.resize(2, Th.nv);
-  mesh.triangles.resize(3, Th.nt);
+  mesh.cells.resize(3, Th.nt);
   mesh.boundary.resize(2, Th.neb);
   mesh.boundary_label.resize(Th.neb);
   for (int v = 0; v < Th.nv; ++v) mesh.vertices.col(v) << Th(v).x, Th(v).y;
-  for (int t = 0; t < Th.nt; ++t) mesh.triangles.col(t) << Th(t, 0), Th(t, 1), Th(t, 2);
+  for (int t = 0; t < Th.nt; ++t) mesh.cells.col(t) << Th(t, 0), Th(t, 1), Th(t, 2);
   for (int e = 0; e < Th.neb; ++e) {
     mesh.boundary.col(e) << Th(Th.bedges[e][0]), Th(Th.bedges[e][1]);
     mesh.boundary_label[e] = Th.bedges[e].lab;
@@ -105,15 +112,17 @@ RowMatrix matrix_of(Matrice_Creuse<double>* matrix) {
   int *rows, *columns;
   double* values;
   hash->CSR(rows, columns, values);
-  const RowMatrix stored =
-      Eigen::Map<const RowMatrix>(hash->n, hash->m, static_cast<Eigen::Index>(hash->nnz), rows, columns, values);
+  const RowMatrix stored = Map<const RowMatrix>(
+      hash->n, hash->m, static_cast<Index>(hash->nnz), rows, columns, values);
   if (!hash->half) return stored;
   RowMatrix transposed = stored.transpose();
-  transposed.prune([](Eigen::Index i, Eigen::Index j, double) { return i != j; });
+  transposed.prune([](Index i, Index j, double) { return i != j; });
   return stored + transposed;
 }
 
-Eigen::Map<Eigen::VectorXd> vector_of(KN<double>* array) { return {static_cast<double*>(*array), array->N()}; }
+Map<VectorXd> vector_of(KN<double>* array) {
+  return {static_cast<double*>(*array), array->N()};
+}
 
 StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
   StatedPlaces places(line.edge_count(), std::vector<EdgePlace>(samples_of_an_edge));
@@ -130,15 +139,17 @@ StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
       const double x = at(k, line.place(0, e), line.place(1, e));
       if (x < piece->begin || x > piece->end) continue;
       const double share = (x - piece->begin) / (piece->end - piece->begin);
-      places[e][k] = {piece->opposite_edge,
-                      piece->opposite_begin + share * (piece->opposite_end - piece->opposite_begin)};
+      places[e][k] = {
+          piece->opposite_edge,
+          piece->opposite_begin + share * (piece->opposite_end - piece->opposite_begin)};
     }
   return places;
 }
 
-Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                         const ContactLine& line, const StatedPlaces& places, double otherwise) {
-  Eigen::VectorXd values = Eigen::VectorXd::Constant(line.node_count(), otherwise);
+VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
+                  const Edges& edges, const ContactLine& line, const StatedPlaces& places,
+                  double otherwise) {
+  VectorXd values = VectorXd::Constant(line.node_count(), otherwise);
   if (!expression) return values;
   PointEvaluator point(stack, part.fem_mesh);
   for (int e = line.edge_count() - 1; e >= 0;
@@ -151,20 +162,21 @@ Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& par
   return values;
 }
 
-Eigen::MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                            const StatedPlaces& places) {
-  Eigen::MatrixXd values(samples_of_an_edge, static_cast<Eigen::Index>(places.size()));
+MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
+                     const Edges& edges, const StatedPlaces& places) {
+  MatrixXd values(samples_of_an_edge, static_cast<Index>(places.size()));
   PointEvaluator point(stack, part.fem_mesh);
   for (std::size_t e = 0; e < places.size(); ++e)
     for (int k = 0; k < samples_of_an_edge; ++k) {
       point.go_to_edge(part, edges, places[e][k]);
-      values(k, static_cast<Eigen::Index>(e)) = point.value(expression);
+      values(k, static_cast<Index>(e)) = point.value(expression);
     }
   return values;
 }
 
-Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, double otherwise) {
-  Eigen::VectorXd values = Eigen::VectorXd::Constant(fem_mesh.nt, otherwise);
+VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh,
+                      double otherwise) {
+  VectorXd values = VectorXd::Constant(fem_mesh.nt, otherwise);
   if (!expression) return values;
   PointEvaluator point(stack, fem_mesh);
   for (int t = 0; t < fem_mesh.nt; ++t) {
@@ -174,19 +186,21 @@ Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Me
   return values;
 }
 
-Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh,
-                                  const Mesh& mesh) {
-  Eigen::Matrix4Xd moments = Eigen::Matrix4Xd::Zero(4, mesh.boundary.cols());
+Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
+                           const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+  Matrix4Xd moments = Matrix4Xd::Zero(4, mesh.boundary.cols());
   if (!Fx && !Fy) return moments;
   const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;
   PointEvaluator point(stack, fem_mesh);
   for (int e = 0; e < mesh.boundary.cols(); ++e) {
-    const double length = (mesh.vertices.col(mesh.boundary(1, e)) - mesh.vertices.col(mesh.boundary(0, e))).norm();
+    const double length =
+        (mesh.vertices.col(mesh.boundary(1, e)) - mesh.vertices.col(mesh.boundary(0, e)))
+            .norm();
     const int first_row = point.first_vertex(e) == mesh.boundary(0, e) ? 0 : 2;
     for (int q = 0; q < quadrature.n; ++q) {
       const double s = quadrature[q].x, weight = length * quadrature[q].a;
       point.go_to_boundary(e, s);
-      const Eigen::Vector2d F(Fx ? point.value(Fx) : 0, Fy ? point.value(Fy) : 0);
+      const Vector2d F(Fx ? point.value(Fx) : 0, Fy ? point.value(Fy) : 0);
       moments.block<2, 1>(first_row, e) += weight * s * F;
       moments.block<2, 1>(2 - first_row, e) += weight * (1 - s) * F;
     }
@@ -194,16 +208,17 @@ Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, con
   return moments;
 }
 
-BodyForce body_force_loads(Stack stack, Expression fx, Expression fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
-  BodyForce force{BodyLoadsOfAll::Zero(6, mesh.triangles.cols()), 0};
+BodyForce body_force_loads(Stack stack, Expression fx, Expression fy,
+                           const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+  BodyForce force{BodyLoadsOfAll::Zero(6, mesh.cells.cols()), 0};
   if (!fx && !fy) return force;
   const Fem2D::QuadratureFormular& quadrature = Fem2D::QuadratureFormular_T_5;
   PointEvaluator point(stack, fem_mesh);
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+  for (int t = 0; t < mesh.cell_count(); ++t) {
     const double area = signed_area(mesh, t);
-    Eigen::Matrix<double, 2, Eigen::Dynamic> f(2, quadrature.n);
-    Eigen::Matrix<double, 3, Eigen::Dynamic> phi(3, quadrature.n);
-    Eigen::VectorXd weight(quadrature.n);
+    Matrix<double, 2, Dynamic> f(2, quadrature.n);
+    Matrix<double, 3, Dynamic> phi(3, quadrature.n);
+    VectorXd weight(quadrature.n);
     for (int q = 0; q < quadrature.n; ++q) {
       const R2 hat(quadrature[q].x, quadrature[q].y);
       point.go_to_triangle(t, hat);
@@ -211,9 +226,10 @@ BodyForce body_force_loads(Stack stack, Expression fx, Expression fy, const Fem2
       phi.col(q) << 1 - hat.x - hat.y, hat.x, hat.y;
       weight[q] = area * quadrature[q].a;
     }
-    Eigen::Map<Eigen::Matrix<double, 2, 3>> loads(force.loads.col(t).data());
+    Map<Matrix<double, 2, 3>> loads(force.loads.col(t).data());
     loads = f * weight.asDiagonal() * phi.transpose();
-    force.oscillation += oscillation_square(f, phi, weight, body_force_of(force.loads.col(t), area), area);
+    force.oscillation +=
+        oscillation_square(f, phi, weight, body_force_of(force.loads.col(t), area), area);
   }
   force.oscillation = std::sqrt(force.oscillation);
   return force;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
@@ -17,7 +18,7 @@ Mesh mesh_of(const Fem2D::Mesh* mesh);
 /// @throws std::invalid_argument  if the matrix was never assigned
 RowMatrix matrix_of(Matrice_Creuse<double>* matrix);
 
-Eigen::Map<Eigen::VectorXd> vector_of(KN<double>* array);
+Map<VectorXd> vector_of(KN<double>* array);
 
 /// A FreeFEM mesh as a part of a joined mesh.
 struct BodyPart {
@@ -25,41 +26,49 @@ struct BodyPart {
   int first_vertex, first_boundary;
 };
 
-/// Where an expression is evaluated for a point of a contact edge: a mesh edge of the body that it is stated on, and the place on it
-/// (0 at its first vertex).
+/// Where an expression is evaluated for a point of a contact edge: a mesh edge of the
+/// body that it is stated on, and the place on it (0 at its first vertex).
 struct EdgePlace {
   int edge;
   double place;
 };
 
-/// The places that belong to the points of a line, evenly spaced on each contact edge, ends included [edge][point]. They are on the
-/// line itself, or on what it faces when coefficients are stated on the opposite body.
+/// The places that belong to the points of a line, evenly spaced on each contact edge,
+/// ends included [edge][point]. They are on the line itself, or on what it faces when
+/// coefficients are stated on the opposite body.
 using StatedPlaces = std::vector<std::vector<EdgePlace>>;
 StatedPlaces stated_places(const ContactLine& line, bool on_opposite);
 
-/// An expression of the script at the nodes of a contact line (x, y, label, N as on the boundary) [p].
+/// An expression of the script at the nodes of a contact line (x, y, label, N as on the
+/// boundary) [p].
 /// @return an array of `otherwise` where the expression is null
-Eigen::VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                         const ContactLine& line, const StatedPlaces& places, double otherwise);
+VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
+                  const Edges& edges, const ContactLine& line, const StatedPlaces& places,
+                  double otherwise);
 
 /// An expression at the places of each edge, with the label of the edge [points x edges].
-Eigen::MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part, const Edges& edges,
-                            const StatedPlaces& places);
+MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
+                     const Edges& edges, const StatedPlaces& places);
 
 /// An expression at the centroid of each triangle (x, y, region) [triangles].
-Eigen::VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh, double otherwise);
+VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh,
+                      double otherwise);
 
-/// Moments int F phi of a traction at the two vertices of every boundary element [4 x boundary], by the quadrature that
-/// FreeFEM's int1d uses by default (three Gauss points), so that they are the loads of the script.
-/// Null components are zero.
-Eigen::Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy, const Fem2D::Mesh& fem_mesh,
-                                  const Mesh& mesh);
+/// Moments int F phi of a traction at the two vertices of every boundary element [4 x
+/// boundary], by the quadrature that FreeFEM's int1d uses by default (three Gauss
+/// points), so that they are the loads of the script. Null components are zero.
+Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
+                           const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
 
 /// Body forces as the loads of the script.
 struct BodyForce {
-  BodyLoadsOfAll loads;  ///< int f phi_i per triangle, by the quadrature that FreeFEM's int2d uses by default
-  double oscillation;    ///< (sum over triangles of (h / pi)^2 |f - f~|^2)^(1/2), f~ the force of composite_stress [N]
+  /// int f phi_i per triangle, by the quadrature that FreeFEM's int2d uses by default
+  BodyLoadsOfAll loads;
+  /// (sum over triangles of (h / pi)^2 |f - f~|^2)^(1/2), f~ the force of
+  /// composite_stress [N]
+  double oscillation;
 };
-BodyForce body_force_loads(Stack stack, Expression fx, Expression fy, const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
+BodyForce body_force_loads(Stack stack, Expression fx, Expression fy,
+                           const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
 
 }  // namespace ffcontact::plugin

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// ffcontact: frictional contact in two dimensions by mixed finite elements, with an error estimate from admissible fields
-/// and the mesh sizes that reach a wanted error.
+/// ffcontact: frictional contact in two dimensions by mixed finite elements, with an
+/// error estimate from admissible fields and the mesh sizes that reach a wanted error.
 ///
-/// Source: [CHH01] P. Coorevits, P. Hild, M. Hjiaj, A posteriori error control of finite element approximations for Coulomb's
-/// frictional contact, SIAM J. Sci. Comput. 23(3), 2001. Equation numbers in the headers are its own.
+/// Source: [CHH01] P. Coorevits, P. Hild, M. Hjiaj, A posteriori error control of finite
+/// element approximations for Coulomb's frictional contact, SIAM J. Sci. Comput. 23(3),
+/// 2001. Equation numbers in the headers are its own.
 ///
 /// Modules, each using only those before it:
 ///   base         refusals, small dense problems
@@ -17,8 +18,8 @@
 ///   estimate     the error in the constitutive relation of an admissible pair
 ///   sizing       optimal sizes for a wanted error
 ///
-/// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1), compression negative, u_n <= 0 does
-/// not penetrate.
+/// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1),
+/// compression negative, u_n <= 0 does not penetrate.
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"

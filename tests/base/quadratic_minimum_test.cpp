@@ -16,54 +16,61 @@ using namespace test;
 
 /// min y'Hy / 2 + g'y subject to C y >= d.
 struct Quadratic {
-  Eigen::MatrixXd H, C;
-  Eigen::VectorXd g, d;
-  double value(const Eigen::VectorXd& y) const { return 0.5 * y.dot(H * y) + g.dot(y); }
-  double violation(const Eigen::VectorXd& y) const { return d.size() > 0 ? std::max(0.0, (d - C * y).maxCoeff()) : 0; }
+  MatrixXd H, C;
+  VectorXd g, d;
+  double value(const VectorXd& y) const { return 0.5 * y.dot(H * y) + g.dot(y); }
+  double violation(const VectorXd& y) const {
+    return d.size() > 0 ? std::max(0.0, (d - C * y).maxCoeff()) : 0;
+  }
 };
 
 /// A problem for which a random y is feasible.
 Quadratic random_quadratic(int unknowns, int conditions, Random& random) {
-  const Eigen::MatrixXd A = random_matrix(unknowns, unknowns, random);
-  Quadratic q{A * A.transpose() + 0.1 * Eigen::MatrixXd::Identity(unknowns, unknowns),
+  const MatrixXd A = random_matrix(unknowns, unknowns, random);
+  Quadratic q{A * A.transpose() + 0.1 * MatrixXd::Identity(unknowns, unknowns),
               random_matrix(conditions, unknowns, random),
               random_vector(unknowns, random),
               {}};
-  q.d = q.C * random_vector(unknowns, random) - random_vector(conditions, random).cwiseAbs();
+  q.d = q.C * random_vector(unknowns, random) -
+        random_vector(conditions, random).cwiseAbs();
   return q;
 }
 
-/// Smallest value by brute force: every set of conditions taken as equations, the feasible points compared.
+/// Smallest value by brute force: every set of conditions taken as equations, the
+/// feasible points compared.
 double smallest_value(const Quadratic& q) {
-  const Eigen::Index n = q.g.size();
+  const Index n = q.g.size();
   double best = std::numeric_limits<double>::infinity();
   for (int set = 0; set < 1 << q.d.size(); ++set) {
     std::vector<int> rows;
     for (int row = 0; row < q.d.size(); ++row)
       if (set >> row & 1) rows.push_back(row);
-    const auto m = static_cast<Eigen::Index>(rows.size());
+    const auto m = static_cast<Index>(rows.size());
     if (m > n) continue;
-    Eigen::MatrixXd saddle = Eigen::MatrixXd::Zero(n + m, n + m);
+    MatrixXd saddle = MatrixXd::Zero(n + m, n + m);
     saddle.topLeftCorner(n, n) = q.H;
     saddle.bottomLeftCorner(m, n) = q.C(rows, Eigen::all);
     saddle.topRightCorner(n, m) = q.C(rows, Eigen::all).transpose();
-    Eigen::VectorXd right(n + m);
+    VectorXd right(n + m);
     right << -q.g, q.d(rows);
-    const Eigen::VectorXd y = saddle.fullPivLu().solve(right).head(n);
+    const VectorXd y = saddle.fullPivLu().solve(right).head(n);
     if (q.violation(y) < 1e-9) best = std::min(best, q.value(y));
   }
   return best;
 }
 
-RC_GTEST_PROP(QuadraticMinimum, is_the_smallest_over_all_sets_of_active_conditions, (Random random)) {
-  const Quadratic q = random_quadratic(*rc::gen::inRange(1, 6), *rc::gen::inRange(1, 7), random);
+RC_GTEST_PROP(QuadraticMinimum, is_the_smallest_over_all_sets_of_active_conditions,
+              (Random random)) {
+  const Quadratic q =
+      random_quadratic(*rc::gen::inRange(1, 6), *rc::gen::inRange(1, 7), random);
   const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
   RC_ASSERT(y.has_value());
   RC_ASSERT(q.violation(*y) < 1e-9);
   RC_ASSERT(std::abs(q.value(*y) - smallest_value(q)) < 1e-8);
 }
 
-RC_GTEST_PROP(QuadraticMinimum, without_active_conditions_is_the_free_minimum, (Random random)) {
+RC_GTEST_PROP(QuadraticMinimum, without_active_conditions_is_the_free_minimum,
+              (Random random)) {
   Quadratic q = random_quadratic(4, 3, random);
   q.d.array() -= 1e6;
   const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
@@ -71,35 +78,41 @@ RC_GTEST_PROP(QuadraticMinimum, without_active_conditions_is_the_free_minimum, (
   RC_ASSERT((q.H * *y + q.g).norm() < 1e-11 * y->norm() * q.H.norm());
 }
 
-RC_GTEST_PROP(QuadraticMinimum, does_not_depend_on_the_scale_of_its_conditions, (Random random)) {
+RC_GTEST_PROP(QuadraticMinimum, does_not_depend_on_the_scale_of_its_conditions,
+              (Random random)) {
   const Quadratic q = random_quadratic(4, 5, random);
-  const Eigen::VectorXd factor = (5 * random_vector(5, random)).array().exp();
+  const VectorXd factor = (5 * random_vector(5, random)).array().exp();
   const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
-  const auto z = quadratic_minimum(q.H, q.g, factor.asDiagonal() * q.C, factor.asDiagonal() * q.d);
+  const auto z =
+      quadratic_minimum(q.H, q.g, factor.asDiagonal() * q.C, factor.asDiagonal() * q.d);
   RC_ASSERT((y && z && (*y - *z).norm() < 1e-8 * (1 + y->norm())));
 }
 
-/// |y_t| <= -mu y_n for two pairs (y_n, y_t), as for the tractions at the ends of an edge.
-RC_GTEST_PROP(QuadraticMinimum, meets_the_conditions_of_a_thin_cone_to_rounding, (Random random)) {
+/// |y_t| <= -mu y_n for two pairs (y_n, y_t), as for the tractions at the ends of an
+/// edge.
+RC_GTEST_PROP(QuadraticMinimum, meets_the_conditions_of_a_thin_cone_to_rounding,
+              (Random random)) {
   const double mu = std::pow(10.0, -*real(0, 7));
   Quadratic q = random_quadratic(4, 4, random);
   q.C.setZero();
-  for (int pair = 0; pair < 2; ++pair) q.C.block<2, 2>(2 * pair, 2 * pair) << -mu, 1, -mu, -1;
+  for (int pair = 0; pair < 2; ++pair)
+    q.C.block<2, 2>(2 * pair, 2 * pair) << -mu, 1, -mu, -1;
   q.d.setZero();
   const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
   RC_ASSERT(y.has_value());
   RC_ASSERT(q.violation(*y) <= 1e-14 * (1 + y->norm()));
-  // Optimality: the gradient is a combination of the active conditions with multipliers >= 0.
-  const Eigen::VectorXd gradient = q.H * *y + q.g, slack = q.C * *y - q.d;
-  Eigen::MatrixXd active(4, 0);
+  // Optimality: the gradient is a combination of the active conditions with multipliers
+  // >= 0.
+  const VectorXd gradient = q.H * *y + q.g, slack = q.C * *y - q.d;
+  MatrixXd active(4, 0);
   for (int row = 0; row < 4; ++row)
     if (slack[row] <= 1e-13 * (1 + y->norm())) {
       active.conservativeResize(Eigen::NoChange, active.cols() + 1);
       active.rightCols<1>() = q.C.row(row).transpose();
     }
-  Eigen::VectorXd left_over = gradient;
+  VectorXd left_over = gradient;
   if (active.cols() > 0) {
-    const Eigen::VectorXd multipliers = active.completeOrthogonalDecomposition().solve(gradient);
+    const VectorXd multipliers = active.completeOrthogonalDecomposition().solve(gradient);
     RC_ASSERT(multipliers.minCoeff() >= -1e-7 * (1 + multipliers.maxCoeff()));
     left_over -= active * multipliers;
   }
@@ -107,26 +120,30 @@ RC_GTEST_PROP(QuadraticMinimum, meets_the_conditions_of_a_thin_cone_to_rounding,
 }
 
 TEST(QuadraticMinimum, without_conditions_solves_the_linear_system) {
-  const auto y = quadratic_minimum(2 * Eigen::Matrix2d::Identity(), Eigen::Vector2d(-2, 4), Eigen::MatrixXd(0, 2),
-                                   Eigen::VectorXd());
+  const auto y = quadratic_minimum(2 * Matrix2d::Identity(), Vector2d(-2, 4),
+                                   MatrixXd(0, 2), VectorXd());
   ASSERT_TRUE(y.has_value());
-  EXPECT_LT((*y - Eigen::Vector2d(1, -2)).norm(), 1e-15);
+  EXPECT_LT((*y - Vector2d(1, -2)).norm(), 1e-15);
 }
 
 TEST(QuadraticMinimum, is_nothing_where_the_conditions_contradict_each_other) {
-  const Eigen::Vector2d up(1, -1), limits(1, 1);  // y >= 1 and y <= -1
-  EXPECT_FALSE(quadratic_minimum(Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Zero(1), up, limits).has_value());
+  const Vector2d up(1, -1), limits(1, 1);  // y >= 1 and y <= -1
+  EXPECT_FALSE(quadratic_minimum(MatrixXd::Identity(1, 1), VectorXd::Zero(1), up, limits)
+                   .has_value());
 }
 
 TEST(QuadraticMinimum, is_nothing_where_the_form_is_not_positive_definite) {
-  const Eigen::Matrix2d H = Eigen::Vector2d(1, -1).asDiagonal();
-  EXPECT_FALSE(quadratic_minimum(H, Eigen::Vector2d::Zero(), Eigen::MatrixXd(0, 2), Eigen::VectorXd()).has_value());
+  const Matrix2d H = Vector2d(1, -1).asDiagonal();
+  EXPECT_FALSE(
+      quadratic_minimum(H, Vector2d::Zero(), MatrixXd(0, 2), VectorXd()).has_value());
 }
 
-/// A condition that y hardly changes has terms that are large against what y does to it; the others are met to their own.
+/// A condition that y hardly changes has terms that are large against what y does to it;
+/// the others are met to their own.
 TEST(QuadraticMinimum, meets_conditions_beside_one_that_hardly_changes) {
-  const Eigen::MatrixXd H = Eigen::MatrixXd::Identity(1, 1), C = (Eigen::MatrixXd(2, 1) << -1, 1e-15).finished();
-  const auto y = quadratic_minimum(H, Eigen::VectorXd::Constant(1, -2), C, Eigen::Vector2d(-1, -1));
+  const MatrixXd H = MatrixXd::Identity(1, 1),
+                 C = (MatrixXd(2, 1) << -1, 1e-15).finished();
+  const auto y = quadratic_minimum(H, VectorXd::Constant(1, -2), C, Vector2d(-1, -1));
   ASSERT_TRUE(y.has_value());
   EXPECT_NEAR((*y)[0], 1, 1e-14);
 }

@@ -11,9 +11,9 @@ namespace {
 using namespace test;
 
 RC_GTEST_PROP(SparseLu, solves_with_the_matrix_and_its_transpose, (Random random)) {
-  const Eigen::MatrixXd A = random_matrix(6, 6, random) + 12 * Eigen::MatrixXd::Identity(6, 6);
-  const Eigen::VectorXd x = random_vector(6, random);
-  const Eigen::MatrixXd X = random_matrix(6, 2, random);
+  const MatrixXd A = random_matrix(6, 6, random) + 12 * MatrixXd::Identity(6, 6);
+  const VectorXd x = random_vector(6, random);
+  const MatrixXd X = random_matrix(6, 2, random);
   const SparseLu lu(A.sparseView());
   RC_ASSERT(lu.is_regular());
   RC_ASSERT((lu.solve(A * x) - x).norm() < 1e-13 * 12);
@@ -23,10 +23,10 @@ RC_GTEST_PROP(SparseLu, solves_with_the_matrix_and_its_transpose, (Random random
 }
 
 TEST(SparseLu, takes_no_columns_and_knows_a_singular_matrix) {
-  const SparseLu lu(Eigen::MatrixXd::Identity(3, 3).sparseView());
-  EXPECT_EQ(lu.solve_columns(Eigen::MatrixXd(3, 0)).cols(), 0);
-  EXPECT_EQ(lu.solve_transposed_columns(Eigen::MatrixXd(3, 0)).cols(), 0);
-  EXPECT_FALSE(SparseLu(Eigen::MatrixXd::Ones(2, 2).sparseView()).is_regular());
+  const SparseLu lu(MatrixXd::Identity(3, 3).sparseView());
+  EXPECT_EQ(lu.solve_columns(MatrixXd(3, 0)).cols(), 0);
+  EXPECT_EQ(lu.solve_transposed_columns(MatrixXd(3, 0)).cols(), 0);
+  EXPECT_FALSE(SparseLu(MatrixXd::Ones(2, 2).sparseView()).is_regular());
 }
 
 }  // namespace

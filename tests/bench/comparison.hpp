@@ -22,7 +22,8 @@
 /// Times and memory of some cases beside each other, in one run, as a Markdown table.
 namespace ffcontact::bench {
 
-/// Prepares a case on example 1 of [CHH01] with 2 n x n squares and returns what is measured.
+/// Prepares a case on example 1 of [CHH01] with 2 n x n squares and returns what is
+/// measured.
 using Case = std::function<std::function<void()>(int n)>;
 
 struct NamedCase {
@@ -36,25 +37,29 @@ inline int dof_count(int n) { return 2 * (2 * n + 1) * (n + 1); }
 inline const test::Problem& problem(int n) {
   static std::map<int, test::Problem> problems;
   const auto found = problems.find(n);
-  return found != problems.end() ? found->second
-                                 : problems.emplace(n, test::example_1(Multiplier::force, n)).first->second;
+  return found != problems.end()
+             ? found->second
+             : problems.emplace(n, test::example_1(Multiplier::force, n)).first->second;
 }
 
 inline const ElasticSystem& elastic_system_of(int n) {
   static std::map<int, ElasticSystem> systems;
   const auto found = systems.find(n);
-  return found != systems.end() ? found->second : systems.emplace(n, problem(n).system()).first->second;
+  return found != systems.end() ? found->second
+                                : systems.emplace(n, problem(n).system()).first->second;
 }
 
 /// A line of /proc/self/status [MB].
 inline double own_memory(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
-    if (line.rfind(name + ":", 0) == 0) return std::stod(line.substr(name.size() + 1)) / 1024;
+    if (line.rfind(name + ":", 0) == 0)
+      return std::stod(line.substr(name.size() + 1)) / 1024;
   return 0;
 }
 
-/// Peak memory of a case on top of what the process held before [MB]. Right only once in a process.
+/// Peak memory of a case on top of what the process held before [MB]. Right only once in
+/// a process.
 inline double peak_memory(const Case& prepare, int n) {
   const std::function<void()> run = prepare(n);
   std::ofstream("/proc/self/clear_refs") << 5;  // the peak starts anew
@@ -63,7 +68,8 @@ inline double peak_memory(const Case& prepare, int n) {
   return own_memory("VmHWM") - before;
 }
 
-/// Keeps the shortest time of every case and size; the console output goes to the error stream.
+/// Keeps the shortest time of every case and size; the console output goes to the error
+/// stream.
 class ShortestTimes : public benchmark::ConsoleReporter {
  public:
   ShortestTimes() {
@@ -74,8 +80,10 @@ class ShortestTimes : public benchmark::ConsoleReporter {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const auto key = std::make_pair(std::stoi(run.run_name.args), run.run_name.function_name);
-      const double seconds = run.real_accumulated_time / static_cast<double>(run.iterations);
+      const auto key =
+          std::make_pair(std::stoi(run.run_name.args), run.run_name.function_name);
+      const double seconds =
+          run.real_accumulated_time / static_cast<double>(run.iterations);
       const auto [place, is_new] = shortest.emplace(key, seconds);
       if (!is_new) place->second = std::min(place->second, seconds);
     }
@@ -83,10 +91,12 @@ class ShortestTimes : public benchmark::ConsoleReporter {
   std::map<std::pair<int, std::string>, double> shortest;
 };
 
-inline void print_table(const ShortestTimes& times, const std::vector<NamedCase>& cases, const std::vector<int>& sizes,
+inline void print_table(const ShortestTimes& times, const std::vector<NamedCase>& cases,
+                        const std::vector<int>& sizes,
                         const std::function<double(std::size_t, int)>& memory) {
   std::printf(
-      "| dofs | problem | seconds | / linear solve | peak memory [MB] | / linear solve |\n|---|---|---|---|---|---|\n");
+      "| dofs | problem | seconds | / linear solve | peak memory [MB] | / linear solve "
+      "|\n|---|---|---|---|---|---|\n");
   for (int n : sizes) {
     double first_seconds = 0, first_memory = 0;
     for (std::size_t k = 0; k < cases.size(); ++k) {
@@ -97,22 +107,27 @@ inline void print_table(const ShortestTimes& times, const std::vector<NamedCase>
         first_seconds = seconds->second;
         first_memory = megabytes;
       }
-      std::printf("| %d | %s | %.3f | %.2f | %.0f | %.2f |\n", dof_count(n), cases[k].name.c_str(), seconds->second,
-                  seconds->second / first_seconds, megabytes, megabytes / first_memory);
+      std::printf("| %d | %s | %.3f | %.2f | %.0f | %.2f |\n", dof_count(n),
+                  cases[k].name.c_str(), seconds->second, seconds->second / first_seconds,
+                  megabytes, megabytes / first_memory);
     }
   }
 }
 
-/// Runs all cases in random order, five times each, and prints the table of their shortest times. Each case's memory is
-/// that of a process of its own: this program, called as `PROGRAM --peak CASE SIZE`.
+/// Runs all cases in random order, five times each, and prints the table of their
+/// shortest times. Each case's memory is that of a process of its own: this program,
+/// called as `PROGRAM --peak CASE SIZE`.
 /// @param cases  the first is the linear solve
-inline int compare(int argc, char** argv, const std::vector<NamedCase>& cases, const std::vector<int>& sizes) {
+inline int compare(int argc, char** argv, const std::vector<NamedCase>& cases,
+                   const std::vector<int>& sizes) {
   if (argc == 4 && std::string(argv[1]) == "--peak") {
-    std::printf("%g\n", peak_memory(cases.at(std::stoul(argv[2])).prepare, std::stoi(argv[3])));
+    std::printf("%g\n",
+                peak_memory(cases.at(std::stoul(argv[2])).prepare, std::stoi(argv[3])));
     return 0;
   }
   std::vector<std::string> arguments(argv, argv + argc);
-  arguments.insert(arguments.begin() + 1, {"--benchmark_enable_random_interleaving=true", "--benchmark_repetitions=5"});
+  arguments.insert(arguments.begin() + 1, {"--benchmark_enable_random_interleaving=true",
+                                           "--benchmark_repetitions=5"});
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   int count = static_cast<int>(pointers.size());
@@ -123,7 +138,8 @@ inline int compare(int argc, char** argv, const std::vector<NamedCase>& cases, c
     for (int n : sizes)
       benchmark::RegisterBenchmark(named.name.c_str(),
                                    [&named](benchmark::State& state) {
-                                     const std::function<void()> run = named.prepare(static_cast<int>(state.range(0)));
+                                     const std::function<void()> run =
+                                         named.prepare(static_cast<int>(state.range(0)));
                                      for (auto _ : state) run();
                                    })
           ->Arg(n)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A contact problem, all of solve_contact on an ElasticSystem, beside one linear solve of the same matrix: example 1 of
-// [CHH01] on finer grids, with both multipliers. Times are the shortest of five runs in random order; memory is the
-// peak of a process of its own on top of mesh and matrix.
+// A contact problem, all of solve_contact on an ElasticSystem, beside one linear solve of
+// the same matrix: example 1 of [CHH01] on finer grids, with both multipliers. Times are
+// the shortest of five runs in random order; memory is the peak of a process of its own
+// on top of mesh and matrix.
 #include "comparison.hpp"
 #include "linear_solve.hpp"
 

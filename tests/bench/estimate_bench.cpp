@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error estimate with two sweeps and all outputs beside one linear solve of the same matrix: example 1 of [CHH01]
-// on finer grids, multiplier force. Set OMP_NUM_THREADS for the number of threads.
+// The error estimate with two sweeps and all outputs beside one linear solve of the same
+// matrix: example 1 of [CHH01] on finer grids, multiplier force. Set OMP_NUM_THREADS for
+// the number of threads.
 #include "comparison.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "linear_solve.hpp"
@@ -13,14 +14,15 @@ std::function<void()> linear_solve(int n) {
 }
 
 SolvedBody solved_body(const test::Problem& problem, const ElasticSystem& system) {
-  const ContactSolution solution = solve_contact(problem.mesh, problem.line, problem.law, system);
+  const ContactSolution solution =
+      solve_contact(problem.mesh, problem.line, problem.law, system);
   SolvedBody body;
   body.hooke = problem.hooke;
   body.displacement = solution.displacement;
   body.pressure = solution.pressure;
   body.law = problem.law;
   body.neumann = problem.neumann;
-  body.body_loads = BodyLoadsOfAll::Zero(6, problem.mesh.triangles.cols());
+  body.body_loads = BodyLoadsOfAll::Zero(6, problem.mesh.cells.cols());
   return body;
 }
 
@@ -32,7 +34,8 @@ std::function<void()> estimate(int n) {
   return [&body, &system, &solved = bodies.at(n)] {
     EstimateSettings settings;
     settings.relaxation.sweeps = 2;
-    const Estimate result = estimate_error(body.mesh, body.edges, body.line, system, solved, settings);
+    const Estimate result =
+        estimate_error(body.mesh, body.edges, body.line, system, solved, settings);
     benchmark::DoNotOptimize(result.e);
   };
 }
@@ -41,5 +44,7 @@ std::function<void()> estimate(int n) {
 
 int main(int argc, char** argv) {
   using namespace ffcontact::bench;
-  return compare(argc, argv, {{"linear solve", linear_solve}, {"estimate, 2 sweeps", estimate}}, {122, 250, 500});
+  return compare(argc, argv,
+                 {{"linear solve", linear_solve}, {"estimate, 2 sweeps", estimate}},
+                 {122, 250, 500});
 }

@@ -11,8 +11,9 @@
 /// What the benchmarks compare with.
 namespace ffcontact::bench {
 
-/// One linear solve: CHOLMOD with its METIS ordering on the graph of the dofs, analyse + factorise + solve, of the
-/// stiffness matrix without its prescribed rows. The matrix is copied for CHOLMOD beforehand, which does not count.
+/// One linear solve: CHOLMOD with its METIS ordering on the graph of the dofs, analyse +
+/// factorise + solve, of the stiffness matrix without its prescribed rows. The matrix is
+/// copied for CHOLMOD beforehand, which does not count.
 class LinearSolve {
  public:
   explicit LinearSolve(const ElasticSystem& system) {
@@ -25,10 +26,13 @@ class LinearSolve {
     int n = 0;
     for (std::size_t dof = 0; dof < number.size(); ++dof)
       if (!system.prescribed[dof]) number[dof] = n++;
-    matrix_ = cholmod_allocate_sparse(n, n, system.stiffness.nonZeros(), true, true, 1, CHOLMOD_REAL, &common_);
+    matrix_ = cholmod_allocate_sparse(n, n, system.stiffness.nonZeros(), true, true, 1,
+                                      CHOLMOD_REAL, &common_);
     load_ = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common_);
-    int *start = static_cast<int*>(matrix_->p), *index = static_cast<int*>(matrix_->i), next = 0;
-    double *value = static_cast<double*>(matrix_->x), *load = static_cast<double*>(load_->x);
+    int *start = static_cast<int*>(matrix_->p), *index = static_cast<int*>(matrix_->i),
+        next = 0;
+    double *value = static_cast<double*>(matrix_->x),
+           *load = static_cast<double*>(load_->x);
     for (int row = 0; row < system.dof_count(); ++row) {
       if (number[row] < 0) continue;
       *start++ = next;

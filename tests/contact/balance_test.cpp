@@ -11,7 +11,8 @@ namespace {
 
 using namespace test;
 
-/// A block 4 x 2 that stands on the foundation, pressed by 1 MPa from the top, without any support.
+/// A block 4 x 2 that stands on the foundation, pressed by 1 MPa from the top, without
+/// any support.
 Problem standing_block(double mu) {
   Problem problem = body(rectangle(8, 4, 4, 2), material(100, 0.3));
   add_traction(problem, top, {0, -1});
@@ -20,7 +21,9 @@ Problem standing_block(double mu) {
 }
 
 std::string refusal_of(const Problem& problem) {
-  return refusal([&] { require_balance(problem.mesh, problem.line, problem.law, problem.system()); });
+  return refusal([&] {
+    require_balance(problem.mesh, problem.line, problem.law, problem.system());
+  });
 }
 
 std::string no_equilibrium(const std::string& motion) {
@@ -28,7 +31,9 @@ std::string no_equilibrium(const std::string& motion) {
          ", which neither prescribed displacements nor contact forces oppose";
 }
 
-TEST(Balance, a_pressed_block_is_held) { EXPECT_EQ(refusal_of(standing_block(0)), "accepted"); }
+TEST(Balance, a_pressed_block_is_held) {
+  EXPECT_EQ(refusal_of(standing_block(0)), "accepted");
+}
 
 TEST(Balance, a_lifted_block_is_refused) {
   Problem problem = example_2(Multiplier::force, 0.3, 4);
@@ -54,7 +59,8 @@ TEST(Balance, a_block_that_tips_over_is_refused_with_its_rotation) {
   Problem problem = body(rectangle(8, 4, 4, 2), material(100, 0.3));
   add_body_force(problem, {0, -1});  // 8 N/mm in the middle
   set_friction(problem, 10);
-  add_traction(problem, left, {5, 0});  // 10 N/mm at the height 1: moment 10 against 16 about the corner (4, 0)
+  // 10 N/mm at the height 1: moment 10 against 16 about the corner (4, 0)
+  add_traction(problem, left, {5, 0});
   EXPECT_EQ(refusal_of(problem), "accepted");
   add_traction(problem, left, {5, 0});
   EXPECT_TRUE(says(refusal_of(problem), "rotation about ("));

@@ -12,10 +12,12 @@ namespace {
 
 using namespace test;
 
-/// Of a block 4 x 2 with cells x cells / 2 squares and modulus E on one with 8 x 4 squares and modulus 1.
+/// Of a block 4 x 2 with cells x cells / 2 squares and modulus E on one with 8 x 4
+/// squares and modulus 1.
 Bodies pair_of(int cells, double E) {
-  return bodies({shifted(rectangle(cells, cells / 2, 4, 2), {0, 2}), rectangle(8, 4, 4, 2)},
-                {material(E, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}});
+  return bodies(
+      {shifted(rectangle(cells, cells / 2, 4, 2), {0, 2}), rectangle(8, 4, 4, 2)},
+      {material(E, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}});
 }
 
 double ratio_of(const Problem& problem) {
@@ -23,7 +25,8 @@ double ratio_of(const Problem& problem) {
 }
 
 TEST(ComplianceRatio, is_that_of_the_moduli_on_equal_meshes) {
-  EXPECT_NEAR(ratio_of(pair_of(8, 10).problem) / ratio_of(pair_of(8, 1).problem), 10, 1e-9);
+  EXPECT_NEAR(ratio_of(pair_of(8, 10).problem) / ratio_of(pair_of(8, 1).problem), 10,
+              1e-9);
   EXPECT_NEAR(ratio_of(pair_of(8, 1).problem), 1,
               0.2);  // the corners of top and bottom belong to other numbers of triangles
 }

@@ -30,7 +30,9 @@ TEST(FixedPoint, contracts_on_example_1) {
   EXPECT_EQ(solution.status, ContactStatus::converged);
   ASSERT_GT(solution.history.size(), 3u);
   EXPECT_LT(solution.history.back(), 1e-8);
-  EXPECT_LT(relative_difference(solution.displacement, solved(example_1(Multiplier::force)).displacement), 1e-8);
+  EXPECT_LT(relative_difference(solution.displacement,
+                                solved(example_1(Multiplier::force)).displacement),
+            1e-8);
 }
 
 TEST(FixedPoint, of_trescas_law_is_one_step) {

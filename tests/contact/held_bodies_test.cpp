@@ -9,7 +9,8 @@ namespace {
 using namespace test;
 
 class HeldBodies : public testing::TestWithParam<Multiplier> {};
-INSTANTIATE_TEST_SUITE_P(Multipliers, HeldBodies, testing::Values(Multiplier::force, Multiplier::pressure));
+INSTANTIATE_TEST_SUITE_P(Multipliers, HeldBodies,
+                         testing::Values(Multiplier::force, Multiplier::pressure));
 
 /// A free block 6 x 4 on a plane.
 Problem block(Multiplier multiplier, double mu) {
@@ -56,7 +57,8 @@ TEST_P(HeldBodies, on_a_frictionless_plane_balanced_loads_leave_one_motion_undet
   Problem problem = block(GetParam(), 0);
   add_traction(problem, top, {0, -1});
   const ContactSolution solution = solved(problem);
-  EXPECT_TRUE(solution.accepted({})) << in_words(solution.status) << ", residual " << solution.residual;
+  EXPECT_TRUE(solution.accepted({}))
+      << in_words(solution.status) << ", residual " << solution.residual;
   EXPECT_NEAR(solution.force.row(0).sum(), -6, 1e-9);
 }
 
@@ -71,12 +73,14 @@ TEST_P(HeldBodies, pulled_back_by_tractions_that_balance_on_a_frictionless_plane
 TEST_P(HeldBodies, a_rotation_that_contact_cannot_oppose_is_named) {
   Problem problem = block(GetParam(), 2);
   add_traction(problem, top, {0, -1});
-  add_traction(problem, left, {3, 0});  // moment 24 about the far corner against 18 of the weight
+  // moment 24 about the far corner against 18 of the weight
+  add_traction(problem, left, {3, 0});
   EXPECT_TRUE(says(refusal([&] { solved(problem); }), "rotation about"));
 }
 
 /// Nodal forces may all be at one end of the line, the forces of pressures <= 0 cannot.
-TEST(HeldBodiesByPressure, resultants_that_only_a_force_at_the_very_end_balances_are_refused) {
+TEST(HeldBodiesByPressure,
+     resultants_that_only_a_force_at_the_very_end_balances_are_refused) {
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
     Problem problem = block(multiplier, 0);
     problem.b[2 * 6 + 1] = -1;  // straight down on the right end of the line

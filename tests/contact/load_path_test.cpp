@@ -7,21 +7,24 @@ namespace {
 
 using namespace test;
 
-Eigen::VectorXd tangential_displacement(const Problem& problem, const ContactSolution& solution) {
+VectorXd tangential_displacement(const Problem& problem,
+                                 const ContactSolution& solution) {
   return contact_components(problem.line, solution.displacement).row(1);
 }
 
-/// A block pressed down and then sheared by its top, which leaves a part of the line sticking.
+/// A block pressed down and then sheared by its top, which leaves a part of the line
+/// sticking.
 Problem sheared_block(Multiplier multiplier, double shear) {
   Problem problem = body(rectangle(16, 8, 40, 20), material(13e3, 0.2));
-  clamp(problem, top, [=](const Eigen::Vector2d&) { return Eigen::Vector2d(shear, -0.02); });
+  clamp(problem, top, [=](const Vector2d&) { return Vector2d(shear, -0.02); });
   set_friction(problem, 0.3);
   problem.law.multiplier = multiplier;
   return problem;
 }
 
 class LoadPath : public testing::TestWithParam<Multiplier> {};
-INSTANTIATE_TEST_SUITE_P(Multipliers, LoadPath, testing::Values(Multiplier::force, Multiplier::pressure));
+INSTANTIATE_TEST_SUITE_P(Multipliers, LoadPath,
+                         testing::Values(Multiplier::force, Multiplier::pressure));
 
 TEST_P(LoadPath, starting_from_rest_is_the_static_law_to_the_bit) {
   Problem problem = sheared_block(GetParam(), 0.01);
@@ -33,7 +36,9 @@ TEST_P(LoadPath, starting_from_rest_is_the_static_law_to_the_bit) {
 TEST_P(LoadPath, a_step_without_a_change_changes_nothing) {
   Problem problem = sheared_block(GetParam(), 0.01);
   const ContactSolution before = solved(problem);
-  EXPECT_GT(std::count(before.state.begin(), before.state.end(), ContactState::slip_forward), 0);
+  EXPECT_GT(
+      std::count(before.state.begin(), before.state.end(), ContactState::slip_forward),
+      0);
   problem.law.previous = tangential_displacement(problem, before);
   const ContactSolution after = solved(problem);
   EXPECT_TRUE(after.accepted({}));
@@ -41,15 +46,19 @@ TEST_P(LoadPath, a_step_without_a_change_changes_nothing) {
   EXPECT_LT(relative_difference(after.force, before.force), 1e-11);
 }
 
-TEST_P(LoadPath, sheared_back_and_forth_friction_keeps_the_memory_that_the_static_law_has_not) {
+TEST_P(LoadPath,
+       sheared_back_and_forth_friction_keeps_the_memory_that_the_static_law_has_not) {
   Problem forth = sheared_block(GetParam(), 0.05), back = sheared_block(GetParam(), 0);
   const ContactSolution there = solved(forth), never_moved = solved(back);
   back.law.previous = tangential_displacement(forth, there);
   const ContactSolution returned = solved(back);
   EXPECT_TRUE(returned.accepted({}));
-  EXPECT_LT(std::abs(never_moved.force.row(1).sum()), 0.05 * std::abs(there.force.row(1).sum()));
-  EXPECT_GT(std::abs(returned.force.row(1).sum()), 0.2 * std::abs(there.force.row(1).sum()));
-  EXPECT_LT(returned.force.row(1).sum() * there.force.row(1).sum(), 0);  // now it drags the other way
+  EXPECT_LT(std::abs(never_moved.force.row(1).sum()),
+            0.05 * std::abs(there.force.row(1).sum()));
+  EXPECT_GT(std::abs(returned.force.row(1).sum()),
+            0.2 * std::abs(there.force.row(1).sum()));
+  // now it drags the other way
+  EXPECT_LT(returned.force.row(1).sum() * there.force.row(1).sum(), 0);
 }
 
 TEST_P(LoadPath, previous_displacement_shifts_where_a_node_sticks) {
@@ -58,12 +67,14 @@ TEST_P(LoadPath, previous_displacement_shifts_where_a_node_sticks) {
   set_friction(problem, 10);
   const ContactSolution solution = solved(problem);
   EXPECT_TRUE(solution.accepted({}));
-  const Eigen::VectorXd off = tangential_displacement(problem, solution) - problem.law.previous;
+  const VectorXd off = tangential_displacement(problem, solution) - problem.law.previous;
   for (int i = 0; i < problem.line.node_count(); ++i)
-    if (solution.state[i] == ContactState::stick && problem.law.multiplier == Multiplier::force) {
+    if (solution.state[i] == ContactState::stick &&
+        problem.law.multiplier == Multiplier::force) {
       EXPECT_LT(std::abs(off[i]), 1e-15);
     }
-  EXPECT_GT(std::count(solution.state.begin(), solution.state.end(), ContactState::stick), 10);
+  EXPECT_GT(std::count(solution.state.begin(), solution.state.end(), ContactState::stick),
+            10);
 }
 
 // ---- warm starts ---------------------------------------------------------------------------------------------------------
@@ -83,21 +94,23 @@ TEST(WarmStart, states_of_a_coarser_mesh_start_a_finer_one) {
   const ContactSolution coarse = solved(example_1(Multiplier::pressure, 8));
   const Problem fine = example_1(Multiplier::pressure, 32);
   ContactSettings settings;
-  settings.initial_state = states_at(fine.line, example_1(Multiplier::pressure, 8).line.abscissa, coarse.state);
+  settings.initial_state = states_at(
+      fine.line, example_1(Multiplier::pressure, 8).line.abscissa, coarse.state);
   EXPECT_LT(solved(fine, settings).iterations, solved(fine).iterations);
 }
 
 TEST(WarmStart, refuses_states_of_another_line) {
   const Problem problem = example_1(Multiplier::force, 2);
-  EXPECT_TRUE(says(refusal([&] { states_at(problem.line, Eigen::VectorXd::Zero(2), {ContactState::open}); }),
-                   "abscissa of the initial states has 2 values where 1 are needed"));
+  EXPECT_TRUE(says(
+      refusal([&] { states_at(problem.line, VectorXd::Zero(2), {ContactState::open}); }),
+      "abscissa of the initial states has 2 values where 1 are needed"));
 }
 
 TEST(LoadPath, refuses_a_previous_displacement_that_does_not_fit) {
   Problem problem = example_1(Multiplier::force, 2);
-  problem.law.previous = Eigen::VectorXd::Zero(2);
-  EXPECT_TRUE(
-      says(refusal([&] { solved(problem); }), "previous tangential displacement has 2 values where 5 are needed"));
+  problem.law.previous = VectorXd::Zero(2);
+  EXPECT_TRUE(says(refusal([&] { solved(problem); }),
+                   "previous tangential displacement has 2 values where 5 are needed"));
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ TEST(NodalLaw, trescas_bound_is_in_the_units_of_the_multiplier) {
 TEST(NodalLaw, a_given_slip_limit_freezes_coulombs_bound) {
   const Problem problem = example_1(Multiplier::force, 2);
   const NodalLaw law = nodal_law(problem.law, problem.line);
-  const NodalLaw given = with_given_slip_limit(law, (Eigen::VectorXd(5) << -2, -1, 0, 1, -4).finished());
+  const NodalLaw given =
+      with_given_slip_limit(law, (VectorXd(5) << -2, -1, 0, 1, -4).finished());
   EXPECT_TRUE(given.tresca());
   const double expected[] = {1, 0.5, 0, 0, 2};
   for (int i = 0; i < 5; ++i) EXPECT_EQ(given.bound(i, -100), expected[i]);
@@ -41,10 +42,11 @@ TEST(NodalLaw, a_given_slip_limit_freezes_coulombs_bound) {
 
 /// A defect of what is not a number is no small one.
 TEST(NodalLaw, is_violated_by_what_is_not_finite) {
-  const NodalLaw law = nodal_law(example_1(Multiplier::force, 2).law, example_1(Multiplier::force, 2).line);
+  const NodalLaw law = nodal_law(example_1(Multiplier::force, 2).law,
+                                 example_1(Multiplier::force, 2).line);
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double spoilt : {std::nan(""), infinity, -infinity}) {
-    Eigen::VectorXd P = Eigen::VectorXd::Zero(10), v = P;
+    VectorXd P = VectorXd::Zero(10), v = P;
     P[4] = spoilt;
     EXPECT_EQ(law_violation(law, P, v, 1), infinity);
     std::swap(P, v);

@@ -13,15 +13,21 @@ namespace {
 
 using namespace test;
 
-/// What is left of |F_t| <= min(-mu F_n, k len), of slip against F_t at the bound, and of stick below it, relative to the forces.
+/// What is left of |F_t| <= min(-mu F_n, k len), of slip against F_t at the bound, and of
+/// stick below it, relative to the forces.
 double worst_of(const Problem& problem, const ContactSolution& solution) {
-  const Eigen::Matrix2Xd w = displacement_against_foundation(problem.line, problem.law, solution.displacement);
-  const Eigen::VectorXd length = contact_mass(problem.line) * Eigen::VectorXd::Ones(problem.line.node_count());
-  const double force = solution.force.cwiseAbs().maxCoeff(), motion = solution.displacement.cwiseAbs().maxCoeff();
+  const Matrix2Xd w =
+      displacement_against_foundation(problem.line, problem.law, solution.displacement);
+  const VectorXd length =
+      contact_mass(problem.line) * VectorXd::Ones(problem.line.node_count());
+  const double force = solution.force.cwiseAbs().maxCoeff(),
+               motion = solution.displacement.cwiseAbs().maxCoeff();
   double worst = 0;
   for (int i = 0; i < problem.line.node_count(); ++i) {
-    const double Fn = solution.force(0, i), Ft = solution.force(1, i), slip = w(1, i) / motion;
-    const double bound = std::min(-problem.law.friction[i] * Fn, problem.law.shear_limit[i] * length[i]);
+    const double Fn = solution.force(0, i), Ft = solution.force(1, i),
+                 slip = w(1, i) / motion;
+    const double bound =
+        std::min(-problem.law.friction[i] * Fn, problem.law.shear_limit[i] * length[i]);
     const double below = (bound - std::abs(Ft)) / force;
     worst = std::max({worst, -below, std::min(below, std::abs(slip)), slip * Ft / force});
   }
@@ -34,8 +40,10 @@ Problem limited_problem(double mu, double share) {
   c.multiplier = Multiplier::force;
   Problem problem = problem_of(c);
   const ContactSolution unlimited = solved(problem);
-  const Eigen::VectorXd length = contact_mass(problem.line) * Eigen::VectorXd::Ones(problem.line.node_count());
-  const double largest = (unlimited.force.row(1).transpose().cwiseAbs().cwiseQuotient(length)).maxCoeff();
+  const VectorXd length =
+      contact_mass(problem.line) * VectorXd::Ones(problem.line.node_count());
+  const double largest =
+      (unlimited.force.row(1).transpose().cwiseAbs().cwiseQuotient(length)).maxCoeff();
   problem.law.shear_limit = everywhere(problem.line, share * largest);
   return problem;
 }
@@ -70,7 +78,7 @@ TEST(ShearLimit, far_below_friction_is_trescas_law_where_the_line_is_closed) {
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
     Problem problem = body(rectangle(16, 8, 80, 40), material(13e3, 0.2));
     add_traction(problem, top, {0, -10});
-    prescribe(problem, left, 0, [](const Eigen::Vector2d&) { return Eigen::Vector2d(0.1, 0); });
+    prescribe(problem, left, 0, [](const Vector2d&) { return Vector2d(0.1, 0); });
     problem.law.multiplier = multiplier;
     set_friction(problem, 1);
     problem.law.shear_limit = everywhere(problem.line, 0.5);
@@ -80,7 +88,8 @@ TEST(ShearLimit, far_below_friction_is_trescas_law_where_the_line_is_closed) {
     const ContactSolution tresca = solved(problem);
     ASSERT_LT(tresca.pressure.row(0).maxCoeff(), -0.5);
     EXPECT_LT(relative_difference(limited.displacement, tresca.displacement), 1e-10);
-    for (ContactState state : limited.state) EXPECT_TRUE(state == ContactState::slip_forward);
+    for (ContactState state : limited.state)
+      EXPECT_TRUE(state == ContactState::slip_forward);
   }
 }
 
@@ -97,11 +106,12 @@ TEST(ShearLimit, refuses_what_does_not_fit) {
   Problem problem = example_1(Multiplier::force, 2);
   problem.law.shear_limit = everywhere(problem.line, -1);
   EXPECT_EQ(refusal([&] { solved(problem); }).substr(0, 11), "shear limit");
-  problem.law.shear_limit = Eigen::VectorXd::Ones(2);
+  problem.law.shear_limit = VectorXd::Ones(2);
   EXPECT_EQ(refusal([&] { solved(problem); }).substr(0, 11), "shear limit");
   problem.law.shear_limit = everywhere(problem.line, 1);
   problem.law.slip_bound = everywhere(problem.line, 1);
-  EXPECT_EQ(refusal([&] { solved(problem); }), "a shear limit belongs to Coulomb's law, not to Tresca's");
+  EXPECT_EQ(refusal([&] { solved(problem); }),
+            "a shear limit belongs to Coulomb's law, not to Tresca's");
 }
 
 }  // namespace

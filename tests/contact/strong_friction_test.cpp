@@ -18,12 +18,14 @@ RC_GTEST_PROP(StrongFriction, is_solved_and_certified, ()) {
   RC_ASSERT(solution.accepted(settings));
 }
 
-RC_GTEST_PROP(StrongFriction, violation_and_residual_decide_the_status_of_a_run_cut_short, ()) {
+RC_GTEST_PROP(StrongFriction, violation_and_residual_decide_the_status_of_a_run_cut_short,
+              ()) {
   ContactSettings settings;
   settings.max_iterations = *rc::gen::inRange(1, 4);
   settings.solver = *rc::gen::element(ContactSolver::newton, ContactSolver::fixed_point);
   const ContactSolution solution = solved(problem_of(*random_case(3)), settings);
-  const bool within = solution.complementarity <= settings.tolerance && solution.residual <= settings.tolerance;
+  const bool within = solution.complementarity <= settings.tolerance &&
+                      solution.residual <= settings.tolerance;
   RC_ASSERT(within == (solution.status == ContactStatus::converged));
   RC_ASSERT(solution.displacement.allFinite());
 }
@@ -33,17 +35,22 @@ TEST(StrongFriction, example_1_up_to_friction_3) {
     for (double mu = 0.25; mu <= 3; mu += 0.25) {
       Problem problem = example_1(multiplier);
       set_friction(problem, mu);
-      EXPECT_TRUE(solved(problem).accepted({})) << "mu " << mu << ", multiplier " << static_cast<int>(multiplier);
+      EXPECT_TRUE(solved(problem).accepted({}))
+          << "mu " << mu << ", multiplier " << static_cast<int>(multiplier);
     }
 }
 
-TEST(StrongFriction, example_1_where_newton_from_stick_cycles_the_fixed_point_leads_the_way) {
+TEST(StrongFriction,
+     example_1_where_newton_from_stick_cycles_the_fixed_point_leads_the_way) {
   Problem problem = example_1(Multiplier::pressure);
   set_friction(problem, 2);
   const Condensed c(problem);
-  EXPECT_EQ(active_set_newton(c.contact, c.law, c.sticking).status, ContactStatus::cycled);
-  const FixedPointResult alone = fixed_point(c.contact, c.law, c.sticking, {10000, 1e-10});
-  const FixedPointResult helped = fixed_point(c.contact, c.law, c.sticking, {10000, 1e-10}, true);
+  EXPECT_EQ(active_set_newton(c.contact, c.law, c.sticking).status,
+            ContactStatus::cycled);
+  const FixedPointResult alone =
+      fixed_point(c.contact, c.law, c.sticking, {10000, 1e-10});
+  const FixedPointResult helped =
+      fixed_point(c.contact, c.law, c.sticking, {10000, 1e-10}, true);
   EXPECT_EQ(alone.answer.status, ContactStatus::converged);
   EXPECT_EQ(helped.answer.status, ContactStatus::converged);
   EXPECT_LT(2 * helped.answer.iterations, alone.answer.iterations);
@@ -67,19 +74,22 @@ TEST(StrongFriction, damping_makes_the_fixed_point_converge_where_it_does_not_co
   for (const unsigned seed : {3, 81, 94}) {
     Random random(seed);
     const Condensed c(odd_problem(random, 4));
-    const FixedPointResult path = fixed_point(c.contact, c.law, c.sticking, {1000, 1e-10});
+    const FixedPointResult path =
+        fixed_point(c.contact, c.law, c.sticking, {1000, 1e-10});
     EXPECT_EQ(path.answer.status, ContactStatus::converged) << seed;
     EXPECT_LT(path.answer.iterations, 400) << seed;
   }
 }
 
-/// Zones of a quarter of the mesh that are refined five times, so that edges differ by 2^5 on the line.
+/// Zones of a quarter of the mesh that are refined five times, so that edges differ by
+/// 2^5 on the line.
 TEST(StrongFriction, randomly_refined_mesh) {
   std::mt19937 random(7);
   Mesh mesh = rectangle(16, 8, 80, 40);
   std::uniform_real_distribution<double> along(0, 80);
   for (int level = 0; level < 5; ++level)
-    mesh = refined(mesh, triangles_near(mesh, {along(random), 0}, 5 / std::pow(2, level)));
+    mesh =
+        refined(mesh, triangles_near(mesh, {along(random), 0}, 5 / std::pow(2, level)));
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
     for (const double mu : {0.3, 1.0, 2.0, 3.0}) {
       Problem problem = body(mesh, material(13e3, 0.2));
@@ -89,8 +99,9 @@ TEST(StrongFriction, randomly_refined_mesh) {
       set_friction(problem, mu);
       problem.law.multiplier = multiplier;
       const ContactSolution solution = solved(problem);
-      EXPECT_TRUE(solution.accepted({})) << "mu " << mu << ", multiplier " << static_cast<int>(multiplier) << ", "
-                                         << in_words(solution.status) << ", violation " << solution.complementarity;
+      EXPECT_TRUE(solution.accepted({}))
+          << "mu " << mu << ", multiplier " << static_cast<int>(multiplier) << ", "
+          << in_words(solution.status) << ", violation " << solution.complementarity;
     }
 }
 

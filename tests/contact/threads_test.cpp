@@ -13,7 +13,8 @@ namespace {
 
 using namespace test;
 
-/// OpenBLAS splits its products by threads, so that the answers agree to rounding, not to the bit; states agree exactly.
+/// OpenBLAS splits its products by threads, so that the answers agree to rounding, not to
+/// the bit; states agree exactly.
 TEST(Threads, do_not_change_the_answer) {
   if (!openblas_set_num_threads) GTEST_SKIP() << "another BLAS";
   const int threads = openblas_get_num_threads();

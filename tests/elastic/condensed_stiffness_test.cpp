@@ -23,7 +23,8 @@ ElasticSystem random_system(bool fixed, Random& random, Mesh& mesh) {
   mesh = irregular(4, 3, 4, 3, random);
   Problem problem = body(mesh, material(100, 0.3));
   problem.b = random_vector(problem.b.size(), random);
-  if (fixed) clamp(problem, top, [](const Eigen::Vector2d& x) { return Eigen::Vector2d(0.01 * x.x(), -0.02); });
+  if (fixed)
+    clamp(problem, top, [](const Vector2d& x) { return Vector2d(0.01 * x.x(), -0.02); });
   return problem.system();
 }
 
@@ -34,7 +35,8 @@ std::vector<int> free_dofs(const ElasticSystem& system) {
   return dofs;
 }
 
-/// Both dofs of two vertices, which hold a floating body, and one dof of `more` others, in random order.
+/// Both dofs of two vertices, which hold a floating body, and one dof of `more` others,
+/// in random order.
 std::vector<int> random_kept(const ElasticSystem& system, int more, Random& random) {
   std::vector<int> dofs = free_dofs(system), kept;
   std::shuffle(dofs.begin(), dofs.end(), random);
@@ -50,16 +52,19 @@ std::vector<int> random_kept(const ElasticSystem& system, int more, Random& rand
 
 /// S and g by dense elimination of the free dofs that are not kept.
 struct Dense {
-  Eigen::MatrixXd S;
-  Eigen::VectorXd g;
+  MatrixXd S;
+  VectorXd g;
 };
 Dense dense_condensation(const ElasticSystem& system, const std::vector<int>& kept) {
   std::vector<int> inner = free_dofs(system);
   inner.erase(std::remove_if(inner.begin(), inner.end(),
-                             [&](int dof) { return std::find(kept.begin(), kept.end(), dof) != kept.end(); }),
+                             [&](int dof) {
+                               return std::find(kept.begin(), kept.end(), dof) !=
+                                      kept.end();
+                             }),
               inner.end());
-  const Eigen::MatrixXd K(system.stiffness), K_ic = K(inner, kept);
-  const Eigen::LLT<Eigen::MatrixXd> K_ii(K(inner, inner));
+  const MatrixXd K(system.stiffness), K_ic = K(inner, kept);
+  const Eigen::LLT<MatrixXd> K_ii(K(inner, inner));
   return {K(kept, kept) - K_ic.transpose() * K_ii.solve(K_ic),
           system.load(kept) - K_ic.transpose() * K_ii.solve(system.load(inner))};
 }
@@ -74,24 +79,28 @@ RC_GTEST_PROP(CondensedStiffness, is_the_dense_schur_complement, (Random random)
   RC_ASSERT(relative_difference(stiffness.condensed_load(system.load), dense.g) < 1e-11);
 }
 
-RC_GTEST_PROP(CondensedStiffness, extended_displacement_balances_the_load_on_the_other_dofs, (Random random)) {
+RC_GTEST_PROP(CondensedStiffness,
+              extended_displacement_balances_the_load_on_the_other_dofs,
+              (Random random)) {
   Mesh mesh;
   const ElasticSystem system = random_system(*rc::gen::arbitrary<bool>(), random, mesh);
   const std::vector<int> kept = random_kept(system, *rc::gen::inRange(0, 8), random);
-  const Eigen::VectorXd u_c = random_vector(static_cast<Eigen::Index>(kept.size()), random);
+  const VectorXd u_c = random_vector(static_cast<Index>(kept.size()), random);
   const CondensedStiffness stiffness(system, kept);
-  const Eigen::VectorXd u = stiffness.extended(system.load, u_c);
-  const Eigen::VectorXd residual = system.stiffness * u - system.load;
+  const VectorXd u = stiffness.extended(system.load, u_c);
+  const VectorXd residual = system.stiffness * u - system.load;
   const double scale = 1e-11 * 100 * u.cwiseAbs().maxCoeff();
   for (int dof : free_dofs(system)) {
     const auto place = std::find(kept.begin(), kept.end(), dof);
     if (place == kept.end()) RC_ASSERT(std::abs(residual[dof]) < scale);
     if (place != kept.end())
-      RC_ASSERT(std::abs(u[dof] - u_c[place - kept.begin()]) < 1e-12 * u_c.cwiseAbs().maxCoeff());
+      RC_ASSERT(std::abs(u[dof] - u_c[place - kept.begin()]) <
+                1e-12 * u_c.cwiseAbs().maxCoeff());
   }
   // On the kept dofs the residual is S u_c - g.
-  const Eigen::VectorXd expected = stiffness.schur() * u_c - stiffness.condensed_load(system.load);
-  RC_ASSERT((Eigen::VectorXd(residual(kept)) - expected).cwiseAbs().maxCoeff() < scale);
+  const VectorXd expected =
+      stiffness.schur() * u_c - stiffness.condensed_load(system.load);
+  RC_ASSERT((VectorXd(residual(kept)) - expected).cwiseAbs().maxCoeff() < scale);
 }
 
 TEST(CondensedStiffness, of_a_floating_body_keeps_exactly_the_rigid_motions) {
@@ -99,19 +108,20 @@ TEST(CondensedStiffness, of_a_floating_body_keeps_exactly_the_rigid_motions) {
   Mesh mesh;
   const ElasticSystem system = random_system(false, random, mesh);
   const std::vector<int> kept = random_kept(system, 6, random);
-  const Eigen::MatrixXd S = CondensedStiffness(system, kept).schur();
-  const Eigen::MatrixXd motions = free_rigid_motions(mesh, system.prescribed)(kept, Eigen::all);
+  const MatrixXd S = CondensedStiffness(system, kept).schur();
+  const MatrixXd motions = free_rigid_motions(mesh, system.prescribed)(kept, Eigen::all);
   EXPECT_LT((S * motions).cwiseAbs().maxCoeff(), 1e-11 * S.cwiseAbs().maxCoeff());
-  EXPECT_EQ(Eigen::FullPivLU<Eigen::MatrixXd>(S).setThreshold(1e-10).rank(), 7);
+  EXPECT_EQ(Eigen::FullPivLU<MatrixXd>(S).setThreshold(1e-10).rank(), 7);
 }
 
 TEST(CondensedStiffness, without_kept_dofs_solves_the_system) {
   Random random(6);
   Mesh mesh;
   const ElasticSystem system = random_system(true, random, mesh);
-  const Eigen::VectorXd u = CondensedStiffness(system, {}).extended(system.load, Eigen::VectorXd());
+  const VectorXd u = CondensedStiffness(system, {}).extended(system.load, VectorXd());
   const std::vector<int> dofs = free_dofs(system);
-  EXPECT_LT(Eigen::VectorXd((system.stiffness * u - system.load)(dofs)).norm(), 1e-12 * system.load.norm());
+  EXPECT_LT(VectorXd((system.stiffness * u - system.load)(dofs)).norm(),
+            1e-12 * system.load.norm());
 }
 
 TEST(CondensedStiffness, keeps_all_free_dofs_when_asked_to) {
@@ -119,7 +129,8 @@ TEST(CondensedStiffness, keeps_all_free_dofs_when_asked_to) {
   clamp(problem, top);
   const ElasticSystem system = problem.system();
   const std::vector<int> kept = free_dofs(system);
-  EXPECT_LT(relative_difference(CondensedStiffness(system, kept).schur(), Eigen::MatrixXd(problem.A)(kept, kept)),
+  EXPECT_LT(relative_difference(CondensedStiffness(system, kept).schur(),
+                                MatrixXd(problem.A)(kept, kept)),
             1e-13);
 }
 
@@ -136,19 +147,22 @@ TEST(CondensedStiffness, refuses_kept_dofs_that_are_prescribed_repeated_or_out_o
 }
 
 TEST(CondensedStiffness, fails_when_a_part_of_the_body_is_held_by_nothing) {
-  Problem problem = body(joined(rectangle(2, 2, 2, 2), rectangle(2, 2, 2, 2)), material(100, 0.3));
+  Problem problem =
+      body(joined(rectangle(2, 2, 2, 2), rectangle(2, 2, 2, 2)), material(100, 0.3));
   clamp(problem, top);
   const ElasticSystem system = problem.system();
   EXPECT_THROW(CondensedStiffness(system, {0, 1}), std::runtime_error);
-  EXPECT_THROW(CondensedStiffness(body(rectangle(2, 2, 2, 2), material(1, 0)).system(), {}), std::runtime_error);
+  EXPECT_THROW(
+      CondensedStiffness(body(rectangle(2, 2, 2, 2), material(1, 0)).system(), {}),
+      std::runtime_error);
 }
 
 TEST(CondensedStiffness, refuses_loads_and_displacements_of_another_size) {
   const ElasticSystem system = example_1(Multiplier::force, 2).system();
   const CondensedStiffness stiffness(system, {0, 1});
-  EXPECT_EQ(refusal([&] { stiffness.condensed_load(Eigen::Vector2d::Zero()); }),
+  EXPECT_EQ(refusal([&] { stiffness.condensed_load(Vector2d::Zero()); }),
             "load has 2 values where 30 are needed");
-  EXPECT_EQ(refusal([&] { stiffness.extended(system.load, Eigen::Vector3d::Zero()); }),
+  EXPECT_EQ(refusal([&] { stiffness.extended(system.load, Vector3d::Zero()); }),
             "kept displacement has 3 values where 2 are needed");
 }
 
@@ -161,7 +175,8 @@ ElasticSystem held_square(int cells, double modulus) {
 }
 
 TEST(CondensedStiffness, of_separate_bodies_is_that_of_each) {
-  const std::vector<ElasticSystem> bodies{held_square(6, 100), held_square(4, 3), held_square(5, 20)};
+  const std::vector<ElasticSystem> bodies{held_square(6, 100), held_square(4, 3),
+                                          held_square(5, 20)};
   const ElasticSystem joined = joined_systems(bodies);
   std::vector<int> kept;
   for (int place = 0; place < 3; ++place)  // in turn one dof of each body
@@ -171,7 +186,8 @@ TEST(CondensedStiffness, of_separate_bodies_is_that_of_each) {
   const Dense dense = dense_condensation(joined, kept);
   EXPECT_LT(relative_difference(condensed.schur(), dense.S), 1e-11);
   EXPECT_LT(relative_difference(condensed.condensed_load(joined.load), dense.g), 1e-11);
-  const Eigen::VectorXd u_c = Eigen::VectorXd::LinSpaced(9, 0.1, 0.9), u = condensed.extended(joined.load, u_c);
+  const VectorXd u_c = VectorXd::LinSpaced(9, 0.1, 0.9),
+                 u = condensed.extended(joined.load, u_c);
   for (int k = 0; k < 9; ++k) EXPECT_NEAR(u[kept[k]], u_c[k], 1e-12);
 }
 
@@ -182,16 +198,19 @@ TEST(CondensedStiffness, with_all_dofs_kept_is_the_stiffness_in_their_order) {
   const Dense dense = dense_condensation(system, kept);
   EXPECT_LT(relative_difference(condensed.schur(), dense.S), 1e-13);
   EXPECT_LT(relative_difference(condensed.condensed_load(system.load), dense.g), 1e-13);
-  const Eigen::VectorXd u_c = Eigen::VectorXd::LinSpaced(dense.g.size(), 0.1, 0.9);
-  const Eigen::VectorXd u = condensed.extended(system.load, u_c);
-  for (std::size_t k = 0; k < kept.size(); ++k) EXPECT_NEAR(u[kept[k]], u_c[static_cast<int>(k)], 1e-12);
+  const VectorXd u_c = VectorXd::LinSpaced(dense.g.size(), 0.1, 0.9);
+  const VectorXd u = condensed.extended(system.load, u_c);
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    EXPECT_NEAR(u[kept[k]], u_c[static_cast<int>(k)], 1e-12);
 }
 
 TEST(CondensedStiffness, keeps_more_dofs_than_one_block_of_its_product) {
   const ElasticSystem system = held_square(14, 100);
   std::vector<int> kept = free_dofs(system);
   kept.resize(300);
-  EXPECT_LT(relative_difference(CondensedStiffness(system, kept).schur(), dense_condensation(system, kept).S), 1e-10);
+  EXPECT_LT(relative_difference(CondensedStiffness(system, kept).schur(),
+                                dense_condensation(system, kept).S),
+            1e-10);
 }
 
 }  // namespace

@@ -18,21 +18,23 @@ using namespace test;
 /// K, b and prescribed dofs before FreeFEM's boundary conditions.
 struct Assembled {
   RowMatrix A;
-  Eigen::VectorXd b;
+  VectorXd b;
 };
 
 /// A row with nothing but its diagonal.
 void empty_row(RowMatrix& A, int row, double diagonal) {
-  for (RowMatrix::InnerIterator entry(A, row); entry; ++entry) entry.valueRef() = entry.col() == row ? diagonal : 0;
+  for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
+    entry.valueRef() = entry.col() == row ? diagonal : 0;
 }
 
 void empty_column(RowMatrix& A, int column) {
-  for (Eigen::Index row = 0; row < A.rows(); ++row)
+  for (Index row = 0; row < A.rows(); ++row)
     for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
       if (entry.col() == column && row != column) entry.valueRef() = 0;
 }
 
-/// FreeFEM's three ways to prescribe a dof: 1e30 penalises it, -1 empties its row, -2 its row and column.
+/// FreeFEM's three ways to prescribe a dof: 1e30 penalises it, -1 empties its row, -2 its
+/// row and column.
 void prescribe(Assembled& system, int dof, double value, double tgv) {
   if (tgv > 0) {
     system.A.coeffRef(dof, dof) = tgv;
@@ -57,33 +59,40 @@ Assembled pulled_square(double tgv, double value) {
 
 ElasticSystem read(const Assembled& system) { return elastic_system(system.A, system.b); }
 
-Eigen::VectorXd displacement(const ElasticSystem& system) {
-  return CondensedStiffness(system, {}).extended(system.load, Eigen::VectorXd()) + system.prescribed_value;
+VectorXd displacement(const ElasticSystem& system) {
+  return CondensedStiffness(system, {}).extended(system.load, VectorXd()) +
+         system.prescribed_value;
 }
 
 std::string refusal_of(const Assembled& system) {
   return refusal([&] { read(system); });
 }
 
-RC_GTEST_PROP(Stiffness, is_symmetric_and_has_the_rigid_motions_in_its_kernel, (Random random)) {
+RC_GTEST_PROP(Stiffness, is_symmetric_and_has_the_rigid_motions_in_its_kernel,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
-  const Hooke hooke(mesh.triangle_count(), isotropic(3, 2));
+  const Hooke hooke(mesh.cell_count(), isotropic(3, 2));
   const RowMatrix K = stiffness(mesh, hooke);
-  const auto residual = [&](const Field& motion) { return (K * nodal_values(mesh, motion)).cwiseAbs().maxCoeff(); };
+  const auto residual = [&](const Field& motion) {
+    return (K * nodal_values(mesh, motion)).cwiseAbs().maxCoeff();
+  };
   const double scale = K.coeffs().cwiseAbs().maxCoeff();
-  RC_ASSERT((Eigen::MatrixXd(K) - Eigen::MatrixXd(K).transpose()).cwiseAbs().maxCoeff() <= 1e-15 * scale);
-  RC_ASSERT(residual([](const Eigen::Vector2d&) { return Eigen::Vector2d(1, 0); }) < 1e-13 * scale);
-  RC_ASSERT(residual([](const Eigen::Vector2d&) { return Eigen::Vector2d(0, 1); }) < 1e-13 * scale);
-  RC_ASSERT(residual([](const Eigen::Vector2d& x) { return Eigen::Vector2d(-x.y(), x.x()); }) < 1e-13 * scale);
+  RC_ASSERT((MatrixXd(K) - MatrixXd(K).transpose()).cwiseAbs().maxCoeff() <=
+            1e-15 * scale);
+  RC_ASSERT(residual([](const Vector2d&) { return Vector2d(1, 0); }) < 1e-13 * scale);
+  RC_ASSERT(residual([](const Vector2d&) { return Vector2d(0, 1); }) < 1e-13 * scale);
+  RC_ASSERT(residual([](const Vector2d& x) { return Vector2d(-x.y(), x.x()); }) <
+            1e-13 * scale);
 }
 
 RC_GTEST_PROP(Stiffness, is_the_energy_of_the_strains, (Random random)) {
   const Mesh mesh = irregular(3, 3, 3, 3, random);
-  const Hooke hooke(mesh.triangle_count(), isotropic(3, 2));
-  const Eigen::VectorXd u = random_vector(2 * mesh.vertices.cols(), random);
+  const Hooke hooke(mesh.cell_count(), isotropic(3, 2));
+  const VectorXd u = random_vector(2 * mesh.vertices.cols(), random);
   double energy = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t)
-    energy += signed_area(mesh, t) * strain(mesh, u, t).dot(hooke[t] * strain(mesh, u, t));
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    energy +=
+        signed_area(mesh, t) * strain(mesh, u, t).dot(hooke[t] * strain(mesh, u, t));
   RC_ASSERT(std::abs(u.dot(stiffness(mesh, hooke) * u) - energy) < 1e-12 * energy);
 }
 
@@ -99,34 +108,39 @@ TEST(ElasticSystem, tgv_of_1e30_and_minus_1_and_minus_2_are_read_alike) {
 }
 
 TEST(ElasticSystem, prescribed_values_are_read_alike_from_tgv_of_1e30_and_minus_1) {
-  const ElasticSystem penalised = read(pulled_square(1e30, 0.25)), emptied = read(pulled_square(-1, 0.25));
-  EXPECT_LT(relative_difference(emptied.prescribed_value, penalised.prescribed_value), 1e-15);
+  const ElasticSystem penalised = read(pulled_square(1e30, 0.25)),
+                      emptied = read(pulled_square(-1, 0.25));
+  EXPECT_LT(relative_difference(emptied.prescribed_value, penalised.prescribed_value),
+            1e-15);
   EXPECT_LT(relative_difference(emptied.load, penalised.load), 1e-14);
 }
 
 TEST(ElasticSystem, a_prescribed_motion_moves_the_body_rigidly) {
-  const ElasticSystem fixed = read(pulled_square(1e30, 0)), shifted = read(pulled_square(1e30, 0.25));
-  const Eigen::VectorXd by = displacement(shifted) - displacement(fixed);
-  for (Eigen::Index v = 0; v < by.size() / 2; ++v)
-    EXPECT_LT((by.segment<2>(2 * v) - Eigen::Vector2d(0.25, 0.5)).norm(), 1e-13);
+  const ElasticSystem fixed = read(pulled_square(1e30, 0)),
+                      shifted = read(pulled_square(1e30, 0.25));
+  const VectorXd by = displacement(shifted) - displacement(fixed);
+  for (Index v = 0; v < by.size() / 2; ++v)
+    EXPECT_LT((by.segment<2>(2 * v) - Vector2d(0.25, 0.5)).norm(), 1e-13);
 }
 
 TEST(ElasticSystem, free_dofs_carry_no_prescribed_value_and_prescribed_dofs_no_load) {
   for (double tgv : {1e30, 1e15, -1.0}) {
     const ElasticSystem system = read(pulled_square(tgv, 0.25));
     for (int dof = 0; dof < system.dof_count(); ++dof)
-      EXPECT_EQ(system.prescribed[dof] ? system.load[dof] : system.prescribed_value[dof], 0);
+      EXPECT_EQ(system.prescribed[dof] ? system.load[dof] : system.prescribed_value[dof],
+                0);
   }
 }
 
 TEST(JoinedSystems, move_each_as_by_itself) {
-  const std::vector<ElasticSystem> bodies{read(pulled_square(1e30, 0.25)), read(pulled_square(-1, 0)),
+  const std::vector<ElasticSystem> bodies{read(pulled_square(1e30, 0.25)),
+                                          read(pulled_square(-1, 0)),
                                           read(pulled_square(1e30, -0.5))};
   const ElasticSystem joined = joined_systems(bodies);
   ASSERT_EQ(joined.dof_count(), 3 * bodies[0].dof_count());
-  const Eigen::VectorXd all = displacement(joined);
+  const VectorXd all = displacement(joined);
   for (int k = 0; k < 3; ++k) {
-    const Eigen::VectorXd own = displacement(bodies[k]);
+    const VectorXd own = displacement(bodies[k]);
     EXPECT_LT(relative_difference(all.segment(k * own.size(), own.size()), own), 1e-13);
   }
 }
@@ -137,16 +151,19 @@ TEST(ElasticSystem, a_stiff_spring_is_no_prescribed_dof) {
   EXPECT_FALSE(prescribed_dofs(system.A)[10]);
 }
 
-TEST(ElasticSystem, values_at_a_corner_whose_neighbours_are_all_prescribed_are_read_from_tgv_of_minus_1) {
+TEST(
+    ElasticSystem,
+    values_at_a_corner_whose_neighbours_are_all_prescribed_are_read_from_tgv_of_minus_1) {
   const Problem problem = body(rectangle(2, 2, 2, 2), material(100, 0.3));
   Assembled system{problem.A, problem.b};
   for (int v = 0; v < problem.mesh.vertex_count(); ++v)
-    if (problem.mesh.vertices.col(v) != Eigen::Vector2d(1, 1))
+    if (problem.mesh.vertices.col(v) != Vector2d(1, 1))
       for (int c = 0; c < 2; ++c) prescribe(system, 2 * v + c, 0.1, -1);
   EXPECT_EQ(refusal_of(system), "accepted");
 }
 
-/// A square of 2 x 2 cells held all around but for the vertical dof of the middle of its lower side, 2.
+/// A square of 2 x 2 cells held all around but for the vertical dof of the middle of its
+/// lower side, 2.
 constexpr int only_free = 2 * 1 + 1;
 Assembled held_but_for_one_dof(double tgv) {
   const Problem problem = body(rectangle(2, 2, 2, 2), material(100, 0.3));
@@ -159,11 +176,13 @@ Assembled held_but_for_one_dof(double tgv) {
 TEST(ElasticSystem, a_free_dof_without_free_neighbours_is_free_with_every_tgv) {
   for (double tgv : {1e30, -1.0, -2.0}) {
     const std::vector<char> prescribed = prescribed_dofs(held_but_for_one_dof(tgv).A);
-    for (int dof = 0; dof < 18; ++dof) EXPECT_EQ(prescribed[dof], dof != only_free) << "dof " << dof << ", tgv " << tgv;
+    for (int dof = 0; dof < 18; ++dof)
+      EXPECT_EQ(prescribed[dof], dof != only_free) << "dof " << dof << ", tgv " << tgv;
   }
 }
 
-TEST(ElasticSystem, a_dof_penalised_where_tgv_of_minus_2_left_nothing_else_is_prescribed) {
+TEST(ElasticSystem,
+     a_dof_penalised_where_tgv_of_minus_2_left_nothing_else_is_prescribed) {
   Assembled system = pulled_square(-2, 0);
   system.A.coeffRef(0, 0) = 1e30;
   EXPECT_TRUE(prescribed_dofs(system.A)[0]);
@@ -172,7 +191,8 @@ TEST(ElasticSystem, a_dof_penalised_where_tgv_of_minus_2_left_nothing_else_is_pr
 TEST(ElasticSystem, a_scaled_matrix_prescribes_the_same_dofs) {
   for (double tgv : {1e30, -1.0, -2.0}) {
     const RowMatrix scaled = 1e-3 * pulled_square(tgv, 0).A;
-    EXPECT_EQ(prescribed_dofs(scaled), prescribed_dofs(pulled_square(tgv, 0).A)) << "tgv " << tgv;
+    EXPECT_EQ(prescribed_dofs(scaled), prescribed_dofs(pulled_square(tgv, 0).A))
+        << "tgv " << tgv;
   }
 }
 
@@ -180,14 +200,16 @@ TEST(ElasticSystem, refuses_a_scaled_matrix_that_leaves_open_which_dofs_are_free
   const Assembled system = held_but_for_one_dof(-2);
   const RowMatrix scaled = 0.5 * system.A;
   EXPECT_EQ(refusal([&] { elastic_system(scaled, system.b); }),
-            "dof 0 has nothing but its diagonal 0.5 in A, others have another value, and none is 1: which of them are "
+            "dof 0 has nothing but its diagonal 0.5 in A, others have another value, and "
+            "none is 1: which of them are "
             "prescribed "
             "cannot be told; assemble A and b with tgv=-1 or the default tgv");
 }
 
 TEST(ElasticSystem, refuses_prescribed_values_whose_columns_are_gone) {
   EXPECT_EQ(refusal_of(pulled_square(-2, 0.25)),
-            "dof 0 is prescribed to 0.25 but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
+            "dof 0 is prescribed to 0.25 but its column of A is gone: assemble A and b "
+            "with tgv=-1 or the default tgv");
 }
 
 TEST(ElasticSystem, refuses_numbers_that_are_not_finite) {
@@ -209,7 +231,7 @@ TEST(ElasticSystem, refuses_sizes_that_do_not_fit) {
   Assembled system = pulled_square(1e30, 0);
   system.b.conservativeResize(31);
   EXPECT_EQ(refusal_of(system), "b has 31 values where 32 are needed");
-  EXPECT_EQ(refusal([] { elastic_system(RowMatrix(2, 3), Eigen::Vector2d::Zero()); }),
+  EXPECT_EQ(refusal([] { elastic_system(RowMatrix(2, 3), Vector2d::Zero()); }),
             "A has 2 rows and 3 columns, it must be square");
 }
 

@@ -23,7 +23,7 @@ std::vector<char> prescribed(const Mesh& mesh, const std::vector<int>& dofs) {
 
 /// The only free motion in words, in the direction of the axes.
 std::string free_motion(const Mesh& mesh, const std::vector<int>& dofs) {
-  const Eigen::MatrixXd motions = free_rigid_motions(mesh, prescribed(mesh, dofs));
+  const MatrixXd motions = free_rigid_motions(mesh, prescribed(mesh, dofs));
   if (motions.cols() != 1) return std::to_string(motions.cols()) + " motions";
   return motion_in_words(mesh, motions.col(0) * (motions.sum() < 0 ? -1 : 1));
 }
@@ -46,7 +46,9 @@ TEST(RigidMotions, two_rollers_leave_the_rotation_about_the_crossing_of_their_no
   EXPECT_EQ(free_motion(block(), {0, 2 * 4 + 1}), "rotation about (4, 0)");
 }
 
-TEST(RigidMotions, a_free_body_has_three) { EXPECT_EQ(free_rigid_motions(block(), prescribed(block(), {})).cols(), 3); }
+TEST(RigidMotions, a_free_body_has_three) {
+  EXPECT_EQ(free_rigid_motions(block(), prescribed(block(), {})).cols(), 3);
+}
 
 TEST(RigidMotions, of_two_parts_are_counted_for_each) {
   const Mesh mesh = joined(block(), block());
@@ -61,21 +63,25 @@ TEST(RigidMotions, of_the_second_part_are_told_in_words) {
 }
 
 TEST(RigidMotions, a_slanted_translation_is_told_by_its_direction) {
-  const Eigen::VectorXd motion =
-      nodal_values(block(), [](const Eigen::Vector2d&) { return Eigen::Vector2d(-0.3, 0.4); });
+  const VectorXd motion =
+      nodal_values(block(), [](const Vector2d&) { return Vector2d(-0.3, 0.4); });
   EXPECT_EQ(motion_in_words(block(), motion), "translation along (-0.6, 0.8)");
 }
 
-RC_GTEST_PROP(RigidMotions, strain_nothing_and_vanish_on_prescribed_dofs, (Random random)) {
+RC_GTEST_PROP(RigidMotions, strain_nothing_and_vanish_on_prescribed_dofs,
+              (Random random)) {
   const Mesh mesh = rotated(irregular(4, 2, 4, 2, random), 0.4);
   std::vector<int> dofs;
-  for (int k = *rc::gen::inRange(0, 3); k > 0; --k) dofs.push_back(random() % (2 * mesh.vertex_count()));
+  for (int k = *rc::gen::inRange(0, 3); k > 0; --k)
+    dofs.push_back(random() % (2 * mesh.vertex_count()));
   const std::vector<char> marks = prescribed(mesh, dofs);
-  const Eigen::MatrixXd motions = free_rigid_motions(mesh, marks);
-  for (Eigen::Index m = 0; m < motions.cols(); ++m) {
+  const MatrixXd motions = free_rigid_motions(mesh, marks);
+  for (Index m = 0; m < motions.cols(); ++m) {
     RC_ASSERT(motions.col(m).cwiseAbs().maxCoeff() > 0.1);
-    for (int t = 0; t < mesh.triangle_count(); ++t) RC_ASSERT(strain(mesh, motions.col(m), t).norm() < 1e-11);
-    for (std::size_t dof = 0; dof < marks.size(); ++dof) RC_ASSERT((!marks[dof] || std::abs(motions(dof, m)) < 1e-12));
+    for (int t = 0; t < mesh.cell_count(); ++t)
+      RC_ASSERT(strain(mesh, motions.col(m), t).norm() < 1e-11);
+    for (std::size_t dof = 0; dof < marks.size(); ++dof)
+      RC_ASSERT((!marks[dof] || std::abs(motions(dof, m)) < 1e-12));
   }
 }
 

@@ -13,12 +13,14 @@ namespace {
 
 using namespace test;
 
-/// Largest force and moment left over on a triangle, relative to the largest moment of an edge.
+/// Largest force and moment left over on a triangle, relative to the largest moment of an
+/// edge.
 double imbalance(const Problem& problem, const Equilibrated& fields) {
   double worst = 0;
-  for (int t = 0; t < problem.mesh.triangle_count(); ++t)
-    worst = std::max(worst,
-                     out_of_balance(corners_of(problem.mesh, t), fields.difference.col(t), fields.loads.col(t)).norm());
+  for (int t = 0; t < problem.mesh.cell_count(); ++t)
+    worst = std::max(worst, out_of_balance(corners_of(problem.mesh, t),
+                                           fields.difference.col(t), fields.loads.col(t))
+                                .norm());
   return worst / fields.moments.cwiseAbs().maxCoeff();
 }
 
@@ -32,30 +34,34 @@ RC_GTEST_PROP(EdgeMoments, are_the_given_ones_where_these_are_known, ()) {
   const Equilibrated fields = equilibrated(problem, solved(problem));
   for (int e = 0; e < problem.edges.count(); ++e)
     for (int c = 0; c < 4; ++c)
-      if (fields.boundary.known(c % 2, e)) RC_ASSERT(fields.moments(c, e) == fields.boundary.moments(c, e));
+      if (fields.boundary.known(c % 2, e))
+        RC_ASSERT(fields.moments(c, e) == fields.boundary.moments(c, e));
 }
 
 RC_GTEST_PROP(EdgeMoments, of_a_constant_stress_are_its_tractions, (Random random)) {
   Problem problem = body(irregular(4, 3, 4, 3, random), material(1, 0.3));
   for (int label : {top, left, right}) clamp(problem, label);
-  const Eigen::Vector3d sigma = random_vector(3, random);
+  const Vector3d sigma = random_vector(3, random);
   const ContactLine& line = problem.line;
-  ContactDensities densities{Eigen::Matrix2Xd(2, line.edge_count()), Eigen::Matrix2Xd(2, line.edge_count())};
+  ContactDensities densities{Matrix2Xd(2, line.edge_count()),
+                             Matrix2Xd(2, line.edge_count())};
   for (int k = 0; k < line.edge_count(); ++k) {
-    const Eigen::Vector2d r = traction(sigma, line.edge_normal(k));
+    const Vector2d r = traction(sigma, line.edge_normal(k));
     densities.normal.col(k).setConstant(r.dot(line.edge_normal(k)));
     densities.tangential.col(k).setConstant(r.dot(line.edge_tangent(k)));
   }
   const BoundaryTractions boundary =
-      boundary_tractions(problem.mesh, problem.edges, prescribed_dofs(problem.A), problem.neumann, line, densities);
-  const Eigen::Matrix3Xd stress = sigma.replicate(1, problem.mesh.triangle_count());
-  const EdgeMoments moments = equilibrated_moments(problem.mesh, problem.edges, stars_of(problem.mesh, problem.edges),
+      boundary_tractions(problem.mesh, problem.edges, prescribed_dofs(problem.A),
+                         problem.neumann, line, densities);
+  const Matrix3Xd stress = sigma.replicate(1, problem.mesh.cell_count());
+  const EdgeMoments moments = equilibrated_moments(problem.mesh, problem.edges,
+                                                   stars_of(problem.mesh, problem.edges),
                                                    stress, body_loads(problem), boundary);
   for (int e = 0; e < problem.edges.count(); ++e) {
-    const Eigen::Vector2d F = traction(sigma, edge_normal(problem.mesh, problem.edges, e));
-    const Eigen::Vector4d density =
-        density_of_moments(moments.col(e), edge_vector(problem.mesh, problem.edges, e).norm());
-    RC_ASSERT((density - Eigen::Vector4d(F.x(), F.y(), F.x(), F.y())).norm() < 1e-9);
+    const Vector2d F = traction(sigma, edge_normal(problem.mesh, problem.edges, e));
+    const Vector4d density = density_of_moments(
+        moments.col(e), edge_vector(problem.mesh, problem.edges, e).norm());
+    RC_ASSERT((density - Vector4d(F.x(), F.y(), F.x(), F.y())).norm() < 1e-9);
   }
 }
 
@@ -64,7 +70,8 @@ TEST(EdgeMoments, a_spoiled_moment_is_out_of_balance) {
   Equilibrated fields = equilibrated(problem, solved(problem));
   ASSERT_LT(imbalance(problem, fields), 1e-10);
   fields.moments(1, 7) += 1e-4 * fields.moments.cwiseAbs().maxCoeff();
-  fields.difference = difference_loads(problem.mesh, problem.edges, fields.moments, fields.stress);
+  fields.difference =
+      difference_loads(problem.mesh, problem.edges, fields.moments, fields.stress);
   EXPECT_GT(imbalance(problem, fields), 0.9e-4);
 }
 
@@ -73,7 +80,9 @@ TEST(EdgeMoments, refuses_loads_that_u_was_not_computed_with_naming_the_vertex) 
   const ContactSolution solution = solved(problem);
   problem.neumann *= 1.01;
   const std::string sentence = refusal([&] { equilibrated(problem, solution); });
-  EXPECT_TRUE(says(sentence, "the loads do not balance the stresses at vertex 5 (0, 20): 2 N/mm are left over"))
+  EXPECT_TRUE(says(
+      sentence,
+      "the loads do not balance the stresses at vertex 5 (0, 20): 2 N/mm are left over"))
       << sentence;
 }
 
@@ -81,23 +90,24 @@ TEST(EdgeMoments, refuses_a_body_force_that_u_was_not_computed_with) {
   Problem problem = example_1(Multiplier::force, 2);
   const ContactSolution solution = solved(problem);
   problem.body_force.array() += 0.01;
-  EXPECT_TRUE(
-      says(refusal([&] { equilibrated(problem, solution); }), "the loads do not balance the stresses at vertex "));
+  EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }),
+                   "the loads do not balance the stresses at vertex "));
 }
 
 TEST(EdgeMoments, refuses_contact_tractions_of_another_solution) {
   const Problem problem = example_1(Multiplier::force, 2);
   ContactSolution solution = solved(problem);
   solution.pressure *= 1.1;
-  EXPECT_TRUE(
-      says(refusal([&] { equilibrated(problem, solution); }), "the loads do not balance the stresses at vertex "));
+  EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }),
+                   "the loads do not balance the stresses at vertex "));
 }
 
 TEST(EdgeMoments, refuses_a_point_support_with_a_reaction) {
   Problem problem = example_1(Multiplier::force, 2);
   prescribe_dof(problem, 2 * 5 + 1, 0.01);  // the middle of the loaded side
   const ContactSolution solution = solved(problem);
-  EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }), "at vertex 5 (0, 20)"));
+  EXPECT_TRUE(
+      says(refusal([&] { equilibrated(problem, solution); }), "at vertex 5 (0, 20)"));
 }
 
 }  // namespace

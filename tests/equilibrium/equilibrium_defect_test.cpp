@@ -29,7 +29,8 @@ struct Built {
 RC_GTEST_PROP(EquilibriumDefect, of_the_first_guess_is_rounding, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const Equilibrated fields = equilibrated(problem, solved(problem));
-  RC_ASSERT(defect_of(problem, fields, admissible_stress(problem, fields)).largest() < 1e-10);
+  RC_ASSERT(defect_of(problem, fields, admissible_stress(problem, fields)).largest() <
+            1e-10);
 }
 
 TEST(EquilibriumDefect, sees_every_spoiled_stress) {
@@ -40,7 +41,8 @@ TEST(EquilibriumDefect, sees_every_spoiled_stress) {
       for (int s = 0; s < 3; ++s) {
         Built spoiled = built;
         spoiled.stress[t](s, c) += 1e-4 * built.scale();
-        EXPECT_GT(spoiled.defect().largest(), 1e-6) << "triangle " << t << ", value " << s << ", " << c;
+        EXPECT_GT(spoiled.defect().largest(), 1e-6)
+            << "triangle " << t << ", value " << s << ", " << c;
       }
 }
 
@@ -52,12 +54,14 @@ TEST(EquilibriumDefect, tells_divergence_from_jumps_and_boundary) {
   EXPECT_LT(body.defect().boundary, 1e-12);
 
   for (int e = 0; e < boundary.problem.edges.count(); ++e)
-    if (boundary.problem.edges.on_boundary(e)) boundary.fields.boundary.moments.col(e).array() += 1;
+    if (boundary.problem.edges.on_boundary(e))
+      boundary.fields.boundary.moments.col(e).array() += 1;
   EXPECT_LT(boundary.defect().divergence, 1e-12);
   EXPECT_LT(boundary.defect().jump, 1e-12);
   EXPECT_GT(boundary.defect().boundary, 1e-3);
 
-  for (int c = 0; c < 9; ++c) jump.stress[20].col(c) += Eigen::Vector3d(1, 0, 0);  // a constant has no divergence
+  // a constant has no divergence
+  for (int c = 0; c < 9; ++c) jump.stress[20].col(c) += Vector3d(1, 0, 0);
   EXPECT_LT(jump.defect().divergence, 1e-12);
   EXPECT_GT(jump.defect().jump, 1e-3);
 }
@@ -66,7 +70,8 @@ TEST(EquilibriumDefect, reads_no_boundary_data_where_a_support_answers) {
   Built built;
   for (int e = 0; e < built.problem.edges.count(); ++e)
     for (int c = 0; c < 4; ++c)
-      if (!built.fields.boundary.known(c % 2, e)) built.fields.boundary.moments(c, e) = 1e9;
+      if (!built.fields.boundary.known(c % 2, e))
+        built.fields.boundary.moments(c, e) = 1e9;
   EXPECT_LT(built.defect().largest(), 1e-12);
 }
 

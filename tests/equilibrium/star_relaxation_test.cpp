@@ -13,34 +13,42 @@ namespace {
 
 using namespace test;
 
-/// r_hat = lambda_h brought into the cone, with its costs: what relaxation with free tractions starts from.
-FreeTractions free_tractions(const Problem& problem, const Eigen::VectorXd& displacement,
+/// r_hat = lambda_h brought into the cone, with its costs: what relaxation with free
+/// tractions starts from.
+FreeTractions free_tractions(const Problem& problem, const VectorXd& displacement,
                              const ContactDensities& densities) {
-  const TractionCosts costs = traction_costs(problem.line, problem.law, densities, displacement);
-  return {densities, costs.normal, costs.tangential, contact_edge_numbers(problem.line, problem.edges)};
+  const TractionCosts costs =
+      traction_costs(problem.line, problem.law, densities, displacement);
+  return {densities, costs.normal, costs.tangential,
+          contact_edge_numbers(problem.line, problem.edges)};
 }
 
-std::vector<double> relax(const Problem& problem, Equilibrated& fields, int sweeps, FreeContact* contact = nullptr,
-                          double tightness = 0) {
-  return relax_stars(problem.mesh, problem.edges, fields.stars, problem.hooke, fields.boundary, fields.loads,
-                     {sweeps, tightness}, fields.difference, contact);
+std::vector<double> relax(const Problem& problem, Equilibrated& fields, int sweeps,
+                          FreeContact* contact = nullptr, double tightness = 0) {
+  return relax_stars(problem.mesh, problem.edges, fields.stars, problem.hooke,
+                     fields.boundary, fields.loads, {sweeps, tightness},
+                     fields.difference, contact);
 }
 
-/// A problem with tractions in the cone (example 2 with friction enough to stick, after correction (4.1)).
+/// A problem with tractions in the cone (example 2 with friction enough to stick, after
+/// correction (4.1)).
 struct InCone {
   Problem problem = example_2(Multiplier::force, 0.6, 8);
   ContactSolution solution = solved(problem);
-  ConeCorrection correction =
-      correct_to_cone(problem.line, problem.law, edge_densities(problem.line, solution.pressure));
-  Equilibrated fields = equilibrated(problem, solution.displacement, correction.densities);
-  FreeTractions tractions = free_tractions(problem, solution.displacement, correction.densities);
+  ConeCorrection correction = correct_to_cone(
+      problem.line, problem.law, edge_densities(problem.line, solution.pressure));
+  Equilibrated fields =
+      equilibrated(problem, solution.displacement, correction.densities);
+  FreeTractions tractions =
+      free_tractions(problem, solution.displacement, correction.densities);
 };
 
 RC_GTEST_PROP(StarRelaxation, keeps_equilibrium_and_boundary_tractions, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   Equilibrated fields = equilibrated(problem, solved(problem));
   relax(problem, fields, 3);
-  RC_ASSERT(defect_of(problem, fields, admissible_stress(problem, fields)).largest() < 1e-10);
+  RC_ASSERT(defect_of(problem, fields, admissible_stress(problem, fields)).largest() <
+            1e-10);
 }
 
 RC_GTEST_PROP(StarRelaxation, falls_in_every_sweep_by_what_the_energy_falls, ()) {
@@ -83,7 +91,8 @@ TEST(StarRelaxation, does_not_depend_on_the_number_of_threads) {
   clamp(problem, top);
   set_friction(problem, 0.3);
   Equilibrated one = equilibrated(problem, solved(problem)), two = one;
-  with_one_and_two_threads(one, two, [&](Equilibrated& fields) { relax(problem, fields, 3); });
+  with_one_and_two_threads(one, two,
+                           [&](Equilibrated& fields) { relax(problem, fields, 3); });
   EXPECT_EQ(one.difference, two.difference);
 }
 
@@ -106,9 +115,11 @@ TEST(StarRelaxation, with_free_tractions_stays_in_the_cone_and_in_equilibrium) {
     relax(c.problem, c.fields, 1, &contact);
     EXPECT_LE(cone_defect(c.problem.line, c.problem.law, c.tractions.densities), 1e-12);
     Equilibrated moved = c.fields;
-    moved.boundary = boundary_tractions(c.problem.mesh, c.problem.edges, prescribed_dofs(c.problem.A),
-                                        c.problem.neumann, c.problem.line, c.tractions.densities);
-    EXPECT_LT(defect_of(c.problem, moved, admissible_stress(c.problem, moved)).largest(), 1e-10);
+    moved.boundary =
+        boundary_tractions(c.problem.mesh, c.problem.edges, prescribed_dofs(c.problem.A),
+                           c.problem.neumann, c.problem.line, c.tractions.densities);
+    EXPECT_LT(defect_of(c.problem, moved, admissible_stress(c.problem, moved)).largest(),
+              1e-10);
   }
 }
 
@@ -117,7 +128,9 @@ TEST(StarRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
   FreeContact contact{c.problem.line, c.problem.law, c.tractions};
   const auto square = [&] {
     return elastic_square(c.problem, c.fields) +
-           contact_error(c.problem.line, c.problem.law, c.tractions.densities, c.solution.displacement).sum();
+           contact_error(c.problem.line, c.problem.law, c.tractions.densities,
+                         c.solution.displacement)
+               .sum();
   };
   const double scale = square();
   double before = scale;
@@ -135,16 +148,18 @@ TEST(StarRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
 /// |sigma_hat - C eps(u_h)| / |u - u_h| before the first and after every sweep.
 std::vector<double> effectivities(const Manufactured& exact, int cells, int sweeps) {
   const Problem problem = without_contact(exact, rectangle(cells, cells, 2, 2));
-  const Eigen::VectorXd u = solved_without_contact(problem);
-  Equilibrated fields = equilibrated(problem, u, {Eigen::Matrix2Xd(2, 0), Eigen::Matrix2Xd(2, 0)});
+  const VectorXd u = solved_without_contact(problem);
+  Equilibrated fields = equilibrated(problem, u, {Matrix2Xd(2, 0), Matrix2Xd(2, 0)});
   const double error = error_of(exact, problem, u);
   double square = elastic_square(problem, fields);
   std::vector<double> result{std::sqrt(square) / error};
-  for (double fall : relax(problem, fields, sweeps)) result.push_back(std::sqrt(square -= fall) / error);
+  for (double fall : relax(problem, fields, sweeps))
+    result.push_back(std::sqrt(square -= fall) / error);
   return result;
 }
 
-TEST(StarRelaxation, makes_the_bound_of_a_smooth_problem_tight_in_three_sweeps_on_every_mesh) {
+TEST(StarRelaxation,
+     makes_the_bound_of_a_smooth_problem_tight_in_three_sweeps_on_every_mesh) {
   for (int cells : {8, 16, 24}) {
     const std::vector<double> effectivity = effectivities(smooth_solution(0.3), cells, 3);
     EXPECT_NEAR(effectivity[1], 1.14, 0.01) << "cells " << cells;
@@ -161,7 +176,8 @@ TEST(StarRelaxation, makes_the_bound_of_a_nearly_incompressible_body_tight) {
 }
 
 TEST(StarRelaxation, makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_nu_0499) {
-  for (const auto& [nu, tightness] : {std::make_pair(0.49, 1.15), std::make_pair(0.499, 1.3)}) {
+  for (const auto& [nu, tightness] :
+       {std::make_pair(0.49, 1.15), std::make_pair(0.499, 1.3)}) {
     const std::vector<double> effectivity = effectivities(smooth_solution(nu), 32, 4);
     RecordProperty("nu_" + std::to_string(nu), std::to_string(effectivity[4]));
     EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
@@ -170,7 +186,8 @@ TEST(StarRelaxation, makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_n
 }
 
 TEST(StarRelaxation, on_a_coarse_mesh_of_an_incompressible_body_stays_a_bound) {
-  for (const auto& [nu, tightness] : {std::make_pair(0.49, 1.4), std::make_pair(0.499, 2.5)}) {
+  for (const auto& [nu, tightness] :
+       {std::make_pair(0.49, 1.4), std::make_pair(0.499, 2.5)}) {
     const std::vector<double> effectivity = effectivities(smooth_solution(nu), 8, 4);
     RecordProperty("nu_" + std::to_string(nu), std::to_string(effectivity[4]));
     EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
@@ -186,7 +203,8 @@ TEST(StarRelaxation, stops_when_a_sweep_lowers_the_error_by_less_than_its_tightn
   ASSERT_EQ(falls.size(), 10u);
   double square = elastic_square(problem, fields);
   std::size_t expected = 0;
-  for (; expected < 10; ++expected) {  // the first sweep after which e fell by less than 2 %
+  // the first sweep after which e fell by less than 2 %
+  for (; expected < 10; ++expected) {
     const double next = square - falls[expected];
     const bool enough = std::sqrt(next) > 0.98 * std::sqrt(square);
     square = next;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every contact line, law and multiplier has an admissible pair: tractions in the cone, stresses in equilibrium.
+// Every contact line, law and multiplier has an admissible pair: tractions in the cone,
+// stresses in equilibrium.
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/refusals.hpp"
@@ -9,7 +10,8 @@ namespace {
 
 using namespace test;
 
-/// An irregular rectangle bent so that its bottom is a polygon on a circle of radius 12 that touches y = 0 in the middle.
+/// An irregular rectangle bent so that its bottom is a polygon on a circle of radius 12
+/// that touches y = 0 in the middle.
 Mesh bent(Random& random) {
   Mesh mesh = irregular(*rc::gen::inRange(3, 10), *rc::gen::inRange(2, 5), 6, 4, random);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
@@ -19,14 +21,16 @@ Mesh bent(Random& random) {
   return mesh;
 }
 
-/// The bottom with one given direction, up to 17 degrees away from the vertical, or with its edges' normals.
+/// The bottom with one given direction, up to 17 degrees away from the vertical, or with
+/// its edges' normals.
 ContactLine random_line(const Mesh& mesh) {
   const Edges edges = edges_of(mesh);
   if (*rc::gen::inRange(0, 4) == 0) return contact_line(mesh, edges, {bottom});
   const ContactLine line = smooth_contact_line(mesh, edges, {bottom});
   const double angle = *real(-0.3, 0.3);
-  return along_directions(mesh, edges, line,
-                          Eigen::Vector2d(std::sin(angle), -std::cos(angle)).replicate(1, line.node_count()));
+  return along_directions(
+      mesh, edges, line,
+      Vector2d(std::sin(angle), -std::cos(angle)).replicate(1, line.node_count()));
 }
 
 void set_law(Problem& problem, const std::string& law) {
@@ -45,18 +49,19 @@ Problem random_problem(const std::string& law) {
   add_traction(problem, left, *vector_in(1, 1));
   add_traction(problem, right, *vector_in(1, 1));
   if (*rc::gen::arbitrary<bool>()) {
-    clamp(problem, top, [motion = *vector_in(0.05, 0.02)](const Eigen::Vector2d&) -> Eigen::Vector2d {
-      return motion - Eigen::Vector2d(0, 0.04);
+    clamp(problem, top, [motion = *vector_in(0.05, 0.02)](const Vector2d&) -> Vector2d {
+      return motion - Vector2d(0, 0.04);
     });
   } else {
     prescribe(problem, right, 0);  // only contact holds it vertically
-    add_traction(problem, top, *vector_in(1, 1) - Eigen::Vector2d(0, 4));
+    add_traction(problem, top, *vector_in(1, 1) - Vector2d(0, 4));
   }
   set_law(problem, law);
   problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
   problem.law.gap.resize(problem.line.node_count());
   for (int i = 0; i < problem.line.node_count(); ++i)
-    problem.law.gap[i] = mesh.vertices(1, problem.line.vertex[i]) * *rc::gen::element(0, 1);
+    problem.law.gap[i] =
+        mesh.vertices(1, problem.line.vertex[i]) * *rc::gen::element(0, 1);
   return problem;
 }
 
@@ -66,9 +71,11 @@ void is_admissible(const std::string& law) {
   RC_PRE(solution.accepted({}));
   RC_PRE((solution.pressure.row(0).array() < 0).count() > 1);
   const Tractions tractions = *rc::gen::element(Tractions::free, Tractions::fixed);
-  const Estimate estimate = estimated(problem, solution, sweeps(*rc::gen::inRange(0, 5), tractions));
-  RC_LOG() << "cone " << estimate.cone << ", equilibrium " << estimate.equilibrium.largest() << ", mended "
-           << estimate.mended.size() << ", corrected " << estimate.corrected_count();
+  const Estimate estimate =
+      estimated(problem, solution, sweeps(*rc::gen::inRange(0, 5), tractions));
+  RC_LOG() << "cone " << estimate.cone << ", equilibrium "
+           << estimate.equilibrium.largest() << ", mended " << estimate.mended.size()
+           << ", corrected " << estimate.corrected_count();
   RC_ASSERT(cone_defect(problem.line, problem.law, estimate.tractions) <= 1e-12);
   RC_ASSERT(estimate.equilibrium.largest() <= 1e-10);
   RC_ASSERT(estimate.unmended.empty());
@@ -79,7 +86,9 @@ RC_GTEST_PROP(AlwaysInTheCone, without_friction, ()) { is_admissible("frictionle
 RC_GTEST_PROP(AlwaysInTheCone, with_coulombs_law, ()) { is_admissible("coulomb"); }
 RC_GTEST_PROP(AlwaysInTheCone, in_a_thin_cone, ()) { is_admissible("thin cone"); }
 RC_GTEST_PROP(AlwaysInTheCone, with_trescas_law, ()) { is_admissible("tresca"); }
-RC_GTEST_PROP(AlwaysInTheCone, with_friction_at_every_other_node, ()) { is_admissible("friction in part"); }
+RC_GTEST_PROP(AlwaysInTheCone, with_friction_at_every_other_node, ()) {
+  is_admissible("friction in part");
+}
 
 }  // namespace
 }  // namespace ffcontact

@@ -15,11 +15,13 @@ namespace {
 
 using namespace test;
 
-constexpr Tractions all_tractions[] = {Tractions::free, Tractions::fixed, Tractions::published};
+constexpr Tractions all_tractions[] = {Tractions::free, Tractions::fixed,
+                                       Tractions::published};
 
 double norm_of_sum(const Estimate& estimate) { return estimate.e / estimate.relative; }
 
-// ---- Property 2.3: the error of an exact pair is zero -------------------------------------------
+// ---- Property 2.3: the error of an exact pair is zero
+// -------------------------------------------
 
 TEST(Estimate, of_uniform_compression_is_zero_to_rounding) {
   Random random(21);
@@ -41,14 +43,15 @@ TEST(Estimate, of_a_sticking_patch_is_zero_to_rounding) {
   Problem problem = body(irregular(5, 4, 40, 40, random), steel);
   add_traction(problem, left, {steel.lambda * h, -steel.G * g});
   add_traction(problem, right, {-steel.lambda * h, steel.G * g});
-  clamp(problem, top, [=](const Eigen::Vector2d& x) { return Eigen::Vector2d(g * x.y(), -h * x.y()); });
+  clamp(problem, top, [=](const Vector2d& x) { return Vector2d(g * x.y(), -h * x.y()); });
   set_friction(problem, 0.5);
   const Estimate estimate = estimated(problem, solved(problem), sweeps(2));
   EXPECT_LT(estimate.elastic, 1e-10 * norm_of_sum(estimate));
   EXPECT_LT(std::abs(estimate.contact), 1e-14 * std::pow(norm_of_sum(estimate), 2));
 }
 
-// ---- what holds for every estimate --------------------------------------------------------------
+// ---- what holds for every estimate
+// --------------------------------------------------------------
 
 RC_GTEST_PROP(Estimate, is_admissible_with_tractions_in_the_cone, ()) {
   const Problem problem = problem_of(*random_case(0.5));
@@ -88,17 +91,21 @@ RC_GTEST_PROP(Estimate, local_errors_add_up_to_the_whole, ()) {
 RC_GTEST_PROP(Estimate, parts_are_those_of_its_fields, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const Estimate estimate = estimated(problem, solved(problem), sweeps(1));
-  const Eigen::Matrix3Xd sigma = stresses(problem.mesh, problem.hooke, estimate.displacement);
+  const Matrix3Xd sigma = stresses(problem.mesh, problem.hooke, estimate.displacement);
   double elastic = 0, sum = 0;
-  for (int t = 0; t < problem.mesh.triangle_count(); ++t) {
-    const Eigen::Matrix3d compliance = problem.hooke[t].inverse();
+  for (int t = 0; t < problem.mesh.cell_count(); ++t) {
+    const Matrix3d compliance = problem.hooke[t].inverse();
     const CompositeStress constant = sigma.col(t).replicate<1, 9>();
-    elastic += energy(corners_of(problem.mesh, t), compliance, estimate.stress[t] - constant);
+    elastic +=
+        energy(corners_of(problem.mesh, t), compliance, estimate.stress[t] - constant);
     sum += energy(corners_of(problem.mesh, t), compliance, estimate.stress[t] + constant);
   }
   RC_ASSERT(std::abs(elastic - std::pow(estimate.elastic, 2)) < 1e-12 * sum);
-  RC_ASSERT(std::abs(estimate.e / std::sqrt(sum) - estimate.relative) < 1e-10 * estimate.relative);
-  const double contact = contact_error(problem.line, problem.law, estimate.tractions, estimate.displacement).sum();
+  RC_ASSERT(std::abs(estimate.e / std::sqrt(sum) - estimate.relative) <
+            1e-10 * estimate.relative);
+  const double contact =
+      contact_error(problem.line, problem.law, estimate.tractions, estimate.displacement)
+          .sum();
   RC_ASSERT(std::abs(contact - estimate.contact) < 1e-13 * sum);
 }
 
@@ -119,13 +126,14 @@ RC_GTEST_PROP(Estimate, history_never_rises_and_ends_at_the_error, ()) {
 TEST(Estimate, keeps_equilibrium_however_many_sweeps_are_asked_for) {
   for (const int cells : {1, 2}) {
     Problem problem = body(rectangle(cells, cells, 1, 1), material(1000, 0.3));
-    clamp(problem, top, [](const Eigen::Vector2d&) -> Eigen::Vector2d { return {0.02, -0.01}; });
+    clamp(problem, top, [](const Vector2d&) -> Vector2d { return {0.02, -0.01}; });
     set_friction(problem, 0.3);
     const ContactSolution solution = solved(problem);
     const double enough = estimated(problem, solution, sweeps(40)).e;
     for (const int count : {2, 20, 202, 1000}) {
       const Estimate estimate = estimated(problem, solution, sweeps(count));
-      EXPECT_TRUE(estimate.admissible) << cells << " cells, " << count << " sweeps: " << estimate.reason;
+      EXPECT_TRUE(estimate.admissible)
+          << cells << " cells, " << count << " sweeps: " << estimate.reason;
       EXPECT_LT(estimate.history.size(), 400u);
       EXPECT_NEAR(estimate.e, enough, count > 40 ? 1e-9 * enough : enough);
     }
@@ -148,7 +156,8 @@ RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same, ()) {
   if (c.support == Support::symmetric_right) c.support = Support::clamped_top;
   const Problem upright = problem_of(c), turned = problem_of(rotated(c, *real(-3, 3)));
   const double expected = estimated(upright, solved(upright), sweeps(2)).relative;
-  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative - expected) < 1e-7 * expected);
+  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative - expected) <
+            1e-7 * expected);
 }
 
 RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same_with_little_friction, ()) {
@@ -157,7 +166,8 @@ RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same_with_little_friction, ()
   if (c.support == Support::symmetric_right) c.support = Support::clamped_top;
   const Problem upright = problem_of(c), turned = problem_of(rotated(c, *real(-3, 3)));
   const double expected = estimated(upright, solved(upright), sweeps(2)).relative;
-  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative - expected) < 1e-7 * expected);
+  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative - expected) <
+            1e-7 * expected);
 }
 
 RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
@@ -165,25 +175,31 @@ RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
   const ContactSolution solution = solved(problem);
   const Estimate estimate = estimated(problem, solution, sweeps(0));
   const double scale = solution.displacement.cwiseAbs().maxCoeff();
-  RC_ASSERT(contact_components(problem.line, estimate.displacement).row(0).maxCoeff() <= 1e-12 * scale);
+  RC_ASSERT(contact_components(problem.line, estimate.displacement).row(0).maxCoeff() <=
+            1e-12 * scale);
   const ElasticSystem system = problem.system();
   for (int dof = 0; dof < system.dof_count(); ++dof)
     if (system.prescribed[dof])
-      RC_ASSERT(std::abs(estimate.displacement[dof] - system.prescribed_value[dof]) <= 1e-12 * scale);
+      RC_ASSERT(std::abs(estimate.displacement[dof] - system.prescribed_value[dof]) <=
+                1e-12 * scale);
 }
 
-/// A body that is moved against a wall without stress: what its stresses are of is rounding.
+/// A body that is moved against a wall without stress: what its stresses are of is
+/// rounding.
 TEST(Estimate, of_a_rigid_motion_is_zero) {
   for (const double angle : {0.0, 0.4, 1.3})
     for (const double size : {1e-6, 1.0, 1e6}) {
-      Problem problem = body(rotated(rectangle(5, 4, 5 * size, 4 * size), angle), material(210e3, 0.3));
-      const Eigen::Vector2d motion = size * Eigen::Vector2d(0.3, -0.7);
-      clamp(problem, top, [&](const Eigen::Vector2d&) { return motion; });
+      Problem problem =
+          body(rotated(rectangle(5, 4, 5 * size, 4 * size), angle), material(210e3, 0.3));
+      const Vector2d motion = size * Vector2d(0.3, -0.7);
+      clamp(problem, top, [&](const Vector2d&) { return motion; });
       problem.law.gap = everywhere(problem.line, problem.line.edge_normal(0).dot(motion));
       set_friction(problem, 0.3);
       ContactSolution solution;
-      solution.displacement = nodal_values(problem.mesh, [&](const Eigen::Vector2d&) { return motion; });
-      solution.pressure = Eigen::Matrix2Xd::Constant(2, problem.line.node_count(), -1e-12);  // of a solver's rounding
+      solution.displacement =
+          nodal_values(problem.mesh, [&](const Vector2d&) { return motion; });
+      // of a solver's rounding
+      solution.pressure = Matrix2Xd::Constant(2, problem.line.node_count(), -1e-12);
       const Estimate estimate = estimated(problem, solution);
       EXPECT_EQ(estimate.e, 0);
       EXPECT_EQ(estimate.relative, 0);
@@ -192,7 +208,8 @@ TEST(Estimate, of_a_rigid_motion_is_zero) {
     }
 }
 
-/// M'_h lets one node penetrate where its neighbours keep clear: u has no stress, but u_hat, which is lifted there, has.
+/// M'_h lets one node penetrate where its neighbours keep clear: u has no stress, but
+/// u_hat, which is lifted there, has.
 TEST(Estimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
   Problem problem = body(rectangle(4, 2, 4, 2), material(1000, 0.3));
   clamp(problem, top);
@@ -211,11 +228,14 @@ TEST(Estimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
   }
 }
 
-/// Small stresses beside a large rigid motion are judged by what rounding of that motion leaves of them.
+/// Small stresses beside a large rigid motion are judged by what rounding of that motion
+/// leaves of them.
 TEST(Estimate, of_small_stresses_beside_a_large_motion) {
   const auto estimate_of = [](double motion) {
     Problem problem = body(rectangle(5, 4, 5, 4), material(1000, 0.3));
-    clamp(problem, top, [&](const Eigen::Vector2d& x) -> Eigen::Vector2d { return {motion, -1e-4 * x.x() - motion}; });
+    clamp(problem, top, [&](const Vector2d& x) -> Vector2d {
+      return {motion, -1e-4 * x.x() - motion};
+    });
     problem.law.gap = everywhere(problem.line, motion);
     set_friction(problem, 0.3);
     problem.law.previous = everywhere(problem.line, motion);
@@ -236,20 +256,24 @@ TEST(Estimate, does_not_depend_on_the_units) {
     clamp(problem, top);
     prescribe(problem, right, 0);
     set_friction(problem, 0.5);
-    if (slip_bound > 0) problem.law.slip_bound = everywhere(problem.line, slip_bound * stiffness);
+    if (slip_bound > 0)
+      problem.law.slip_bound = everywhere(problem.line, slip_bound * stiffness);
     return estimated(problem, solved(problem)).relative;
   };
   for (const double slip_bound : {0.0, 2.0}) {
     const double expected = relative(rectangle(16, 8, 80, 40), 1, slip_bound);
     for (const double length : {1e-9, 1e-3, 1e6})
       for (const double stiffness : {1e-9, 1e3, 1e6}) {
-        const double scaled = relative(rectangle(16, 8, 80 * length, 40 * length), stiffness, slip_bound);
-        EXPECT_NEAR(scaled / expected, 1, 1e-8) << "length " << length << ", stiffness " << stiffness;
+        const double scaled =
+            relative(rectangle(16, 8, 80 * length, 40 * length), stiffness, slip_bound);
+        EXPECT_NEAR(scaled / expected, 1, 1e-8)
+            << "length " << length << ", stiffness " << stiffness;
       }
   }
 }
 
-/// A prescribed displacement that penetrates cannot be lowered: u is not admissible, and the estimate says so.
+/// A prescribed displacement that penetrates cannot be lowered: u is not admissible, and
+/// the estimate says so.
 TEST(Estimate, says_where_u_penetrates) {
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
     Problem problem = body(rectangle(4, 4, 1, 1), material(1000, 0.3));
@@ -260,23 +284,27 @@ TEST(Estimate, says_where_u_penetrates) {
     ContactSolution solution = solved(problem);
     EXPECT_TRUE(estimated(problem, solution).admissible);
     problem.law.gap = everywhere(problem.line, 0);
-    problem.law.gap[problem.line.node_count() - 1] = -1e-6;  // the foundation now reaches into a clamped corner
+    // the foundation now reaches into a clamped corner
+    problem.law.gap[problem.line.node_count() - 1] = -1e-6;
     const Estimate estimate = estimated(problem, solution);
     EXPECT_FALSE(estimate.admissible);
     EXPECT_GT(estimate.penetration, 1e-7);
-    EXPECT_TRUE(says(estimate.reason, "u penetrates by ") && says(estimate.reason, "at (1, 0), where displacements"))
+    EXPECT_TRUE(says(estimate.reason, "u penetrates by ") &&
+                says(estimate.reason, "at (1, 0), where displacements"))
         << estimate.reason;
   }
 }
 
-// ---- against an exact solution ------------------------------------------------------------------
+// ---- against an exact solution
+// ------------------------------------------------------------------
 
 TEST(Estimate, of_the_smooth_problem_in_contact_is_a_tight_bound) {
   const Manufactured exact = smooth_solution(0.3);
   for (int n : {8, 16, 24}) {
     const Problem problem = with_contact(exact, rectangle(n, n, 2, 2));
     const ContactSolution solution = solved(problem);
-    const double error = error_of(exact, problem, solution.displacement), tightness[] = {1.16, 1.04, 1.02};
+    const double error = error_of(exact, problem, solution.displacement),
+                 tightness[] = {1.16, 1.04, 1.02};
     for (int k = 1; k <= 3; ++k) {
       const double e = estimated(problem, solution, sweeps(k)).e;
       EXPECT_GE(e, error);
@@ -289,14 +317,17 @@ TEST(Estimate, of_a_nearly_incompressible_body_stays_a_bound) {
   const Manufactured exact = smooth_solution(0.49);
   const Problem problem = with_contact(exact, rectangle(8, 8, 2, 2));
   const ContactSolution solution = solved(problem);
-  const double error = error_of(exact, problem, solution.displacement), e = estimated(problem, solution, sweeps(4)).e;
+  const double error = error_of(exact, problem, solution.displacement),
+               e = estimated(problem, solution, sweeps(4)).e;
   EXPECT_GE(e, error);
   EXPECT_LE(e, 1.5 * error);
 }
 
 RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction, (Random random)) {
-  const Manufactured exact = cubic_solution(*real(0, 0.45));  // its data are those of the discrete problem
-  Problem problem = loaded_in_contact(exact, irregular(*rc::gen::inRange(2, 7), 4, 2, 2, random));
+  // its data are those of the discrete problem
+  const Manufactured exact = cubic_solution(*real(0, 0.45));
+  Problem problem =
+      loaded_in_contact(exact, irregular(*rc::gen::inRange(2, 7), 4, 2, 2, random));
   problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const ContactSolution solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
@@ -304,13 +335,16 @@ RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction, (Random ra
   RC_ASSERT(estimate.admissible);
   const double of_stress = distance(exact, problem.mesh, estimate.stress);
   const double of_displacement = error_of(exact, problem, estimate.displacement);
-  RC_ASSERT(std::hypot(of_stress, of_displacement) <= estimate.e * (1 + 1e-10));  // (2.20)
+  // (2.20)
+  RC_ASSERT(std::hypot(of_stress, of_displacement) <= estimate.e * (1 + 1e-10));
 }
 
-// ---- the published meshes -----------------------------------------------------------------------
+// ---- the published meshes
+// -----------------------------------------------------------------------
 
 double published_percentage(const Problem& problem, int count) {
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(count, Tractions::published));
+  const Estimate estimate =
+      estimated(problem, solved(problem), sweeps(count, Tractions::published));
   EXPECT_LT(estimate.equilibrium.largest(), 1e-10);
   return 100 * estimate.relative;
 }
@@ -330,7 +364,8 @@ TEST(Estimate, with_tractions_in_the_cone_is_sharper_than_published) {
   const auto percentage = [](const Problem& problem) {
     return 100 * estimated(problem, solved(problem), sweeps(2)).relative;
   };
-  EXPECT_NEAR(percentage(example_1(Multiplier::force)) / 7.93, 1, 0.03);       // published 9.74
+  // published 9.74
+  EXPECT_NEAR(percentage(example_1(Multiplier::force)) / 7.93, 1, 0.03);
   EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.3)) / 1.20, 1, 0.03);  // 1.46
   EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.4)) / 1.17, 1, 0.03);  // 1.50
 }
@@ -340,7 +375,9 @@ TEST(Estimate, effectivity_on_the_meshes_of_table_1_is_at_most_120_after_three_s
       {0.2, 0.93}, {0.4, 1.02}, {0.6, 1.02}, {0.8, 1.02}};  // mu, exact error in %
   for (const auto& [mu, percentage] : exact) {
     const Problem problem = example_2(Multiplier::force, mu);
-    EXPECT_LE(100 * estimated(problem, solved(problem), sweeps(3)).relative, 1.20 * percentage) << "mu " << mu;
+    EXPECT_LE(100 * estimated(problem, solved(problem), sweeps(3)).relative,
+              1.20 * percentage)
+        << "mu " << mu;
   }
 }
 
@@ -354,7 +391,8 @@ TEST(Estimate, of_example_2_falls_with_the_mesh_for_both_methods) {
   }
 }
 
-// ---- the numerical construction of [CHH01, 4.2.2] -----------------------------------------------
+// ---- the numerical construction of [CHH01, 4.2.2]
+// -----------------------------------------------
 
 TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   const Problem problem = example_1(Multiplier::force);
@@ -368,20 +406,25 @@ TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   EXPECT_EQ(polynomial.history, composite.history);
   EXPECT_TRUE(composite.admissible);
   EXPECT_FALSE(polynomial.admissible);
-  EXPECT_TRUE(says(polynomial.reason, "the polynomial construction is in equilibrium in the mean only"));
+  EXPECT_TRUE(says(polynomial.reason,
+                   "the polynomial construction is in equilibrium in the mean only"));
   EXPECT_NEAR(polynomial.local.norm(), polynomial.relative, 1e-12);
   RecordProperty("ratio", std::to_string(polynomial.e / composite.e));
 }
 
-// ---- checks and refusals ------------------------------------------------------------------------
+// ---- checks and refusals
+// ------------------------------------------------------------------------
 
 TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {
   const Problem problem = example_2(Multiplier::force, 0.2);
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(1, Tractions::published));
+  const Estimate estimate =
+      estimated(problem, solved(problem), sweeps(1, Tractions::published));
   if (estimate.cone <= 1e-12) GTEST_SKIP() << "every edge could be mended by (4.1)";
   EXPECT_FALSE(estimate.admissible);
   EXPECT_TRUE(says(estimate.reason, "contact tractions leave the friction cone by "));
-  EXPECT_TRUE(says(estimate.reason, "(4.1) cannot mend " + std::to_string(estimate.unmended.size()) + " edges"));
+  EXPECT_TRUE(
+      says(estimate.reason,
+           "(4.1) cannot mend " + std::to_string(estimate.unmended.size()) + " edges"));
   EXPECT_FALSE(estimate.unmended.empty());
 }
 
@@ -392,22 +435,33 @@ TEST(Estimate, refuses_what_does_not_fit) {
     SolvedBody body = solved_body(problem, solution);
     EstimateSettings settings;
     spoil(body, settings);
-    return refusal(
-        [&] { estimate_error(problem.mesh, problem.edges, problem.line, problem.system(), body, settings); });
+    return refusal([&] {
+      estimate_error(problem.mesh, problem.edges, problem.line, problem.system(), body,
+                     settings);
+    });
   };
   EXPECT_EQ(refusal_of([](SolvedBody&, EstimateSettings&) {}), "accepted");
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+                     b.displacement[3] = std::nan("");
+                   }),
+                   "u[3] is nan"));
   EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.displacement[3] = std::nan(""); }), "u[3] is nan"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.displacement.resize(7); }), "u has 7 values"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.pressure.resize(2, 4); }), "4 values where 5"));
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.displacement.resize(7); }),
+           "u has 7 values"));
   EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.law.friction[1] = -1; }), "friction must be finite"));
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.pressure.resize(2, 4); }),
+           "4 values where 5"));
   EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.hooke[2].setZero(); }), "triangle 2 is not symmetric"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody&, EstimateSettings& s) { s.relaxation.sweeps = -1; }),
-                   "sweeps must not be negative"));
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.law.friction[1] = -1; }),
+           "friction must be finite"));
   EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.neumann *= 2; }), "do not balance the stresses"));
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.hooke[2].setZero(); }),
+           "triangle 2 is not symmetric"));
+  EXPECT_TRUE(
+      says(refusal_of([](SolvedBody&, EstimateSettings& s) { s.relaxation.sweeps = -1; }),
+           "sweeps must not be negative"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.neumann *= 2; }),
+                   "do not balance the stresses"));
 }
 
 }  // namespace

@@ -12,27 +12,30 @@ namespace {
 using namespace test;
 
 /// Random forces on the contact vertices that do no work on the motions.
-Eigen::VectorXd balanced_forces(const Problem& problem, const Eigen::MatrixXd& motions, Random& random) {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(problem.b.size());
-  Eigen::MatrixXd on_line = Eigen::MatrixXd::Zero(motions.rows(), motions.cols());
+VectorXd balanced_forces(const Problem& problem, const MatrixXd& motions,
+                         Random& random) {
+  VectorXd forces = VectorXd::Zero(problem.b.size());
+  MatrixXd on_line = MatrixXd::Zero(motions.rows(), motions.cols());
   for (int v : problem.line.vertex) {
     forces.segment<2>(2 * v) = random_vector(2, random);
     on_line.middleRows(2 * v, 2) = motions.middleRows(2 * v, 2);
   }
   if (motions.cols() > 0)
-    forces -= on_line * (on_line.transpose() * on_line).inverse() * (motions.transpose() * forces);
+    forces -= on_line * (on_line.transpose() * on_line).inverse() *
+              (motions.transpose() * forces);
   return forces;
 }
 
 RC_GTEST_PROP(RebalancingDisplacement, balances_the_change_of_forces, (Random random)) {
   const Problem problem = problem_of(*random_case(0.5));
   const ElasticSystem system = problem.system();
-  const Eigen::MatrixXd motions = free_rigid_motions(problem.mesh, system.prescribed);
-  const Eigen::VectorXd forces = balanced_forces(problem, motions, random);
-  const Eigen::VectorXd u = rebalancing_displacement(system, problem.line, forces, motions);
-  const Eigen::VectorXd residual = system.stiffness * u - forces;
+  const MatrixXd motions = free_rigid_motions(problem.mesh, system.prescribed);
+  const VectorXd forces = balanced_forces(problem, motions, random);
+  const VectorXd u = rebalancing_displacement(system, problem.line, forces, motions);
+  const VectorXd residual = system.stiffness * u - forces;
   for (int dof = 0; dof < system.dof_count(); ++dof)
-    RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof]) : std::abs(residual[dof])) < 1e-9);
+    RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof]) : std::abs(residual[dof])) <
+              1e-9);
 }
 
 }  // namespace

@@ -24,9 +24,11 @@ TEST(SeveralBodiesEstimate, example_3_as_published) {
     const int last = line.edge_count() - 1;
     if (multiplier == Multiplier::force) {
       EXPECT_GT(std::max(ratio(before, 0, 0), ratio(before, 1, 0)), 1) << "first edge";
-      EXPECT_GT(std::max(ratio(before, 0, last), ratio(before, 1, last)), 1) << "last edge";
+      EXPECT_GT(std::max(ratio(before, 0, last), ratio(before, 1, last)), 1)
+          << "last edge";
     }
-    for (const Tractions tractions : {Tractions::published, Tractions::fixed, Tractions::free}) {
+    for (const Tractions tractions :
+         {Tractions::published, Tractions::fixed, Tractions::free}) {
       const Estimate estimate = estimated(two.problem, solution, sweeps(2, tractions));
       EXPECT_TRUE(estimate.admissible) << estimate.reason;
       EXPECT_EQ(estimate.corrected_count(), multiplier == Multiplier::force ? 2 : 0);
@@ -35,23 +37,25 @@ TEST(SeveralBodiesEstimate, example_3_as_published) {
   }
 }
 
-/// Parts of edges that a vertex of the other body all but meets make triangles as thin, whose equilibrium suffers from rounding
-/// with the square of their thinness.
+/// Parts of edges that a vertex of the other body all but meets make triangles as thin,
+/// whose equilibrium suffers from rounding with the square of their thinness.
 bool has_slivers(const Estimate& estimate) {
   if (!estimate.refinement) return false;
   const Mesh& mesh = estimate.refinement->mesh;
   double shortest = mesh.vertices.maxCoeff();
   for (int e = 0; e < estimate.refinement->edges.count(); ++e)
-    shortest = std::min(shortest, edge_vector(mesh, estimate.refinement->edges, e).norm());
+    shortest =
+        std::min(shortest, edge_vector(mesh, estimate.refinement->edges, e).norm());
   return shortest < 1e-3;
 }
 
-/// Uniform compression through random interfaces is in the discrete space: no error, Property 2.3.
+/// Uniform compression through random interfaces is in the discrete space: no error,
+/// Property 2.3.
 RC_GTEST_PROP(SeveralBodiesEstimate, uniform_pressure_has_no_error, (Random random)) {
   const int upper = *rc::gen::inRange(1, 8), lower = *rc::gen::inRange(1, 8);
-  Bodies two =
-      bodies({shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}), with_random_rows(lower, 3, 6, 5, random)},
-             {material(70e3, 0.3), material(210e3, 0.2)}, {{0, bottom, 1, top}});
+  Bodies two = bodies({shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}),
+                       with_random_rows(lower, 3, 6, 5, random)},
+                      {material(70e3, 0.3), material(210e3, 0.2)}, {{0, bottom, 1, top}});
   Problem& problem = two.problem;
   add_traction(problem, two.label(0, top), {0, -7});
   prescribe(problem, two.label(1, bottom), 1);
@@ -62,11 +66,13 @@ RC_GTEST_PROP(SeveralBodiesEstimate, uniform_pressure_has_no_error, (Random rand
   RC_ASSERT(estimate.admissible || has_slivers(estimate));
 }
 
-/// Two blocks sheared on each other, whose traces do not match; the lower one may be longer.
+/// Two blocks sheared on each other, whose traces do not match; the lower one may be
+/// longer.
 Problem sheared(Random& random, double mu, bool longer) {
   const int upper = *rc::gen::inRange(2, 9), lower = *rc::gen::inRange(2, 9);
-  const Mesh base = longer ? shifted(with_random_rows(lower + 1, 3, 8, 4, random), {-1, 0})
-                           : with_random_rows(lower, 3, 6, 4, random);
+  const Mesh base = longer
+                        ? shifted(with_random_rows(lower + 1, 3, 8, 4, random), {-1, 0})
+                        : with_random_rows(lower, 3, 6, 4, random);
   Bodies two = bodies({shifted(with_random_rows(upper, 3, 6, 3, random), {0, 4}), base},
                       {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
   add_traction(two.problem, two.label(0, top), {1, -10});
@@ -79,9 +85,11 @@ Problem sheared(Random& random, double mu, bool longer) {
   return two.problem;
 }
 
-RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible_pair, (Random random)) {
+RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible_pair,
+              (Random random)) {
   const double mu = *real(0.3, 1);
-  const Problem problem = sheared(random, *rc::gen::element(0.0, mu), *rc::gen::arbitrary<bool>());
+  const Problem problem =
+      sheared(random, *rc::gen::element(0.0, mu), *rc::gen::arbitrary<bool>());
   const ContactSolution solution = solved(problem);
   RC_PRE(solution.accepted({}));
   for (const Tractions tractions : {Tractions::fixed, Tractions::free}) {
@@ -91,14 +99,17 @@ RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible
     const double square = estimate.relative * estimate.relative;
     RC_ASSERT(std::abs(estimate.local.squaredNorm() - square) < 1e-10 * square);
     RC_ASSERT(estimate.admissible || has_slivers(estimate));
-    const ContactLine& line = estimate.refinement ? estimate.refinement->line : problem.line;
-    const Eigen::Matrix2Xd w = contact_components(line, estimate.displacement);
+    const ContactLine& line =
+        estimate.refinement ? estimate.refinement->line : problem.line;
+    const Matrix2Xd w = contact_components(line, estimate.displacement);
     RC_ASSERT(w.row(0).maxCoeff() < 1e-12 * problem.mesh.vertices.maxCoeff());
   }
 }
 
 /// A block on a longer one, the line of which carries the multipliers.
-RC_GTEST_PROP(SeveralBodiesEstimate, a_line_that_the_opposite_body_ends_on_has_an_admissible_pair, (Random random)) {
+RC_GTEST_PROP(SeveralBodiesEstimate,
+              a_line_that_the_opposite_body_ends_on_has_an_admissible_pair,
+              (Random random)) {
   const int upper = *rc::gen::inRange(1, 9), lower = *rc::gen::inRange(3, 9);
   const double x = -0.8 + 0.01 * *rc::gen::inRange(0, 260);
   Bodies two = bodies({shifted(with_random_rows(upper, 3, 5, 3, random), {x, 4}),
@@ -117,11 +128,13 @@ RC_GTEST_PROP(SeveralBodiesEstimate, a_line_that_the_opposite_body_ends_on_has_a
   RC_ASSERT(estimate.penetration < 1e-12);
 }
 
-/// Friction alone holds the upper body sideways; its tangential resultant must survive the mending of tensile edges.
+/// Friction alone holds the upper body sideways; its tangential resultant must survive
+/// the mending of tensile edges.
 TEST(SeveralBodiesEstimate, tresca_keeps_the_resultants_of_a_body_held_by_friction) {
   for (const double slip_bound : {0.5, 1.0, 1.6, 2.5}) {
-    Bodies two = bodies({shifted(rectangle(8, 5, 4, 2), {2, 3}), rectangle(16, 6, 8, 3)},
-                        {material(70e3, 0.3), material(70e3, 0.3)}, {{0, bottom, 1, top}});
+    Bodies two =
+        bodies({shifted(rectangle(8, 5, 4, 2), {2, 3}), rectangle(16, 6, 8, 3)},
+               {material(70e3, 0.3), material(70e3, 0.3)}, {{0, bottom, 1, top}});
     add_traction(two.problem, two.label(0, top), {0.2, -7});
     clamp(two.problem, two.label(1, bottom));
     two.problem.law.slip_bound = everywhere(two.problem.line, slip_bound);
@@ -131,14 +144,17 @@ TEST(SeveralBodiesEstimate, tresca_keeps_the_resultants_of_a_body_held_by_fricti
   }
 }
 
-/// Traces whose vertices all but meet are as good as matching ones, however small their distance is.
+/// Traces whose vertices all but meet are as good as matching ones, however small their
+/// distance is.
 TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
   for (const Multiplier multiplier : both) {
     const auto estimate_of = [&](double distance) {
       Mesh lower = rectangle(8, 4, 8, 4);
-      for (int v = 4 * 9 + 1; v < 5 * 9 - 1; ++v) lower.vertices(0, v) += distance;  // the inner vertices of the top
-      Bodies two = bodies({shifted(rectangle(8, 3, 8, 3), {0, 4}), lower}, {material(70e3, 0.3), material(100e3, 0.2)},
-                          {{0, bottom, 1, top}});
+      // the inner vertices of the top
+      for (int v = 4 * 9 + 1; v < 5 * 9 - 1; ++v) lower.vertices(0, v) += distance;
+      Bodies two =
+          bodies({shifted(rectangle(8, 3, 8, 3), {0, 4}), lower},
+                 {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
       add_traction(two.problem, two.label(0, top), {1, -10});
       add_traction(two.problem, two.label(0, left), {1, 0.5});
       clamp(two.problem, two.label(1, bottom));
@@ -147,7 +163,8 @@ TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
       return estimated(two.problem, solved(two.problem), sweeps(2));
     };
     const double matching = estimate_of(0).relative;
-    for (const double distance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+    for (const double distance :
+         {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
       const Estimate estimate = estimate_of(distance);
       EXPECT_NEAR(estimate.relative, matching, 0.02 * matching) << distance;
       EXPECT_TRUE(estimate.admissible) << distance << ": " << estimate.reason;
@@ -155,22 +172,26 @@ TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
   }
 }
 
-/// eps_E^2 of facing triangles has half of the contact part of their edge each, that of a triangle on a foundation all of it.
+/// eps_E^2 of facing triangles has half of the contact part of their edge each, that of a
+/// triangle on a foundation all of it.
 void shares_add_up(const Problem& problem) {
   const Estimate estimate = estimated(problem, solved(problem), sweeps(0));
   ASSERT_FALSE(estimate.refinement.has_value());
-  const Eigen::Matrix3Xd stress = stresses(problem.mesh, problem.hooke, estimate.displacement);
-  Eigen::VectorXd shares = estimate.local.cwiseAbs2() * std::pow(estimate.e / estimate.relative, 2);
-  for (int t = 0; t < problem.mesh.triangle_count(); ++t)
-    shares[t] -= energy(corners_of(problem.mesh, t), problem.hooke[t].inverse(),
-                        estimate.stress[t] - CompositeStress(stress.col(t).replicate<1, 9>()));
+  const Matrix3Xd stress = stresses(problem.mesh, problem.hooke, estimate.displacement);
+  VectorXd shares =
+      estimate.local.cwiseAbs2() * std::pow(estimate.e / estimate.relative, 2);
+  for (int t = 0; t < problem.mesh.cell_count(); ++t)
+    shares[t] -=
+        energy(corners_of(problem.mesh, t), problem.hooke[t].inverse(),
+               estimate.stress[t] - CompositeStress(stress.col(t).replicate<1, 9>()));
   const ContactLine& line = problem.line;
-  const Eigen::VectorXd contact = contact_error(line, problem.law, estimate.tractions, estimate.displacement);
+  const VectorXd contact =
+      contact_error(line, problem.law, estimate.tractions, estimate.displacement);
   ASSERT_GT(contact.maxCoeff(), 1e-6 * std::pow(estimate.e, 2));
   for (int e = 0; e < line.edge_count(); ++e) {
     const bool faced = line.against_a_body() && line.opposite_edge[e] >= 0;
-    shares[problem.edges.triangles(0, line.edge[e])] -= contact[e] / (faced ? 2 : 1);
-    if (faced) shares[problem.edges.triangles(0, line.opposite_edge[e])] -= contact[e] / 2;
+    shares[problem.edges.cells(0, line.edge[e])] -= contact[e] / (faced ? 2 : 1);
+    if (faced) shares[problem.edges.cells(0, line.opposite_edge[e])] -= contact[e] / 2;
   }
   EXPECT_LT(shares.cwiseAbs().maxCoeff(), 1e-10 * std::pow(estimate.e, 2));
 }

@@ -22,47 +22,51 @@ Bodies blocks() {
   return two;
 }
 
-bool contains(const Eigen::Matrix<double, 2, 3>& corners, const Eigen::Vector2d& x) {
-  const auto twice_area = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+bool contains(const Matrix<double, 2, 3>& corners, const Vector2d& x) {
+  const auto twice_area = [](const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
   };
   for (int k = 0; k < 3; ++k)
-    if (twice_area(corners.col((k + 1) % 3) - corners.col(k), x - corners.col(k)) < 0) return false;
+    if (twice_area(corners.col((k + 1) % 3) - corners.col(k), x - corners.col(k)) < 0)
+      return false;
   return true;
 }
 
-Eigen::Matrix<double, 2, 3> subtriangle(const TriangleCorners& corners, int k) {
-  Eigen::Matrix<double, 2, 3> sub;
+Matrix<double, 2, 3> subtriangle(const TriangleCorners& corners, int k) {
+  Matrix<double, 2, 3> sub;
   sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
   return sub;
 }
 
-/// A number for every subtriangle of the refinement comes back where a point of the cut triangle lies in it.
+/// A number for every subtriangle of the refinement comes back where a point of the cut
+/// triangle lies in it.
 TEST(StressOnTriangles, is_that_of_the_subtriangle_around_the_point) {
   const Bodies two = blocks();
   const Mesh& mesh = two.problem.mesh;
   Estimate estimate = estimated(two.problem, solved(two.problem), sweeps(0));
   ASSERT_TRUE(estimate.refinement.has_value());
   const CommonRefinement& refinement = *estimate.refinement;
-  for (int t = 0; t < refinement.mesh.triangle_count(); ++t)
-    for (int k = 0; k < 3; ++k) estimate.stress[t].middleCols<3>(3 * k).setConstant(3 * t + k);
+  for (int t = 0; t < refinement.mesh.cell_count(); ++t)
+    for (int k = 0; k < 3; ++k)
+      estimate.stress[t].middleCols<3>(3 * k).setConstant(3 * t + k);
   const std::vector<CompositeStress> stress = stress_on_triangles(mesh, estimate);
-  ASSERT_EQ(static_cast<int>(stress.size()), mesh.triangle_count());
+  ASSERT_EQ(static_cast<int>(stress.size()), mesh.cell_count());
   std::set<double> seen;
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Matrix<double, 2, 3> sub = subtriangle(corners_of(mesh, t), k);
+      const Matrix<double, 2, 3> sub = subtriangle(corners_of(mesh, t), k);
       for (int c = 0; c < 3; ++c) {
-        const Eigen::Vector2d x = sub.col(c) + 1e-6 * (sub.rowwise().mean() - sub.col(c));
+        const Vector2d x = sub.col(c) + 1e-6 * (sub.rowwise().mean() - sub.col(c));
         const double number = stress[t](0, 3 * k + c);
-        const int cut = static_cast<int>(std::lround(number)) / 3, part = static_cast<int>(std::lround(number)) % 3;
+        const int cut = static_cast<int>(std::lround(number)) / 3,
+                  part = static_cast<int>(std::lround(number)) % 3;
         EXPECT_NEAR(number, std::lround(number), 1e-9);
         EXPECT_EQ(refinement.parent[cut], t);
         EXPECT_TRUE(contains(subtriangle(corners_of(refinement.mesh, cut), part), x));
         seen.insert(std::lround(number));
       }
     }
-  EXPECT_GT(static_cast<int>(seen.size()), 3 * mesh.triangle_count());
+  EXPECT_GT(static_cast<int>(seen.size()), 3 * mesh.cell_count());
 }
 
 }  // namespace

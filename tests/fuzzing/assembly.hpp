@@ -2,6 +2,7 @@
 #pragma once
 
 #include "case.hpp"
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/interface/facing_traces.hpp"
@@ -9,7 +10,7 @@
 
 namespace ffcontact::fuzz {
 
-using Dense = Eigen::MatrixXd;
+using Dense = MatrixXd;
 
 /// A case as the library takes it, beside the same integrals by plain loops of our own.
 struct Assembled {
@@ -17,40 +18,44 @@ struct Assembled {
   Edges edges;
   ContactLine line;
   ContactLaw law;
-  std::vector<int> region;                  ///< per triangle of the joined mesh: its place in `elasticity`
-  std::vector<Eigen::Matrix3d> elasticity;  ///< C, Voigt with engineering shear, by our own formula
-  Hooke hooke;                              ///< C per triangle
-  Eigen::SparseMatrix<double> stiffness;    ///< K without supports, our own
-  Eigen::VectorXd load;                     ///< of tractions and body forces
-  std::vector<char> prescribed;             ///< per dof
-  Eigen::VectorXd value;                    ///< of prescribed dofs, 0 elsewhere
-  RowMatrix A;                              ///< with supports, as FreeFEM's tgv puts them
-  Eigen::VectorXd b;
-  Eigen::Matrix4Xd neumann;     ///< moments of the tractions at the ends of each boundary edge
-  Eigen::Matrix2Xd body_force;  ///< per triangle
+  /// per triangle of the joined mesh: its place in `elasticity`
+  std::vector<int> region;
+  /// C, Voigt with engineering shear, by our own formula
+  std::vector<Matrix3d> elasticity;
+  Hooke hooke;                   ///< C per triangle
+  SparseMatrix stiffness;        ///< K without supports, our own
+  VectorXd load;                 ///< of tractions and body forces
+  std::vector<char> prescribed;  ///< per dof
+  VectorXd value;                ///< of prescribed dofs, 0 elsewhere
+  RowMatrix A;                   ///< with supports, as FreeFEM's tgv puts them
+  VectorXd b;
+  Matrix4Xd neumann;     ///< moments of the tractions at the ends of each boundary edge
+  Matrix2Xd body_force;  ///< per triangle
 
   const Mesh& mesh() const { return joined.mesh; }
   SolvedBody solved(const ContactSolution& solution) const;
-  /// A vertex in the coordinates of a coarser or finer mesh of the same bodies: joined meshes choose their origin.
-  Eigen::Vector2d point_in(const Assembled& other, int vertex) const;
+  /// A vertex in the coordinates of a coarser or finer mesh of the same bodies: joined
+  /// meshes choose their origin.
+  Vector2d point_in(const Assembled& other, int vertex) const;
 };
 
 /// @throws std::invalid_argument  where the library refuses mesh, line or traces
 Assembled assembled(const Case& problem);
 
-/// The case on the mesh of which every triangle is cut into four, with the same line, law and loads: what is given at nodes
-/// is linear in between.
+/// The case on the mesh of which every triangle is cut into four, with the same line, law
+/// and loads: what is given at nodes is linear in between.
 struct Refined {
   Case problem;
   Assembled parts;
 };
 Refined refined(const Case& problem, const Assembled& coarse);
 
-/// Value at a point of a function that is linear on the edges of the line, on its edge with this normal.
-double value_on_line(const Assembled& parts, const Eigen::VectorXd& values, const Eigen::Vector2d& point,
-                     const Eigen::Vector2d& normal);
+/// Value at a point of a function that is linear on the edges of the line, on its edge
+/// with this normal.
+double value_on_line(const Assembled& parts, const VectorXd& values,
+                     const Vector2d& point, const Vector2d& normal);
 
 /// Plane strain, by E and nu.
-Eigen::Matrix3d elasticity_of(const Material& material);
+Matrix3d elasticity_of(const Material& material);
 
 }  // namespace ffcontact::fuzz

@@ -2,6 +2,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ground.hpp"
 
 namespace ffcontact::fuzz {
@@ -10,89 +11,101 @@ namespace {
 
 constexpr double rounding = 1e-8;
 
-using Polygon = std::vector<Eigen::Vector2d>;
+using Polygon = std::vector<Vector2d>;
 
-double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& x) {
+double side_of(const Vector2d& a, const Vector2d& b, const Vector2d& x) {
   return (b.x() - a.x()) * (x.y() - a.y()) - (b.y() - a.y()) * (x.x() - a.x());
 }
 
 /// What of a convex polygon is on the left of the line from a to b.
-Polygon clipped(const Polygon& polygon, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+Polygon clipped(const Polygon& polygon, const Vector2d& a, const Vector2d& b) {
   Polygon result;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Eigen::Vector2d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const Vector2d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
     const double at_p = side_of(a, b, p), at_q = side_of(a, b, q);
     if (at_p >= 0) result.push_back(p);
-    if ((at_p > 0) != (at_q > 0) && at_p != 0 && at_q != 0) result.push_back(p + at_p / (at_p - at_q) * (q - p));
+    if ((at_p > 0) != (at_q > 0) && at_p != 0 && at_q != 0)
+      result.push_back(p + at_p / (at_p - at_q) * (q - p));
   }
   return result;
 }
 
 Polygon common_part(const Corners& a, const Corners& b) {
   Polygon part{a.col(0), a.col(1), a.col(2)};
-  for (int k = 0; k < 3 && part.size() > 2; ++k) part = clipped(part, b.col(k), b.col((k + 1) % 3));
+  for (int k = 0; k < 3 && part.size() > 2; ++k)
+    part = clipped(part, b.col(k), b.col((k + 1) % 3));
   return part;
 }
 
-/// int d : C^-1 d over the common part of two triangles, d = constant less what is linear on the second.
-double square_on(const Corners& fine, const Corners& sub, const Eigen::Vector3d& constant,
-                 const Eigen::Matrix3d& at_corners, const Eigen::Matrix3d& compliance) {
+/// int d : C^-1 d over the common part of two triangles, d = constant less what is linear
+/// on the second.
+double square_on(const Corners& fine, const Corners& sub, const Vector3d& constant,
+                 const Matrix3d& at_corners, const Matrix3d& compliance) {
   const Polygon part = common_part(fine, sub);
-  const auto at = [&](const Eigen::Vector2d& x) {
-    const Eigen::Vector3d d = constant - at_corners * weights_at(sub, x);
+  const auto at = [&](const Vector2d& x) {
+    const Vector3d d = constant - at_corners * weights_at(sub, x);
     return d.dot(compliance * d);
   };
   double sum = 0;
   for (std::size_t k = 2; k < part.size(); ++k) {
     Corners piece;
     piece << part[0], part[k - 1], part[k];
-    for (int c = 0; c < 3; ++c) sum += area_of(piece) / 3 * at(0.5 * (piece.col(c) + piece.col((c + 1) % 3)));
+    for (int c = 0; c < 3; ++c)
+      sum += area_of(piece) / 3 * at(0.5 * (piece.col(c) + piece.col((c + 1) % 3)));
   }
   return sum;
 }
 
-/// |sigma - sigma_hat|^2 + |u - u_hat|^2, sigma constant on the fine triangles, of which `ratio` cut each coarse one.
-double squared_distance(const Assembled& coarse, const Estimate& estimate, const Assembled& fine,
-                        const Eigen::VectorXd& reference, int ratio) {
+/// |sigma - sigma_hat|^2 + |u - u_hat|^2, sigma constant on the fine triangles, of which
+/// `ratio` cut each coarse one.
+double squared_distance(const Assembled& coarse, const Estimate& estimate,
+                        const Assembled& fine, const VectorXd& reference, int ratio) {
   double sum = 0;
-  for (int t = 0; t < fine.mesh().triangle_count(); ++t) {
+  for (int t = 0; t < fine.mesh().cell_count(); ++t) {
     const int T = t / ratio;
-    const Eigen::Matrix3d &C = coarse.elasticity[coarse.region[T]], compliance = C.inverse();
+    const Matrix3d &C = coarse.elasticity[coarse.region[T]], compliance = C.inverse();
     const Corners parent = corners_at(coarse.mesh(), T);
     Corners own;
-    for (int k = 0; k < 3; ++k) own.col(k) = fine.point_in(coarse, fine.mesh().triangles(k, t));
-    const Eigen::Vector3d sigma = stress_of(fine.mesh(), t, C, reference);
-    const Eigen::Vector3d d = sigma - stress_of(coarse.mesh(), T, C, estimate.displacement);
+    for (int k = 0; k < 3; ++k)
+      own.col(k) = fine.point_in(coarse, fine.mesh().cells(k, t));
+    const Vector3d sigma = stress_of(fine.mesh(), t, C, reference);
+    const Vector3d d = sigma - stress_of(coarse.mesh(), T, C, estimate.displacement);
     sum += area_of(own) * d.dot(compliance * d);
     for (int k = 0; k < 3; ++k)
-      sum += square_on(own, subtriangle(parent, k), sigma, estimate.stress[T].middleCols<3>(3 * k), compliance);
+      sum += square_on(own, subtriangle(parent, k), sigma,
+                       estimate.stress[T].middleCols<3>(3 * k), compliance);
   }
   return sum;
 }
 
 /// 2 (sum (M k)_i |w_i| - int k |w|) on the fine line, w linear on each of its edges.
-double bound_of_interpolation(const Assembled& fine, const Eigen::VectorXd& w) {
-  const Eigen::VectorXd& k = fine.law.slip_bound;
+double bound_of_interpolation(const Assembled& fine, const VectorXd& w) {
+  const VectorXd& k = fine.law.slip_bound;
   if (k.size() == 0) return 0;
   double sum = (mass_of(fine.mesh(), fine.line) * k).dot(w.cwiseAbs());
   for (int e = 0; e < fine.line.edge_count(); ++e) {
     const int i = fine.line.edge_node(0, e), j = fine.line.edge_node(1, e);
-    const auto f = [&](double s) { return ((1 - s) * k[i] + s * k[j]) * std::abs((1 - s) * w[i] + s * w[j]); };
+    const auto f = [&](double s) {
+      return ((1 - s) * k[i] + s * k[j]) * std::abs((1 - s) * w[i] + s * w[j]);
+    };
     const double zero = w[i] * w[j] < 0 ? w[i] / (w[i] - w[j]) : 0;
     sum -= fine.line.length[e] / 6 * zero * (f(0) + 4 * f(zero / 2) + f(zero));
-    sum -= fine.line.length[e] / 6 * (1 - zero) * (f(zero) + 4 * f((1 + zero) / 2) + f(1));
+    sum -=
+        fine.line.length[e] / 6 * (1 - zero) * (f(zero) + 4 * f((1 + zero) / 2) + f(1));
   }
   return 2 * sum;
 }
 
-/// A label that its neighbours' supports hold at all of its vertices is read as a support on the coarse mesh only.
+/// A label that its neighbours' supports hold at all of its vertices is read as a support
+/// on the coarse mesh only.
 bool reads_the_same(const Case& problem, const Assembled& parts) {
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
     const Body& body = problem.bodies[k];
     for (int label : body.mesh.boundary_label)
       for (int c = 0; c < 2; ++c) {
         bool all = true, given = false;
-        for (const Support& s : body.supports) given = given || (s.label == label && s.component == c);
+        for (const Support& s : body.supports)
+          given = given || (s.label == label && s.component == c);
         for (int e = 0; e < body.mesh.boundary.cols(); ++e)
           for (int v : body.mesh.boundary.col(e))
             if (body.mesh.boundary_label[e] == label)
@@ -103,30 +116,42 @@ bool reads_the_same(const Case& problem, const Assembled& parts) {
   return true;
 }
 
-Eigen::VectorXd tangential_of(const Assembled& coarse, const Assembled& fine, const Eigen::VectorXd& u_hat) {
-  const Eigen::VectorXd w = against_foundation(coarse.line, coarse.law.gap, coarse.law.previous, u_hat).row(1);
-  Eigen::VectorXd result(fine.line.node_count());
+VectorXd tangential_of(const Assembled& coarse, const Assembled& fine,
+                       const VectorXd& u_hat) {
+  const VectorXd w =
+      against_foundation(coarse.line, coarse.law.gap, coarse.law.previous, u_hat).row(1);
+  VectorXd result(fine.line.node_count());
   for (int i = 0; i < result.size(); ++i)
-    result[i] = value_on_line(coarse, w, fine.point_in(coarse, fine.line.vertex[i]), fine.line.normal.col(i));
+    result[i] = value_on_line(coarse, w, fine.point_in(coarse, fine.line.vertex[i]),
+                              fine.line.normal.col(i));
   return result;
 }
 
 }  // namespace
 
-Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& estimate, int times) {
-  if (problem.law == Law::coulomb || estimate.refinement || !reads_the_same(problem, parts)) return {};
+Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& estimate,
+                  int times) {
+  if (problem.law == Law::coulomb || estimate.refinement ||
+      !reads_the_same(problem, parts))
+    return {};
   Refined fine = refined(problem, parts);
   for (int k = 1; k < times; ++k) fine = refined(fine.problem, fine.parts);
   fine.parts.law.multiplier = Multiplier::force;
   const ContactSolution reference =
-      solve_contact(fine.parts.mesh(), fine.parts.line, fine.parts.law, elastic_system(fine.parts.A, fine.parts.b));
+      solve_contact(fine.parts.mesh(), fine.parts.line, fine.parts.law,
+                    elastic_system(fine.parts.A, fine.parts.b));
   if (!reference.accepted({}))
-    return {finding("reference", "the finer problem is not solved: ", in_words(reference.status), ", residual ",
-                    reference.residual, ", violation ", reference.complementarity)};
-  const double distance = squared_distance(parts, estimate, fine.parts, reference.displacement, 1 << (2 * times));
-  const double allowed = estimate.e * estimate.e +
-                         bound_of_interpolation(fine.parts, tangential_of(parts, fine.parts, estimate.displacement));
-  const double sum = estimate.relative > 0 ? std::pow(estimate.e / estimate.relative, 2) : 0;
+    return {finding(
+        "reference", "the finer problem is not solved: ", in_words(reference.status),
+        ", residual ", reference.residual, ", violation ", reference.complementarity)};
+  const double distance = squared_distance(parts, estimate, fine.parts,
+                                           reference.displacement, 1 << (2 * times));
+  const double allowed =
+      estimate.e * estimate.e +
+      bound_of_interpolation(fine.parts,
+                             tangential_of(parts, fine.parts, estimate.displacement));
+  const double sum =
+      estimate.relative > 0 ? std::pow(estimate.e / estimate.relative, 2) : 0;
   const double zero = square_called_zero(parts, ground_of(parts, estimate), estimate);
   if (distance <= (1 + rounding) * allowed + 1e-11 * sum + zero) return {};
   return {finding("bound", "the distance is ", std::sqrt(distance), ", e ", estimate.e)};

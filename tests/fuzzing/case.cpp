@@ -4,6 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "ffcontact/base/eigen.hpp"
+
 namespace ffcontact::fuzz {
 
 namespace {
@@ -28,7 +30,7 @@ class Writer {
   void add(const Value& value) {
     text_ << ' ' << value;
   }
-  void add(const Eigen::Vector2d& v) { text_ << ' ' << v.x() << ' ' << v.y(); }
+  void add(const Vector2d& v) { text_ << ' ' << v.x() << ' ' << v.y(); }
   void add(const Field& f) {
     add(f.mean);
     add(f.slope);
@@ -51,9 +53,12 @@ class Reader {
   void line(const char* name, Values&... values) {
     std::string found;
     text_ >> found;
-    if (found != name) throw std::runtime_error("expected " + std::string(name) + ", found \"" + found + "\"");
+    if (found != name)
+      throw std::runtime_error("expected " + std::string(name) + ", found \"" + found +
+                               "\"");
     (get(values), ...);
-    if (!text_) throw std::runtime_error("cannot read the values of " + std::string(name));
+    if (!text_)
+      throw std::runtime_error("cannot read the values of " + std::string(name));
   }
 
  private:
@@ -61,7 +66,7 @@ class Reader {
   void get(Value& value) {
     text_ >> value;
   }
-  void get(Eigen::Vector2d& v) { text_ >> v.x() >> v.y(); }
+  void get(Vector2d& v) { text_ >> v.x() >> v.y(); }
   void get(Field& f) {
     text_ >> f.mean;
     get(f.slope);
@@ -80,34 +85,37 @@ class Reader {
 
 void write(Writer& out, const Body& body) {
   const Mesh& mesh = body.mesh;
-  out.line("body", mesh.vertices.cols(), mesh.triangles.cols(), mesh.boundary.cols(), body.materials.size(),
-           body.tractions.size(), body.supports.size());
-  for (int v = 0; v < mesh.vertex_count(); ++v) out.line("v", Eigen::Vector2d(mesh.vertices.col(v)));
-  for (int t = 0; t < mesh.triangle_count(); ++t)
-    out.line("t", mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t), body.region[t]);
+  out.line("body", mesh.vertices.cols(), mesh.cells.cols(), mesh.boundary.cols(),
+           body.materials.size(), body.tractions.size(), body.supports.size());
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    out.line("v", Vector2d(mesh.vertices.col(v)));
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    out.line("t", mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t), body.region[t]);
   for (int e = 0; e < mesh.boundary.cols(); ++e)
     out.line("e", mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
   for (const Material& m : body.materials) out.line("material", m.E, m.nu);
   for (const Traction& t : body.tractions) out.line("traction", t.label, t.value);
-  for (const Support& s : body.supports) out.line("support", s.label, s.component, s.value);
+  for (const Support& s : body.supports)
+    out.line("support", s.label, s.component, s.value);
   out.line("force", body.force);
 }
 
 Body body_of(Reader& in) {
   Body body;
   Mesh& mesh = body.mesh;
-  Eigen::Index vertices = 0, triangles = 0, boundary = 0;
+  Index vertices = 0, triangles = 0, boundary = 0;
   std::size_t materials = 0, tractions = 0, supports = 0;
   in.line("body", vertices, triangles, boundary, materials, tractions, supports);
   mesh.vertices.resize(2, vertices);
-  mesh.triangles.resize(3, triangles);
+  mesh.cells.resize(3, triangles);
   mesh.boundary.resize(2, boundary);
   mesh.boundary_label.resize(boundary);
   body.region.resize(triangles);
-  for (Eigen::Index v = 0; v < vertices; ++v) in.line("v", mesh.vertices(0, v), mesh.vertices(1, v));
-  for (Eigen::Index t = 0; t < triangles; ++t)
-    in.line("t", mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t), body.region[t]);
-  for (Eigen::Index e = 0; e < boundary; ++e)
+  for (Index v = 0; v < vertices; ++v)
+    in.line("v", mesh.vertices(0, v), mesh.vertices(1, v));
+  for (Index t = 0; t < triangles; ++t)
+    in.line("t", mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t), body.region[t]);
+  for (Index e = 0; e < boundary; ++e)
     in.line("e", mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
   body.materials.resize(materials);
   body.tractions.resize(tractions);
@@ -121,16 +129,17 @@ Body body_of(Reader& in) {
 
 }  // namespace
 
-int Case::triangle_count() const {
+int Case::cell_count() const {
   int count = 0;
-  for (const Body& body : bodies) count += body.mesh.triangle_count();
+  for (const Body& body : bodies) count += body.mesh.cell_count();
   return count;
 }
 
 std::string kind(const Case& problem) {
   constexpr const char* laws[] = {"frictionless", "tresca", "coulomb"};
   return std::string(laws[static_cast<int>(problem.law)]) +
-         (problem.multiplier == Multiplier::force ? " force " : " pressure ") + std::to_string(problem.bodies.size()) +
+         (problem.multiplier == Multiplier::force ? " force " : " pressure ") +
+         std::to_string(problem.bodies.size()) +
          (problem.bodies.size() == 1 ? " body" : " bodies") +
          (problem.promise == Promise::solution ? "" : " (soundness only)");
 }
@@ -138,8 +147,8 @@ std::string kind(const Case& problem) {
 std::string text_of(const Case& c) {
   Writer out;
   out.line(heading);
-  out.line("law", static_cast<int>(c.law), static_cast<int>(c.multiplier), static_cast<int>(c.promise), c.sweeps,
-           c.with_reference, c.tgv);
+  out.line("law", static_cast<int>(c.law), static_cast<int>(c.multiplier),
+           static_cast<int>(c.promise), c.sweeps, c.with_reference, c.tgv);
   out.line("place", c.origin, c.size);
   out.line("friction", c.friction);
   out.line("slipbound", c.slip_bound);
@@ -148,7 +157,8 @@ std::string text_of(const Case& c) {
   out.line("bodies", c.bodies.size(), c.contacts.size());
   for (const Body& body : c.bodies) write(out, body);
   for (const Contact& contact : c.contacts)
-    out.line("contact", contact.body, contact.opposite_body, contact.opposite_label, contact.labels);
+    out.line("contact", contact.body, contact.opposite_body, contact.opposite_label,
+             contact.labels);
   return out.text();
 }
 
@@ -171,7 +181,8 @@ Case case_of(const std::string& text) {
   while (c.bodies.size() < bodies) c.bodies.push_back(body_of(in));
   c.contacts.resize(contacts);
   for (Contact& contact : c.contacts)
-    in.line("contact", contact.body, contact.opposite_body, contact.opposite_label, contact.labels);
+    in.line("contact", contact.body, contact.opposite_body, contact.opposite_label,
+            contact.labels);
   return c;
 }
 

@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
-/// Random contact problems, solved, estimated and judged by code that shares nothing with the library but its interface.
+/// Random contact problems, solved, estimated and judged by code that shares nothing with
+/// the library but its interface.
 namespace ffcontact::fuzz {
 
-/// mean + slope . x + wave sin(number . x) of places x that are relative to the problem: (x - origin) / size.
+/// mean + slope . x + wave sin(number . x) of places x that are relative to the problem:
+/// (x - origin) / size.
 struct Field {
   double mean = 0;
-  Eigen::Vector2d slope{0, 0};
+  Vector2d slope{0, 0};
   double wave = 0;
-  Eigen::Vector2d number{0, 0};
+  Vector2d number{0, 0};
 
-  double at(const Eigen::Vector2d& x) const { return mean + slope.dot(x) + wave * std::sin(number.dot(x)); }
+  double at(const Vector2d& x) const {
+    return mean + slope.dot(x) + wave * std::sin(number.dot(x));
+  }
 };
 
 struct Material {
@@ -27,7 +31,7 @@ struct Material {
 
 struct Traction {
   int label;
-  Eigen::Vector2d value;  ///< [MPa]
+  Vector2d value;  ///< [MPa]
 };
 
 /// One component prescribed at the vertices of a label.
@@ -42,10 +46,11 @@ struct Body {
   std::vector<Material> materials;  ///< per region
   std::vector<Traction> tractions;
   std::vector<Support> supports;
-  Eigen::Vector2d force{0, 0};  ///< [N/mm^3]
+  Vector2d force{0, 0};  ///< [N/mm^3]
 };
 
-/// A contact line: labels of a body, against the rigid foundation (opposite_body < 0) or a label of another body.
+/// A contact line: labels of a body, against the rigid foundation (opposite_body < 0) or
+/// a label of another body.
 struct Contact {
   int body;
   std::vector<int> labels;
@@ -56,7 +61,9 @@ enum class Law { frictionless, tresca, coulomb };
 
 /// What the theory promises of the problem.
 enum class Promise {
-  solution,  ///< there is a solution, unless prescribed values rule it out: it must be found and its estimate admissible
+  /// there is a solution, unless prescribed values rule it out: it must be found and its
+  /// estimate admissible
+  solution,
   soundness,  ///< what is called a solution is one
 };
 
@@ -69,15 +76,17 @@ struct Case {
   Field friction, slip_bound;  ///< what is below 0 counts as 0; read as the law asks
   bool has_gap = false, has_previous = false;
   Field gap, previous;  ///< [mm]; without a gap that of the meshes is taken
-  double tgv = 1e30;    ///< how supports stand in the matrix: 1e30, -1 or -2, as FreeFEM's tgv
-  Eigen::Vector2d origin{0, 0};
+  /// how supports stand in the matrix: 1e30, -1 or -2, as FreeFEM's tgv
+  double tgv = 1e30;
+  Vector2d origin{0, 0};
   double size = 1;
   Promise promise = Promise::solution;
   int sweeps = 2;
-  bool with_reference = false;  ///< is the bound (2.20) to be compared with a finer solution?
+  /// is the bound (2.20) to be compared with a finer solution?
+  bool with_reference = false;
 
-  Eigen::Vector2d place(const Eigen::Vector2d& x) const { return (x - origin) / size; }
-  int triangle_count() const;
+  Vector2d place(const Vector2d& x) const { return (x - origin) / size; }
+  int cell_count() const;
 };
 
 /// One word each: "tresca force 2 bodies".

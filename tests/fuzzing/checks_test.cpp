@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Spoilt answers are found: one number of an answer without a find is changed, and the check named must see it.
+// Spoilt answers are found: one number of an answer without a find is changed, and the
+// check named must see it.
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "ffcontact/base/eigen.hpp"
 #include "generator.hpp"
 #include "ground.hpp"
 #include "trial.hpp"
@@ -20,14 +22,16 @@ struct Answer {
 
 Finds finds_of(const Answer& answer) {
   Finds all = line_finds(answer.problem, answer.parts);
-  for (const Finds& more : {solution_finds(answer.problem, answer.parts, answer.solution),
-                            estimate_finds(answer.problem, answer.parts, answer.estimate)})
+  for (const Finds& more :
+       {solution_finds(answer.problem, answer.parts, answer.solution),
+        estimate_finds(answer.problem, answer.parts, answer.estimate)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
 bool has(const Finds& finds, const std::string& check) {
-  return std::any_of(finds.begin(), finds.end(), [&](const Find& f) { return f.check == check; });
+  return std::any_of(finds.begin(), finds.end(),
+                     [&](const Find& f) { return f.check == check; });
 }
 
 /// The node with the largest normal force among those that nothing else holds.
@@ -36,7 +40,9 @@ int pressed_node(const Answer& answer) {
   double force = 0;
   for (int i = 0; i < answer.parts.line.node_count(); ++i) {
     const int x = 2 * answer.parts.line.vertex[i];
-    if (answer.parts.prescribed[x] || answer.parts.prescribed[x + 1] || answer.solution.force(0, i) >= force) continue;
+    if (answer.parts.prescribed[x] || answer.parts.prescribed[x + 1] ||
+        answer.solution.force(0, i) >= force)
+      continue;
     force = answer.solution.force(0, i);
     best = i;
   }
@@ -46,8 +52,9 @@ int pressed_node(const Answer& answer) {
 /// Is there something of everything: contact forces, stresses, an error?
 bool is_full(const Answer& answer) {
   const int x = 2 * answer.parts.line.vertex[pressed_node(answer)];
-  return answer.solution.force(0, pressed_node(answer)) < 0 && !answer.parts.prescribed[x] &&
-         answer.estimate.relative > 1e-3 && answer.parts.mesh().triangle_count() > 8;
+  return answer.solution.force(0, pressed_node(answer)) < 0 &&
+         !answer.parts.prescribed[x] && answer.estimate.relative > 1e-3 &&
+         answer.parts.mesh().cell_count() > 8;
 }
 
 /// The first random problem that is as wanted and has an answer without a find.
@@ -59,12 +66,14 @@ Answer clean_answer(const std::function<bool(const Case&)>& wanted) {
     answer.parts = assembled(answer.problem);
     const ElasticSystem system = elastic_system(answer.parts.A, answer.parts.b);
     try {
-      answer.solution = solve_contact(answer.parts.mesh(), answer.parts.line, answer.parts.law, system);
+      answer.solution =
+          solve_contact(answer.parts.mesh(), answer.parts.line, answer.parts.law, system);
     } catch (const std::invalid_argument&) {
       continue;
     }
-    answer.estimate = estimate_error(answer.parts.mesh(), answer.parts.edges, answer.parts.line, system,
-                                     answer.parts.solved(answer.solution));
+    answer.estimate =
+        estimate_error(answer.parts.mesh(), answer.parts.edges, answer.parts.line, system,
+                       answer.parts.solved(answer.solution));
     if (is_full(answer) && finds_of(answer).empty()) return answer;
   }
   throw std::runtime_error("no such problem");
@@ -75,8 +84,9 @@ std::vector<Answer> answers() {
   for (Law law : {Law::frictionless, Law::tresca, Law::coulomb})
     for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
       for (std::size_t bodies : {1, 2})
-        result.push_back(clean_answer(
-            [=](const Case& c) { return c.law == law && c.multiplier == multiplier && c.bodies.size() == bodies; }));
+        result.push_back(clean_answer([=](const Case& c) {
+          return c.law == law && c.multiplier == multiplier && c.bodies.size() == bodies;
+        }));
   return result;
 }
 
@@ -100,22 +110,24 @@ int free_dof(const Answer& answer) {
   return dof;
 }
 
-double largest(const Eigen::Ref<const Eigen::MatrixXd>& values) { return values.cwiseAbs().maxCoeff(); }
+double largest(const Ref<const MatrixXd>& values) { return values.cwiseAbs().maxCoeff(); }
 
 double stress_of_problem(const Answer& answer) {
-  return stress_scale(answer.parts, ground_of(answer.parts, answer.estimate), answer.estimate.displacement);
+  return stress_scale(answer.parts, ground_of(answer.parts, answer.estimate),
+                      answer.estimate.displacement);
 }
 
 TEST(spoilt, displacement_is_out_of_balance) {
-  expect_found("balance",
-               [](Answer& a) { a.solution.displacement[free_dof(a)] += 1e-5 * largest(a.solution.displacement); });
+  expect_found("balance", [](Answer& a) {
+    a.solution.displacement[free_dof(a)] += 1e-5 * largest(a.solution.displacement);
+  });
 }
 
 TEST(spoilt, force_is_out_of_balance) {
   expect_found("balance", [](Answer& a) {
     const int node = pressed_node(a);
-    a.solution.force(0, node) -=
-        1e-6 * largest(Dense(a.parts.stiffness)) * displacement_scale(a.parts, a.solution.displacement);
+    a.solution.force(0, node) -= 1e-6 * largest(Dense(a.parts.stiffness)) *
+                                 displacement_scale(a.parts, a.solution.displacement);
   });
 }
 
@@ -129,13 +141,14 @@ TEST(spoilt, support) {
 
 TEST(spoilt, tension) {
   expect_found("law", [](Answer& a) {
-    for (Eigen::Matrix2Xd* P : {&a.solution.force, &a.solution.pressure}) (*P)(0, pressed_node(a)) = 1e-6 * largest(*P);
+    for (Matrix2Xd* P : {&a.solution.force, &a.solution.pressure})
+      (*P)(0, pressed_node(a)) = 1e-6 * largest(*P);
   });
 }
 
 TEST(spoilt, friction) {
   expect_found("law", [](Answer& a) {
-    for (Eigen::Matrix2Xd* P : {&a.solution.force, &a.solution.pressure})
+    for (Matrix2Xd* P : {&a.solution.force, &a.solution.pressure})
       (*P)(1, pressed_node(a)) += 10 * largest(*P) * (1 + largest(a.parts.law.friction));
   });
 }
@@ -151,35 +164,48 @@ TEST(spoilt, penetration_of_the_solution) {
 TEST(spoilt, penetration_of_the_estimate) {
   expect_found("displacement", [](Answer& a) {
     const int node = pressed_node(a), v = a.parts.line.vertex[node];
-    a.estimate.displacement.segment<2>(2 * v) += 2 * largest(a.estimate.displacement) * a.parts.line.normal.col(node);
+    a.estimate.displacement.segment<2>(2 * v) +=
+        2 * largest(a.estimate.displacement) * a.parts.line.normal.col(node);
   });
 }
 
 TEST(spoilt, stress_loses_its_divergence) {
-  expect_found("divergence", [](Answer& a) { a.estimate.stress[3](0, 4) += 1e-6 * stress_of_problem(a); });
+  expect_found("divergence", [](Answer& a) {
+    a.estimate.stress[3](0, 4) += 1e-6 * stress_of_problem(a);
+  });
 }
 
 TEST(spoilt, stress_jumps) {
-  expect_found("jump", [](Answer& a) { a.estimate.stress[3].row(2).array() += 1e-8 * stress_of_problem(a); });
+  expect_found("jump", [](Answer& a) {
+    a.estimate.stress[3].row(2).array() += 1e-8 * stress_of_problem(a);
+  });
 }
 
 TEST(spoilt, contact_traction_is_not_that_of_the_stress) {
-  expect_found("traction", [](Answer& a) { a.estimate.tractions.normal(0, 0) -= 1e-8 * stress_of_problem(a); });
+  expect_found("traction", [](Answer& a) {
+    a.estimate.tractions.normal(0, 0) -= 1e-8 * stress_of_problem(a);
+  });
 }
 
 TEST(spoilt, traction_outside_the_cone) {
-  expect_found("cone", [](Answer& a) { a.estimate.tractions.normal(1, 0) = 1e-9 * stress_of_problem(a); });
+  expect_found("cone", [](Answer& a) {
+    a.estimate.tractions.normal(1, 0) = 1e-9 * stress_of_problem(a);
+  });
 }
 
 TEST(spoilt, error) {
   expect_found("error", [](Answer& a) { a.estimate.e *= 1 + 1e-6; });
   expect_found("error", [](Answer& a) { a.estimate.relative *= 1 + 1e-6; });
   expect_found("error", [](Answer& a) { a.estimate.elastic *= 1.001; });
-  expect_found("error", [](Answer& a) { a.estimate.local[0] += 1e-3 * a.estimate.relative + 1e-5; });
+  expect_found("error", [](Answer& a) {
+    a.estimate.local[0] += 1e-3 * a.estimate.relative + 1e-5;
+  });
 }
 
 TEST(spoilt, line) {
-  expect_found("line", [](Answer& a) { a.parts.line.normal.col(0) = -a.parts.line.normal.col(0); });
+  expect_found("line", [](Answer& a) {
+    a.parts.line.normal.col(0) = -a.parts.line.normal.col(0);
+  });
   expect_found("line", [](Answer& a) { a.parts.line.length[0] *= 1 + 1e-6; });
 }
 
@@ -187,12 +213,14 @@ TEST(spoilt, coupling) {
   for (const Answer& answer : all_answers()) {
     if (answer.problem.bodies.size() == 1) continue;
     Answer spoilt = answer;
-    spoilt.parts.line.opposite.coeffRef(0, WeightsByNode::InnerIterator(spoilt.parts.line.opposite, 0).col()) += 1e-6;
+    spoilt.parts.line.opposite.coeffRef(
+        0, WeightsByNode::InnerIterator(spoilt.parts.line.opposite, 0).col()) += 1e-6;
     EXPECT_TRUE(has(finds_of(spoilt), "coupling"));
   }
 }
 
-/// e below the true error: with e at a hundredth no problem is left for which it might still be a bound.
+/// e below the true error: with e at a hundredth no problem is left for which it might
+/// still be a bound.
 TEST(spoilt, bound) {
   int tried = 0;
   for (const Answer& answer : all_answers()) {
@@ -201,19 +229,21 @@ TEST(spoilt, bound) {
     Estimate spoilt = answer.estimate;
     spoilt.e *= 0.01;
     spoilt.relative *= 0.01;
-    EXPECT_TRUE(has(bound_finds(answer.problem, answer.parts, spoilt, 1), "bound")) << kind(answer.problem);
+    EXPECT_TRUE(has(bound_finds(answer.problem, answer.parts, spoilt, 1), "bound"))
+        << kind(answer.problem);
     ++tried;
   }
   EXPECT_GE(tried, 4);
 }
 
-/// A square on one contact edge that nothing else holds: on a linear density it stands with its reaction in the middle third.
+/// A square on one contact edge that nothing else holds: on a linear density it stands
+/// with its reaction in the middle third.
 TEST(holding, by_no_density_where_a_body_stands_on_one_end) {
   Body square;
-  square.mesh.vertices = (Eigen::Matrix2Xd(2, 4) << 0, 1, 1, 0, 0, 0, 1, 1).finished();
-  square.mesh.triangles = (Eigen::Matrix3Xi(3, 2) << 0, 0, 1, 2, 2, 3).finished();
-  square.mesh.boundary = (Eigen::Matrix2Xi(2, 4) << 0, 1, 2, 3, 1, 2, 3, 0).finished();
-  square.mesh.boundary_label = Eigen::Vector4i(1, 2, 3, 4);
+  square.mesh.vertices = (Matrix2Xd(2, 4) << 0, 1, 1, 0, 0, 0, 1, 1).finished();
+  square.mesh.cells = (Matrix3Xi(3, 2) << 0, 0, 1, 2, 2, 3).finished();
+  square.mesh.boundary = (Matrix2Xi(2, 4) << 0, 1, 2, 3, 1, 2, 3, 0).finished();
+  square.mesh.boundary_label = Vector4i(1, 2, 3, 4);
   square.region = {0, 0};
   square.materials = {{1, 0.3}};
   Case problem;
@@ -249,7 +279,8 @@ TEST(text, keeps_every_digit) {
 }
 
 TEST(messages, lose_their_numbers) {
-  EXPECT_EQ(without_numbers("vertex 28 (-21.5, 2.6e-12): M'_h 3"), "vertex # (#, #): M'_h #");
+  EXPECT_EQ(without_numbers("vertex 28 (-21.5, 2.6e-12): M'_h 3"),
+            "vertex # (#, #): M'_h #");
 }
 
 }  // namespace

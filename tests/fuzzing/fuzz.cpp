@@ -28,7 +28,8 @@ struct Options {
 
 constexpr int files_per_cause = 3;
 
-/// Counts of what was tried and found; finds of one cause have the same name and sentence but for its numbers.
+/// Counts of what was tried and found; finds of one cause have the same name and sentence
+/// but for its numbers.
 class Tally {
  public:
   explicit Tally(std::string folder) : folder_(std::move(folder)) {}
@@ -38,11 +39,13 @@ class Tally {
     ++answers_[outcome.answer];
     ++(outcome.finds.empty() ? passed_ : failed_);
     std::map<std::string, const Find*> causes;
-    for (const Find& found : outcome.finds) causes.emplace(found.check + ": " + without_numbers(found.detail), &found);
+    for (const Find& found : outcome.finds)
+      causes.emplace(found.check + ": " + without_numbers(found.detail), &found);
     for (const auto& [cause, found] : causes) {
       if (causes_[cause]++ >= files_per_cause) continue;
-      std::cout << "find " << name << " (" << kind(problem) << ", " << problem.triangle_count() << " triangles) "
-                << found->check << ": " << found->detail << std::endl;
+      std::cout << "find " << name << " (" << kind(problem) << ", "
+                << problem.cell_count() << " triangles) " << found->check << ": "
+                << found->detail << std::endl;
       if (!folder_.empty()) keep(problem, *found, name, causes_[cause] == 1);
     }
   }
@@ -56,7 +59,8 @@ class Tally {
   }
 
  private:
-  void keep(const Case& problem, const Find& found, const std::string& name, bool shrink) const {
+  void keep(const Case& problem, const Find& found, const std::string& name,
+            bool shrink) const {
     std::filesystem::create_directories(folder_);
     const std::string path = folder_ + "/" + found.check + "-" + name + ".txt";
     std::ofstream(path) << text_of(shrink ? shrunk(problem, found) : problem);
@@ -64,7 +68,8 @@ class Tally {
   }
   static void print(const char* title, const std::map<std::string, int>& counts) {
     if (!counts.empty()) std::cout << title << '\n';
-    for (const auto& [name, count] : counts) std::printf("%9d  %s\n", count, name.c_str());
+    for (const auto& [name, count] : counts)
+      std::printf("%9d  %s\n", count, name.c_str());
     std::fflush(stdout);
   }
 
@@ -92,11 +97,15 @@ int explore(const Options& options) {
   Tally tally(options.finds);
   std::cout << "seed " << options.seed << std::endl;
   const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+        .count();
+  };
   for (std::uint64_t k = 0; k < options.problems && elapsed() < options.seconds; ++k) {
     const std::uint64_t index = options.first + k;
     const Case problem = random_case(options.seed, index);
-    tally.add(problem, outcome_of(problem), std::to_string(options.seed) + "-" + std::to_string(index));
+    tally.add(problem, outcome_of(problem),
+              std::to_string(options.seed) + "-" + std::to_string(index));
   }
   return tally.report();
 }
@@ -119,7 +128,9 @@ Options options_of(int count, char** words) {
     else
       options.files.push_back(word);
   }
-  if (options.seed == 0) options.seed = std::chrono::system_clock::now().time_since_epoch() / std::chrono::seconds(1);
+  if (options.seed == 0)
+    options.seed =
+        std::chrono::system_clock::now().time_since_epoch() / std::chrono::seconds(1);
   return options;
 }
 
@@ -129,5 +140,6 @@ Options options_of(int count, char** words) {
 int main(int count, char** words) {
   omp_set_num_threads(1);  // the problems are small
   const ffcontact::fuzz::Options options = ffcontact::fuzz::options_of(count, words);
-  return options.files.empty() ? ffcontact::fuzz::explore(options) : ffcontact::fuzz::replay(options);
+  return options.files.empty() ? ffcontact::fuzz::explore(options)
+                               : ffcontact::fuzz::replay(options);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/eigen.hpp"
 #include "random_mesh.hpp"
 
 namespace ffcontact::fuzz {
@@ -14,7 +15,8 @@ namespace {
 constexpr int most_triangles = 120;
 constexpr double thinnest = 60;  ///< aspect of the worst triangle
 
-/// Where supports and loads may hold or push: what the shape of the problem leaves possible.
+/// Where supports and loads may hold or push: what the shape of the problem leaves
+/// possible.
 enum class Holding { held, pressed, loose };
 
 /// What is drawn first and everything else follows.
@@ -29,7 +31,7 @@ struct Plan {
 Field random_field(double size, Dice& dice) {
   Field f;
   f.mean = size * dice.real(-1, 1);
-  if (dice.chance(0.4)) f.slope = size * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+  if (dice.chance(0.4)) f.slope = size * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
   if (dice.chance(0.2)) {
     f.wave = size * dice.real(-1, 1);
     f.number = {dice.real(-9, 9), dice.real(-9, 9)};
@@ -43,10 +45,11 @@ Field positive_field(double size, Dice& dice) {
   return f;
 }
 
-Eigen::Vector2d random_vector(double size, Dice& dice) {
+Vector2d random_vector(double size, Dice& dice) {
   if (dice.chance(0.3))
-    return dice.chance(0.5) ? Eigen::Vector2d(size * dice.real(-1, 1), 0) : Eigen::Vector2d(0, size * dice.real(-1, 1));
-  return size * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+    return dice.chance(0.5) ? Vector2d(size * dice.real(-1, 1), 0)
+                            : Vector2d(0, size * dice.real(-1, 1));
+  return size * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
 }
 
 /// Part of a side's edges gets another label.
@@ -57,12 +60,15 @@ void split_side(Mesh& mesh, Side side, Side rest, double from) {
       mesh.boundary_label[e] = rest;
 }
 
-/// y += (height of the kinks at x) (1 - y / height): the bottom becomes a polygon, the top stays.
-void kink_bottom(Mesh& mesh, const std::vector<double>& columns, const std::vector<double>& kinks, double height) {
+/// y += (height of the kinks at x) (1 - y / height): the bottom becomes a polygon, the
+/// top stays.
+void kink_bottom(Mesh& mesh, const std::vector<double>& columns,
+                 const std::vector<double>& kinks, double height) {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     const double x = mesh.vertices(0, v);
-    const auto next = std::clamp<std::ptrdiff_t>(std::upper_bound(columns.begin(), columns.end(), x) - columns.begin(),
-                                                 1, static_cast<std::ptrdiff_t>(columns.size()) - 1);
+    const auto next = std::clamp<std::ptrdiff_t>(
+        std::upper_bound(columns.begin(), columns.end(), x) - columns.begin(), 1,
+        static_cast<std::ptrdiff_t>(columns.size()) - 1);
     const double s = (x - columns[next - 1]) / (columns[next] - columns[next - 1]);
     const double shift = (1 - s) * kinks[next - 1] + s * kinks[next];
     mesh.vertices(1, v) += shift * (1 - mesh.vertices(1, v) / height);
@@ -70,16 +76,20 @@ void kink_bottom(Mesh& mesh, const std::vector<double>& columns, const std::vect
 }
 
 /// A line through a few of the columns, so that straight parts of several edges remain.
-std::vector<double> random_kinks(const std::vector<double>& columns, double height, Dice& dice) {
+std::vector<double> random_kinks(const std::vector<double>& columns, double height,
+                                 Dice& dice) {
   std::vector<std::size_t> corners{0, columns.size() - 1};
-  for (int k = dice.integer(1, 3); k > 0; --k) corners.push_back(dice.integer(0, static_cast<int>(columns.size()) - 1));
+  for (int k = dice.integer(1, 3); k > 0; --k)
+    corners.push_back(dice.integer(0, static_cast<int>(columns.size()) - 1));
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   std::vector<double> at_corner, kinks(columns.size());
-  for (std::size_t k = 0; k < corners.size(); ++k) at_corner.push_back(height * dice.real(-0.5, 0.5));
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    at_corner.push_back(height * dice.real(-0.5, 0.5));
   for (std::size_t k = 0; k + 1 < corners.size(); ++k)
     for (std::size_t i = corners[k]; i <= corners[k + 1]; ++i) {
-      const double s = (columns[i] - columns[corners[k]]) / (columns[corners[k + 1]] - columns[corners[k]]);
+      const double s = (columns[i] - columns[corners[k]]) /
+                       (columns[corners[k + 1]] - columns[corners[k]]);
       kinks[i] = (1 - s) * at_corner[k] + s * at_corner[k + 1];
     }
   return kinks;
@@ -93,36 +103,43 @@ struct Shape {
 Shape random_shape(int most, Dice& dice) {
   Shape shape;
   shape.nx = dice.integer(1, dice.chance(0.3) ? 2 : 8);
-  shape.ny = dice.integer(1, std::clamp(most / (2 * shape.nx), 1, dice.chance(0.3) ? 2 : 8));
+  shape.ny =
+      dice.integer(1, std::clamp(most / (2 * shape.nx), 1, dice.chance(0.3) ? 2 : 8));
   shape.width = dice.chance(0.5) ? shape.nx : dice.decades(0.1, 10) * shape.nx;
   shape.height = shape.ny;
   return shape;
 }
 
 void give_materials(Body& body, const Plan& plan, Dice& dice) {
-  const double nu = dice.chance(0.2) ? dice.pick<double>({0, -0.9, 0.49, 0.499}) : dice.real(-0.9, 0.49);
+  const double nu = dice.chance(0.2) ? dice.pick<double>({0, -0.9, 0.49, 0.499})
+                                     : dice.real(-0.9, 0.49);
   const bool stiffer = dice.chance(0.3);
   body.materials = {{plan.softest * (stiffer ? dice.decades(1, 1e3) : 1), nu}};
-  body.region.assign(body.mesh.triangles.cols(), 0);
+  body.region.assign(body.mesh.cells.cols(), 0);
   if (!dice.chance(0.3)) return;
   const double jump = dice.decades(1, dice.chance(0.5) ? 10 : stiffer ? 1e3 : 1e6);
   body.materials.push_back({body.materials[0].E * jump, dice.real(-0.5, 0.49)});
   if (dice.chance(0.5)) std::swap(body.materials[0], body.materials[1]);
   const bool layers = dice.chance(0.5);
   const double middle = body.mesh.vertices.row(1).mean();
-  for (int t = 0; t < body.mesh.triangle_count(); ++t)
-    body.region[t] = layers
-                         ? (body.mesh.corner(t, 0) + body.mesh.corner(t, 1) + body.mesh.corner(t, 2)).y() > 3 * middle
-                         : dice.integer(0, 1);
+  for (int t = 0; t < body.mesh.cell_count(); ++t)
+    body.region[t] =
+        layers
+            ? (body.mesh.corner(t, 0) + body.mesh.corner(t, 1) + body.mesh.corner(t, 2))
+                      .y() > 3 * middle
+            : dice.integer(0, 1);
 }
 
-bool has_label(const Mesh& mesh, int label) { return (mesh.boundary_label.array() == label).any(); }
+bool has_label(const Mesh& mesh, int label) {
+  return (mesh.boundary_label.array() == label).any();
+}
 
 void clamp(Body& body, int label) {
   for (int c = 0; c < 2; ++c) body.supports.push_back({label, c, {}});
 }
 
-/// Both components along one label, or one along each of two sides that are at right angles.
+/// Both components along one label, or one along each of two sides that are at right
+/// angles.
 void support_held(Body& body, const std::vector<int>& free_labels, Dice& dice) {
   const auto is_free = [&](int label) {
     return std::find(free_labels.begin(), free_labels.end(), label) != free_labels.end();
@@ -132,7 +149,8 @@ void support_held(Body& body, const std::vector<int>& free_labels, Dice& dice) {
     return;
   }
   clamp(body, dice.pick(free_labels));
-  if (dice.chance(0.1)) body.supports.push_back({dice.pick(free_labels), dice.integer(0, 1), {}});
+  if (dice.chance(0.1))
+    body.supports.push_back({dice.pick(free_labels), dice.integer(0, 1), {}});
 }
 
 /// Moves all that is held along each label by one affine field.
@@ -140,7 +158,8 @@ void move_supports(Body& body, double size, Dice& dice) {
   for (Support& support : body.supports)
     if (dice.chance(0.7)) {
       support.value.mean = size * dice.real(-1, 1);
-      if (dice.chance(0.3)) support.value.slope = size * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+      if (dice.chance(0.3))
+        support.value.slope = size * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
     }
   // Two supports that share a vertex and a component must agree on it.
   for (Support& a : body.supports)
@@ -149,14 +168,16 @@ void move_supports(Body& body, double size, Dice& dice) {
 }
 
 bool supported(const Body& body, int label) {
-  return std::any_of(body.supports.begin(), body.supports.end(), [&](const Support& s) { return s.label == label; });
+  return std::any_of(body.supports.begin(), body.supports.end(),
+                     [&](const Support& s) { return s.label == label; });
 }
 
 std::vector<int> free_labels(const Body& body, const std::vector<int>& contact_labels) {
   std::vector<int> labels;
   for (int label : {bottom, right, top, left, bottom_rest, top_rest, bitten})
     if (has_label(body.mesh, label) &&
-        std::find(contact_labels.begin(), contact_labels.end(), label) == contact_labels.end())
+        std::find(contact_labels.begin(), contact_labels.end(), label) ==
+            contact_labels.end())
       labels.push_back(label);
   return labels;
 }
@@ -164,11 +185,13 @@ std::vector<int> free_labels(const Body& body, const std::vector<int>& contact_l
 void load(Body& body, const std::vector<int>& labels, const Plan& plan, Dice& dice) {
   double stiffness = plan.softest;
   if (dice.chance(0.5))
-    stiffness =
-        std::max_element(body.materials.begin(), body.materials.end(), [](auto& a, auto& b) { return a.E < b.E; })->E;
+    stiffness = std::max_element(body.materials.begin(), body.materials.end(),
+                                 [](auto& a, auto& b) { return a.E < b.E; })
+                    ->E;
   const double size = plan.strain * stiffness;
   for (int label : labels)
-    if (!supported(body, label) && dice.chance(0.5)) body.tractions.push_back({label, random_vector(size, dice)});
+    if (!supported(body, label) && dice.chance(0.5))
+      body.tractions.push_back({label, random_vector(size, dice)});
   if (dice.chance(0.3)) body.force = random_vector(size, dice);
 }
 
@@ -176,27 +199,35 @@ void load(Body& body, const std::vector<int>& labels, const Plan& plan, Dice& di
 void one_body(Case& c, Plan& plan, Dice& dice) {
   Body body;
   const Shape shape = random_shape(most_triangles, dice);
-  const std::vector<double> columns = places(shape.nx, shape.width, dice.chance(0.7) ? 1 : 8, dice);
-  body.mesh = grid(columns, places(shape.ny, shape.height, dice.chance(0.7) ? 1 : 8, dice), dice);
+  const std::vector<double> columns =
+      places(shape.nx, shape.width, dice.chance(0.7) ? 1 : 8, dice);
+  body.mesh =
+      grid(columns, places(shape.ny, shape.height, dice.chance(0.7) ? 1 : 8, dice), dice);
   if (shape.nx > 1 && dice.chance(0.3))
     split_side(body.mesh, bottom, bottom_rest, columns[dice.integer(1, shape.nx - 1)]);
-  if (shape.nx > 1 && dice.chance(0.3)) split_side(body.mesh, top, top_rest, columns[dice.integer(1, shape.nx - 1)]);
+  if (shape.nx > 1 && dice.chance(0.3))
+    split_side(body.mesh, top, top_rest, columns[dice.integer(1, shape.nx - 1)]);
   std::vector<int> contact{bottom};
-  if (has_label(body.mesh, bottom_rest) && dice.chance(0.5)) contact.push_back(bottom_rest);
-  if (plan.support != Holding::pressed && dice.chance(0.15)) contact.push_back(dice.pick<int>({right, left, top}));
+  if (has_label(body.mesh, bottom_rest) && dice.chance(0.5))
+    contact.push_back(bottom_rest);
+  if (plan.support != Holding::pressed && dice.chance(0.15))
+    contact.push_back(dice.pick<int>({right, left, top}));
   const std::vector<int> others = free_labels(body, contact);
   plan.flat = plan.support == Holding::pressed ? !dice.chance(0.2) : !dice.chance(0.25);
   if (plan.support == Holding::pressed)
     body.supports = {{left, 0, {}}};
   else if (plan.support == Holding::held)
     support_held(body, others, dice);
-  if (!plan.flat) kink_bottom(body.mesh, columns, random_kinks(columns, shape.height, dice), shape.height);
+  if (!plan.flat)
+    kink_bottom(body.mesh, columns, random_kinks(columns, shape.height, dice),
+                shape.height);
   if (dice.chance(0.3)) split_triangles(body.mesh, dice.integer(1, 8), dice);
   if (dice.chance(0.6)) move_inner_vertices(body.mesh, 0.4, dice);
   if (dice.chance(0.5)) flip_edges(body.mesh, dice.integer(1, 10), dice);
   std::vector<int> kept = contact;
   for (const Support& s : body.supports) kept.push_back(s.label);
-  if (dice.chance(0.5)) bite(body.mesh, dice.integer(1, body.mesh.triangle_count()), kept, {}, dice);
+  if (dice.chance(0.5))
+    bite(body.mesh, dice.integer(1, body.mesh.cell_count()), kept, {}, dice);
   if (dice.chance(0.3)) renumber(body.mesh, dice);
   give_materials(body, plan, dice);
   if (plan.support == Holding::held) {
@@ -204,10 +235,14 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
     if (plan.loaded) load(body, free_labels(body, contact), plan, dice);
   } else if (has_label(body.mesh, top)) {
     body.tractions.push_back({top,
-                              {plan.support == Holding::pressed ? 0 : plan.strain * plan.softest * dice.real(-0.1, 0.1),
+                              {plan.support == Holding::pressed
+                                   ? 0
+                                   : plan.strain * plan.softest * dice.real(-0.1, 0.1),
                                -plan.strain * plan.softest * dice.real(0.1, 1)}});
-    if (plan.support == Holding::pressed && has_label(body.mesh, right) && dice.chance(0.5))
-      body.tractions.push_back({right, {plan.strain * plan.softest * dice.real(-1, 1), 0}});
+    if (plan.support == Holding::pressed && has_label(body.mesh, right) &&
+        dice.chance(0.5))
+      body.tractions.push_back(
+          {right, {plan.strain * plan.softest * dice.real(-1, 1), 0}});
   } else {
     body.force = {0, -plan.strain * plan.softest};
   }
@@ -222,7 +257,8 @@ struct Stack {
   double width, distance;       ///< of the uppermost body; between facing sides
   std::vector<double> columns;  ///< of the last body
   double from = 0, floor = 0;   ///< its left end and its bottom
-  std::vector<double> kinks;    ///< of the line below the uppermost body; empty where it is straight
+  /// of the line below the uppermost body; empty where it is straight
+  std::vector<double> kinks;
 };
 
 Stack random_stack(Plan& plan, Dice& dice) {
@@ -233,22 +269,27 @@ Stack random_stack(Plan& plan, Dice& dice) {
   stack.width = dice.decades(0.5, 4);
   stack.distance = dice.chance(0.3) ? plan.strain * dice.real(0, 1) : 0;
   stack.columns = places(dice.integer(1, 5), stack.width, dice.chance(0.5) ? 1 : 4, dice);
-  plan.flat = !(stack.matching && stack.equal && stack.count == 2 && stack.distance == 0 && dice.chance(0.3));
+  plan.flat = !(stack.matching && stack.equal && stack.count == 2 &&
+                stack.distance == 0 && dice.chance(0.3));
   if (!plan.flat) stack.kinks = random_kinks(stack.columns, 0.6, dice);
   return stack;
 }
 
 /// Places that all but meet the given ones.
 std::vector<double> nearly(std::vector<double> columns, Dice& dice) {
-  const double shift = 0.1 * columns.back() / static_cast<double>(columns.size()) * dice.decades(1e-12, 1);
-  for (std::size_t i = 1; i + 1 < columns.size(); ++i) columns[i] += shift * dice.real(-1, 1);
+  const double shift =
+      0.1 * columns.back() / static_cast<double>(columns.size()) * dice.decades(1e-12, 1);
+  for (std::size_t i = 1; i + 1 < columns.size(); ++i)
+    columns[i] += shift * dice.real(-1, 1);
   return columns;
 }
 
 /// The columns of the next body below: as wide or wider, with the same places or others.
 void widen(Stack& stack, Dice& dice) {
-  const double on_left = stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width,
-               on_right = stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width;
+  const double on_left =
+                   stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width,
+               on_right =
+                   stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width;
   const double span = stack.columns.back() + on_left + on_right;
   stack.from -= on_left;
   if (!stack.matching && dice.chance(0.6)) {
@@ -264,10 +305,14 @@ void widen(Stack& stack, Dice& dice) {
 }
 
 /// y -> height - y; orientation is lost until it is done again.
-void upside_down(Mesh& mesh, double height) { mesh.vertices.row(1) = height - mesh.vertices.row(1).array(); }
+void upside_down(Mesh& mesh, double height) {
+  mesh.vertices.row(1) = height - mesh.vertices.row(1).array();
+}
 
 Mesh mesh_in(Stack& stack, bool uppermost, double height, Dice& dice) {
-  Mesh mesh = grid(stack.columns, places(dice.integer(1, 3), height, dice.chance(0.7) ? 1 : 4, dice), dice);
+  Mesh mesh =
+      grid(stack.columns,
+           places(dice.integer(1, 3), height, dice.chance(0.7) ? 1 : 4, dice), dice);
   if (!stack.kinks.empty() && uppermost) {
     kink_bottom(mesh, stack.columns, stack.kinks, height);
   } else if (!stack.kinks.empty()) {  // the top follows the bottom of the body above
@@ -286,24 +331,29 @@ Mesh mesh_in(Stack& stack, bool uppermost, double height, Dice& dice) {
   return mesh;
 }
 
-void hold(Body& body, const Plan& plan, bool uppermost, bool lowermost, double height, Dice& dice) {
+void hold(Body& body, const Plan& plan, bool uppermost, bool lowermost, double height,
+          Dice& dice) {
   if (lowermost) {
     clamp(body, bottom);
   } else if (plan.support == Holding::pressed) {
     body.supports = {{left, 0, {}}};
   } else if (plan.support == Holding::held) {
-    clamp(body, uppermost ? dice.pick<int>({top, top, left, right}) : dice.pick<int>({left, right}));
-    if (uppermost && plan.moved && supported(body, top)) move_supports(body, plan.strain * height, dice);
+    clamp(body, uppermost ? dice.pick<int>({top, top, left, right})
+                          : dice.pick<int>({left, right}));
+    if (uppermost && plan.moved && supported(body, top))
+      move_supports(body, plan.strain * height, dice);
   }
 }
 
 void load_in_stack(Body& body, const Plan& plan, bool uppermost, Dice& dice) {
   const double size = plan.strain * plan.softest;
   if (plan.support == Holding::held && plan.loaded) {
-    load(body, uppermost ? std::vector<int>{left, right, top} : std::vector<int>{left, right}, plan, dice);
+    load(body,
+         uppermost ? std::vector<int>{left, right, top} : std::vector<int>{left, right},
+         plan, dice);
   } else if (plan.support != Holding::held && uppermost) {
     const double push = plan.support == Holding::loose ? 0.1 * dice.real(-1, 1) : 0;
-    body.tractions.push_back({top, size * Eigen::Vector2d(push, -dice.real(0.1, 1))});
+    body.tractions.push_back({top, size * Vector2d(push, -dice.real(0.1, 1))});
   }
 }
 
@@ -326,8 +376,9 @@ void stacked_bodies(Case& c, Plan& plan, Dice& dice) {
     c.bodies.push_back(std::move(body));
   }
   for (int k = 0; k + 1 < stack.count; ++k)
-    c.contacts.push_back(stack.equal && dice.chance(0.5) ? Contact{k + 1, {top}, k, bottom}
-                                                         : Contact{k, {bottom}, k + 1, top});
+    c.contacts.push_back(stack.equal && dice.chance(0.5)
+                             ? Contact{k + 1, {top}, k, bottom}
+                             : Contact{k, {bottom}, k + 1, top});
 }
 
 void give_law(Case& c, const Plan& plan, Dice& dice) {
@@ -342,20 +393,24 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
     c.friction = positive_field(3, dice);
   } else if (c.law == Law::coulomb) {
     c.friction.mean = dice.real(0, 0.2);
-    if (dice.chance(0.3)) c.friction = {0.1, 0.05 * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1)), 0, {0, 0}};
+    if (dice.chance(0.3))
+      c.friction = {0.1, 0.05 * Vector2d(dice.real(-1, 1), dice.real(-1, 1)), 0, {0, 0}};
   } else if (c.law == Law::tresca) {
-    c.slip_bound = positive_field(plan.strain * plan.softest * dice.decades(0.01, 10), dice);
+    c.slip_bound =
+        positive_field(plan.strain * plan.softest * dice.decades(0.01, 10), dice);
   }
   const bool pressed = plan.support != Holding::held;
   c.has_gap = dice.chance(0.4) && (c.bodies.size() == 1 || plan.flat);
-  if (c.has_gap) c.gap = c.bodies.size() > 1 ? positive_field(plan.strain, dice) : random_field(plan.strain, dice);
+  if (c.has_gap)
+    c.gap = c.bodies.size() > 1 ? positive_field(plan.strain, dice)
+                                : random_field(plan.strain, dice);
   if (pressed && c.has_gap) c.gap.slope.setZero();
   c.has_previous = c.law != Law::frictionless && dice.chance(0.2);
   if (c.has_previous) c.previous = random_field(plan.strain, dice);
 }
 
 /// x -> scale R S x + shift for all that has places, and lengths with it.
-void transform(Case& c, const Eigen::Matrix2d& turn, double scale, const Eigen::Vector2d& shift) {
+void transform(Case& c, const Matrix2d& turn, double scale, const Vector2d& shift) {
   for (Body& body : c.bodies) {
     for (int v = 0; v < body.mesh.vertex_count(); ++v)
       body.mesh.vertices.col(v) = scale * (turn * body.mesh.vertices.col(v)) + shift;
@@ -374,25 +429,29 @@ void transform(Case& c, const Eigen::Matrix2d& turn, double scale, const Eigen::
   c.size *= scale;
 }
 
-/// A turn by any angle where every support holds both components, by a right angle otherwise.
+/// A turn by any angle where every support holds both components, by a right angle
+/// otherwise.
 void place(Case& c, const Plan& plan, Dice& dice) {
   bool both = plan.support != Holding::pressed;
   for (const Body& body : c.bodies)
-    both = both && body.supports.size() % 2 == 0 &&
-           (body.supports.empty() || body.supports[0].label == body.supports.back().label);
-  Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
+    both =
+        both && body.supports.size() % 2 == 0 &&
+        (body.supports.empty() || body.supports[0].label == body.supports.back().label);
+  Matrix2d turn = Matrix2d::Identity();
   if (both && dice.chance(0.5)) {
     turn = Eigen::Rotation2Dd(dice.real(0, 2 * M_PI)).toRotationMatrix();
   } else if (dice.chance(0.3)) {
-    for (int k = dice.integer(1, 3); k > 0; --k) turn = (Eigen::Matrix2d() << 0, -1, 1, 0).finished() * turn;
+    for (int k = dice.integer(1, 3); k > 0; --k)
+      turn = (Matrix2d() << 0, -1, 1, 0).finished() * turn;
     if (turn(0, 0) == 0)
       for (Body& body : c.bodies)
         for (Support& s : body.supports) s.component = 1 - s.component;
   }
   const double scale = dice.chance(0.5) ? 1 : dice.decades(1e-9, 1e6);
-  Eigen::Vector2d shift(0, 0);
+  Vector2d shift(0, 0);
   if (dice.chance(0.3))
-    shift = scale * dice.decades(1, dice.chance(0.9) ? 1e3 : 1e6) * Eigen::Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+    shift = scale * dice.decades(1, dice.chance(0.9) ? 1e3 : 1e6) *
+            Vector2d(dice.real(-1, 1), dice.real(-1, 1));
   transform(c, turn, scale, shift);
   c.origin = c.bodies.front().mesh.vertices.rowwise().mean();
 }
@@ -400,20 +459,24 @@ void place(Case& c, const Plan& plan, Dice& dice) {
 void give_matrix(Case& c, Dice& dice) {
   bool moved = false;
   for (const Body& body : c.bodies)
-    for (const Support& s : body.supports) moved = moved || s.value.mean != 0 || !s.value.slope.isZero(0);
+    for (const Support& s : body.supports)
+      moved = moved || s.value.mean != 0 || !s.value.slope.isZero(0);
   c.tgv = dice.chance(0.6) ? 1e30 : dice.chance(0.5) || moved ? -1 : -2;
 }
 
 bool usable(const Case& c) {
-  if (c.triangle_count() > most_triangles) return false;
-  return std::all_of(c.bodies.begin(), c.bodies.end(),
-                     [](const Body& body) { return worst_aspect(body.mesh) <= thinnest; });
+  if (c.cell_count() > most_triangles) return false;
+  return std::all_of(c.bodies.begin(), c.bodies.end(), [](const Body& body) {
+    return worst_aspect(body.mesh) <= thinnest;
+  });
 }
 
 Case drawn(Dice& dice) {
   Case c;
   Plan plan;
-  plan.support = dice.chance(0.8) ? Holding::held : dice.chance(0.7) ? Holding::pressed : Holding::loose;
+  plan.support = dice.chance(0.8)   ? Holding::held
+                 : dice.chance(0.7) ? Holding::pressed
+                                    : Holding::loose;
   plan.softest = dice.decades(0.1, 1e5);
   plan.strain = dice.decades(1e-6, 1e-2);
   plan.loaded = dice.chance(0.75);
@@ -422,7 +485,8 @@ Case drawn(Dice& dice) {
     one_body(c, plan, dice);
   else
     stacked_bodies(c, plan, dice);
-  c.size = (c.bodies.back().mesh.vertices.rowwise().maxCoeff() - c.bodies.front().mesh.vertices.rowwise().minCoeff())
+  c.size = (c.bodies.back().mesh.vertices.rowwise().maxCoeff() -
+            c.bodies.front().mesh.vertices.rowwise().minCoeff())
                .cwiseAbs()
                .maxCoeff();
   give_law(c, plan, dice);
@@ -439,7 +503,7 @@ Case random_case(std::uint64_t seed, std::uint64_t index) {
   for (;;) {
     Case c = drawn(dice);
     if (!usable(c)) continue;
-    c.with_reference = index % 10 == 0 && c.triangle_count() <= 40 && c.law != Law::coulomb;
+    c.with_reference = index % 10 == 0 && c.cell_count() <= 40 && c.law != Law::coulomb;
     return c;
   }
 }

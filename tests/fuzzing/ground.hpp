@@ -6,22 +6,23 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "ffcontact/base/eigen.hpp"
 
 /// What the checks share: geometry, W and values on the mesh that an answer is given on.
 namespace ffcontact::fuzz {
 
-using Corners = Eigen::Matrix<double, 2, 3>;
+using Corners = Matrix<double, 2, 3>;
 using EdgeKey = std::pair<int, int>;
 inline EdgeKey key(int a, int b) { return std::minmax(a, b); }
 
 inline double area_of(const Corners& x) {
-  const Eigen::Vector2d u = x.col(1) - x.col(0), v = x.col(2) - x.col(0);
+  const Vector2d u = x.col(1) - x.col(0), v = x.col(2) - x.col(0);
   return (u.x() * v.y() - u.y() * v.x()) / 2;
 }
 
 /// Weights of the corners at a point.
-inline Eigen::Vector3d weights_at(const Corners& corners, const Eigen::Vector2d& x) {
-  Eigen::Vector3d w;
+inline Vector3d weights_at(const Corners& corners, const Vector2d& x) {
+  Vector3d w;
   for (int k = 0; k < 3; ++k) {
     Corners part = corners;
     part.col(k) = x;
@@ -39,7 +40,9 @@ Find finding(const char* check, const Parts&... parts) {
 }
 
 /// Finds by rounding and gross ones have other causes.
-inline const char* how_far(double defect) { return defect <= 1e-6 ? "little: " : "much: "; }
+inline const char* how_far(double defect) {
+  return defect <= 1e-6 ? "little: " : "much: ";
+}
 
 /// The largest of many values and where it was.
 struct Largest {
@@ -58,8 +61,9 @@ struct Ground {
   const Mesh& mesh;
   const ContactLine& line;
   std::vector<int> region;
-  std::vector<int> parent;                              ///< triangle of the case
-  Eigen::VectorXd friction, slip_bound, gap, previous;  ///< at the nodes; slip_bound may be empty
+  std::vector<int> parent;  ///< triangle of the case
+  /// at the nodes; slip_bound may be empty
+  VectorXd friction, slip_bound, gap, previous;
   std::vector<char> prescribed;
 };
 Ground ground_of(const Assembled& parts, const Estimate& estimate);
@@ -68,20 +72,24 @@ Ground ground_of(const Assembled& parts, const Estimate& estimate);
 Dense mass_of(const Mesh& mesh, const ContactLine& line);
 
 /// (u_n - gap, u_t - previous) at the nodes.
-Eigen::Matrix2Xd against_foundation(const ContactLine& line, const Eigen::VectorXd& gap,
-                                    const Eigen::VectorXd& previous, const Eigen::VectorXd& u);
+Matrix2Xd against_foundation(const ContactLine& line, const VectorXd& gap,
+                             const VectorXd& previous, const VectorXd& u);
 
 /// C eps(u) of one triangle.
-Eigen::Vector3d stress_of(const Mesh& mesh, int triangle, const Eigen::Matrix3d& C, const Eigen::VectorXd& u);
+Vector3d stress_of(const Mesh& mesh, int triangle, const Matrix3d& C, const VectorXd& u);
 
-/// Largest displacement, given or found, or by which a load would move its dof alone: what those that vanish are small against.
-double displacement_scale(const Assembled& parts, const Eigen::VectorXd& u);
+/// Largest displacement, given or found, or by which a load would move its dof alone:
+/// what those that vanish are small against.
+double displacement_scale(const Assembled& parts, const VectorXd& u);
 
-/// Largest stress of a displacement, and of the loads; not below what rounding of displacements makes of them.
-double stress_scale(const Assembled& parts, const Ground& ground, const Eigen::VectorXd& u);
+/// Largest stress of a displacement, and of the loads; not below what rounding of
+/// displacements makes of them.
+double stress_scale(const Assembled& parts, const Ground& ground, const VectorXd& u);
 
-/// What e^2 may be off by where e is exactly 0: that says that stresses are below 1e-12 of the terms they are summed from.
-double square_called_zero(const Assembled& parts, const Ground& ground, const Estimate& estimate);
+/// What e^2 may be off by where e is exactly 0: that says that stresses are below 1e-12
+/// of the terms they are summed from.
+double square_called_zero(const Assembled& parts, const Ground& ground,
+                          const Estimate& estimate);
 
 Corners corners_at(const Mesh& mesh, int triangle);
 /// Corners of subtriangle k: k+1, k+2, centroid.

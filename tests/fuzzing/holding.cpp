@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ground.hpp"
 
 namespace ffcontact::fuzz {
@@ -12,53 +13,60 @@ namespace {
 /// Resultants that are met to this part of their size are met.
 constexpr double met = 1e-7;
 
-/// Rigid motions of each body alone that prescribed dofs leave free, of size 1 [dofs x k].
+/// Rigid motions of each body alone that prescribed dofs leave free, of size 1 [dofs x
+/// k].
 Dense free_motions(const Assembled& parts) {
   const Mesh& mesh = parts.mesh();
   const std::vector<int>& first = parts.joined.first_vertex;
-  std::vector<Eigen::VectorXd> motions;
+  std::vector<VectorXd> motions;
   for (std::size_t body = 0; body + 1 < first.size(); ++body) {
     const int begin = first[body], count = first[body + 1] - begin;
-    const Eigen::Vector2d centre = mesh.vertices.middleCols(begin, count).rowwise().mean();
-    const double size = (mesh.vertices.middleCols(begin, count).colwise() - centre).cwiseAbs().maxCoeff();
+    const Vector2d centre = mesh.vertices.middleCols(begin, count).rowwise().mean();
+    const double size =
+        (mesh.vertices.middleCols(begin, count).colwise() - centre).cwiseAbs().maxCoeff();
     Dense rigid = Dense::Zero(2 * count, 3), stopped = Dense::Zero(2 * count, 3);
     for (int v = 0; v < count; ++v) {
-      const Eigen::Vector2d arm = (mesh.vertices.col(begin + v) - centre) / size;
+      const Vector2d arm = (mesh.vertices.col(begin + v) - centre) / size;
       rigid.middleRows<2>(2 * v) << 1, 0, -arm.y(), 0, 1, arm.x();
       for (int c = 0; c < 2; ++c)
-        if (parts.prescribed[2 * (begin + v) + c]) stopped.row(2 * v + c) = rigid.row(2 * v + c);
+        if (parts.prescribed[2 * (begin + v) + c])
+          stopped.row(2 * v + c) = rigid.row(2 * v + c);
     }
     Eigen::ColPivHouseholderQR<Dense> qr(stopped.transpose() * stopped);
     qr.setThreshold(1e-9);
     const Dense kernel = Dense(qr.matrixQ()).rightCols(3 - qr.rank());
-    for (Eigen::Index k = 0; k < kernel.cols(); ++k) {
-      Eigen::VectorXd motion = Eigen::VectorXd::Zero(parts.load.size());
+    for (Index k = 0; k < kernel.cols(); ++k) {
+      VectorXd motion = VectorXd::Zero(parts.load.size());
       motion.segment(2 * begin, 2 * count) = rigid * kernel.col(k);
       motions.push_back(motion);
     }
   }
-  Dense result(parts.load.size(), static_cast<Eigen::Index>(motions.size()));
-  for (std::size_t k = 0; k < motions.size(); ++k) result.col(static_cast<Eigen::Index>(k)) = motions[k];
+  Dense result(parts.load.size(), static_cast<Index>(motions.size()));
+  for (std::size_t k = 0; k < motions.size(); ++k)
+    result.col(static_cast<Index>(k)) = motions[k];
   return result;
 }
 
-/// Distance of a vector to the cone of the columns, by active sets: Lawson and Hanson, Solving Least Squares Problems, 1974.
-double distance_to_cone(const Dense& columns, const Eigen::VectorXd& wanted) {
-  const Eigen::Index n = columns.cols();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+/// Distance of a vector to the cone of the columns, by active sets: Lawson and Hanson,
+/// Solving Least Squares Problems, 1974.
+double distance_to_cone(const Dense& columns, const VectorXd& wanted) {
+  const Index n = columns.cols();
+  VectorXd x = VectorXd::Zero(n);
   std::vector<int> used;
   const auto least = [&] {
     const Dense part = columns(Eigen::all, used);
-    return Eigen::VectorXd(part.colPivHouseholderQr().solve(wanted));
+    return VectorXd(part.colPivHouseholderQr().solve(wanted));
   };
-  for (Eigen::Index round = 0; round < 10 * n; ++round) {
-    const Eigen::VectorXd slope = columns.transpose() * (wanted - columns * x);
-    Eigen::Index best = -1;
-    for (Eigen::Index j = 0; j < n; ++j)
-      if (std::find(used.begin(), used.end(), j) == used.end() && (best < 0 || slope[j] > slope[best])) best = j;
+  for (Index round = 0; round < 10 * n; ++round) {
+    const VectorXd slope = columns.transpose() * (wanted - columns * x);
+    Index best = -1;
+    for (Index j = 0; j < n; ++j)
+      if (std::find(used.begin(), used.end(), j) == used.end() &&
+          (best < 0 || slope[j] > slope[best]))
+        best = j;
     if (best < 0 || slope[best] <= 1e-14 * wanted.norm()) break;
     used.push_back(static_cast<int>(best));
-    for (Eigen::VectorXd y = least(); !used.empty(); y = least()) {
+    for (VectorXd y = least(); !used.empty(); y = least()) {
       double step = 1;
       for (std::size_t k = 0; k < used.size(); ++k)
         if (y[k] <= 0) step = std::min(step, x[used[k]] / (x[used[k]] - y[k]));
@@ -77,37 +85,45 @@ double distance_to_cone(const Dense& columns, const Eigen::VectorXd& wanted) {
   return (wanted - columns * x).norm();
 }
 
-/// Places on each edge. What is beside its ends bounds the slope of r_t where friction starts from 0 there.
+/// Places on each edge. What is beside its ends bounds the slope of r_t where friction
+/// starts from 0 there.
 constexpr double places[] = {0, 1e-5, 0.1, 0.25, 0.5, 0.75, 0.9, 1 - 1e-5, 1};
 
-/// Work of the end values (r_n,i, r_t,i, r_n,j, r_t,j) of each contact edge along the motions [motions x 4 edges], for edges of
-/// length 1: a factor on the density of an edge is one on its forces.
+/// Work of the end values (r_n,i, r_t,i, r_n,j, r_t,j) of each contact edge along the
+/// motions [motions x 4 edges], for edges of length 1: a factor on the density of an edge
+/// is one on its forces.
 Dense work_of_densities(const Assembled& parts, const Dense& motions) {
   const ContactLine& line = parts.line;
   Dense work(motions.cols(), 4 * line.edge_count());
-  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-    const Eigen::Matrix2Xd z = against_foundation(line, {}, {}, motions.col(k));
+  for (Index k = 0; k < motions.cols(); ++k) {
+    const Matrix2Xd z = against_foundation(line, {}, {}, motions.col(k));
     for (int e = 0; e < line.edge_count(); ++e)
       for (int end = 0; end < 2; ++end)
         work.row(k).segment<2>(4 * e + 2 * end) =
-            (2 * z.col(line.edge_node(end, e)) + z.col(line.edge_node(1 - end, e))).transpose() / 6;
+            (2 * z.col(line.edge_node(end, e)) + z.col(line.edge_node(1 - end, e)))
+                .transpose() /
+            6;
   }
   return work;
 }
 
-/// -r_n >= 0 and -mu r_n +- r_t >= 0 at some places of each edge: what the cone asks for there [conditions x 4 edges].
+/// -r_n >= 0 and -mu r_n +- r_t >= 0 at some places of each edge: what the cone asks for
+/// there [conditions x 4 edges].
 Dense cone_conditions(const Assembled& parts) {
   const ContactLine& line = parts.line;
-  Dense conditions = Dense::Zero(3 * std::size(places) * line.edge_count(), 4 * line.edge_count());
-  Eigen::Index row = 0;
+  Dense conditions =
+      Dense::Zero(3 * std::size(places) * line.edge_count(), 4 * line.edge_count());
+  Index row = 0;
   for (int e = 0; e < line.edge_count(); ++e)
     for (const double s : places)
       for (int sign : {-1, 0, 1}) {
         const double hat[2] = {1 - s, s};
-        const double mu =
-            hat[0] * parts.law.friction[line.edge_node(0, e)] + hat[1] * parts.law.friction[line.edge_node(1, e)];
+        const double mu = hat[0] * parts.law.friction[line.edge_node(0, e)] +
+                          hat[1] * parts.law.friction[line.edge_node(1, e)];
         for (int end = 0; end < 2; ++end)
-          conditions.row(row).segment<2>(4 * e + 2 * end) << (sign == 0 ? -1 : -mu) * hat[end], sign * hat[end];
+          conditions.row(row).segment<2>(4 * e + 2 * end)
+              << (sign == 0 ? -1 : -mu) * hat[end],
+              sign * hat[end];
         ++row;
       }
   return conditions;
@@ -115,19 +131,24 @@ Dense cone_conditions(const Assembled& parts) {
 
 }  // namespace
 
-bool no_density_holds(const Case& problem, const Assembled& parts, const ContactSolution& solution) {
+bool no_density_holds(const Case& problem, const Assembled& parts,
+                      const ContactSolution& solution) {
   if (problem.law == Law::tresca) return false;
   const Dense motions = free_motions(parts);
   if (motions.cols() == 0) return false;
-  Eigen::VectorXd resultants(motions.cols());
-  for (Eigen::Index k = 0; k < motions.cols(); ++k)
-    resultants[k] = against_foundation(parts.line, {}, {}, motions.col(k)).cwiseProduct(solution.force).sum();
+  VectorXd resultants(motions.cols());
+  for (Index k = 0; k < motions.cols(); ++k)
+    resultants[k] = against_foundation(parts.line, {}, {}, motions.col(k))
+                        .cwiseProduct(solution.force)
+                        .sum();
   // work p - work q = resultants and conditions (p - q) = slack with p, q, slack >= 0.
-  const Dense work = work_of_densities(parts, motions), conditions = cone_conditions(parts);
-  const Eigen::Index m = motions.cols(), n = conditions.rows(), d = work.cols();
+  const Dense work = work_of_densities(parts, motions),
+              conditions = cone_conditions(parts);
+  const Index m = motions.cols(), n = conditions.rows(), d = work.cols();
   Dense columns = Dense::Zero(m + n, 2 * d + n);
-  columns << work, -work, Dense::Zero(m, n), conditions, -conditions, -Dense::Identity(n, n);
-  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(m + n);
+  columns << work, -work, Dense::Zero(m, n), conditions, -conditions,
+      -Dense::Identity(n, n);
+  VectorXd wanted = VectorXd::Zero(m + n);
   wanted.head(m) = resultants / resultants.norm();
   return distance_to_cone(columns, wanted) > met;
 }

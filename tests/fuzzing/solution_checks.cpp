@@ -3,36 +3,42 @@
 #include <cmath>
 #include <limits>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ground.hpp"
 
 namespace ffcontact::fuzz {
 
 namespace {
 
-constexpr double of_the_whole = 1e-10, of_the_row = 1e-9, law_tolerance = 1e-9, geometry_tolerance = 1e-9,
-                 unsteered = 1e-6;
+constexpr double of_the_whole = 1e-10, of_the_row = 1e-9, law_tolerance = 1e-9,
+                 geometry_tolerance = 1e-9, unsteered = 1e-6;
 
-/// The contact label and opposite label of each boundary edge on the line, by its vertices in counter-clockwise order.
+/// The contact label and opposite label of each boundary edge on the line, by its
+/// vertices in counter-clockwise order.
 struct Labelled {
   int contact;  ///< which of Case::contacts
   bool opposite;
 };
-std::map<std::pair<int, int>, Labelled> labelled_edges(const Case& problem, const Assembled& parts) {
+std::map<std::pair<int, int>, Labelled> labelled_edges(const Case& problem,
+                                                       const Assembled& parts) {
   std::map<EdgeKey, int> column;
   const Mesh& mesh = parts.mesh();
-  for (int e = 0; e < mesh.boundary.cols(); ++e) column[key(mesh.boundary(0, e), mesh.boundary(1, e))] = e;
+  for (int e = 0; e < mesh.boundary.cols(); ++e)
+    column[key(mesh.boundary(0, e), mesh.boundary(1, e))] = e;
   std::map<std::pair<int, int>, Labelled> result;
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t);
+      const int a = mesh.cells(k, t), b = mesh.cells((k + 1) % 3, t);
       const auto found = column.find(key(a, b));
       if (found == column.end()) continue;
       const int label = mesh.boundary_label[found->second];
       for (std::size_t c = 0; c < problem.contacts.size(); ++c) {
         const Contact& contact = problem.contacts[c];
         for (int own : contact.labels)
-          if (label == parts.joined.label(contact.body, own)) result[{a, b}] = {static_cast<int>(c), false};
-        if (contact.opposite_body >= 0 && label == parts.joined.label(contact.opposite_body, contact.opposite_label))
+          if (label == parts.joined.label(contact.body, own))
+            result[{a, b}] = {static_cast<int>(c), false};
+        if (contact.opposite_body >= 0 &&
+            label == parts.joined.label(contact.opposite_body, contact.opposite_label))
           result[{a, b}] = {static_cast<int>(c), true};
       }
     }
@@ -40,9 +46,9 @@ std::map<std::pair<int, int>, Labelled> labelled_edges(const Case& problem, cons
 }
 
 struct Segment {
-  Eigen::Vector2d a, b;
-  Eigen::Vector2d along() const { return (b - a).normalized(); }
-  Eigen::Vector2d outward() const { return {along().y(), -along().x()}; }
+  Vector2d a, b;
+  Vector2d along() const { return (b - a).normalized(); }
+  Vector2d outward() const { return {along().y(), -along().x()}; }
   double length() const { return (b - a).norm(); }
 };
 
@@ -50,15 +56,17 @@ Segment segment(const Mesh& mesh, const std::pair<int, int>& ends) {
   return {mesh.vertices.col(ends.first), mesh.vertices.col(ends.second)};
 }
 
-/// The part of a contact edge that faces an opposite edge along n, by places on the former; `from` to `to` is all of the latter.
+/// The part of a contact edge that faces an opposite edge along n, by places on the
+/// former; `from` to `to` is all of the latter.
 struct FacingPart {
   std::pair<int, int> ends;  ///< of the opposite edge
   double from, to, distance;
 };
 
 /// Those that are nearest: a line that turns back has others behind.
-std::vector<FacingPart> facing_parts(const Mesh& mesh, const std::map<std::pair<int, int>, Labelled>& labelled,
-                                     const std::pair<int, int>& edge) {
+std::vector<FacingPart> facing_parts(
+    const Mesh& mesh, const std::map<std::pair<int, int>, Labelled>& labelled,
+    const std::pair<int, int>& edge) {
   const Segment own = segment(mesh, edge);
   std::vector<FacingPart> parts;
   double nearest = std::numeric_limits<double>::infinity();
@@ -66,28 +74,37 @@ std::vector<FacingPart> facing_parts(const Mesh& mesh, const std::map<std::pair<
     if (!what.opposite || what.contact != labelled.at(edge).contact) continue;
     const Segment other = segment(mesh, ends);
     if (own.outward().dot(other.outward()) > -0.99) continue;
-    const auto place = [&](const Eigen::Vector2d& y) { return (y - own.a).dot(own.along()) / own.length(); };
-    const double from = place(other.b), to = place(other.a);  // the other edge runs backwards
+    const auto place = [&](const Vector2d& y) {
+      return (y - own.a).dot(own.along()) / own.length();
+    };
+    // the other edge runs backwards
+    const double from = place(other.b), to = place(other.a);
     if (std::min(1.0, to) <= std::max(0.0, from)) continue;
-    const double distance = std::abs((0.5 * (other.a + other.b) - own.a).dot(own.outward()));
+    const double distance =
+        std::abs((0.5 * (other.a + other.b) - own.a).dot(own.outward()));
     parts.push_back({ends, from, to, distance});
     nearest = std::min(nearest, distance);
   }
-  const auto behind = [&](const FacingPart& part) { return part.distance > nearest + 1e-3 * own.length(); };
+  const auto behind = [&](const FacingPart& part) {
+    return part.distance > nearest + 1e-3 * own.length();
+  };
   parts.erase(std::remove_if(parts.begin(), parts.end(), behind), parts.end());
   return parts;
 }
 
-/// int psi_i phi_j over the parts of the line that face edges of the opposite label along n.
+/// int psi_i phi_j over the parts of the line that face edges of the opposite label along
+/// n.
 Dense coupling(const Case& problem, const Assembled& parts) {
   const ContactLine& line = parts.line;
   const auto labelled = labelled_edges(problem, parts);
   Dense D = Dense::Zero(line.node_count(), parts.mesh().vertices.cols());
   const double gauss = 0.5 / std::sqrt(3.0);
   for (int e = 0; e < line.edge_count(); ++e) {
-    const std::pair<int, int> ends(line.vertex[line.edge_node(0, e)], line.vertex[line.edge_node(1, e)]);
+    const std::pair<int, int> ends(line.vertex[line.edge_node(0, e)],
+                                   line.vertex[line.edge_node(1, e)]);
     const double length = segment(parts.mesh(), ends).length();
-    for (const auto& [other, from, to, distance] : facing_parts(parts.mesh(), labelled, ends)) {
+    for (const auto& [other, from, to, distance] :
+         facing_parts(parts.mesh(), labelled, ends)) {
       const double begin = std::max(0.0, from), end = std::min(1.0, to);
       for (double x : {0.5 - gauss, 0.5 + gauss}) {
         const double s = begin + x * (end - begin), r = (s - from) / (to - from);
@@ -105,36 +122,44 @@ Dense coupling(const Case& problem, const Assembled& parts) {
 
 double largest_coordinate(const Case& problem) {
   double largest = 0;
-  for (const Body& body : problem.bodies) largest = std::max(largest, body.mesh.vertices.cwiseAbs().maxCoeff());
+  for (const Body& body : problem.bodies)
+    largest = std::max(largest, body.mesh.vertices.cwiseAbs().maxCoeff());
   return largest;
 }
 
 void check_edges(const Case& problem, const Assembled& parts, Finds& finds) {
   auto expected = labelled_edges(problem, parts);
-  // A straight line may be so to within the precision of its coordinates, and has one normal.
-  const double straight = std::max(1e-9 * problem.size, 4e-16 * largest_coordinate(problem));
+  // A straight line may be so to within the precision of its coordinates, and has one
+  // normal.
+  const double straight =
+      std::max(1e-9 * problem.size, 4e-16 * largest_coordinate(problem));
   const ContactLine& line = parts.line;
   for (int e = 0; e < line.edge_count(); ++e) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e);
     const auto found = expected.find({line.vertex[i], line.vertex[j]});
     if (found == expected.end() || found->second.opposite) {
-      finds.push_back(finding("line", "contact edge ", e, " is no edge of the contact labels, or is there twice"));
+      finds.push_back(finding("line", "contact edge ", e,
+                              " is no edge of the contact labels, or is there twice"));
       return;
     }
     const Segment edge = segment(parts.mesh(), found->first);
     if (std::abs(line.length[e] - edge.length()) > geometry_tolerance * edge.length())
       finds.push_back(finding("line", "length of edge ", e));
     for (int node : {i, j})
-      if ((line.normal.col(node) - edge.outward()).norm() > 1e-6 + 4 * straight / edge.length())
-        finds.push_back(finding("line", "normal of node ", node, " is not that of its edge"));
+      if ((line.normal.col(node) - edge.outward()).norm() >
+          1e-6 + 4 * straight / edge.length())
+        finds.push_back(
+            finding("line", "normal of node ", node, " is not that of its edge"));
     expected.erase(found);
   }
   for (const auto& [ends, what] : expected)
     if (!what.opposite)
-      finds.push_back(finding("line", "the edge from ", ends.first, " to ", ends.second, " is missing"));
+      finds.push_back(finding("line", "the edge from ", ends.first, " to ", ends.second,
+                              " is missing"));
 }
 
-/// Two edges in a row share their node where they are straight to well above rounding, and only there.
+/// Two edges in a row share their node where they are straight to well above rounding,
+/// and only there.
 void check_corners(const Case& problem, const Assembled& parts, Finds& finds) {
   const ContactLine& line = parts.line;
   const double far = largest_coordinate(problem);
@@ -142,15 +167,18 @@ void check_corners(const Case& problem, const Assembled& parts, Finds& finds) {
     for (int f = 0; f < line.edge_count(); ++f) {
       const int end = line.edge_node(1, e), start = line.edge_node(0, f);
       if (line.vertex[end] != line.vertex[start]) continue;
-      const Segment first = segment(parts.mesh(), {line.vertex[line.edge_node(0, e)], line.vertex[end]});
-      const Segment second = segment(parts.mesh(), {line.vertex[start], line.vertex[line.edge_node(1, f)]});
+      const Segment first =
+          segment(parts.mesh(), {line.vertex[line.edge_node(0, e)], line.vertex[end]});
+      const Segment second =
+          segment(parts.mesh(), {line.vertex[start], line.vertex[line.edge_node(1, f)]});
       const double sine = std::abs(first.along().dot(second.outward()));
       const double rounding = 4e-16 * far / std::min(first.length(), second.length());
       if (end != start && sine < 2 * rounding + 1e-12)
-        finds.push_back(
-            finding("line", "two nodes at vertex ", line.vertex[end], " where the line is straight to ", sine));
+        finds.push_back(finding("line", "two nodes at vertex ", line.vertex[end],
+                                " where the line is straight to ", sine));
       if (end == start && sine > 1e-3)
-        finds.push_back(finding("line", "one node at vertex ", line.vertex[end], " where the line turns by ", sine));
+        finds.push_back(finding("line", "one node at vertex ", line.vertex[end],
+                                " where the line turns by ", sine));
     }
 }
 
@@ -159,14 +187,15 @@ void check_coupling(const Case& problem, const Assembled& parts, Finds& finds) {
   const Dense M = mass_of(parts.mesh(), parts.line),
               difference = M * Dense(parts.line.opposite) - coupling(problem, parts);
   const double defect = difference.cwiseAbs().maxCoeff() / M.cwiseAbs().maxCoeff();
-  if (!(defect <= 1e-8)) finds.push_back(finding("coupling", "int psi phi is off by ", defect));
+  if (!(defect <= 1e-8))
+    finds.push_back(finding("coupling", "int psi phi is off by ", defect));
 }
 
-Eigen::VectorXd contact_load(const Assembled& parts, const Eigen::Matrix2Xd& force) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(parts.load.size());
+VectorXd contact_load(const Assembled& parts, const Matrix2Xd& force) {
+  VectorXd load = VectorXd::Zero(parts.load.size());
   for (int i = 0; i < parts.line.node_count(); ++i) {
-    const Eigen::Vector2d n = parts.line.normal.col(i), t(-n.y(), n.x());
-    const Eigen::Vector2d F = force(0, i) * n + force(1, i) * t;
+    const Vector2d n = parts.line.normal.col(i), t(-n.y(), n.x());
+    const Vector2d F = force(0, i) * n + force(1, i) * t;
     load.segment<2>(2 * parts.line.vertex[i]) += F;
     if (parts.line.opposite.rows() > 0)
       for (WeightsByNode::InnerIterator part(parts.line.opposite, i); part; ++part)
@@ -175,48 +204,61 @@ Eigen::VectorXd contact_load(const Assembled& parts, const Eigen::Matrix2Xd& for
   return load;
 }
 
-void check_balance(const Assembled& parts, const ContactSolution& solution, Finds& finds) {
-  const Eigen::VectorXd contact = contact_load(parts, solution.force), &u = solution.displacement;
-  const Eigen::VectorXd residual = parts.stiffness * u - parts.load - contact;
-  const Eigen::VectorXd largest = Eigen::VectorXd::Constant(u.size(), displacement_scale(parts, u));
-  const Eigen::VectorXd size = parts.stiffness.cwiseAbs() * largest + parts.load.cwiseAbs() + contact.cwiseAbs();
+void check_balance(const Assembled& parts, const ContactSolution& solution,
+                   Finds& finds) {
+  const VectorXd contact = contact_load(parts, solution.force),
+                 &u = solution.displacement;
+  const VectorXd residual = parts.stiffness * u - parts.load - contact;
+  const VectorXd largest = VectorXd::Constant(u.size(), displacement_scale(parts, u));
+  const VectorXd size =
+      parts.stiffness.cwiseAbs() * largest + parts.load.cwiseAbs() + contact.cwiseAbs();
   const double scale = size.size() > 0 ? size.maxCoeff() : 0;
-  // The factorisation is backward stable for the whole, not row by row: |K u - b| is a last place, 2^-52 = 2.2e-16, of its largest
-  // force also at a vertex without any.
+  // The factorisation is backward stable for the whole, not row by row: |K u - b| is a
+  // last place, 2^-52 = 2.2e-16, of its largest force also at a vertex without any.
   const double last_place = 2.2e-16 * scale;
   Largest whole, row;
   for (int dof = 0; dof < residual.size(); ++dof) {
     if (parts.prescribed[dof]) continue;
-    const double of_vertex = std::max({size[dof], size[dof ^ 1], last_place / of_the_row});
+    const double of_vertex =
+        std::max({size[dof], size[dof ^ 1], last_place / of_the_row});
     whole.note(std::abs(residual[dof]), dof);
-    row.note(of_vertex > 0 ? std::abs(residual[dof]) / of_vertex : std::abs(residual[dof]), dof);
+    row.note(
+        of_vertex > 0 ? std::abs(residual[dof]) / of_vertex : std::abs(residual[dof]),
+        dof);
   }
   if (!(whole.value <= of_the_whole * scale))
-    finds.push_back(finding("balance", "dof ", whole.place, " by ", whole.value / scale, " of the largest force"));
+    finds.push_back(finding("balance", "dof ", whole.place, " by ", whole.value / scale,
+                            " of the largest force"));
   if (!(row.value <= of_the_row))
-    finds.push_back(finding("balance", "dof ", row.place, " by ", row.value, " of the forces there"));
+    finds.push_back(
+        finding("balance", "dof ", row.place, " by ", row.value, " of the forces there"));
 }
 
-void check_supports(const Assembled& parts, const ContactSolution& solution, Finds& finds) {
+void check_supports(const Assembled& parts, const ContactSolution& solution,
+                    Finds& finds) {
   for (int dof = 0; dof < parts.value.size(); ++dof)
     if (parts.prescribed[dof] &&
-        !(std::abs(solution.displacement[dof] - parts.value[dof]) <= 1e-12 * parts.value.cwiseAbs().maxCoeff()))
-      finds.push_back(finding("support", "dof ", dof, " is ", solution.displacement[dof], ", not ", parts.value[dof]));
+        !(std::abs(solution.displacement[dof] - parts.value[dof]) <=
+          1e-12 * parts.value.cwiseAbs().maxCoeff()))
+      finds.push_back(finding("support", "dof ", dof, " is ", solution.displacement[dof],
+                              ", not ", parts.value[dof]));
 }
 
-/// Part of free dofs in a normal row of W [u]. Below 1e-6 of the row, as where prescribed vertices all but meet, the row is one
-/// of prescribed values: a force that acted through it would be larger than all others by as much.
+/// Part of free dofs in a normal row of W [u]. Below 1e-6 of the row, as where prescribed
+/// vertices all but meet, the row is one of prescribed values: a force that acted through
+/// it would be larger than all others by as much.
 double free_part(const Assembled& parts, const Dense& W, int node) {
   double part = 0;
-  const auto visit = [&](int vertex, const Eigen::Vector2d& weight) {
+  const auto visit = [&](int vertex, const Vector2d& weight) {
     for (int c = 0; c < 2; ++c)
       if (!parts.prescribed[2 * vertex + c]) part += std::abs(weight[c]);
   };
   for (int j = 0; j < W.cols(); ++j) {
-    const Eigen::Vector2d weight = W(node, j) * parts.line.normal.col(j);
+    const Vector2d weight = W(node, j) * parts.line.normal.col(j);
     visit(parts.line.vertex[j], weight);
     if (parts.line.opposite.rows() > 0)
-      for (WeightsByNode::InnerIterator w(parts.line.opposite, j); w; ++w) visit(w.col(), w.value() * weight);
+      for (WeightsByNode::InnerIterator w(parts.line.opposite, j); w; ++w)
+        visit(w.col(), w.value() * weight);
   }
   return part / W.row(node).sum();
 }
@@ -236,18 +278,23 @@ Held held(const Assembled& parts, const Dense& W, int node) {
   return result;
 }
 
-void check_law(const Case& problem, const Assembled& parts, const ContactSolution& solution, Finds& finds) {
+void check_law(const Case& problem, const Assembled& parts,
+               const ContactSolution& solution, Finds& finds) {
   const ContactLine& line = parts.line;
   const int p = line.node_count();
   const bool pressures = problem.multiplier == Multiplier::pressure;
   const Dense M = mass_of(parts.mesh(), line), W = pressures ? M : Dense::Identity(p, p);
-  const Eigen::Matrix2Xd w = against_foundation(line, parts.law.gap, parts.law.previous, solution.displacement);
-  const Eigen::Matrix2Xd v = w * W.transpose(), &P = pressures ? solution.pressure : solution.force;
+  const Matrix2Xd w =
+      against_foundation(line, parts.law.gap, parts.law.previous, solution.displacement);
+  const Matrix2Xd v = w * W.transpose(),
+                  &P = pressures ? solution.pressure : solution.force;
   const double u_scale = displacement_scale(parts, solution.displacement);
   const double v_scale = u_scale * W.rowwise().sum().maxCoeff();
-  Eigen::VectorXd bound = parts.law.friction.cwiseProduct((-P.row(0)).cwiseMax(0.0).transpose());
-  if (problem.law == Law::tresca) bound = pressures ? parts.law.slip_bound : Eigen::VectorXd(M * parts.law.slip_bound);
-  const double P_scale = std::max(P.cwiseAbs().maxCoeff(), problem.law == Law::tresca ? bound.maxCoeff() : 0.0);
+  VectorXd bound = parts.law.friction.cwiseProduct((-P.row(0)).cwiseMax(0.0).transpose());
+  if (problem.law == Law::tresca)
+    bound = pressures ? parts.law.slip_bound : VectorXd(M * parts.law.slip_bound);
+  const double P_scale = std::max(P.cwiseAbs().maxCoeff(),
+                                  problem.law == Law::tresca ? bound.maxCoeff() : 0.0);
   const double P_zero = law_tolerance * P_scale, v_zero = law_tolerance * v_scale;
   const auto complain = [&](int node, const char* what, double by, double scale) {
     finds.push_back(finding("law", what, " at node ", node, " by ", by / scale));
@@ -255,29 +302,34 @@ void check_law(const Case& problem, const Assembled& parts, const ContactSolutio
   for (int i = 0; i < p; ++i) {
     if (!(P(0, i) <= P_zero)) complain(i, "tension", P(0, i), P_scale);
     const double part = free_part(parts, W, i);
-    if (!(v(0, i) <= v_zero + (part < unsteered ? part * v_scale : 0))) complain(i, "penetration", v(0, i), v_scale);
+    if (!(v(0, i) <= v_zero + (part < unsteered ? part * v_scale : 0)))
+      complain(i, "penetration", v(0, i), v_scale);
     if (!(std::abs(P(1, i)) <= bound[i] + P_zero))
       complain(i, "friction beyond the bound", std::abs(P(1, i)) - bound[i], P_scale);
     const Held fixed = held(parts, W, i);
     if (pressures ? fixed.all : fixed.some) continue;
-    if (P(0, i) < -P_zero && v(0, i) < -v_zero) complain(i, "a force across the gap", v(0, i), v_scale);
+    if (P(0, i) < -P_zero && v(0, i) < -v_zero)
+      complain(i, "a force across the gap", v(0, i), v_scale);
     if (std::abs(P(1, i)) < bound[i] - P_zero && std::abs(v(1, i)) > v_zero)
       complain(i, "slip below the bound", v(1, i), v_scale);
     if (std::abs(P(1, i)) > P_zero && std::abs(v(1, i)) > v_zero && P(1, i) * v(1, i) > 0)
       complain(i, "friction along the slip", P(1, i), P_scale);
   }
-  const double defect = pressures ? (solution.force - solution.pressure * M).cwiseAbs().maxCoeff() : 0;
+  const double defect =
+      pressures ? (solution.force - solution.pressure * M).cwiseAbs().maxCoeff() : 0;
   if (!(defect <= 1e-9 * solution.force.cwiseAbs().maxCoeff()))
     finds.push_back(finding("law", "forces are not M times pressures"));
 }
 
-/// A vertex that may move along d alone, at an angle to the line so small that friction along the line outweighs the normal force
-/// along d, |n . d| <= mu |t . d|: no force of the cone need hold it, and the problem no solution have.
+/// A vertex that may move along d alone, at an angle to the line so small that friction
+/// along the line outweighs the normal force along d, |n . d| <= mu |t . d|: no force of
+/// the cone need hold it, and the problem no solution have.
 bool locks_itself(const Assembled& parts, int node) {
   const int x = 2 * parts.line.vertex[node];
   if (parts.prescribed[x] == parts.prescribed[x + 1]) return false;
   const int free = parts.prescribed[x] ? 1 : 0;
-  const double across = std::abs(parts.line.normal(free, node)), along = std::abs(parts.line.normal(1 - free, node));
+  const double across = std::abs(parts.line.normal(free, node)),
+               along = std::abs(parts.line.normal(1 - free, node));
   return across > 1e-9 && across <= parts.law.friction[node] * along;
 }
 
@@ -293,32 +345,40 @@ Finds line_finds(const Case& problem, const Assembled& parts) {
 
 Feasible feasible(const Case& problem, const Assembled& parts) {
   const ContactLine& line = parts.line;
-  const Eigen::VectorXd& gap = parts.law.gap;
-  const double scale = std::max(parts.value.cwiseAbs().maxCoeff(), gap.cwiseAbs().maxCoeff());
+  const VectorXd& gap = parts.law.gap;
+  const double scale =
+      std::max(parts.value.cwiseAbs().maxCoeff(), gap.cwiseAbs().maxCoeff());
   bool any_free = false;
-  for (int v : line.vertex) any_free = any_free || !parts.prescribed[2 * v] || !parts.prescribed[2 * v + 1];
+  for (int v : line.vertex)
+    any_free = any_free || !parts.prescribed[2 * v] || !parts.prescribed[2 * v + 1];
   Feasible result = any_free ? Feasible::yes : Feasible::unknown;
   const auto worsen = [&](Feasible to) {
     if (result != Feasible::no) result = to;
   };
-  const Eigen::Matrix2Xd w = against_foundation(line, gap, {}, parts.value);
+  const Matrix2Xd w = against_foundation(line, gap, {}, parts.value);
   for (int i = 0; i < line.node_count(); ++i)
     if (problem.law == Law::coulomb && locks_itself(parts, i)) worsen(Feasible::unknown);
   for (int i = 0; i < line.node_count(); ++i) {
     const int x = 2 * line.vertex[i];
     bool movable = false;
-    for (int c = 0; c < 2; ++c) movable = movable || (!parts.prescribed[x + c] && std::abs(line.normal(c, i)) > 1e-6);
+    for (int c = 0; c < 2; ++c)
+      movable =
+          movable || (!parts.prescribed[x + c] && std::abs(line.normal(c, i)) > 1e-6);
     if (!movable && w(0, i) > 0)
-      worsen(w(0, i) > 1e-6 * scale && problem.bodies.size() == 1 ? Feasible::no : Feasible::unknown);
+      worsen(w(0, i) > 1e-6 * scale && problem.bodies.size() == 1 ? Feasible::no
+                                                                  : Feasible::unknown);
     for (int j = 0; j < i && movable;
-         ++j)  // two nodes of one vertex with one free component may ask for opposite motions
-      if (line.vertex[j] == line.vertex[i] && (parts.prescribed[x] || parts.prescribed[x + 1]))
+         // two nodes of one vertex with one free component may ask for opposite motions
+         ++j)
+      if (line.vertex[j] == line.vertex[i] &&
+          (parts.prescribed[x] || parts.prescribed[x + 1]))
         worsen(Feasible::unknown);
   }
   return result;
 }
 
-Finds solution_finds(const Case& problem, const Assembled& parts, const ContactSolution& solution) {
+Finds solution_finds(const Case& problem, const Assembled& parts,
+                     const ContactSolution& solution) {
   Finds finds;
   check_balance(parts, solution, finds);
   check_supports(parts, solution, finds);

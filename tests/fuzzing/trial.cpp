@@ -12,16 +12,21 @@ namespace ffcontact::fuzz {
 
 namespace {
 
-void append(const Finds& more, Finds& finds) { finds.insert(finds.end(), more.begin(), more.end()); }
+void append(const Finds& more, Finds& finds) {
+  finds.insert(finds.end(), more.begin(), more.end());
+}
 
-bool is_sentence(const std::string& message) { return message.find(' ') != std::string::npos && message.size() > 12; }
+bool is_sentence(const std::string& message) {
+  return message.find(' ') != std::string::npos && message.size() > 12;
+}
 
 Feasible always() { return Feasible::yes; }
 
 /// Runs a step; notes what it threw. @return whether it ended
 /// @param possible  asked for where it threw
-bool ended(const char* step, const Case& problem, const std::function<Feasible()>& possible,
-           const std::function<void()>& run, Outcome& outcome) {
+bool ended(const char* step, const Case& problem,
+           const std::function<Feasible()>& possible, const std::function<void()>& run,
+           Outcome& outcome) {
   std::string message;
   try {
     run();
@@ -33,33 +38,42 @@ bool ended(const char* step, const Case& problem, const std::function<Feasible()
   } catch (const std::exception& other) {
     outcome.finds.push_back(finding("exception", step, ": ", other.what()));
   }
-  if (!message.empty() && !is_sentence(message)) outcome.finds.push_back(finding("exception", step, ": ", message));
+  if (!message.empty() && !is_sentence(message))
+    outcome.finds.push_back(finding("exception", step, ": ", message));
   outcome.answer = std::string("refused by ") + step + ": " + without_numbers(message);
   if (problem.promise == Promise::solution && possible() == Feasible::yes)
     outcome.finds.push_back(finding("refused", step, ": ", message));
   return false;
 }
 
-void judge_estimate(const Case& problem, const Assembled& parts, const ElasticSystem& system,
-                    const ContactSolution& solution, Outcome& outcome) {
+void judge_estimate(const Case& problem, const Assembled& parts,
+                    const ElasticSystem& system, const ContactSolution& solution,
+                    Outcome& outcome) {
   EstimateSettings settings;
   settings.relaxation.sweeps = problem.sweeps;
   Estimate estimate;
-  // What is solved has an estimate, whatever the problem promised, where there is an admissible pair.
+  // What is solved has an estimate, whatever the problem promised, where there is an
+  // admissible pair.
   Case promised = problem;
   promised.promise = Promise::solution;
   if (!ended(
           "estimate", promised,
-          [&] { return no_density_holds(problem, parts, solution) ? Feasible::no : Feasible::yes; },
           [&] {
-            estimate = estimate_error(parts.mesh(), parts.edges, parts.line, system, parts.solved(solution), settings);
+            return no_density_holds(problem, parts, solution) ? Feasible::no
+                                                              : Feasible::yes;
+          },
+          [&] {
+            estimate = estimate_error(parts.mesh(), parts.edges, parts.line, system,
+                                      parts.solved(solution), settings);
           },
           outcome))
     return;
   append(estimate_finds(problem, parts, estimate), outcome.finds);
-  if (problem.with_reference && problem.promise == Promise::solution && outcome.finds.empty())
+  if (problem.with_reference && problem.promise == Promise::solution &&
+      outcome.finds.empty())
     ended(
-        "reference", problem, always, [&] { append(bound_finds(problem, parts, estimate, 2), outcome.finds); },
+        "reference", problem, always,
+        [&] { append(bound_finds(problem, parts, estimate, 2), outcome.finds); },
         outcome);
   outcome.answer = "judged";
 }
@@ -69,15 +83,18 @@ void judge_estimate(const Case& problem, const Assembled& parts, const ElasticSy
 std::string without_numbers(const std::string& message) {
   std::string result;
   for (std::size_t k = 0; k < message.size(); ++k) {
-    const bool starts = std::isdigit(static_cast<unsigned char>(message[k])) &&
-                        (k == 0 || !std::isalpha(static_cast<unsigned char>(message[k - 1])));
+    const bool starts =
+        std::isdigit(static_cast<unsigned char>(message[k])) &&
+        (k == 0 || !std::isalpha(static_cast<unsigned char>(message[k - 1])));
     if (!starts) {
-      if (message[k] != '-' || k + 1 == message.size() || !std::isdigit(static_cast<unsigned char>(message[k + 1])))
+      if (message[k] != '-' || k + 1 == message.size() ||
+          !std::isdigit(static_cast<unsigned char>(message[k + 1])))
         result += message[k];
       continue;
     }
     while (k + 1 < message.size() &&
-           (std::isalnum(static_cast<unsigned char>(message[k + 1])) || message[k + 1] == '.' ||
+           (std::isalnum(static_cast<unsigned char>(message[k + 1])) ||
+            message[k + 1] == '.' ||
             ((message[k + 1] == '-' || message[k + 1] == '+') && message[k] == 'e')))
       ++k;
     result += '#';
@@ -96,23 +113,27 @@ Outcome outcome_of(const Case& problem) {
   append(line_finds(problem, parts), outcome.finds);
   const Feasible possible = feasible(problem, parts);
   if (!ended(
-          "matrix", problem, always, [&] { system = elastic_system(parts.A, parts.b); }, outcome))
+          "matrix", problem, always, [&] { system = elastic_system(parts.A, parts.b); },
+          outcome))
     return outcome;
   if (!ended(
           "contact", problem, [&] { return possible; },
-          [&] { solution = solve_contact(parts.mesh(), parts.line, parts.law, system); }, outcome))
+          [&] { solution = solve_contact(parts.mesh(), parts.line, parts.law, system); },
+          outcome))
     return outcome;
   if (!solution.accepted({})) {
     outcome.answer = std::string("not solved: ") + in_words(solution.status);
     if (problem.promise == Promise::solution && possible == Feasible::yes)
-      outcome.finds.push_back(finding("unsolved", how_far(std::max(solution.residual, solution.complementarity)),
-                                      in_words(solution.status), ", residual ", solution.residual, ", violation ",
-                                      solution.complementarity));
+      outcome.finds.push_back(finding(
+          "unsolved", how_far(std::max(solution.residual, solution.complementarity)),
+          in_words(solution.status), ", residual ", solution.residual, ", violation ",
+          solution.complementarity));
     return outcome;
   }
   if (possible == Feasible::no) {
     outcome.answer = "solved though prescribed values penetrate";
-    outcome.finds.push_back(finding("infeasible", "prescribed values penetrate and the problem is called solved"));
+    outcome.finds.push_back(finding(
+        "infeasible", "prescribed values penetrate and the problem is called solved"));
     return outcome;
   }
   append(solution_finds(problem, parts, solution), outcome.finds);
@@ -125,7 +146,9 @@ namespace {
 bool still(const Case& candidate, const Find& what) {
   const Outcome outcome = outcome_of(candidate);
   for (const Find& found : outcome.finds)
-    if (found.check == what.check && without_numbers(found.detail) == without_numbers(what.detail)) return true;
+    if (found.check == what.check &&
+        without_numbers(found.detail) == without_numbers(what.detail))
+      return true;
   return false;
 }
 
@@ -135,10 +158,15 @@ std::vector<std::function<void(Case&)>> simplifications(const Case& problem) {
   steps.push_back([](Case& c) { c.has_gap = false; });
   steps.push_back([](Case& c) { c.has_previous = false; });
   steps.push_back([](Case& c) { c.tgv = 1e30; });
-  for (Field Case::*field : {&Case::gap, &Case::previous, &Case::friction, &Case::slip_bound})
-    steps.push_back([field](Case& c) { c.*field = {(c.*field).mean, {0, 0}, 0, {0, 0}}; });
+  for (Field Case::*field :
+       {&Case::gap, &Case::previous, &Case::friction, &Case::slip_bound})
+    steps.push_back([field](Case& c) {
+      c.*field = {(c.*field).mean, {0, 0}, 0, {0, 0}};
+    });
   for (std::size_t k = 0; k < problem.bodies.size(); ++k) {
-    const auto of_body = [&](auto change) { steps.push_back([=](Case& c) { change(c.bodies[k]); }); };
+    const auto of_body = [&](auto change) {
+      steps.push_back([=](Case& c) { change(c.bodies[k]); });
+    };
     of_body([](Body& b) { b.force.setZero(); });
     of_body([](Body& b) { b.region.assign(b.region.size(), 0); });
     of_body([](Body& b) {
@@ -152,13 +180,14 @@ std::vector<std::function<void(Case&)>> simplifications(const Case& problem) {
     });
     for (std::size_t i = problem.bodies[k].tractions.size(); i-- > 0;)
       of_body([i](Body& b) {
-        if (i < b.tractions.size()) b.tractions.erase(b.tractions.begin() + static_cast<std::ptrdiff_t>(i));
+        if (i < b.tractions.size())
+          b.tractions.erase(b.tractions.begin() + static_cast<std::ptrdiff_t>(i));
       });
-    for (int t = problem.bodies[k].mesh.triangle_count() - 1; t >= 0; --t)
+    for (int t = problem.bodies[k].mesh.cell_count() - 1; t >= 0; --t)
       of_body([t](Body& b) {
-        std::vector<char> removed(b.mesh.triangles.cols(), 0);
+        std::vector<char> removed(b.mesh.cells.cols(), 0);
         std::vector<int> kept, region;
-        if (t >= b.mesh.triangle_count()) return;
+        if (t >= b.mesh.cell_count()) return;
         removed[t] = 1;
         if (!remove_triangles(b.mesh, removed, &kept)) return;
         for (int old : kept) region.push_back(b.region[old]);

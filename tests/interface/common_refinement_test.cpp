@@ -26,16 +26,19 @@ struct Refined {
 };
 
 Refined random_rows(std::mt19937& random) {
-  const int upper = 1 + static_cast<int>(random() % 6), lower = 1 + static_cast<int>(random() % 6);
+  const int upper = 1 + static_cast<int>(random() % 6),
+            lower = 1 + static_cast<int>(random() % 6);
   const Mesh above = shifted(with_random_rows(upper, 2, 6, 2, random), {0, 3});
-  return Refined({renumbered(above, random).mesh, renumbered(with_random_rows(lower, 2, 6, 3, random), random).mesh});
+  return Refined({renumbered(above, random).mesh,
+                  renumbered(with_random_rows(lower, 2, 6, 3, random), random).mesh});
 }
 
-RC_GTEST_PROP(CommonRefinement, cuts_triangles_into_parts_of_the_same_area, (Random random)) {
+RC_GTEST_PROP(CommonRefinement, cuts_triangles_into_parts_of_the_same_area,
+              (Random random)) {
   const Refined refined = random_rows(random);
   require_valid(refined.fine.mesh);
-  Eigen::VectorXd area = Eigen::VectorXd::Zero(refined.old().triangle_count());
-  for (int t = 0; t < refined.fine.mesh.triangle_count(); ++t)
+  VectorXd area = VectorXd::Zero(refined.old().cell_count());
+  for (int t = 0; t < refined.fine.mesh.cell_count(); ++t)
     area[refined.fine.parent[t]] += signed_area(refined.fine.mesh, t);
   for (int t = 0; t < area.size(); ++t) {
     RC_ASSERT(std::abs(area[t] - signed_area(refined.old(), t)) < 1e-13);
@@ -48,28 +51,38 @@ RC_GTEST_PROP(CommonRefinement, has_traces_that_match_point_by_point, (Random ra
   const ContactLine& line = fine.line;
   RC_ASSERT(line.matches() && static_cast<int>(line.pieces.size()) == line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
-    const auto ends = fine.edges.vertices.col(line.edge[e]), facing = fine.edges.vertices.col(line.opposite_edge[e]);
+    const auto ends = fine.edges.vertices.col(line.edge[e]),
+               facing = fine.edges.vertices.col(line.opposite_edge[e]);
     for (int end = 0; end < 2; ++end) {
       RC_ASSERT(ends[end] == line.vertex[line.edge_node(end, e)]);
-      RC_ASSERT((fine.mesh.vertices.col(ends[end]) - fine.mesh.vertices.col(facing[1 - end])).norm() < 3e-3);
+      RC_ASSERT(
+          (fine.mesh.vertices.col(ends[end]) - fine.mesh.vertices.col(facing[1 - end]))
+              .norm() < 3e-3);
       RC_ASSERT(line.opposite.coeff(line.edge_node(end, e), facing[1 - end]) == 1);
     }
-    RC_ASSERT(std::abs(line.length[e] - edge_vector(fine.mesh, fine.edges, line.edge[e]).norm()) < 1e-13);
+    RC_ASSERT(std::abs(line.length[e] -
+                       edge_vector(fine.mesh, fine.edges, line.edge[e]).norm()) < 1e-13);
   }
 }
 
-RC_GTEST_PROP(CommonRefinement, weights_say_where_vertices_and_nodes_are, (Random random)) {
+RC_GTEST_PROP(CommonRefinement, weights_say_where_vertices_and_nodes_are,
+              (Random random)) {
   const Refined refined = random_rows(random);
   const CommonRefinement& fine = refined.fine;
   const ContactLine& old_line = refined.two.problem.line;
-  const Eigen::Matrix2Xd x = (fine.vertex_weights * refined.old().vertices.transpose()).transpose();
+  const Matrix2Xd x =
+      (fine.vertex_weights * refined.old().vertices.transpose()).transpose();
   RC_ASSERT((x - fine.mesh.vertices).cwiseAbs().maxCoeff() < 1e-14);
-  RC_ASSERT(fine.mesh.vertices.leftCols(refined.old().vertices.cols()) == refined.old().vertices);
-  RC_ASSERT((fine.node_weights * old_line.abscissa - fine.line.abscissa).cwiseAbs().maxCoeff() < 1e-14);
+  RC_ASSERT(fine.mesh.vertices.leftCols(refined.old().vertices.cols()) ==
+            refined.old().vertices);
+  RC_ASSERT(
+      (fine.node_weights * old_line.abscissa - fine.line.abscissa).cwiseAbs().maxCoeff() <
+      1e-14);
   RC_ASSERT(fine.line.vertex.head(old_line.node_count()) == old_line.vertex);
   for (int i = 0; i < fine.line.node_count(); ++i) {
-    RC_ASSERT(std::abs(fine.mesh.vertices(0, fine.line.vertex[i]) - fine.line.abscissa[i]) < 1e-13);
-    RC_ASSERT(fine.line.normal.col(i) == Eigen::Vector2d(0, -1));
+    RC_ASSERT(std::abs(fine.mesh.vertices(0, fine.line.vertex[i]) -
+                       fine.line.abscissa[i]) < 1e-13);
+    RC_ASSERT(fine.line.normal.col(i) == Vector2d(0, -1));
   }
 }
 
@@ -77,7 +90,7 @@ RC_GTEST_PROP(CommonRefinement, edges_know_the_edges_they_are_parts_of, (Random 
   const Refined refined = random_rows(random);
   const CommonRefinement& fine = refined.fine;
   const Edges& old_edges = refined.two.problem.edges;
-  Eigen::VectorXd length = Eigen::VectorXd::Zero(old_edges.count());
+  VectorXd length = VectorXd::Zero(old_edges.count());
   for (int e = 0; e < fine.edges.count(); ++e) {
     const int old = fine.parent_edge[e];
     if (old < 0) {
@@ -87,15 +100,17 @@ RC_GTEST_PROP(CommonRefinement, edges_know_the_edges_they_are_parts_of, (Random 
     length[old] += edge_vector(fine.mesh, fine.edges, e).norm();
     for (int v : fine.edges.vertices.col(e)) {
       const double s = fine.place(old_edges, v, old);
-      const Eigen::Vector2d at =
-          refined.old().vertices.col(old_edges.vertices(0, old)) + s * edge_vector(refined.old(), old_edges, old);
+      const Vector2d at = refined.old().vertices.col(old_edges.vertices(0, old)) +
+                          s * edge_vector(refined.old(), old_edges, old);
       RC_ASSERT((at - fine.mesh.vertices.col(v)).norm() < 1e-13);
     }
   }
   for (int e = 0; e < old_edges.count(); ++e)
-    RC_ASSERT(std::abs(length[e] - edge_vector(refined.old(), old_edges, e).norm()) < 1e-13);
+    RC_ASSERT(std::abs(length[e] - edge_vector(refined.old(), old_edges, e).norm()) <
+              1e-13);
   for (int b = 0; b < fine.mesh.boundary.cols(); ++b) {
-    RC_ASSERT(fine.mesh.boundary_label[b] == refined.old().boundary_label[fine.parent_boundary[b]]);
+    RC_ASSERT(fine.mesh.boundary_label[b] ==
+              refined.old().boundary_label[fine.parent_boundary[b]]);
     if (b > 0) RC_ASSERT(fine.parent_boundary[b] >= fine.parent_boundary[b - 1]);
   }
 }
@@ -103,13 +118,15 @@ RC_GTEST_PROP(CommonRefinement, edges_know_the_edges_they_are_parts_of, (Random 
 TEST(CommonRefinement, leaves_a_line_that_faces_no_body_as_it_is) {
   Refined refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(2, 1, 6, 3)});
   Problem& problem = refined.two.problem;
-  const ContactLine free = contact_line(problem.mesh, problem.edges, {refined.two.label(1, bottom)});
+  const ContactLine free =
+      contact_line(problem.mesh, problem.edges, {refined.two.label(1, bottom)});
   const ContactLine both = joined_lines({free, problem.line});
   const CommonRefinement fine = common_refinement(problem.mesh, problem.edges, both);
   EXPECT_EQ(fine.line.edge_count(), 2 + refined.fine.line.edge_count());
   for (int e = 0; e < 2; ++e) {
     EXPECT_EQ(fine.line.opposite_edge[e], -1);
-    EXPECT_EQ(fine.edges.vertices.col(fine.line.edge[e]), problem.edges.vertices.col(free.edge[e]));
+    EXPECT_EQ(fine.edges.vertices.col(fine.line.edge[e]),
+              problem.edges.vertices.col(free.edge[e]));
     EXPECT_EQ(fine.line.length[e], 3);
   }
 }
@@ -117,20 +134,25 @@ TEST(CommonRefinement, leaves_a_line_that_faces_no_body_as_it_is) {
 TEST(CommonRefinement, lets_vertices_meet_that_all_but_do) {
   Mesh lower = rectangle(3, 1, 6, 3);
   for (int v = 0; v < lower.vertex_count(); ++v)
-    if (lower.vertices(1, v) == 3 && lower.vertices(0, v) == 2) lower.vertices(0, v) += 1e-5;
-  const CommonRefinement fine = Refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), lower}).fine;
+    if (lower.vertices(1, v) == 3 && lower.vertices(0, v) == 2)
+      lower.vertices(0, v) += 1e-5;
+  const CommonRefinement fine =
+      Refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), lower}).fine;
   EXPECT_FALSE(fine.exact);
   EXPECT_EQ(fine.line.edge_count(), 3);
   EXPECT_EQ(fine.mesh.vertex_count(), 16);
-  EXPECT_TRUE(Refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(4, 1, 6, 3)}).fine.exact);
+  EXPECT_TRUE(Refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(4, 1, 6, 3)})
+                  .fine.exact);
 }
 
-/// The sliver between vertices that all but meet is none beside the short edge that stands next to it.
+/// The sliver between vertices that all but meet is none beside the short edge that
+/// stands next to it.
 TEST(CommonRefinement, lets_vertices_meet_beside_a_short_edge) {
   for (const bool mirrored : {false, true}) {
     const auto along = [&](double x) { return mirrored ? 6 - x : x; };
     Mesh upper = shifted(rectangle(3, 1, 6, 2), {0, 3}), lower = rectangle(2, 1, 6, 3);
-    for (double& x : upper.vertices.row(0)) x = x == along(2) ? along(2.9) : x == along(4) ? along(3) : x;
+    for (double& x : upper.vertices.row(0))
+      x = x == along(2) ? along(2.9) : x == along(4) ? along(3) : x;
     for (double& x : lower.vertices.row(0)) x = x == 3 ? along(3 + 1.5e-4) : x;
     const CommonRefinement fine = Refined({upper, lower}).fine;
     EXPECT_EQ(fine.line.edge_count(), 3);
@@ -141,9 +163,14 @@ TEST(CommonRefinement, lets_vertices_meet_beside_a_short_edge) {
 TEST(CommonRefinement, refuses_rays_that_cross) {
   Mesh hollow = shifted(rectangle(2, 1, 2, 1), {0, 1});
   for (int v = 0; v < hollow.vertex_count(); ++v)
-    if (hollow.vertices(0, v) == 1 && hollow.vertices(1, v) == 1) hollow.vertices(1, v) = 1.3;
-  const std::string sentence = refusal([&] { Refined({hollow, shifted(rectangle(8, 1, 6, 1), {-2, -1})}); });
-  EXPECT_TRUE(says(sentence, "two contact edges face the same part of the opposite body near (")) << sentence;
+    if (hollow.vertices(0, v) == 1 && hollow.vertices(1, v) == 1)
+      hollow.vertices(1, v) = 1.3;
+  const std::string sentence = refusal([&] {
+    Refined({hollow, shifted(rectangle(8, 1, 6, 1), {-2, -1})});
+  });
+  EXPECT_TRUE(
+      says(sentence, "two contact edges face the same part of the opposite body near ("))
+      << sentence;
   EXPECT_TRUE(says(sentence, "normal=[nx, ny]"));
 }
 

@@ -22,38 +22,43 @@ void expect_polygon(const Mesh& mesh, const ContactLine& line) {
   EXPECT_LT((line.abscissa - polygon.abscissa).norm(), 1e-12);
 }
 
-/// A block whose lower side is an arc of a circle around (centre, radius), from x = 0 to x = 4, and straight before and after.
+/// A block whose lower side is an arc of a circle around (centre, radius), from x = 0 to
+/// x = 4, and straight before and after.
 struct Round {
   Mesh mesh;
   ContactLine line;
 
-  Round(int n, double centre, double radius, double from = 0, double to = 4) : mesh(rectangle(n, n, 4, 3)) {
+  Round(int n, double centre, double radius, double from = 0, double to = 4)
+      : mesh(rectangle(n, n, 4, 3)) {
     const auto bottom_at = [&](double x) {
-      const double at = std::min(std::max(x, from), to) - centre, y = radius - std::sqrt(radius * radius - at * at);
+      const double at = std::min(std::max(x, from), to) - centre,
+                   y = radius - std::sqrt(radius * radius - at * at);
       return y + (x - centre - at) * at / std::sqrt(radius * radius - at * at);
     };
     for (int v = 0; v < mesh.vertex_count(); ++v)
-      mesh.vertices(1, v) += (1 - mesh.vertices(1, v) / 3) * bottom_at(mesh.vertices(0, v));
+      mesh.vertices(1, v) +=
+          (1 - mesh.vertices(1, v) / 3) * bottom_at(mesh.vertices(0, v));
     line = curved_contact_line(mesh, edges_of(mesh), {bottom});
   }
   double height(int node) const { return mesh.vertices(1, line.vertex[node]); }
-  Eigen::VectorXd heights(double factor = 1) const {
-    Eigen::VectorXd gap(line.node_count());
+  VectorXd heights(double factor = 1) const {
+    VectorXd gap(line.node_count());
     for (int i = 0; i < gap.size(); ++i) gap[i] = factor * height(i);
     return gap;
   }
-  ContactLine directed(const Eigen::VectorXd& gap) const {
+  ContactLine directed(const VectorXd& gap) const {
     return with_one_direction_a_curve(mesh, edges_of(mesh), line, gap);
   }
 };
 
 TEST(CurveDirections, are_the_normal_where_the_gap_is_smallest) {
-  for (const double centre : {2.0, 1.9, 1.3, 0.0}) {  // at a vertex, between vertices, at an end
+  // at a vertex, between vertices, at an end
+  for (const double centre : {2.0, 1.9, 1.3, 0.0}) {
     const Round round(10, centre, 8);
     ASSERT_TRUE(turns(round.line));
     const ContactLine line = round.directed(round.heights());
     EXPECT_FALSE(turns(line));
-    EXPECT_LT((line.normal.col(0) - Eigen::Vector2d(0, -1)).norm(), 1e-3) << centre;
+    EXPECT_LT((line.normal.col(0) - Vector2d(0, -1)).norm(), 1e-3) << centre;
   }
 }
 
@@ -73,7 +78,7 @@ TEST(CurveDirections, are_those_of_the_edges_where_a_curve_turns_too_far_or_is_h
     hollow.mesh.vertices(1, v) *= hollow.mesh.vertices(1, v) < 1 ? -1 : 1;
   hollow.line = curved_contact_line(hollow.mesh, edges_of(hollow.mesh), {bottom});
   ASSERT_TRUE(turns(hollow.line));
-  expect_polygon(hollow.mesh, hollow.directed(Eigen::VectorXd::Zero(hollow.line.node_count())));
+  expect_polygon(hollow.mesh, hollow.directed(VectorXd::Zero(hollow.line.node_count())));
 }
 
 TEST(CurveDirections, are_those_of_a_straight_line_that_the_curve_goes_on_from) {
@@ -81,7 +86,8 @@ TEST(CurveDirections, are_those_of_a_straight_line_that_the_curve_goes_on_from) 
   ASSERT_EQ(flat.line.node_count(), 21);
   ASSERT_TRUE(turns(flat.line));
   const ContactLine line = flat.directed(flat.heights());
-  for (int i = 0; i < line.node_count(); ++i) EXPECT_EQ(line.normal.col(i), flat.line.normal.col(0));
+  for (int i = 0; i < line.node_count(); ++i)
+    EXPECT_EQ(line.normal.col(i), flat.line.normal.col(0));
 }
 
 TEST(CurveDirections, are_those_of_the_edges_between_two_straight_lines) {
@@ -96,11 +102,12 @@ TEST(CurveDirections, are_each_curve_s_own) {
   Round block = two;  // with an arc on top, too, that fits its foundation
   for (int v = 0; v < two.mesh.vertex_count(); ++v) {
     const double x = two.mesh.vertices(0, v) - 2;
-    block.mesh.vertices(1, v) -= rectangle(20, 20, 4, 3).vertices(1, v) / 3 * (8 - std::sqrt(64 - x * x));
+    block.mesh.vertices(1, v) -=
+        rectangle(20, 20, 4, 3).vertices(1, v) / 3 * (8 - std::sqrt(64 - x * x));
   }
   block.line = curved_contact_line(block.mesh, edges_of(block.mesh), {bottom, top});
   ASSERT_EQ(block.line.node_count(), 2 * 21);
-  Eigen::VectorXd gap = Eigen::VectorXd::Zero(42);
+  VectorXd gap = VectorXd::Zero(42);
   int lower = 0;
   for (int i = 0; i < 42; ++i)
     if (block.height(i) < 1.5) gap[i] = block.height(i), ++lower;
@@ -109,11 +116,13 @@ TEST(CurveDirections, are_each_curve_s_own) {
   ASSERT_EQ(line.node_count(), 21 + 40);
   for (int e = 0; e < line.edge_count(); ++e) {
     const bool below = block.mesh.vertices(1, line.vertex[line.edge_node(0, e)]) < 1.5;
-    const Eigen::Vector2d own =
-        below ? Eigen::Vector2d(0, -1) : edge_normal(block.mesh, edges_of(block.mesh), line.edge[e]);
+    const Vector2d own =
+        below ? Vector2d(0, -1)
+              : edge_normal(block.mesh, edges_of(block.mesh), line.edge[e]);
     EXPECT_LT((line.edge_normal(e) - own).norm(), 1e-6);
     EXPECT_FALSE(turns(line, e));
-    EXPECT_NEAR(line.abscissa[line.edge_node(1, e)] - line.abscissa[line.edge_node(0, e)], line.length[e], 1e-12);
+    EXPECT_NEAR(line.abscissa[line.edge_node(1, e)] - line.abscissa[line.edge_node(0, e)],
+                line.length[e], 1e-12);
   }
 }
 
@@ -121,9 +130,13 @@ TEST(CurveDirections, of_straight_lines_are_left_alone) {
   const Mesh mesh = rectangle(4, 4, 4, 4);
   const ContactLine line = contact_line(mesh, edges_of(mesh), {bottom, right});
   EXPECT_FALSE(turns(line));
-  EXPECT_EQ(with_one_direction_a_curve(mesh, edges_of(mesh), line, Eigen::VectorXd::LinSpaced(10, 0, 1)).normal,
+  EXPECT_EQ(with_one_direction_a_curve(mesh, edges_of(mesh), line,
+                                       VectorXd::LinSpaced(10, 0, 1))
+                .normal,
             line.normal);
-  EXPECT_EQ(refusal([&] { with_one_direction_a_curve(mesh, edges_of(mesh), line, Eigen::VectorXd::Zero(3)); }),
+  EXPECT_EQ(refusal([&] {
+              with_one_direction_a_curve(mesh, edges_of(mesh), line, VectorXd::Zero(3));
+            }),
             "gap has 3 values where 10 are needed");
 }
 

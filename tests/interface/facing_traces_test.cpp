@@ -14,7 +14,8 @@ namespace {
 
 using namespace test;
 
-/// An upper body on a lower one, the upper one's lower side facing the other's upper side.
+/// An upper body on a lower one, the upper one's lower side facing the other's upper
+/// side.
 struct Facing {
   JoinedMesh joined;
   Edges edges;
@@ -24,22 +25,27 @@ struct Facing {
   explicit Facing(const Mesh& upper, const Mesh& lower, bool smooth = false)
       : joined(joined_mesh({upper, lower})), edges(edges_of(joined.mesh)) {
     const std::vector<int> label{joined.label(0, bottom)};
-    line = smooth ? smooth_contact_line(joined.mesh, edges, label) : contact_line(joined.mesh, edges, label);
+    line = smooth ? smooth_contact_line(joined.mesh, edges, label)
+                  : contact_line(joined.mesh, edges, label);
     traces = facing_traces(joined.mesh, edges, line, {joined.label(1, top)});
     line = facing_line(joined.mesh, edges, std::move(line), traces);
   }
-  Eigen::Vector2d on(int edge, double s) const {
-    return joined.mesh.vertices.col(edges.vertices(0, edge)) + s * edge_vector(joined.mesh, edges, edge);
+  Vector2d on(int edge, double s) const {
+    return joined.mesh.vertices.col(edges.vertices(0, edge)) +
+           s * edge_vector(joined.mesh, edges, edge);
   }
-  Eigen::Vector2d direction(int e, double s) const {
-    return (1 - s) * line.normal.col(line.edge_node(0, e)) + s * line.normal.col(line.edge_node(1, e));
+  Vector2d direction(int e, double s) const {
+    return (1 - s) * line.normal.col(line.edge_node(0, e)) +
+           s * line.normal.col(line.edge_node(1, e));
   }
 };
 
 /// Lower sides from (1, 3) to (5, 3), on an upper side from (0, 3) to (6, 3).
 Facing random_rows(std::mt19937& random) {
-  const int upper = 1 + static_cast<int>(random() % 7), lower = 1 + static_cast<int>(random() % 7);
-  return Facing(shifted(with_random_rows(upper, 2, 4, 2, random), {1, 3}), with_random_rows(lower, 2, 6, 3, random));
+  const int upper = 1 + static_cast<int>(random() % 7),
+            lower = 1 + static_cast<int>(random() % 7);
+  return Facing(shifted(with_random_rows(upper, 2, 4, 2, random), {1, 3}),
+                with_random_rows(lower, 2, 6, 3, random));
 }
 
 TEST(FacingTraces, that_match_face_edge_by_edge) {
@@ -50,18 +56,23 @@ TEST(FacingTraces, that_match_face_edge_by_edge) {
     const FacingPiece& piece = two.traces.pieces[e];
     EXPECT_EQ(piece.contact_edge, e);
     EXPECT_EQ(two.line.opposite_edge[e], piece.opposite_edge);
-    EXPECT_LT((two.on(piece.opposite_edge, 1) - two.on(two.line.edge[e], 0) + Eigen::Vector2d(0, 0.5)).norm(), 1e-15);
+    EXPECT_LT(
+        (two.on(piece.opposite_edge, 1) - two.on(two.line.edge[e], 0) + Vector2d(0, 0.5))
+            .norm(),
+        1e-15);
   }
-  EXPECT_EQ(two.traces.gap, Eigen::VectorXd::Constant(5, 0.5));
+  EXPECT_EQ(two.traces.gap, VectorXd::Constant(5, 0.5));
   for (int i = 0; i < 5; ++i)
     visit_opposite(two.line, i, [&](int vertex, double weight) {
       EXPECT_EQ(weight, 1);
-      EXPECT_EQ(two.joined.mesh.vertices(0, vertex), two.joined.mesh.vertices(0, two.line.vertex[i]));
+      EXPECT_EQ(two.joined.mesh.vertices(0, vertex),
+                two.joined.mesh.vertices(0, two.line.vertex[i]));
       EXPECT_EQ(two.joined.mesh.vertices(1, vertex), 2);
     });
 }
 
-RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite, (Random random)) {
+RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite,
+              (Random random)) {
   const Facing two = random_rows(random);
   int e = 0;
   double end = 0;
@@ -73,16 +84,20 @@ RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite
     RC_ASSERT(piece.contact_edge == e && piece.begin == end && piece.end > piece.begin);
     RC_ASSERT(piece.opposite_begin > piece.opposite_end);
     RC_ASSERT(piece.opposite_begin <= 1 && piece.opposite_end >= 0);
-    RC_ASSERT((two.on(two.line.edge[e], piece.begin) - two.on(piece.opposite_edge, piece.opposite_begin)).norm() <
-              1e-9);
-    RC_ASSERT((two.on(two.line.edge[e], piece.end) - two.on(piece.opposite_edge, piece.opposite_end)).norm() < 1e-9);
+    RC_ASSERT((two.on(two.line.edge[e], piece.begin) -
+               two.on(piece.opposite_edge, piece.opposite_begin))
+                  .norm() < 1e-9);
+    RC_ASSERT((two.on(two.line.edge[e], piece.end) -
+               two.on(piece.opposite_edge, piece.opposite_end))
+                  .norm() < 1e-9);
     end = piece.end;
   }
   RC_ASSERT(e + 1 == two.line.edge_count() && end == 1);
   RC_ASSERT(two.traces.gap.isZero(0));
 }
 
-RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals, (Random random)) {
+RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals,
+              (Random random)) {
   Mesh round = moved(rectangle(6, 2, 4, 2), 0.6, 0.2, random);
   for (int v = 0; v < round.vertex_count(); ++v)
     round.vertices.col(v) << 1 + round.vertices(0, v),
@@ -90,9 +105,11 @@ RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals
   const Facing two(round, with_random_rows(5, 2, 6, 3, random), true);
   for (const FacingPiece& piece : two.traces.pieces)
     for (const bool last : {false, true}) {
-      const double s = last ? piece.end : piece.begin, opposite = last ? piece.opposite_end : piece.opposite_begin;
-      const Eigen::Vector2d n = two.direction(piece.contact_edge, s),
-                            ray = two.on(piece.opposite_edge, opposite) - two.on(two.line.edge[piece.contact_edge], s);
+      const double s = last ? piece.end : piece.begin,
+                   opposite = last ? piece.opposite_end : piece.opposite_begin;
+      const Vector2d n = two.direction(piece.contact_edge, s),
+                     ray = two.on(piece.opposite_edge, opposite) -
+                           two.on(two.line.edge[piece.contact_edge], s);
       RC_ASSERT(std::abs(n.x() * ray.y() - n.y() * ray.x()) < 1e-9);
       const int node = two.line.edge_node(last, piece.contact_edge);
       if (s == last) RC_ASSERT(std::abs(two.traces.gap[node] - ray.norm()) < 1e-9);
@@ -102,7 +119,8 @@ RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals
 TEST(FacingTraces, gap_is_measured_along_the_normal_and_negative_where_bodies_overlap) {
   Mesh lower = rectangle(3, 1, 6, 3);
   for (int v = 0; v < lower.vertex_count(); ++v)
-    if (lower.vertices(1, v) == 3) lower.vertices(1, v) += 0.1 * (lower.vertices(0, v) - 3);
+    if (lower.vertices(1, v) == 3)
+      lower.vertices(1, v) += 0.1 * (lower.vertices(0, v) - 3);
   const Facing two(shifted(rectangle(4, 1, 4, 2), {1, 3}), lower);
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(two.traces.gap[i], -0.1 * (i - 2), 1e-14);
 }
@@ -114,9 +132,11 @@ TEST(FacingTraces, distances_within_the_rounding_of_coordinates_are_no_gap) {
     mesh.vertices = (mesh.vertices / unit).array().round().matrix() * unit;
     return mesh;
   };
-  const Facing two(rounded(shifted(rectangle(7, 2, 4, 2), {0, 2})), rounded(rectangle(9, 2, 4, 2)));
+  const Facing two(rounded(shifted(rectangle(7, 2, 4, 2), {0, 2})),
+                   rounded(rectangle(9, 2, 4, 2)));
   EXPECT_TRUE(two.traces.gap.isZero(0));
-  const Facing apart(rounded(shifted(rectangle(7, 2, 4, 2), {0, 2.0001})), rounded(rectangle(9, 2, 4, 2)));
+  const Facing apart(rounded(shifted(rectangle(7, 2, 4, 2), {0, 2.0001})),
+                     rounded(rectangle(9, 2, 4, 2)));
   EXPECT_GT(apart.traces.gap.minCoeff(), 0.9e-4);
 }
 
@@ -124,12 +144,14 @@ TEST(FacingTraces, takes_the_nearest_of_several_edges_on_a_ray) {
   Mesh lower = joined(rectangle(2, 2, 4, 2), shifted(rectangle(3, 1, 4, 1), {0, -3}));
   lower.boundary_label.tail(8).array() -= 10;
   const Facing two(shifted(rectangle(4, 1, 4, 1), {0, 2.25}), lower);
-  EXPECT_EQ(two.traces.gap, Eigen::VectorXd::Constant(5, 0.25));
+  EXPECT_EQ(two.traces.gap, VectorXd::Constant(5, 0.25));
   ASSERT_EQ(two.traces.pieces.size(), 4u);  // the vertices of the lower edges cut nothing
   for (const FacingPiece& piece : two.traces.pieces) {
     const int own = two.line.edge[piece.contact_edge];
-    EXPECT_NEAR(two.on(own, piece.begin).x(), two.on(piece.opposite_edge, piece.opposite_begin).x(), 1e-14);
-    EXPECT_NEAR(two.on(own, piece.end).x(), two.on(piece.opposite_edge, piece.opposite_end).x(), 1e-14);
+    EXPECT_NEAR(two.on(own, piece.begin).x(),
+                two.on(piece.opposite_edge, piece.opposite_begin).x(), 1e-14);
+    EXPECT_NEAR(two.on(own, piece.end).x(),
+                two.on(piece.opposite_edge, piece.opposite_end).x(), 1e-14);
   }
 }
 
@@ -137,31 +159,36 @@ TEST(FacingTraces, gap_above_a_step_is_that_of_the_higher_side) {
   Mesh lower = joined(rectangle(1, 1, 2, 2), shifted(rectangle(1, 1, 2, 1.5), {2, 0}));
   lower.boundary_label.tail(4).array() -= 10;
   const Facing two(shifted(rectangle(2, 1, 4, 1), {0, 2.25}), lower);
-  EXPECT_EQ(two.traces.gap, Eigen::Vector3d(0.25, 0.25, 0.75));
+  EXPECT_EQ(two.traces.gap, Vector3d(0.25, 0.25, 0.75));
 }
 
 TEST(FacingTraces, refuses_a_line_that_faces_nothing) {
   const auto refusal_at = [&](double x) {
-    return refusal([&] { Facing(shifted(rectangle(2, 1, 2, 1), {x, 1}), rectangle(2, 1, 2, 1)); });
+    return refusal([&] {
+      Facing(shifted(rectangle(2, 1, 2, 1), {x, 1}), rectangle(2, 1, 2, 1));
+    });
   };
   EXPECT_EQ(refusal_at(0), "accepted");
   EXPECT_EQ(refusal_at(1.5), "accepted");
-  EXPECT_TRUE(says(refusal_at(2), "no point of the contact line, as (2.5, 1), faces an edge")) << refusal_at(2);
+  EXPECT_TRUE(
+      says(refusal_at(2), "no point of the contact line, as (2.5, 1), faces an edge"))
+      << refusal_at(2);
 }
 
 /// A row of four edges of length 1 from (0, 1), on a body from `begin` to `end`.
 Facing overhanging(double begin, double end) {
-  return Facing(shifted(rectangle(4, 1, 4, 1), {0, 1}), shifted(rectangle(1, 1, end - begin, 1), {begin, 0}));
+  return Facing(shifted(rectangle(4, 1, 4, 1), {0, 1}),
+                shifted(rectangle(1, 1, end - begin, 1), {begin, 0}));
 }
 
 TEST(FacingLine, ends_where_the_opposite_body_ends) {
   const ContactLine line = overhanging(0.75, 3.375).line;
-  Eigen::Matrix2Xd part(2, 4);
+  Matrix2Xd part(2, 4);
   part << 0.75, 0, 0, 0, 1, 1, 1, 0.375;
   EXPECT_LT((line.part - part).cwiseAbs().maxCoeff(), 1e-14);
-  EXPECT_LT((line.length - Eigen::Vector4d(0.25, 1, 1, 0.375)).cwiseAbs().maxCoeff(), 1e-14);
-  EXPECT_EQ(line.abscissa, Eigen::Vector3d(1, 2, 3));
-  Eigen::Matrix2Xi nodes(2, 4);
+  EXPECT_LT((line.length - Vector4d(0.25, 1, 1, 0.375)).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_EQ(line.abscissa, Vector3d(1, 2, 3));
+  Matrix2Xi nodes(2, 4);
   nodes << 0, 0, 1, 2, 0, 1, 2, 2;
   EXPECT_EQ(line.edge_node, nodes);
   EXPECT_NEAR(contact_mass(line).sum(), 2.625, 1e-14);
@@ -170,14 +197,16 @@ TEST(FacingLine, ends_where_the_opposite_body_ends) {
 TEST(FacingLine, drops_edges_that_face_nothing) {
   const ContactLine line = overhanging(1, 3).line;
   EXPECT_EQ(line.part.size(), 0);
-  EXPECT_EQ(line.abscissa, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(line.abscissa, Vector3d(1, 2, 3));
 }
 
-/// Between two vertices, or on two parts of edges, multipliers must hold the moment of a body on one edge: two nodes at least.
+/// Between two vertices, or on two parts of edges, multipliers must hold the moment of a
+/// body on one edge: two nodes at least.
 TEST(FacingLine, on_few_edges_has_nodes_at_its_ends) {
-  const ContactLine within = overhanging(1.25, 1.5).line, about = overhanging(1.75, 2.125).line;
-  EXPECT_EQ(within.abscissa, Eigen::Vector2d(1.25, 1.5));
-  EXPECT_EQ(about.abscissa, Eigen::Vector2d(1.75, 2));
+  const ContactLine within = overhanging(1.25, 1.5).line,
+                    about = overhanging(1.75, 2.125).line;
+  EXPECT_EQ(within.abscissa, Vector2d(1.25, 1.5));
+  EXPECT_EQ(about.abscissa, Vector2d(1.75, 2));
   EXPECT_TRUE(is_constant_on(about, 1));
 }
 
@@ -193,71 +222,88 @@ TEST(FacingLine, ends_at_a_vertex_that_the_opposite_end_all_but_meets) {
 
 /// Either line on the other, each going on beyond the other somewhere.
 Facing random_overhang(std::mt19937& random) {
-  const int upper = 1 + static_cast<int>(random() % 7), lower = 1 + static_cast<int>(random() % 7);
+  const int upper = 1 + static_cast<int>(random() % 7),
+            lower = 1 + static_cast<int>(random() % 7);
   const double x = -3.5 + 0.01 * static_cast<double>(random() % 900);
-  return Facing(shifted(with_random_rows(upper, 2, 4, 2, random), {x, 3}), with_random_rows(lower, 2, 6, 3, random));
+  return Facing(shifted(with_random_rows(upper, 2, 4, 2, random), {x, 3}),
+                with_random_rows(lower, 2, 6, 3, random));
 }
 
 RC_GTEST_PROP(FacingLine, has_no_jump_where_both_traces_move_linearly, (Random random)) {
   const Facing two = random_overhang(random);
-  const Eigen::Vector3d a = random_vector(3, random), b = random_vector(3, random);
-  const Eigen::VectorXd u = nodal_values(two.joined.mesh, [&](const Eigen::Vector2d& x) {
-    return Eigen::Vector2d(a[0] + a[1] * x.x() + a[2] * x.y(), b[0] + b[1] * x.x() + b[2] * x.y());
+  const Vector3d a = random_vector(3, random), b = random_vector(3, random);
+  const VectorXd u = nodal_values(two.joined.mesh, [&](const Vector2d& x) {
+    return Vector2d(a[0] + a[1] * x.x() + a[2] * x.y(),
+                    b[0] + b[1] * x.x() + b[2] * x.y());
   });
   RC_ASSERT(contact_components(two.line, u).cwiseAbs().maxCoeff() < 1e-10);
 }
 
-RC_GTEST_PROP(FacingLine, integrals_of_the_jump_are_exact_where_it_ends_within_edges, (Random random)) {
+RC_GTEST_PROP(FacingLine, integrals_of_the_jump_are_exact_where_it_ends_within_edges,
+              (Random random)) {
   const Facing two = random_overhang(random);
   const ContactLine& line = two.line;
-  const Eigen::VectorXd u = random_vector(two.joined.mesh.vertices.cols(), random);
+  const VectorXd u = random_vector(two.joined.mesh.vertices.cols(), random);
   const auto on_edge = [&](int edge, double s) {
     return (1 - s) * u[two.edges.vertices(0, edge)] + s * u[two.edges.vertices(1, edge)];
   };
-  Eigen::VectorXd exact = Eigen::VectorXd::Zero(line.node_count());
+  VectorXd exact = VectorXd::Zero(line.node_count());
   for (const FacingPiece& piece : line.pieces)
     for (int k = 0; k < 3; ++k) {
       const int e = piece.contact_edge, edge = line.edge[e];
       const double x = piece.begin + k / 2.0 * (piece.end - piece.begin);
-      const double y = piece.opposite_begin + k / 2.0 * (piece.opposite_end - piece.opposite_begin);
-      const double length = edge_vector(two.joined.mesh, two.edges, edge).norm() * (piece.end - piece.begin);
-      const double value = length * (k == 1 ? 4 : 1) / 6 * (on_edge(edge, x) - on_edge(piece.opposite_edge, y));
+      const double y =
+          piece.opposite_begin + k / 2.0 * (piece.opposite_end - piece.opposite_begin);
+      const double length = edge_vector(two.joined.mesh, two.edges, edge).norm() *
+                            (piece.end - piece.begin);
+      const double value = length * (k == 1 ? 4 : 1) / 6 *
+                           (on_edge(edge, x) - on_edge(piece.opposite_edge, y));
       exact[line.edge_node(0, e)] += (1 - line.share(e, x)) * value;
       exact[line.edge_node(1, e)] += line.share(e, x) * value;
     }
-  Eigen::VectorXd at_nodes(line.node_count());
+  VectorXd at_nodes(line.node_count());
   for (int i = 0; i < line.node_count(); ++i) at_nodes[i] = u[line.vertex[i]];
-  RC_ASSERT((contact_mass(line) * (at_nodes - line.opposite * u) - exact).cwiseAbs().maxCoeff() < 1e-12);
+  RC_ASSERT((contact_mass(line) * (at_nodes - line.opposite * u) - exact)
+                .cwiseAbs()
+                .maxCoeff() < 1e-12);
 }
 
 RC_GTEST_PROP(ExchangedLine, is_that_of_the_opposite_body, (Random random)) {
   const Facing two = random_overhang(random);
-  const std::vector<int> upper{two.joined.label(0, bottom)}, lower{two.joined.label(1, top)};
+  const std::vector<int> upper{two.joined.label(0, bottom)},
+      lower{two.joined.label(1, top)};
   const ContactLine other = contact_line(two.joined.mesh, two.edges, lower);
   const ContactLine expected =
-      facing_line(two.joined.mesh, two.edges, other, facing_traces(two.joined.mesh, two.edges, other, upper));
+      facing_line(two.joined.mesh, two.edges, other,
+                  facing_traces(two.joined.mesh, two.edges, other, upper));
   const auto exchanged = exchanged_line(two.joined.mesh, two.edges, two.line, lower);
   RC_ASSERT(exchanged.has_value());
-  RC_ASSERT(exchanged->vertex == expected.vertex && exchanged->edge_node == expected.edge_node);
-  RC_ASSERT(exchanged->edge == expected.edge && exchanged->part.cols() == expected.part.cols());
+  RC_ASSERT(exchanged->vertex == expected.vertex &&
+            exchanged->edge_node == expected.edge_node);
+  RC_ASSERT(exchanged->edge == expected.edge &&
+            exchanged->part.cols() == expected.part.cols());
   RC_ASSERT((exchanged->normal - expected.normal).cwiseAbs().maxCoeff() < 1e-12);
   RC_ASSERT((exchanged->abscissa - expected.abscissa).cwiseAbs().maxCoeff() < 1e-9);
   RC_ASSERT((exchanged->length - expected.length).cwiseAbs().maxCoeff() < 1e-9);
-  RC_ASSERT(Eigen::MatrixXd(exchanged->opposite - expected.opposite).cwiseAbs().maxCoeff() < 1e-7);
+  RC_ASSERT(MatrixXd(exchanged->opposite - expected.opposite).cwiseAbs().maxCoeff() <
+            1e-7);
   RC_ASSERT(facing_gap(*exchanged).isZero(0));
 }
 
 TEST(ExchangedLine, keeps_the_gap_and_turns_directions_round) {
   Mesh lower = rectangle(3, 1, 6, 3);
   for (int v = 0; v < lower.vertex_count(); ++v)
-    if (lower.vertices(1, v) == 3) lower.vertices(1, v) -= 0.1 * std::abs(lower.vertices(0, v) - 2);
+    if (lower.vertices(1, v) == 3)
+      lower.vertices(1, v) -= 0.1 * std::abs(lower.vertices(0, v) - 2);
   const Facing two(shifted(rectangle(4, 1, 4, 2), {1, 3}), lower);
-  const auto exchanged = exchanged_line(two.joined.mesh, two.edges, two.line, {two.joined.label(1, top)});
+  const auto exchanged =
+      exchanged_line(two.joined.mesh, two.edges, two.line, {two.joined.label(1, top)});
   ASSERT_TRUE(exchanged.has_value());
-  ASSERT_EQ(exchanged->node_count(), 2);  // one node a vertex, though the lower side turns
+  // one node a vertex, though the lower side turns
+  ASSERT_EQ(exchanged->node_count(), 2);
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(exchanged->normal.col(i), Eigen::Vector2d(0, 1));
-    const Eigen::Vector2d x = two.joined.mesh.place(exchanged->vertex[i]);
+    EXPECT_EQ(exchanged->normal.col(i), Vector2d(0, 1));
+    const Vector2d x = two.joined.mesh.place(exchanged->vertex[i]);
     EXPECT_NEAR(facing_gap(*exchanged)[i], 0.1 * std::abs(x.x() - 2), 1e-14);
   }
 }
@@ -265,45 +311,57 @@ TEST(ExchangedLine, keeps_the_gap_and_turns_directions_round) {
 TEST(ExchangedLine, is_none_where_two_parts_face_one_place) {
   Mesh hollow = shifted(rectangle(4, 2, 4, 2), {0, 2});
   for (int v = 0; v < hollow.vertex_count(); ++v)
-    if (hollow.vertices(1, v) == 2) hollow.vertices(1, v) += 0.3 * (2 - std::abs(hollow.vertices(0, v) - 2));
+    if (hollow.vertices(1, v) == 2)
+      hollow.vertices(1, v) += 0.3 * (2 - std::abs(hollow.vertices(0, v) - 2));
   const Facing two(hollow, shifted(rectangle(7, 2, 6, 1.9), {-1, 0}));
-  EXPECT_FALSE(exchanged_line(two.joined.mesh, two.edges, two.line, {two.joined.label(1, top)}).has_value());
+  EXPECT_FALSE(
+      exchanged_line(two.joined.mesh, two.edges, two.line, {two.joined.label(1, top)})
+          .has_value());
 }
 
-RC_GTEST_PROP(FacingLine, integrals_of_the_opposite_displacement_are_exact, (Random random)) {
+RC_GTEST_PROP(FacingLine, integrals_of_the_opposite_displacement_are_exact,
+              (Random random)) {
   const Facing two = random_rows(random);
-  const Eigen::VectorXd u = random_vector(two.joined.mesh.vertices.cols(), random);
+  const VectorXd u = random_vector(two.joined.mesh.vertices.cols(), random);
   // int psi_i u by Simpson's rule on every piece, exact for products of linear functions
-  Eigen::VectorXd exact = Eigen::VectorXd::Zero(two.line.node_count());
+  VectorXd exact = VectorXd::Zero(two.line.node_count());
   for (const FacingPiece& piece : two.line.pieces)
     for (int k = 0; k < 3; ++k) {
       const double x = piece.begin + k / 2.0 * (piece.end - piece.begin);
-      const double y = piece.opposite_begin + k / 2.0 * (piece.opposite_end - piece.opposite_begin);
-      const double weight = two.line.length[piece.contact_edge] * (piece.end - piece.begin) * (k == 1 ? 4 : 1) / 6;
-      const double value =
-          (1 - y) * u[two.edges.vertices(0, piece.opposite_edge)] + y * u[two.edges.vertices(1, piece.opposite_edge)];
+      const double y =
+          piece.opposite_begin + k / 2.0 * (piece.opposite_end - piece.opposite_begin);
+      const double weight = two.line.length[piece.contact_edge] *
+                            (piece.end - piece.begin) * (k == 1 ? 4 : 1) / 6;
+      const double value = (1 - y) * u[two.edges.vertices(0, piece.opposite_edge)] +
+                           y * u[two.edges.vertices(1, piece.opposite_edge)];
       exact[two.line.edge_node(0, piece.contact_edge)] += weight * (1 - x) * value;
       exact[two.line.edge_node(1, piece.contact_edge)] += weight * x * value;
     }
-  RC_ASSERT((contact_mass(two.line) * (two.line.opposite * u) - exact).cwiseAbs().maxCoeff() < 1e-13);
+  RC_ASSERT(
+      (contact_mass(two.line) * (two.line.opposite * u) - exact).cwiseAbs().maxCoeff() <
+      1e-13);
 }
 
 RC_GTEST_PROP(FacingLine, has_no_jump_where_both_bodies_move_alike, (Random random)) {
   const Facing two = random_rows(random);
-  const Eigen::Vector2d by = random_vector(2, random);
-  const Eigen::VectorXd u = nodal_values(two.joined.mesh, [&](const Eigen::Vector2d&) { return by; });
+  const Vector2d by = random_vector(2, random);
+  const VectorXd u = nodal_values(two.joined.mesh, [&](const Vector2d&) { return by; });
   RC_ASSERT(contact_components(two.line, u).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 RC_GTEST_PROP(JoinedLines, are_the_lines_one_after_the_other, (Random random)) {
   const Facing two = random_rows(random);
-  const ContactLine alone = contact_line(two.joined.mesh, two.edges, {two.joined.label(0, top)});
+  const ContactLine alone =
+      contact_line(two.joined.mesh, two.edges, {two.joined.label(0, top)});
   const ContactLine both = joined_lines({alone, two.line});
   const int p = alone.node_count(), m = alone.edge_count();
-  RC_ASSERT(both.node_count() == p + two.line.node_count() && both.edge_count() == m + two.line.edge_count());
+  RC_ASSERT(both.node_count() == p + two.line.node_count() &&
+            both.edge_count() == m + two.line.edge_count());
   RC_ASSERT(both.vertex.tail(two.line.node_count()) == two.line.vertex);
-  RC_ASSERT(both.normal.leftCols(p) == alone.normal && both.normal.rightCols(two.line.node_count()) == two.line.normal);
-  RC_ASSERT(both.edge_node.rightCols(two.line.edge_count()) == (two.line.edge_node.array() + p).matrix());
+  RC_ASSERT(both.normal.leftCols(p) == alone.normal &&
+            both.normal.rightCols(two.line.node_count()) == two.line.normal);
+  RC_ASSERT(both.edge_node.rightCols(two.line.edge_count()) ==
+            (two.line.edge_node.array() + p).matrix());
   RC_ASSERT(both.edge.tail(two.line.edge_count()) == two.line.edge);
   RC_ASSERT(both.length.tail(two.line.edge_count()) == two.line.length);
   RC_ASSERT(both.abscissa.tail(two.line.node_count()) == two.line.abscissa);
@@ -314,9 +372,9 @@ RC_GTEST_PROP(JoinedLines, are_the_lines_one_after_the_other, (Random random)) {
     RC_ASSERT(both.pieces[k].contact_edge == two.line.pieces[k].contact_edge + m);
     RC_ASSERT(both.pieces[k].opposite_edge == two.line.pieces[k].opposite_edge);
   }
-  const Eigen::MatrixXd opposite = both.opposite;
+  const MatrixXd opposite = both.opposite;
   RC_ASSERT(opposite.topRows(p).isZero(0) &&
-            opposite.bottomRows(two.line.node_count()) == Eigen::MatrixXd(two.line.opposite));
+            opposite.bottomRows(two.line.node_count()) == MatrixXd(two.line.opposite));
 }
 
 }  // namespace

@@ -27,9 +27,10 @@ Mesh block_on_arc(int n, double radius) {
 }
 
 int count_of(const std::vector<BoundaryPart>& parts, int label, bool straight) {
-  return static_cast<int>(std::count_if(parts.begin(), parts.end(), [&](const BoundaryPart& part) {
-    return part.label == label && part.straight() == straight;
-  }));
+  return static_cast<int>(
+      std::count_if(parts.begin(), parts.end(), [&](const BoundaryPart& part) {
+        return part.label == label && part.straight() == straight;
+      }));
 }
 
 /// The vertices of one label, without its ends, moved at random.
@@ -40,11 +41,12 @@ Mesh disturbed(Mesh mesh, int label, double by, std::mt19937& random) {
       for (int v : mesh.boundary.col(b)) ++degree[v];
   std::uniform_real_distribution<double> shift(-by, by);
   for (const auto& [vertex, edges] : degree)
-    if (edges == 2) mesh.vertices.col(vertex) += Eigen::Vector2d(shift(random), shift(random));
+    if (edges == 2) mesh.vertices.col(vertex) += Vector2d(shift(random), shift(random));
   return mesh;
 }
 
-RC_GTEST_PROP(BoundaryParts, of_a_rectangle_are_its_sides_whatever_the_labels, (Random random)) {
+RC_GTEST_PROP(BoundaryParts, of_a_rectangle_are_its_sides_whatever_the_labels,
+              (Random random)) {
   Mesh mesh = rotated(irregular(4, 3, 4, 3, random), 0.3);
   RC_ASSERT(boundary_parts(mesh, corner).size() == 4);
   mesh.boundary_label.setConstant(7);
@@ -63,7 +65,7 @@ TEST(BoundaryParts, are_lines_and_curves) {
 TEST(BoundaryParts, of_a_closed_curve_are_one) {
   Mesh mesh = rectangle(12, 12, 2, 2);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    Eigen::Vector2d x = mesh.vertices.col(v) - Eigen::Vector2d(1, 1);
+    Vector2d x = mesh.vertices.col(v) - Vector2d(1, 1);
     if (x.norm() > 0) mesh.vertices.col(v) = x * x.cwiseAbs().maxCoeff() / x.norm();
     if (x.norm() == 0) mesh.vertices.col(v).setZero();
   }
@@ -94,22 +96,26 @@ TEST(BoundaryParts, of_a_curve_end_where_the_label_changes_and_know_the_whole_cu
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   EXPECT_EQ(count_of(parts, 9, false), 1);
   EXPECT_EQ(count_of(parts, bottom, false), 1);
-  for (const BoundaryPart& part : parts) EXPECT_EQ(part.curve.size(), part.straight() ? 0u : 13u);
+  for (const BoundaryPart& part : parts)
+    EXPECT_EQ(part.curve.size(), part.straight() ? 0u : 13u);
 }
 
 TEST(BoundaryParts, labels_are_their_own) {
   const Mesh mesh = rectangle(3, 2, 3, 2);
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
-  const Eigen::VectorXi labels = labelled_by_parts(mesh, parts);
+  const VectorXi labels = labelled_by_parts(mesh, parts);
   for (int b = 0; b < labels.size(); ++b) {
     EXPECT_GT(labels[b], left);
     for (int other = 0; other < b; ++other)
-      EXPECT_EQ(labels[b] == labels[other], mesh.boundary_label[b] == mesh.boundary_label[other]);
+      EXPECT_EQ(labels[b] == labels[other],
+                mesh.boundary_label[b] == mesh.boundary_label[other]);
   }
 }
 
 TEST(SmallestCorner, is_between_the_turns_of_curves_and_corners) {
-  const auto angle = [](const Mesh& mesh) { return smallest_corner(mesh, boundary_parts(mesh, corner), corner); };
+  const auto angle = [](const Mesh& mesh) {
+    return smallest_corner(mesh, boundary_parts(mesh, corner), corner);
+  };
   EXPECT_LT(angle(rectangle(3, 3, 3, 3)), corner);
   const double turn = 2 * std::asin(2 / 6.0) / 12;
   EXPECT_GT(angle(block_on_arc(12, 6)), 1.2 * turn);
@@ -131,18 +137,20 @@ RC_GTEST_PROP(MovedOntoParts, puts_vertices_back_on_straight_lines, (Random rand
         fine.boundary_label[b] = labelled.boundary_label[c];
         break;
       }
-  const Mesh moved = moved_onto_parts(disturbed(fine, part_label(mesh, 0), 0.1, random), mesh, parts);
+  const Mesh moved =
+      moved_onto_parts(disturbed(fine, part_label(mesh, 0), 0.1, random), mesh, parts);
   const Mesh back = rotated(moved, -0.3);
   double area = 0;
-  for (int t = 0; t < moved.triangle_count(); ++t) {
+  for (int t = 0; t < moved.cell_count(); ++t) {
     RC_ASSERT(signed_area(moved, t) > 0);
     area += signed_area(moved, t);
   }
   RC_ASSERT(std::abs(area - 12) < 1e-12 * 12);
   for (int b = 0; b < fine.boundary.cols(); ++b)
     for (int v : fine.boundary.col(b)) {
-      const Eigen::Vector2d x = back.vertices.col(v);
-      const double off = std::min({std::abs(x.x()), std::abs(x.x() - 4), std::abs(x.y()), std::abs(x.y() - 3)});
+      const Vector2d x = back.vertices.col(v);
+      const double off = std::min(
+          {std::abs(x.x()), std::abs(x.x() - 4), std::abs(x.y()), std::abs(x.y() - 3)});
       RC_ASSERT(off < 1e-14);
     }
 }
@@ -153,16 +161,19 @@ TEST(MovedOntoParts, puts_vertices_of_chords_on_the_circle_and_corners_on_corner
   Mesh labelled = mesh;
   labelled.boundary_label = labelled_by_parts(mesh, parts);
   Mesh fine = labelled;
-  for (int level = 0; level < 3; ++level) fine = refined(fine, triangles_near(fine, {2, -6}, 10));
-  fine.vertices.col(0) += Eigen::Vector2d(1e-7, 1e-7);  // a corner: its label is the first
+  for (int level = 0; level < 3; ++level)
+    fine = refined(fine, triangles_near(fine, {2, -6}, 10));
+  fine.vertices.col(0) += Vector2d(1e-7, 1e-7);  // a corner: its label is the first
   const Mesh moved = moved_onto_parts(fine, mesh, parts);
   EXPECT_EQ(moved.vertices.col(0), mesh.vertices.col(0));
   double before = 0, after = 0;
   for (int b = 0; b < fine.boundary.cols(); ++b)
     if (fine.boundary_label[b] == labelled.boundary_label[0])
       for (int v : fine.boundary.col(b)) {
-        before = std::max(before, std::abs((fine.vertices.col(v) - Eigen::Vector2d(2, 0)).norm() - 6));
-        after = std::max(after, std::abs((moved.vertices.col(v) - Eigen::Vector2d(2, 0)).norm() - 6));
+        before = std::max(before,
+                          std::abs((fine.vertices.col(v) - Vector2d(2, 0)).norm() - 6));
+        after = std::max(after,
+                         std::abs((moved.vertices.col(v) - Vector2d(2, 0)).norm() - 6));
       }
   EXPECT_GT(before, 1e-3);
   EXPECT_LT(after, 1e-7);
@@ -173,10 +184,11 @@ TEST(MovedOntoParts, lets_inner_vertices_give_way) {
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   Mesh fine = mesh;
   fine.boundary_label = labelled_by_parts(mesh, parts);
-  for (int i = 1; i < 6; ++i) fine.vertices(1, 7 + i) = fine.vertices(1, i) - 0.001;  // above, but for a hair below
+  // above, but for a hair below
+  for (int i = 1; i < 6; ++i) fine.vertices(1, 7 + i) = fine.vertices(1, i) - 0.001;
   for (int i = 1; i < 6; ++i) fine.vertices(1, i) -= 0.3;
   const Mesh moved = moved_onto_parts(fine, mesh, parts);
-  for (int t = 0; t < moved.triangle_count(); ++t) EXPECT_GT(signed_area(moved, t), 0);
+  for (int t = 0; t < moved.cell_count(); ++t) EXPECT_GT(signed_area(moved, t), 0);
 }
 
 TEST(MovedOntoParts, refuses_triangles_that_turn_over) {
@@ -184,7 +196,8 @@ TEST(MovedOntoParts, refuses_triangles_that_turn_over) {
   Mesh fine = mesh;
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   fine.boundary_label = labelled_by_parts(mesh, parts);
-  fine.vertices.col(1) << 1.5, -1;  // positive triangles, but the wrong order along the side
+  // positive triangles, but the wrong order along the side
+  fine.vertices.col(1) << 1.5, -1;
   fine.vertices.col(2) << 1.4, -3;
   EXPECT_TRUE(says(refusal([&] { moved_onto_parts(fine, mesh, parts); }), "turns over"));
 }

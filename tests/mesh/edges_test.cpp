@@ -18,7 +18,9 @@ std::string refusal_of(const Mesh& mesh) {
   return refusal([&] { edges_of(mesh); });
 }
 
-std::set<int> ends(const Edges& edges, int e) { return {edges.vertices(0, e), edges.vertices(1, e)}; }
+std::set<int> ends(const Edges& edges, int e) {
+  return {edges.vertices(0, e), edges.vertices(1, e)};
+}
 
 /// A square of two triangles with one labelled edge more than its sides.
 Mesh square_with_labelled_edge(int a, int b) {
@@ -32,28 +34,29 @@ Mesh square_with_labelled_edge(int a, int b) {
 
 RC_GTEST_PROP(Edges, vertices_less_edges_plus_triangles_are_one, (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
-  RC_ASSERT(mesh.vertex_count() - edges_of(mesh).count() + mesh.triangle_count() == 1);
+  RC_ASSERT(mesh.vertex_count() - edges_of(mesh).count() + mesh.cell_count() == 1);
 }
 
 RC_GTEST_PROP(Edges, local_edge_k_is_opposite_to_local_vertex_k, (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const Edges edges = edges_of(mesh);
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const std::set<int> others{mesh.triangles((k + 1) % 3, t), mesh.triangles((k + 2) % 3, t)};
-      RC_ASSERT(ends(edges, edges.of_triangle(k, t)) == others);
+      const std::set<int> others{mesh.cells((k + 1) % 3, t), mesh.cells((k + 2) % 3, t)};
+      RC_ASSERT(ends(edges, edges.of_cell(k, t)) == others);
     }
 }
 
 RC_GTEST_PROP(Edges, eta_is_one_on_the_left_and_minus_one_on_the_right, (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const Edges edges = edges_of(mesh);
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const int e = edges.of_triangle(k, t);
-      RC_ASSERT(edges.eta(k, t) == (edges.triangles(0, e) == t ? 1 : -1));
-      RC_ASSERT(edges.triangles(edges.eta(k, t) > 0 ? 0 : 1, e) == t);
-      const Eigen::Vector2d to_apex = mesh.corner(t, k) - mesh.vertices.col(edges.vertices(0, e));
+      const int e = edges.of_cell(k, t);
+      RC_ASSERT(edges.eta(k, t) == (edges.cells(0, e) == t ? 1 : -1));
+      RC_ASSERT(edges.cells(edges.eta(k, t) > 0 ? 0 : 1, e) == t);
+      const Vector2d to_apex =
+          mesh.corner(t, k) - mesh.vertices.col(edges.vertices(0, e));
       RC_ASSERT(edges.eta(k, t) * edge_normal(mesh, edges, e).dot(to_apex) < 0);
     }
 }
@@ -64,7 +67,8 @@ RC_GTEST_PROP(Edges, boundary_runs_counter_clockwise_around_the_body, (Random ra
   double twice_area = 0;
   for (int e = 0; e < edges.count(); ++e) {
     if (!edges.on_boundary(e)) continue;
-    const Eigen::Vector2d a = mesh.vertices.col(edges.vertices(0, e)), b = mesh.vertices.col(edges.vertices(1, e));
+    const Vector2d a = mesh.vertices.col(edges.vertices(0, e)),
+                   b = mesh.vertices.col(edges.vertices(1, e));
     twice_area += a.x() * b.y() - a.y() * b.x();
   }
   RC_ASSERT(std::abs(twice_area - 24) < 24e-14);
@@ -73,22 +77,25 @@ RC_GTEST_PROP(Edges, boundary_runs_counter_clockwise_around_the_body, (Random ra
 RC_GTEST_PROP(Edges, outward_normals_follow_the_labels, (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const Edges edges = edges_of(mesh);
-  const std::map<int, Eigen::Vector2d> outward{{bottom, {0, -1}}, {right, {1, 0}}, {top, {0, 1}}, {left, {-1, 0}}};
+  const std::map<int, Vector2d> outward{
+      {bottom, {0, -1}}, {right, {1, 0}}, {top, {0, 1}}, {left, {-1, 0}}};
   int on_boundary = 0;
   for (int e = 0; e < edges.count(); ++e) {
     RC_ASSERT(edges.on_boundary(e) == (edges.boundary_index[e] >= 0));
     if (!edges.on_boundary(e)) continue;
     ++on_boundary;
     const int b = edges.boundary_index[e];
-    RC_ASSERT(ends(edges, e) == (std::set<int>{mesh.boundary(0, b), mesh.boundary(1, b)}));
-    RC_ASSERT((edge_normal(mesh, edges, e) - outward.at(mesh.boundary_label[b])).norm() < 1e-13);
+    RC_ASSERT(ends(edges, e) ==
+              (std::set<int>{mesh.boundary(0, b), mesh.boundary(1, b)}));
+    RC_ASSERT((edge_normal(mesh, edges, e) - outward.at(mesh.boundary_label[b])).norm() <
+              1e-13);
   }
   RC_ASSERT(on_boundary == mesh.boundary.cols());
 }
 
 TEST(Edges, a_labelled_edge_inside_the_body_is_allowed) {
   const Edges edges = edges_of(square_with_labelled_edge(0, 3));
-  const int diagonal = edges.of_triangle(1, 0);
+  const int diagonal = edges.of_cell(1, 0);
   EXPECT_FALSE(edges.on_boundary(diagonal));
   EXPECT_EQ(edges.boundary_index[diagonal], 4);
 }
@@ -101,32 +108,36 @@ TEST(Edges, refuses_a_boundary_edge_without_label) {
 }
 
 TEST(Edges, refuses_a_labelled_edge_of_no_triangle) {
-  EXPECT_EQ(refusal_of(square_with_labelled_edge(1, 2)), "labelled edge 4 belongs to no triangle");
+  EXPECT_EQ(refusal_of(square_with_labelled_edge(1, 2)),
+            "labelled edge 4 belongs to no triangle");
 }
 
 TEST(Edges, refuses_triangles_that_overlap) {
   Mesh mesh = rectangle(1, 1, 1, 1);
-  mesh.triangles.conservativeResize(Eigen::NoChange, 3);
-  mesh.triangles.col(2) = mesh.triangles.col(0);
-  EXPECT_EQ(refusal_of(mesh), "the edge between vertices 0 and 1 has triangles that overlap");
+  mesh.cells.conservativeResize(Eigen::NoChange, 3);
+  mesh.cells.col(2) = mesh.cells.col(0);
+  EXPECT_EQ(refusal_of(mesh),
+            "the edge between vertices 0 and 1 has triangles that overlap");
 }
 
 TEST(Edges, refuses_two_triangles_on_the_right_of_an_edge_with_one_on_its_left) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.vertices.resize(2, 5);
   mesh.vertices << 0, 1, 0.5, 0.5, 0.6, 0, 0, 1, -1, -0.8;
-  mesh.triangles.resize(3, 3);
-  mesh.triangles << 1, 1, 0, 0, 0, 1, 3, 4, 2;
-  EXPECT_EQ(refusal_of(mesh), "the edge between vertices 0 and 1 has triangles that overlap");
+  mesh.cells.resize(3, 3);
+  mesh.cells << 1, 1, 0, 0, 0, 1, 3, 4, 2;
+  EXPECT_EQ(refusal_of(mesh),
+            "the edge between vertices 0 and 1 has triangles that overlap");
 }
 
 TEST(Edges, refuses_a_third_triangle_on_an_edge) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.vertices.conservativeResize(Eigen::NoChange, 5);
   mesh.vertices.col(4) << 0.8, 0.1;
-  mesh.triangles.conservativeResize(Eigen::NoChange, 3);
-  mesh.triangles.col(2) << 0, 4, 3;
-  EXPECT_EQ(refusal_of(mesh), "the edge between vertices 0 and 3 has triangles that overlap");
+  mesh.cells.conservativeResize(Eigen::NoChange, 3);
+  mesh.cells.col(2) << 0, 4, 3;
+  EXPECT_EQ(refusal_of(mesh),
+            "the edge between vertices 0 and 3 has triangles that overlap");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ std::string refusal_of(const Mesh& mesh) {
 RC_GTEST_PROP(Mesh, areas_of_irregular_triangles_add_up_to_the_body, (Random random)) {
   const Mesh mesh = irregular(4, 3, 8, 6, random);
   double area = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+  for (int t = 0; t < mesh.cell_count(); ++t) {
     RC_ASSERT(signed_area(mesh, t) > 0);
     area += signed_area(mesh, t);
   }
@@ -30,17 +30,21 @@ RC_GTEST_PROP(Mesh, areas_of_irregular_triangles_add_up_to_the_body, (Random ran
 
 RC_GTEST_PROP(Mesh, hat_gradients_reproduce_linear_functions, (Random random)) {
   const Mesh mesh = irregular(3, 3, 3, 3, random);
-  const Eigen::Vector2d slope = random_vector(2, random);
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    Eigen::Vector3d values;
+  const Vector2d slope = random_vector(2, random);
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    Vector3d values;
     for (int k = 0; k < 3; ++k) values[k] = 1 + slope.dot(mesh.corner(t, k));
     RC_ASSERT((hat_gradients(mesh, t) * values - slope).norm() < 1e-11);
   }
 }
 
-TEST(Mesh, accepts_a_rectangle) { EXPECT_EQ(refusal_of(rectangle(3, 2, 3, 2)), "accepted"); }
+TEST(Mesh, accepts_a_rectangle) {
+  EXPECT_EQ(refusal_of(rectangle(3, 2, 3, 2)), "accepted");
+}
 
-TEST(Mesh, refuses_a_mesh_without_triangles) { EXPECT_EQ(refusal_of(Mesh{}), "the mesh has no triangles"); }
+TEST(Mesh, refuses_a_mesh_without_triangles) {
+  EXPECT_EQ(refusal_of(Mesh{}), "the mesh has no triangles");
+}
 
 TEST(Mesh, refuses_a_coordinate_that_is_not_finite) {
   Mesh mesh = rectangle(1, 1, 1, 1);
@@ -50,17 +54,18 @@ TEST(Mesh, refuses_a_coordinate_that_is_not_finite) {
 
 TEST(Mesh, refuses_a_triangle_that_turns_clockwise) {
   Mesh mesh = rectangle(1, 1, 1, 1);
-  std::swap(mesh.triangles(0, 1), mesh.triangles(1, 1));
+  std::swap(mesh.cells(0, 1), mesh.cells(1, 1));
   EXPECT_EQ(refusal_of(mesh), "triangle 1 has the area -0.5, not positive");
 }
 
 TEST(Mesh, refuses_a_vertex_out_of_range) {
   Mesh mesh = rectangle(1, 1, 1, 1);
-  mesh.triangles(2, 0) = 4;
+  mesh.cells(2, 0) = 4;
   EXPECT_EQ(refusal_of(mesh), "triangle 0 names vertex 4 of a mesh with 4 vertices");
   mesh = rectangle(1, 1, 1, 1);
   mesh.boundary(0, 3) = -1;
-  EXPECT_EQ(refusal_of(mesh), "boundary edge 3 names vertex -1 of a mesh with 4 vertices");
+  EXPECT_EQ(refusal_of(mesh),
+            "boundary edge 3 names vertex -1 of a mesh with 4 vertices");
 }
 
 TEST(Mesh, refuses_boundary_edges_without_label) {

@@ -14,7 +14,9 @@ using namespace test;
 
 constexpr double pi = 3.14159265358979323846;
 
-Eigen::Vector2d on_circle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
+Vector2d on_circle(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
 
 /// Angles between 0 and `to` whose steps differ by up to a factor of three.
 std::vector<double> uneven_angles(int steps, double to, std::mt19937& random) {
@@ -25,10 +27,10 @@ std::vector<double> uneven_angles(int steps, double to, std::mt19937& random) {
   return angles;
 }
 
-Eigen::Matrix2Xd points_at(double radius, const std::vector<double>& angles) {
-  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(angles.size()));
+Matrix2Xd points_at(double radius, const std::vector<double>& angles) {
+  Matrix2Xd points(2, static_cast<Index>(angles.size()));
   for (std::size_t k = 0; k < angles.size(); ++k)
-    points.col(static_cast<Eigen::Index>(k)) = on_circle(radius, angles[k]);
+    points.col(static_cast<Index>(k)) = on_circle(radius, angles[k]);
   return points;
 }
 
@@ -38,25 +40,32 @@ RC_GTEST_PROP(SmoothCurve, through_points_of_a_circle_is_the_circle, (Random ran
   double widest = 0;
   for (int k = 0; k < 12; ++k) widest = std::max(widest, angles[k + 1] - angles[k]);
   for (std::size_t k = 0; k < angles.size(); ++k)
-    RC_ASSERT(curve.tangents.col(static_cast<Eigen::Index>(k)).dot(on_circle(1, angles[k] + pi / 2)) > 1 - 1e-14);
+    RC_ASSERT(
+        curve.tangents.col(static_cast<Index>(k)).dot(on_circle(1, angles[k] + pi / 2)) >
+        1 - 1e-14);
   for (int piece = 0; piece < 12; ++piece)
     for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0})
-      RC_ASSERT(std::abs(curve.at(piece, s).norm() - 50) < 50 * 4e-5 * std::pow(widest, 6) + 1e-13);
+      RC_ASSERT(std::abs(curve.at(piece, s).norm() - 50) <
+                50 * 4e-5 * std::pow(widest, 6) + 1e-13);
 }
 
-RC_GTEST_PROP(SmoothCurve, beside_a_point_is_its_neighbour_on_the_circle, (Random random)) {
-  const SmoothCurve curve = smooth_curve(points_at(50, uneven_angles(40, 2, random)), false);
+RC_GTEST_PROP(SmoothCurve, beside_a_point_is_its_neighbour_on_the_circle,
+              (Random random)) {
+  const SmoothCurve curve =
+      smooth_curve(points_at(50, uneven_angles(40, 2, random)), false);
   std::uniform_real_distribution<double> angle(0, 2), off(-0.1, 0.1);
   for (int k = 0; k < 20; ++k) {
     const double a = angle(random);
-    RC_ASSERT((curve.beside(on_circle(50 + off(random), a)) - on_circle(50, a)).norm() < 0.005);
+    RC_ASSERT((curve.beside(on_circle(50 + off(random), a)) - on_circle(50, a)).norm() <
+              0.005);
   }
 }
 
 TEST(SmoothCurve, keeps_its_points_and_ends) {
-  const Eigen::Matrix2Xd points = points_at(3, {0, 0.1, 0.3, 0.4});
+  const Matrix2Xd points = points_at(3, {0, 0.1, 0.3, 0.4});
   const SmoothCurve curve = smooth_curve(points, false);
-  for (int k = 0; k < 4; ++k) EXPECT_LT((curve.beside(points.col(k)) - points.col(k)).norm(), 1e-14);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_LT((curve.beside(points.col(k)) - points.col(k)).norm(), 1e-14);
   EXPECT_LT((curve.beside(on_circle(3, -0.05)) - points.col(0)).norm(), 1e-14);
   EXPECT_LT((curve.beside(on_circle(3, 0.45)) - points.col(3)).norm(), 1e-14);
 }
@@ -65,9 +74,9 @@ TEST(SmoothCurve, that_is_closed_has_no_end) {
   std::vector<double> angles;
   for (int k = 0; k <= 16; ++k) angles.push_back(2 * pi * k / 16);
   const SmoothCurve closed = smooth_curve(points_at(1, angles), true);
-  EXPECT_LT((closed.tangents.col(0) - Eigen::Vector2d(0, 1)).norm(), 1e-13);
+  EXPECT_LT((closed.tangents.col(0) - Vector2d(0, 1)).norm(), 1e-13);
   EXPECT_EQ(closed.tangents.col(0), closed.tangents.col(16));
-  Eigen::Matrix2Xd ellipse = points_at(1, angles);
+  Matrix2Xd ellipse = points_at(1, angles);
   ellipse.row(0) *= 3;
   EXPECT_GT(std::abs(smooth_curve(ellipse, true).tangents(1, 0)), 1 - 1e-12);
   EXPECT_LT(std::abs(smooth_curve(ellipse, false).tangents(1, 0)), 0.99);

@@ -18,7 +18,7 @@ using namespace test;
 constexpr double pi = 3.14159265358979323846;
 
 /// Vector along spoke k of a vertex, away from it.
-Eigen::Vector2d spoke_vector(const Starred& body, int vertex, int k) {
+Vector2d spoke_vector(const Starred& body, int vertex, int k) {
   const int e = body.stars.spoke[body.stars.spoke_start[vertex] + k];
   const double away = body.edges.vertices(0, e) == vertex ? 1 : -1;
   return away * edge_vector(body.mesh, body.edges, e);
@@ -26,26 +26,30 @@ Eigen::Vector2d spoke_vector(const Starred& body, int vertex, int k) {
 
 /// Angle from spoke k to the next one, in (-pi, pi].
 double angle(const Starred& body, int vertex, int k) {
-  const Eigen::Vector2d a = spoke_vector(body, vertex, k);
-  const Eigen::Vector2d b = spoke_vector(body, vertex, (k + 1) % body.stars.spoke_count(vertex));
+  const Vector2d a = spoke_vector(body, vertex, k);
+  const Vector2d b = spoke_vector(body, vertex, (k + 1) % body.stars.spoke_count(vertex));
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
 /// Interior angle of the rectangle (0, width) x (0, height) at a point.
-double angle_of_rectangle(const Eigen::Vector2d& x, double width, double height) {
-  const bool on_vertical = x.x() == 0 || x.x() == width, on_horizontal = x.y() == 0 || x.y() == height;
+double angle_of_rectangle(const Vector2d& x, double width, double height) {
+  const bool on_vertical = x.x() == 0 || x.x() == width,
+             on_horizontal = x.y() == 0 || x.y() == height;
   return 2 * pi / ((on_vertical ? 2 : 1) * (on_horizontal ? 2 : 1));
 }
 
 bool share_no_triangle(const Mesh& mesh, const std::vector<int>& vertices) {
   const std::set<int> group(vertices.begin(), vertices.end());
-  for (int t = 0; t < mesh.triangle_count(); ++t)
-    if (group.count(mesh.triangles(0, t)) + group.count(mesh.triangles(1, t)) + group.count(mesh.triangles(2, t)) > 1)
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    if (group.count(mesh.cells(0, t)) + group.count(mesh.cells(1, t)) +
+            group.count(mesh.cells(2, t)) >
+        1)
       return false;
   return true;
 }
 
-RC_GTEST_PROP(Stars, angles_are_positive_and_sum_to_the_angle_of_the_body, (Random random)) {
+RC_GTEST_PROP(Stars, angles_are_positive_and_sum_to_the_angle_of_the_body,
+              (Random random)) {
   const Starred body(irregular(4, 3, 8, 6, random));
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     double sum = 0;
@@ -53,7 +57,8 @@ RC_GTEST_PROP(Stars, angles_are_positive_and_sum_to_the_angle_of_the_body, (Rand
       RC_ASSERT(angle(body, v, k) > 0);
       sum += angle(body, v, k);
     }
-    RC_ASSERT(std::abs(sum - angle_of_rectangle(body.mesh.vertices.col(v), 8, 6)) < 1e-12);
+    RC_ASSERT(std::abs(sum - angle_of_rectangle(body.mesh.vertices.col(v), 8, 6)) <
+              1e-12);
   }
 }
 
@@ -62,11 +67,13 @@ RC_GTEST_PROP(Stars, triangle_k_lies_between_spokes_k_and_k_plus_one, (Random ra
   const Stars& stars = body.stars;
   for (int v = 0; v < body.mesh.vertex_count(); ++v)
     for (int k = 0; k < stars.triangle_count(v); ++k) {
-      const int t = stars.triangle[stars.triangle_start[v] + k], local = stars.local[stars.triangle_start[v] + k];
+      const int t = stars.triangle[stars.triangle_start[v] + k],
+                local = stars.local[stars.triangle_start[v] + k];
       const int* spokes = stars.spoke.data() + stars.spoke_start[v];
-      RC_ASSERT(body.mesh.triangles(local, t) == v);
-      RC_ASSERT(body.edges.of_triangle((local + 2) % 3, t) == spokes[k]);
-      RC_ASSERT(body.edges.of_triangle((local + 1) % 3, t) == spokes[(k + 1) % stars.spoke_count(v)]);
+      RC_ASSERT(body.mesh.cells(local, t) == v);
+      RC_ASSERT(body.edges.of_cell((local + 2) % 3, t) == spokes[k]);
+      RC_ASSERT(body.edges.of_cell((local + 1) % 3, t) ==
+                spokes[(k + 1) % stars.spoke_count(v)]);
     }
 }
 
@@ -74,17 +81,20 @@ RC_GTEST_PROP(Stars, a_boundary_star_begins_and_ends_at_boundary_edges, (Random 
   const Starred body(irregular(4, 3, 4, 3, random));
   const Stars& stars = body.stars;
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
-    const int first = stars.spoke[stars.spoke_start[v]], last = stars.spoke[stars.spoke_start[v + 1] - 1];
+    const int first = stars.spoke[stars.spoke_start[v]],
+              last = stars.spoke[stars.spoke_start[v + 1] - 1];
     RC_ASSERT(body.edges.on_boundary(first) == stars.on_boundary(v));
     RC_ASSERT(body.edges.on_boundary(last) == stars.on_boundary(v));
-    RC_ASSERT(stars.spoke_count(v) == stars.triangle_count(v) + (stars.on_boundary(v) ? 1 : 0));
+    RC_ASSERT(stars.spoke_count(v) ==
+              stars.triangle_count(v) + (stars.on_boundary(v) ? 1 : 0));
   }
 }
 
 RC_GTEST_PROP(Stars, vertices_of_one_colour_share_no_triangle, (Random random)) {
   const Mesh mesh = irregular(5, 4, 5, 4, random);
   std::vector<int> times(mesh.vertex_count(), 0);
-  for (const std::vector<int>& colour : vertex_colours(mesh, stars_of(mesh, edges_of(mesh)))) {
+  for (const std::vector<int>& colour :
+       vertex_colours(mesh, stars_of(mesh, edges_of(mesh)))) {
     RC_ASSERT(share_no_triangle(mesh, colour));
     for (int v : colour) ++times[v];
   }
@@ -93,7 +103,8 @@ RC_GTEST_PROP(Stars, vertices_of_one_colour_share_no_triangle, (Random random)) 
 
 TEST(Stars, two_colours_put_together_share_triangles) {
   const Mesh mesh = rectangle(3, 3, 3, 3);
-  std::vector<std::vector<int>> colours = vertex_colours(mesh, stars_of(mesh, edges_of(mesh)));
+  std::vector<std::vector<int>> colours =
+      vertex_colours(mesh, stars_of(mesh, edges_of(mesh)));
   colours[0].insert(colours[0].end(), colours[1].begin(), colours[1].end());
   EXPECT_FALSE(share_no_triangle(mesh, colours[0]));
 }
@@ -113,10 +124,11 @@ TEST(Stars, refuses_a_body_that_touches_itself_in_a_vertex) {
   const auto glue = [](int& v) {
     v = v == 4 ? 3 : v;
   };  // lower left corner of the second onto upper right of the first
-  for (int& v : mesh.triangles.reshaped()) glue(v);
+  for (int& v : mesh.cells.reshaped()) glue(v);
   for (int& v : mesh.boundary.reshaped()) glue(v);
   const Edges edges = edges_of(mesh);
-  EXPECT_EQ(refusal([&] { stars_of(mesh, edges); }), "the body touches itself in the single vertex 3");
+  EXPECT_EQ(refusal([&] { stars_of(mesh, edges); }),
+            "the body touches itself in the single vertex 3");
 }
 
 }  // namespace

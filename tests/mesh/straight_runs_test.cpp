@@ -14,24 +14,24 @@ using namespace test;
 
 constexpr double pi = 3.14159265358979323846;
 
-Eigen::Matrix2Xd along(const Eigen::Vector2d& first, const Eigen::Vector2d& last, int edges) {
-  Eigen::Matrix2Xd points(2, edges + 1);
+Matrix2Xd along(const Vector2d& first, const Vector2d& last, int edges) {
+  Matrix2Xd points(2, edges + 1);
   for (int k = 0; k <= edges; ++k) points.col(k) = first + (last - first) * k / edges;
   return points;
 }
 
-Eigen::Matrix2Xd one_after_the_other(const Eigen::Matrix2Xd& a, const Eigen::Matrix2Xd& b) {
-  Eigen::Matrix2Xd both(2, a.cols() + b.cols() - 1);
+Matrix2Xd one_after_the_other(const Matrix2Xd& a, const Matrix2Xd& b) {
+  Matrix2Xd both(2, a.cols() + b.cols() - 1);
   both << a, b.rightCols(b.cols() - 1);
   return both;
 }
 
-Eigen::Matrix2Xd rounded(const Eigen::Matrix2Xd& points, double unit) {
+Matrix2Xd rounded(const Matrix2Xd& points, double unit) {
   return (points / unit).array().round().matrix() * unit;
 }
 
-Eigen::Matrix2Xd arc(double radius, double from, double to, int edges) {
-  Eigen::Matrix2Xd points(2, edges + 1);
+Matrix2Xd arc(double radius, double from, double to, int edges) {
+  Matrix2Xd points(2, edges + 1);
   for (int k = 0; k <= edges; ++k) {
     const double angle = from + (to - from) * k / edges;
     points.col(k) << radius * std::sin(angle), radius * (1 - std::cos(angle));
@@ -39,22 +39,25 @@ Eigen::Matrix2Xd arc(double radius, double from, double to, int edges) {
   return points;
 }
 
-std::vector<int> runs_of(const Eigen::Matrix2Xd& points) {
+std::vector<int> runs_of(const Matrix2Xd& points) {
   const double size = extent(points);
-  return straight_runs(points, straight_tolerance(coordinate_precision(points, size), size));
+  return straight_runs(points,
+                       straight_tolerance(coordinate_precision(points, size), size));
 }
 
-std::vector<LinePart> parts_of(const Eigen::Matrix2Xd& points) { return line_parts(points, 1e-9, pi / 6, 3); }
+std::vector<LinePart> parts_of(const Matrix2Xd& points) {
+  return line_parts(points, 1e-9, pi / 6, 3);
+}
 
 TEST(CoordinatePrecision, is_the_last_decimal_of_coordinates_with_few) {
-  const Eigen::Matrix2Xd points = along({0.3, -0.2}, {1 / 3.0, std::sqrt(0.7)}, 7);
+  const Matrix2Xd points = along({0.3, -0.2}, {1 / 3.0, std::sqrt(0.7)}, 7);
   EXPECT_NEAR(coordinate_precision(rounded(points, 1e-6), 1), 1e-6, 1e-12);
   EXPECT_NEAR(coordinate_precision(rounded(points, 1e-8), 1), 1e-8, 1e-14);
   EXPECT_NEAR(coordinate_precision(rounded(points.array() + 1e6, 1e-5), 1), 1e-5, 1e-11);
 }
 
 TEST(CoordinatePrecision, is_rounding_where_coordinates_need_all_decimals_or_were_typed) {
-  const Eigen::Matrix2Xd points = along({0.3, -0.2}, {1 / 3.0, std::sqrt(0.7)}, 7);
+  const Matrix2Xd points = along({0.3, -0.2}, {1 / 3.0, std::sqrt(0.7)}, 7);
   EXPECT_LT(coordinate_precision(points, 1), 2e-15);
   EXPECT_LT(coordinate_precision(points.array() + 1e6, 1), 1e-9);
   EXPECT_GT(coordinate_precision(points.array() + 1e6, 1), 1e-10);
@@ -63,10 +66,11 @@ TEST(CoordinatePrecision, is_rounding_where_coordinates_need_all_decimals_or_wer
 
 TEST(StraightRuns, take_rounded_lines_for_straight_and_keep_shallow_corners) {
   for (const double unit : {1e-12, 1e-8, 1e-6}) {
-    const Eigen::Vector2d corner(std::cos(0.3), std::sin(0.3));
-    const Eigen::Matrix2Xd line = along({0, 0}, corner, 32);
+    const Vector2d corner(std::cos(0.3), std::sin(0.3));
+    const Matrix2Xd line = along({0, 0}, corner, 32);
     EXPECT_EQ(runs_of(rounded(line, unit)), (std::vector<int>{0, 32})) << unit;
-    const Eigen::Matrix2Xd bent = one_after_the_other(line, along(corner, corner + Eigen::Vector2d(0.955, 0.297), 8));
+    const Matrix2Xd bent =
+        one_after_the_other(line, along(corner, corner + Vector2d(0.955, 0.297), 8));
     EXPECT_EQ(runs_of(rounded(bent, unit)), (std::vector<int>{0, 32, 40})) << unit;
   }
 }
@@ -74,22 +78,26 @@ TEST(StraightRuns, take_rounded_lines_for_straight_and_keep_shallow_corners) {
 RC_GTEST_PROP(StraightRuns, hold_far_from_the_origin, (Random random)) {
   std::uniform_real_distribution<double> angle(0, 2 * pi), place(-1e6, 1e6);
   const double a = angle(random);
-  const Eigen::Vector2d first(place(random), place(random)), corner = first + Eigen::Vector2d(std::cos(a), std::sin(a));
-  const Eigen::Vector2d last = corner + Eigen::Vector2d(std::cos(a + 0.01), std::sin(a + 0.01));
-  RC_ASSERT(runs_of(one_after_the_other(along(first, corner, 20), along(corner, last, 30))) ==
-            (std::vector<int>{0, 20, 50}));
+  const Vector2d first(place(random), place(random)),
+      corner = first + Vector2d(std::cos(a), std::sin(a));
+  const Vector2d last = corner + Vector2d(std::cos(a + 0.01), std::sin(a + 0.01));
+  RC_ASSERT(
+      runs_of(one_after_the_other(along(first, corner, 20), along(corner, last, 30))) ==
+      (std::vector<int>{0, 20, 50}));
 }
 
 TEST(StraightRuns, end_where_the_chain_turns_back) {
-  EXPECT_EQ(runs_of(one_after_the_other(along({0, 0}, {1, 0}, 4), along({1, 0}, {0.5, 0}, 2))),
-            (std::vector<int>{0, 4, 6}));
+  EXPECT_EQ(
+      runs_of(one_after_the_other(along({0, 0}, {1, 0}, 4), along({1, 0}, {0.5, 0}, 2))),
+      (std::vector<int>{0, 4, 6}));
 }
 
 TEST(LineParts, of_an_arc_between_straight_lines_are_three) {
-  const Eigen::Matrix2Xd curve = arc(5, 0, 0.6, 12);
-  const Eigen::Vector2d end = curve.col(12), leaving(std::cos(0.6), std::sin(0.6));
-  const Eigen::Matrix2Xd chain =
-      one_after_the_other(one_after_the_other(along({-4, 0}, {0, 0}, 5), curve), along(end, end + 3 * leaving, 4));
+  const Matrix2Xd curve = arc(5, 0, 0.6, 12);
+  const Vector2d end = curve.col(12), leaving(std::cos(0.6), std::sin(0.6));
+  const Matrix2Xd chain =
+      one_after_the_other(one_after_the_other(along({-4, 0}, {0, 0}, 5), curve),
+                          along(end, end + 3 * leaving, 4));
   const std::vector<LinePart> parts = parts_of(chain);
   ASSERT_EQ(parts.size(), 3u);
   EXPECT_TRUE(parts[0].straight && !parts[1].straight && parts[2].straight);
@@ -98,8 +106,8 @@ TEST(LineParts, of_an_arc_between_straight_lines_are_three) {
 }
 
 TEST(LineParts, of_a_curve_with_a_corner_are_two) {
-  const Eigen::Matrix2Xd first = arc(5, 0, 0.5, 10);
-  Eigen::Matrix2Xd second = arc(5, 0.7, 1.2, 10);
+  const Matrix2Xd first = arc(5, 0, 0.5, 10);
+  Matrix2Xd second = arc(5, 0.7, 1.2, 10);
   second.colwise() += first.col(10) - second.col(0).eval();
   const std::vector<LinePart> parts = parts_of(one_after_the_other(first, second));
   ASSERT_EQ(parts.size(), 2u);
@@ -110,9 +118,10 @@ TEST(LineParts, of_a_polygon_are_its_sides) {
   EXPECT_EQ(parts_of(arc(5, 0, 2.4, 4)).size(), 4u) << "34 degrees at each vertex";
   EXPECT_EQ(parts_of(arc(5, 0, 2.4, 8)).size(), 1u) << "17 degrees at each vertex";
   EXPECT_EQ(parts_of(arc(5, 0, 0.2, 2)).size(), 2u) << "two edges are no curve";
-  const Eigen::Matrix2Xd corners = arc(5, 0, 0.6, 4);
-  Eigen::Matrix2Xd sides = corners.leftCols(1);
-  for (int k = 0; k < 4; ++k) sides = one_after_the_other(sides, along(corners.col(k), corners.col(k + 1), 3));
+  const Matrix2Xd corners = arc(5, 0, 0.6, 4);
+  Matrix2Xd sides = corners.leftCols(1);
+  for (int k = 0; k < 4; ++k)
+    sides = one_after_the_other(sides, along(corners.col(k), corners.col(k + 1), 3));
   EXPECT_EQ(parts_of(sides).size(), 4u) << "sides of three edges";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies whose traces do not match: the bound (2.20) against nested references, and convergence to matching traces.
+// Two bodies whose traces do not match: the bound (2.20) against nested references, and
+// convergence to matching traces.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -12,7 +13,8 @@ namespace {
 
 /// A block on a longer one, sheared; cells along the interface in the ratio 5 : 7.
 Problem sheared(int ratio, double slip_bound, Multiplier multiplier) {
-  Bodies two = bodies({shifted(rectangle(5 * ratio, 3 * ratio, 5, 3), {1, 4}), rectangle(7 * ratio, 4 * ratio, 8, 4)},
+  Bodies two = bodies({shifted(rectangle(5 * ratio, 3 * ratio, 5, 3), {1, 4}),
+                       rectangle(7 * ratio, 4 * ratio, 8, 4)},
                       {material(70e3, 0.3), material(120e3, 0.2)}, {{0, bottom, 1, top}});
   Problem& problem = two.problem;
   add_traction(problem, two.label(0, top), {3, -10});
@@ -26,15 +28,17 @@ Problem sheared(int ratio, double slip_bound, Multiplier multiplier) {
 TEST(two_bodies, bound_holds_for_tresca_and_without_friction) {
   for (const double slip_bound : {0.0, 1.0, 4.0})
     for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
-      const Problem coarse = sheared(1, slip_bound, multiplier), fine = sheared(12, slip_bound, multiplier);
+      const Problem coarse = sheared(1, slip_bound, multiplier),
+                    fine = sheared(12, slip_bound, multiplier);
       const ContactSolution solution = solved(coarse), reference = solved(fine);
       ASSERT_TRUE(solution.accepted({}) && reference.accepted({}));
       const Estimate estimate = estimated(coarse, solution, sweeps(2));
       ASSERT_TRUE(estimate.admissible) << estimate.reason;
       ASSERT_TRUE(estimate.refinement.has_value());
-      const SquaredDistances squares = squared_distances(coarse, estimate, fine, reference.displacement);
-      std::printf("k %.1f: %.4e + %.4e <= %.4e\n", slip_bound, squares.stress, squares.displacement,
-                  estimate.e * estimate.e);
+      const SquaredDistances squares =
+          squared_distances(coarse, estimate, fine, reference.displacement);
+      std::printf("k %.1f: %.4e + %.4e <= %.4e\n", slip_bound, squares.stress,
+                  squares.displacement, estimate.e * estimate.e);
       EXPECT_LE(squares.stress + squares.displacement, estimate.e * estimate.e);
     }
 }
@@ -53,7 +57,8 @@ TEST(two_bodies, matching_and_non_matching_answers_converge_to_each_other) {
       };
       const double matching = energy(16), before = difference;
       difference = std::abs(energy(17) / matching - 1);
-      std::printf("%d cells: energy %.8e, relative difference %.3e\n", 8 * n, matching, difference);
+      std::printf("%d cells: energy %.8e, relative difference %.3e\n", 8 * n, matching,
+                  difference);
       if (n > 2) {
         EXPECT_LT(difference, before / 1.9);
       }

@@ -21,20 +21,24 @@ struct Square {
   BoundaryTractions boundary;
   std::vector<int> contact_edge;
   explicit Square(int cells)
-      : mesh(rectangle(cells, cells, 1, 1)), edges(edges_of(mesh)), stars(stars_of(mesh, edges)) {
+      : mesh(rectangle(cells, cells, 1, 1)),
+        edges(edges_of(mesh)),
+        stars(stars_of(mesh, edges)) {
     boundary.known.setConstant(2, edges.count(), false);
     boundary.moments = EdgeMoments::Zero(4, edges.count());
     for (int e = 0; e < edges.count(); ++e) boundary.known.col(e) = edges.on_boundary(e);
     contact_edge.assign(edges.count(), -1);
   }
-  /// Vertices with exponents for a stress of the size |x|^(alpha - 1), whose energy in discs is r^(2 alpha).
+  /// Vertices with exponents for a stress of the size |x|^(alpha - 1), whose energy in
+  /// discs is r^(2 alpha).
   std::vector<SingularVertex> singular(double alpha) const {
-    Eigen::Matrix3Xd stress(3, mesh.triangles.cols());
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-      const Eigen::Vector2d x = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
-      stress.col(t) = std::pow(x.norm(), alpha - 1) * Eigen::Vector3d(1, -0.5, 0.3);
+    Matrix3Xd stress(3, mesh.cells.cols());
+    for (int t = 0; t < mesh.cell_count(); ++t) {
+      const Vector2d x = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+      stress.col(t) = std::pow(x.norm(), alpha - 1) * Vector3d(1, -0.5, 0.3);
     }
-    return singular_vertices(mesh, edges, stars, Hooke(mesh.triangle_count(), isotropic(1, 1)), stress, boundary,
+    return singular_vertices(mesh, edges, stars,
+                             Hooke(mesh.cell_count(), isotropic(1, 1)), stress, boundary,
                              contact_edge);
   }
 };
@@ -60,10 +64,12 @@ TEST(SingularVertices, have_the_exponent_one_where_the_mesh_is_too_coarse_for_a_
 TEST(SingularVertices, are_the_corners_and_where_the_boundary_condition_changes) {
   Square square(8);
   EXPECT_EQ(square.singular(1).size(), 4u);
-  for (int e = 0; e < square.edges.count(); ++e) {  // the bottom is in contact left of x = 1/2
-    const Eigen::Vector2d a = square.mesh.vertices.col(square.edges.vertices(0, e));
+  // the bottom is in contact left of x = 1/2
+  for (int e = 0; e < square.edges.count(); ++e) {
+    const Vector2d a = square.mesh.vertices.col(square.edges.vertices(0, e));
     const bool at_bottom =
-        square.edges.on_boundary(e) && square.mesh.boundary_label[square.edges.boundary_index[e]] == bottom;
+        square.edges.on_boundary(e) &&
+        square.mesh.boundary_label[square.edges.boundary_index[e]] == bottom;
     if (at_bottom && a.x() < 0.5) square.contact_edge[e] = e;
   }
   const std::vector<SingularVertex> found = square.singular(1);
@@ -73,11 +79,12 @@ TEST(SingularVertices, are_the_corners_and_where_the_boundary_condition_changes)
 
 TEST(LocalRates, are_the_exponents_around_the_vertices_and_one_elsewhere) {
   const Square square(4);
-  const Eigen::VectorXd rates = local_rates(square.mesh, square.stars, {{0, 0.5}, {1, 0.7}, {24, 1.0}});
+  const VectorXd rates =
+      local_rates(square.mesh, square.stars, {{0, 0.5}, {1, 0.7}, {24, 1.0}});
   int half = 0, seventh = 0;
-  for (int t = 0; t < square.mesh.triangle_count(); ++t) {
+  for (int t = 0; t < square.mesh.cell_count(); ++t) {
     bool at_0 = false, at_1 = false;
-    for (int v : square.mesh.triangles.col(t)) {
+    for (int v : square.mesh.cells.col(t)) {
       at_0 = at_0 || v == 0;
       at_1 = at_1 || v == 1;
     }

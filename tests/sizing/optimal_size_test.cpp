@@ -15,23 +15,27 @@ namespace {
 using namespace test;
 
 /// sum eps_E^2 r_E^(2 q_E)
-double squared_error(const Eigen::VectorXd& error, const Eigen::VectorXd& rate, const Eigen::VectorXd& ratio) {
+double squared_error(const VectorXd& error, const VectorXd& rate, const VectorXd& ratio) {
   return (error.array().square() * ratio.array().pow(2 * rate.array())).sum();
 }
 
 /// sum r_E^-2
-double element_count(const Eigen::VectorXd& ratio) { return ratio.array().square().inverse().sum(); }
+double element_count(const VectorXd& ratio) {
+  return ratio.array().square().inverse().sum();
+}
 
 /// Positive values over two decades.
-Eigen::VectorXd random_errors(Eigen::Index n, Random& random) {
+VectorXd random_errors(Index n, Random& random) {
   return (2.3 * random_vector(n, random)).array().exp() / 100;
 }
 
-Eigen::VectorXd random_rates(Eigen::Index n, Random& random) { return 0.65 + 0.35 * random_vector(n, random).array(); }
+VectorXd random_rates(Index n, Random& random) {
+  return 0.65 + 0.35 * random_vector(n, random).array();
+}
 
 /// The ratios scaled back onto the constraint.
-Eigen::VectorXd made_feasible(const Eigen::VectorXd& error, const Eigen::VectorXd& rate, Eigen::VectorXd ratio,
-                              double wanted) {
+VectorXd made_feasible(const VectorXd& error, const VectorXd& rate, VectorXd ratio,
+                       double wanted) {
   double low = 1e-3, high = 1e3;
   while (high / low > 1 + 1e-14) {
     const double middle = std::sqrt(low * high);
@@ -42,47 +46,53 @@ Eigen::VectorXd made_feasible(const Eigen::VectorXd& error, const Eigen::VectorX
 
 RC_GTEST_PROP(SizeRatios, meet_the_wanted_error, (Random random)) {
   const int n = *rc::gen::inRange(1, 60);
-  const Eigen::VectorXd error = random_errors(n, random), rate = random_rates(n, random);
+  const VectorXd error = random_errors(n, random), rate = random_rates(n, random);
   const double wanted = *real(1e-4, 1);
-  const Eigen::VectorXd ratio = size_ratios(error, rate, wanted);
+  const VectorXd ratio = size_ratios(error, rate, wanted);
   RC_ASSERT(std::abs(std::sqrt(squared_error(error, rate, ratio)) / wanted - 1) < 1e-11);
 }
 
-RC_GTEST_PROP(SizeRatios, need_fewer_elements_than_any_other_sizes_of_that_error, (Random random)) {
+RC_GTEST_PROP(SizeRatios, need_fewer_elements_than_any_other_sizes_of_that_error,
+              (Random random)) {
   const int n = *rc::gen::inRange(2, 60);
-  const Eigen::VectorXd error = random_errors(n, random), rate = random_rates(n, random);
+  const VectorXd error = random_errors(n, random), rate = random_rates(n, random);
   const double wanted = *real(1e-3, 1);
-  const Eigen::VectorXd ratio = size_ratios(error, rate, wanted);
+  const VectorXd ratio = size_ratios(error, rate, wanted);
   for (double size : {1e-3, 0.1, 1.0}) {
-    const Eigen::VectorXd other = ratio.cwiseProduct((size * random_vector(n, random)).array().exp().matrix());
-    RC_ASSERT(element_count(made_feasible(error, rate, other, wanted)) >= element_count(ratio) * (1 - 1e-11));
+    const VectorXd other =
+        ratio.cwiseProduct((size * random_vector(n, random)).array().exp().matrix());
+    RC_ASSERT(element_count(made_feasible(error, rate, other, wanted)) >=
+              element_count(ratio) * (1 - 1e-11));
   }
 }
 
-RC_GTEST_PROP(SizeRatios, spread_the_error_evenly_over_the_new_elements_where_the_rate_is_one, (Random random)) {
+RC_GTEST_PROP(SizeRatios,
+              spread_the_error_evenly_over_the_new_elements_where_the_rate_is_one,
+              (Random random)) {
   // r^4 = 1 / (Lambda eps^2): every new element has eps_E^2 r_E^2 / r_E^-2 = 1 / Lambda.
   const int n = *rc::gen::inRange(2, 60);
-  const Eigen::VectorXd error = random_errors(n, random);
-  const Eigen::VectorXd ratio = size_ratios(error, Eigen::VectorXd::Ones(n), 0.01);
+  const VectorXd error = random_errors(n, random);
+  const VectorXd ratio = size_ratios(error, VectorXd::Ones(n), 0.01);
   const Eigen::ArrayXd share = error.array().square() * ratio.array().pow(4);
   RC_ASSERT(share.maxCoeff() / share.minCoeff() - 1 < 1e-10);
 }
 
 TEST(SizeRatios, of_elements_without_error_are_the_largest_of_the_others) {
-  const Eigen::Vector3d ratio = size_ratios(Eigen::Vector3d(0.04, 0, 0.01), Eigen::Vector3d::Ones(), 0.02);
+  const Vector3d ratio = size_ratios(Vector3d(0.04, 0, 0.01), Vector3d::Ones(), 0.02);
   EXPECT_NEAR(ratio[1], ratio[2], 1e-12 * ratio[2]);
 }
 
 TEST(SizeRatios, are_one_where_there_is_no_error) {
-  EXPECT_EQ(size_ratios(Eigen::Vector2d::Zero(), Eigen::Vector2d::Ones(), 0.1), Eigen::Vector2d::Ones());
+  EXPECT_EQ(size_ratios(Vector2d::Zero(), Vector2d::Ones(), 0.1), Vector2d::Ones());
 }
 
-RC_GTEST_PROP(GradedSize, has_no_steeper_slope_and_is_the_largest_such_field, (Random random)) {
+RC_GTEST_PROP(GradedSize, has_no_steeper_slope_and_is_the_largest_such_field,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const Edges edges = edges_of(mesh);
   const double gradation = *real(0.05, 1);
-  const Eigen::VectorXd size = random_errors(mesh.vertex_count(), random) * 100;
-  const Eigen::VectorXd graded = graded_size(mesh, edges, size, gradation);
+  const VectorXd size = random_errors(mesh.vertex_count(), random) * 100;
+  const VectorXd graded = graded_size(mesh, edges, size, gradation);
   RC_ASSERT((size - graded).minCoeff() >= 0);
   std::vector<char> held(mesh.vertex_count(), 0);  // by its own size or by a neighbour
   for (int v = 0; v < mesh.vertex_count(); ++v) held[v] = graded[v] == size[v];
@@ -100,11 +110,14 @@ RC_GTEST_PROP(GradedSize, has_no_steeper_slope_and_is_the_largest_such_field, (R
 struct Sized {
   Mesh mesh;
   Edges edges;
-  Eigen::VectorXd error;
-  explicit Sized(Random& random) : mesh(irregular(6, 6, 10, 10, random)), edges(edges_of(mesh)) {
-    error = random_errors(mesh.triangle_count(), random);
+  VectorXd error;
+  explicit Sized(Random& random)
+      : mesh(irregular(6, 6, 10, 10, random)), edges(edges_of(mesh)) {
+    error = random_errors(mesh.cell_count(), random);
   }
-  OptimalSize size(const SizeSettings& settings) const { return optimal_size(mesh, edges, error, {}, settings); }
+  OptimalSize size(const SizeSettings& settings) const {
+    return optimal_size(mesh, edges, error, {}, settings);
+  }
 };
 
 SizeSettings target(double wanted) {
@@ -122,7 +135,8 @@ RC_GTEST_PROP(OptimalSize, is_bounded_and_graded, (Random random)) {
   const OptimalSize result = sized.size(settings);
   RC_ASSERT(result.size.minCoeff() >= 0.2);
   RC_ASSERT(result.size.maxCoeff() <= 1.5);
-  RC_ASSERT((graded_size(sized.mesh, sized.edges, result.size, 0.4) - result.size).isZero(1e-14));
+  RC_ASSERT((graded_size(sized.mesh, sized.edges, result.size, 0.4) - result.size)
+                .isZero(1e-14));
 }
 
 RC_GTEST_PROP(OptimalSize, goes_to_far_targets_in_steps, (Random random)) {
@@ -135,12 +149,15 @@ RC_GTEST_PROP(OptimalSize, goes_to_far_targets_in_steps, (Random random)) {
 TEST(OptimalSize, of_an_even_mesh_counts_equilateral_triangles_of_the_wanted_error) {
   const Mesh mesh = rectangle(8, 8, 8, 8);
   const Edges edges = edges_of(mesh);
-  const Eigen::VectorXd error = Eigen::VectorXd::Constant(128, 0.01);
+  const VectorXd error = VectorXd::Constant(128, 0.01);
   for (double part : {1.0, 0.5, 0.35}) {
-    const OptimalSize result = optimal_size(mesh, edges, error, {}, target(part * error.norm()));
+    const OptimalSize result =
+        optimal_size(mesh, edges, error, {}, target(part * error.norm()));
     EXPECT_NEAR(result.predicted_error / result.wanted, 1, 1e-9);
-    // For one area eps goes with the quality, (sqrt(3) / 2)^(1/2) for half a square; the count goes with eps^-2.
-    const double expected = 128 * std::sqrt(3.0) / 2 * std::pow(error.norm() / result.wanted, 2);
+    // For one area eps goes with the quality, (sqrt(3) / 2)^(1/2) for half a square; the
+    // count goes with eps^-2.
+    const double expected =
+        128 * std::sqrt(3.0) / 2 * std::pow(error.norm() / result.wanted, 2);
     EXPECT_NEAR(result.predicted_count / expected, 1, 1e-9);
     EXPECT_NEAR(result.size.maxCoeff() / result.size.minCoeff(), 1, 1e-9);
   }
@@ -150,7 +167,9 @@ TEST(OptimalSize, the_closer_a_mesh_has_missed_the_target_the_less_is_asked_for)
   Random random(3);
   const Sized sized(random);
   const double now = sized.error.norm();
-  const auto part = [&](double miss) { return sized.size(target(now / miss)).wanted / (now / miss); };
+  const auto part = [&](double miss) {
+    return sized.size(target(now / miss)).wanted / (now / miss);
+  };
   EXPECT_NEAR(part(1), 0.85, 1e-12);
   EXPECT_NEAR(part(1.075), 0.885, 1e-12);
   EXPECT_NEAR(part(1.15), 0.92, 1e-12);
@@ -168,7 +187,8 @@ TEST(OptimalSize, loops_end_though_every_mesh_has_more_error_than_was_asked_for)
       int meshes = 0;
       for (; next.error.norm() > wanted && meshes < 10; ++meshes)
         next.error *= more * next.size(target(wanted)).wanted / next.error.norm();
-      EXPECT_LE(meshes, first > 3 ? 4 : 2) << more << " times, from " << first << " times the target";
+      EXPECT_LE(meshes, first > 3 ? 4 : 2)
+          << more << " times, from " << first << " times the target";
     }
 }
 
@@ -176,7 +196,7 @@ TEST(ShapeQuality, is_one_for_equilateral_triangles_and_093_for_half_a_square) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   EXPECT_NEAR(shape_quality(mesh)[0], std::sqrt(std::sqrt(3.0) / 2), 1e-14);
   mesh.vertices.col(3) << 0.5, std::sqrt(0.75);
-  mesh.triangles = (Eigen::Matrix3Xi(3, 1) << 0, 1, 3).finished();
+  mesh.cells = (Matrix3Xi(3, 1) << 0, 1, 3).finished();
   EXPECT_NEAR(shape_quality(mesh)[0], 1, 1e-14);
 }
 
@@ -189,18 +209,24 @@ TEST(OptimalSize, refuses_bad_errors_and_settings) {
     spoil(sized.error, settings);
     return refusal([&] { sized.size(settings); });
   };
-  using Vector = Eigen::VectorXd;
+  using Vector = VectorXd;
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings&) {}), "accepted");
   EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e[2] = -1; }),
                    "eps_E must be finite and not negative, but value 2"));
-  EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e[2] = std::nan(""); }), "eps_E must be finite"));
-  EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e.conservativeResize(3); }), "eps_E has 3 values"));
-  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = 0; }), "target must be positive, got 0");
-  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = std::nan(""); }), "target must be positive, got nan");
+  EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e[2] = std::nan(""); }),
+                   "eps_E must be finite"));
+  EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e.conservativeResize(3); }),
+                   "eps_E has 3 values"));
+  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = 0; }),
+            "target must be positive, got 0");
+  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = std::nan(""); }),
+            "target must be positive, got nan");
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = 2; }),
             "target is a part of the solution, 0.02 for 2 %, got 2");
-  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.gradation = 0; }), "gradation must be positive, got 0");
-  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.smallest = 3, s.largest = 2; }), "hmin 3 exceeds hmax 2");
+  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.gradation = 0; }),
+            "gradation must be positive, got 0");
+  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.smallest = 3, s.largest = 2; }),
+            "hmin 3 exceeds hmax 2");
 }
 
 }  // namespace

@@ -10,34 +10,39 @@
 /// Equilibrium of one triangle in force and moment, and random elastic laws.
 namespace ffcontact::test {
 
-/// An elastic law, or the inverse of one: symmetric and positive definite, coupling all components.
-inline Eigen::Matrix3d random_law(Random& random) {
-  const Eigen::Matrix3d A = random_matrix(3, 3, random);
-  return A * A.transpose() + 0.2 * Eigen::Matrix3d::Identity();
+/// An elastic law, or the inverse of one: symmetric and positive definite, coupling all
+/// components.
+inline Matrix3d random_law(Random& random) {
+  const Matrix3d A = random_matrix(3, 3, random);
+  return A * A.transpose() + 0.2 * Matrix3d::Identity();
 }
 
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vector2d& a, const Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
-inline Eigen::Vector2d centroid(const TriangleCorners& corners) { return corners.rowwise().mean(); }
+inline Vector2d centroid(const TriangleCorners& corners) {
+  return corners.rowwise().mean();
+}
 
-/// Rows: force along x and y and moment about the centroid of the twelve edge loads and the six body loads. All act at
-/// the vertices, since x = sum of x_i phi_i.
-inline Eigen::Matrix<double, 3, 18> balance_conditions(const TriangleCorners& corners) {
-  Eigen::Matrix<double, 3, 18> conditions;
+/// Rows: force along x and y and moment about the centroid of the twelve edge loads and
+/// the six body loads. All act at the vertices, since x = sum of x_i phi_i.
+inline Matrix<double, 3, 18> balance_conditions(const TriangleCorners& corners) {
+  Matrix<double, 3, 18> conditions;
   for (int force = 0; force < 9; ++force) {
     const int vertex = force < 6 ? (force / 2 + 1 + force % 2) % 3 : force - 6;
-    const Eigen::Vector2d arm = corners.col(vertex) - centroid(corners);
+    const Vector2d arm = corners.col(vertex) - centroid(corners);
     conditions.middleCols<2>(2 * force) << 1, 0, 0, 1, -arm.y(), arm.x();
   }
   return conditions;
 }
 
 /// Force and moment (divided by the size of the triangle) of all loads.
-inline Eigen::Vector3d out_of_balance(const TriangleCorners& corners, const EdgeLoads& on_edges,
-                                      const BodyLoads& in_body) {
-  Eigen::Matrix<double, 18, 1> loads;
+inline Vector3d out_of_balance(const TriangleCorners& corners, const EdgeLoads& on_edges,
+                               const BodyLoads& in_body) {
+  Matrix<double, 18, 1> loads;
   loads << on_edges, in_body;
-  Eigen::Vector3d result = balance_conditions(corners) * loads;
+  Vector3d result = balance_conditions(corners) * loads;
   result[2] /= (corners.col(1) - corners.col(0)).norm();
   return result;
 }
@@ -49,8 +54,8 @@ struct Loads {
 
 /// Random loads of about 1 N/mm in equilibrium.
 inline Loads balanced_loads(const TriangleCorners& corners, std::mt19937& random) {
-  const Eigen::MatrixXd kernel = Eigen::MatrixXd(balance_conditions(corners)).fullPivLu().kernel();
-  const Eigen::VectorXd loads = kernel * random_vector(kernel.cols(), random);
+  const MatrixXd kernel = MatrixXd(balance_conditions(corners)).fullPivLu().kernel();
+  const VectorXd loads = kernel * random_vector(kernel.cols(), random);
   return {loads.head<12>(), loads.tail<6>()};
 }
 
@@ -58,15 +63,16 @@ inline Loads balanced_loads(const TriangleCorners& corners, std::mt19937& random
 inline TriangleCorners random_triangle(std::mt19937& random) {
   for (;;) {
     const TriangleCorners corners = random_matrix(2, 3, random);
-    if (cross(corners.col(1) - corners.col(0), corners.col(2) - corners.col(0)) > 0.2) return corners;
+    if (cross(corners.col(1) - corners.col(0), corners.col(2) - corners.col(0)) > 0.2)
+      return corners;
   }
 }
 
 inline Mesh single_triangle(const TriangleCorners& corners) {
   Mesh mesh;
   mesh.vertices = corners;
-  mesh.triangles = (Eigen::Matrix3Xi(3, 1) << 0, 1, 2).finished();
-  mesh.boundary = (Eigen::Matrix2Xi(2, 3) << 1, 2, 0, 2, 0, 1).finished();
+  mesh.cells = (Matrix3Xi(3, 1) << 0, 1, 2).finished();
+  mesh.boundary = (Matrix2Xi(2, 3) << 1, 2, 0, 2, 0, 1).finished();
   mesh.boundary_label.setConstant(3, 1);
   return mesh;
 }

@@ -7,7 +7,8 @@
 
 namespace ffcontact::test {
 
-/// A problem, its factorisation, the condensed relation with its law, and the states that solvers start from.
+/// A problem, its factorisation, the condensed relation with its law, and the states that
+/// solvers start from.
 struct Condensed {
   Problem problem;
   ElasticSystem system;

@@ -7,16 +7,19 @@
 /// Bodies cut so that their traces match.
 namespace ffcontact::test {
 
-/// A body on a larger one whose vertices are at other places, with its left side on a rigid foundation.
+/// A body on a larger one whose vertices are at other places, with its left side on a
+/// rigid foundation.
 struct CutBodies {
   Bodies two;
   CommonRefinement refinement;
 
   explicit CutBodies(std::mt19937& random)
-      : two(bodies({shifted(with_random_rows(3, 2, 3, 2, random), {1, 2}), with_random_rows(5, 2, 5, 2, random)},
+      : two(bodies({shifted(with_random_rows(3, 2, 3, 2, random), {1, 2}),
+                    with_random_rows(5, 2, 5, 2, random)},
                    {material(1000, 0.3), material(200, 0.2)}, {{0, bottom, 1, top}})) {
     Problem& problem = two.problem;
-    const ContactLine foundation = contact_line(problem.mesh, problem.edges, {two.label(0, left)});
+    const ContactLine foundation =
+        contact_line(problem.mesh, problem.edges, {two.label(0, left)});
     problem.line = joined_lines({problem.line, foundation});
     problem.law.friction = everywhere(problem.line, 0);
     problem.law.gap = everywhere(problem.line, 0);

@@ -10,14 +10,16 @@
 /// From a problem to its admissible fields.
 namespace ffcontact::test {
 
-/// The problems are small: two threads would only wait for each other. Tests of threads set their own number.
+/// The problems are small: two threads would only wait for each other. Tests of threads
+/// set their own number.
 inline const bool one_thread = (omp_set_num_threads(1), true);
 
 /// int f phi_i of a body force that is constant on each triangle.
 inline BodyLoadsOfAll body_loads(const Problem& problem) {
-  BodyLoadsOfAll loads(6, problem.mesh.triangles.cols());
-  for (int t = 0; t < problem.mesh.triangle_count(); ++t)
-    loads.col(t) = (signed_area(problem.mesh, t) / 3 * problem.body_force.col(t)).replicate<3, 1>();
+  BodyLoadsOfAll loads(6, problem.mesh.cells.cols());
+  for (int t = 0; t < problem.mesh.cell_count(); ++t)
+    loads.col(t) =
+        (signed_area(problem.mesh, t) / 3 * problem.body_force.col(t)).replicate<3, 1>();
   return loads;
 }
 
@@ -35,57 +37,65 @@ inline EstimateSettings sweeps(int count, Tractions tractions = Tractions::free)
 
 inline Estimate estimated(const Problem& problem, const ContactSolution& solution,
                           const EstimateSettings& settings = {}) {
-  return estimate_error(problem.mesh, problem.edges, problem.line, problem.system(), solved_body(problem, solution),
-                        settings);
+  return estimate_error(problem.mesh, problem.edges, problem.line, problem.system(),
+                        solved_body(problem, solution), settings);
 }
 
-/// What star relaxation starts from: edge tractions in equilibrium with the contact tractions of the solver.
+/// What star relaxation starts from: edge tractions in equilibrium with the contact
+/// tractions of the solver.
 struct Equilibrated {
   Stars stars;
-  Eigen::Matrix3Xd stress;  ///< C eps(u_h)
+  Matrix3Xd stress;  ///< C eps(u_h)
   BoundaryTractions boundary;
   EdgeMoments moments;
   BodyLoadsOfAll loads;
   EdgeLoadsOfAll difference;
 };
 
-inline Equilibrated equilibrated(const Problem& problem, const Eigen::VectorXd& displacement,
+inline Equilibrated equilibrated(const Problem& problem, const VectorXd& displacement,
                                  const ContactDensities& densities) {
   Equilibrated result;
   result.stars = stars_of(problem.mesh, problem.edges);
   result.stress = stresses(problem.mesh, problem.hooke, displacement);
-  result.boundary = boundary_tractions(problem.mesh, problem.edges, prescribed_dofs(problem.A), problem.neumann,
-                                       problem.line, densities);
+  result.boundary =
+      boundary_tractions(problem.mesh, problem.edges, prescribed_dofs(problem.A),
+                         problem.neumann, problem.line, densities);
   result.loads = body_loads(problem);
-  result.moments =
-      equilibrated_moments(problem.mesh, problem.edges, result.stars, result.stress, result.loads, result.boundary);
-  result.difference = difference_loads(problem.mesh, problem.edges, result.moments, result.stress);
+  result.moments = equilibrated_moments(problem.mesh, problem.edges, result.stars,
+                                        result.stress, result.loads, result.boundary);
+  result.difference =
+      difference_loads(problem.mesh, problem.edges, result.moments, result.stress);
   return result;
 }
 
-inline Equilibrated equilibrated(const Problem& problem, const ContactSolution& solution) {
-  return equilibrated(problem, solution.displacement, edge_densities(problem.line, solution.pressure));
+inline Equilibrated equilibrated(const Problem& problem,
+                                 const ContactSolution& solution) {
+  return equilibrated(problem, solution.displacement,
+                      edge_densities(problem.line, solution.pressure));
 }
 
 /// sigma_hat = C eps(u_h) + the composite stress of the difference.
-inline std::vector<CompositeStress> admissible_stress(const Problem& problem, const Equilibrated& fields) {
+inline std::vector<CompositeStress> admissible_stress(const Problem& problem,
+                                                      const Equilibrated& fields) {
   std::vector<CompositeStress> stress;
-  for (int t = 0; t < problem.mesh.triangle_count(); ++t)
-    stress.push_back(composite_stress(corners_of(problem.mesh, t), fields.difference.col(t), fields.loads.col(t)) +
+  for (int t = 0; t < problem.mesh.cell_count(); ++t)
+    stress.push_back(composite_stress(corners_of(problem.mesh, t),
+                                      fields.difference.col(t), fields.loads.col(t)) +
                      fields.stress.col(t).replicate<1, 9>());
   return stress;
 }
 
 inline EquilibriumDefect defect_of(const Problem& problem, const Equilibrated& fields,
                                    const std::vector<CompositeStress>& stress) {
-  return equilibrium_defect(problem.mesh, problem.edges, stress, fields.loads, fields.boundary);
+  return equilibrium_defect(problem.mesh, problem.edges, stress, fields.loads,
+                            fields.boundary);
 }
 
 /// |sigma_hat - C eps(u_h)|^2, from the stress and not from the loads.
 inline double elastic_square(const Problem& problem, const Equilibrated& fields) {
   const std::vector<CompositeStress> stress = admissible_stress(problem, fields);
   double square = 0;
-  for (int t = 0; t < problem.mesh.triangle_count(); ++t)
+  for (int t = 0; t < problem.mesh.cell_count(); ++t)
     square += energy(corners_of(problem.mesh, t), problem.hooke[t].inverse(),
                      stress[t] - CompositeStress(fields.stress.col(t).replicate<1, 9>()));
   return square;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/stars.hpp"
 
 /// Meshes that the tests share.
@@ -18,18 +19,20 @@ namespace ffcontact::test {
 /// Labels of a rectangle's sides, those of FreeFEM's square().
 enum Side : int { bottom = 1, right = 2, top = 3, left = 4 };
 
-/// nx x ny cells on (0, width) x (0, height), each cut by the diagonal from lower left to upper right.
+/// nx x ny cells on (0, width) x (0, height), each cut by the diagonal from lower left to
+/// upper right.
 inline Mesh rectangle(int nx, int ny, double width, double height) {
   Mesh mesh;
   const auto id = [nx](int i, int j) { return j * (nx + 1) + i; };
   mesh.vertices.resize(2, (nx + 1) * (ny + 1));
   for (int j = 0; j <= ny; ++j)
-    for (int i = 0; i <= nx; ++i) mesh.vertices.col(id(i, j)) << width * i / nx, height * j / ny;
-  mesh.triangles.resize(3, 2 * nx * ny);
+    for (int i = 0; i <= nx; ++i)
+      mesh.vertices.col(id(i, j)) << width * i / nx, height * j / ny;
+  mesh.cells.resize(3, 2 * nx * ny);
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
-      mesh.triangles.col(2 * (j * nx + i)) << id(i, j), id(i + 1, j), id(i + 1, j + 1);
-      mesh.triangles.col(2 * (j * nx + i) + 1) << id(i, j), id(i + 1, j + 1), id(i, j + 1);
+      mesh.cells.col(2 * (j * nx + i)) << id(i, j), id(i + 1, j), id(i + 1, j + 1);
+      mesh.cells.col(2 * (j * nx + i) + 1) << id(i, j), id(i + 1, j + 1), id(i, j + 1);
     }
   mesh.boundary.resize(2, 2 * (nx + ny));
   mesh.boundary_label.resize(2 * (nx + ny));
@@ -45,11 +48,13 @@ inline Mesh rectangle(int nx, int ny, double width, double height) {
   return mesh;
 }
 
-/// A rectangle whose vertices are moved at random, by less than `fraction` of the cell in each direction; those on a
-/// side stay on it. The triangles stay positive for fraction < 1/4.
+/// A rectangle whose vertices are moved at random, by less than `fraction` of the cell in
+/// each direction; those on a side stay on it. The triangles stay positive for fraction <
+/// 1/4.
 inline Mesh moved(Mesh mesh, double cell, double fraction, std::mt19937& random) {
   std::uniform_real_distribution<double> shift(-fraction * cell, fraction * cell);
-  const Eigen::Vector2d low = mesh.vertices.rowwise().minCoeff(), high = mesh.vertices.rowwise().maxCoeff();
+  const Vector2d low = mesh.vertices.rowwise().minCoeff(),
+                 high = mesh.vertices.rowwise().maxCoeff();
   for (int v = 0; v < mesh.vertex_count(); ++v)
     for (int c = 0; c < 2; ++c) {
       const double by = shift(random), x = mesh.vertices(c, v);
@@ -63,26 +68,30 @@ struct Renumbered {
   std::vector<int> vertex;  ///< new number of each old vertex
 };
 
-/// The same body with vertices, triangles, local vertices and labelled edges in random order, edges in random
-/// direction.
+/// The same body with vertices, triangles, local vertices and labelled edges in random
+/// order, edges in random direction.
 inline Renumbered renumbered(const Mesh& mesh, std::mt19937& random) {
-  const auto shuffled = [&random](Eigen::Index n) {
+  const auto shuffled = [&random](Index n) {
     std::vector<int> order(n);
     std::iota(order.begin(), order.end(), 0);
     std::shuffle(order.begin(), order.end(), random);
     return order;
   };
   Renumbered result{mesh, shuffled(mesh.vertices.cols())};
-  for (int v = 0; v < mesh.vertex_count(); ++v) result.mesh.vertices.col(result.vertex[v]) = mesh.vertices.col(v);
-  const std::vector<int> triangle = shuffled(mesh.triangles.cols()), boundary = shuffled(mesh.boundary.cols());
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    result.mesh.vertices.col(result.vertex[v]) = mesh.vertices.col(v);
+  const std::vector<int> triangle = shuffled(mesh.cells.cols()),
+                         boundary = shuffled(mesh.boundary.cols());
+  for (int t = 0; t < mesh.cell_count(); ++t) {
     const int turn = static_cast<int>(random() % 3);
     for (int k = 0; k < 3; ++k)
-      result.mesh.triangles((k + turn) % 3, triangle[t]) = result.vertex[mesh.triangles(k, t)];
+      result.mesh.cells((k + turn) % 3, triangle[t]) = result.vertex[mesh.cells(k, t)];
   }
-  for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e) {
+  for (Index e = 0; e < mesh.boundary.cols(); ++e) {
     const int turn = static_cast<int>(random() % 2);
-    for (int k = 0; k < 2; ++k) result.mesh.boundary((k + turn) % 2, boundary[e]) = result.vertex[mesh.boundary(k, e)];
+    for (int k = 0; k < 2; ++k)
+      result.mesh.boundary((k + turn) % 2, boundary[e]) =
+          result.vertex[mesh.boundary(k, e)];
     result.mesh.boundary_label[boundary[e]] = mesh.boundary_label[e];
   }
   return result;
@@ -95,16 +104,17 @@ class Bisection {
     for (int t : marked) halve_longest(t);
     for (bool closed = false; !closed;) {
       closed = true;
-      for (int t = 0; t < old_.triangle_count(); ++t)
+      for (int t = 0; t < old_.cell_count(); ++t)
         if (is_touched(t) && halve_longest(t)) closed = false;
     }
   }
 
   Mesh mesh() {
-    std::vector<Eigen::Vector3i> triangles;
-    for (int t = 0; t < old_.triangle_count(); ++t) split(t, triangles);
-    new_.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
-    for (std::size_t t = 0; t < triangles.size(); ++t) new_.triangles.col(static_cast<Eigen::Index>(t)) = triangles[t];
+    std::vector<Vector3i> triangles;
+    for (int t = 0; t < old_.cell_count(); ++t) split(t, triangles);
+    new_.cells.resize(3, static_cast<Index>(triangles.size()));
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      new_.cells.col(static_cast<Index>(t)) = triangles[t];
     split_boundary();
     return std::move(new_);
   }
@@ -123,17 +133,19 @@ class Bisection {
       if (side_length(t, k) > side_length(t, best) * (1 + 1e-12)) best = k;
     return best;
   }
-  double side_length(int t, int k) const { return (old_.corner(t, (k + 1) % 3) - old_.corner(t, (k + 2) % 3)).norm(); }
+  double side_length(int t, int k) const {
+    return (old_.corner(t, (k + 1) % 3) - old_.corner(t, (k + 2) % 3)).norm();
+  }
 
   bool is_touched(int t) const {
     for (int k = 0; k < 3; ++k)
-      if (middle(old_.triangles(k, t), old_.triangles((k + 1) % 3, t)) >= 0) return true;
+      if (middle(old_.cells(k, t), old_.cells((k + 1) % 3, t)) >= 0) return true;
     return false;
   }
 
   /// False when it has been halved before.
   bool halve_longest(int t) {
-    const int k = apex(t), a = old_.triangles((k + 1) % 3, t), b = old_.triangles((k + 2) % 3, t);
+    const int k = apex(t), a = old_.cells((k + 1) % 3, t), b = old_.cells((k + 2) % 3, t);
     const int number = new_.vertex_count();
     if (!middle_.emplace(key(a, b), number).second) return false;
     new_.vertices.conservativeResize(Eigen::NoChange, number + 1);
@@ -141,15 +153,16 @@ class Bisection {
     return true;
   }
 
-  void split(int t, std::vector<Eigen::Vector3i>& triangles) const {
-    const int k = apex(t), a = old_.triangles(k, t), b = old_.triangles((k + 1) % 3, t),
-              c = old_.triangles((k + 2) % 3, t);
+  void split(int t, std::vector<Vector3i>& triangles) const {
+    const int k = apex(t), a = old_.cells(k, t), b = old_.cells((k + 1) % 3, t),
+              c = old_.cells((k + 2) % 3, t);
     const int m = middle(b, c);
     if (m < 0) {
       triangles.emplace_back(a, b, c);
       return;
     }
-    const auto add_half = [&](int start, int end) {  // the triangle (start, end, m), halved again at its old side
+    // the triangle (start, end, m), halved again at its old side
+    const auto add_half = [&](int start, int end) {
       const int p = middle(start, end);
       if (p < 0) {
         triangles.emplace_back(start, end, m);
@@ -163,16 +176,17 @@ class Bisection {
   }
 
   void split_boundary() {
-    std::vector<Eigen::Vector3i> pieces;  // two vertices and the label
-    for (Eigen::Index e = 0; e < old_.boundary.cols(); ++e) {
-      const int a = old_.boundary(0, e), b = old_.boundary(1, e), m = middle(a, b), label = old_.boundary_label[e];
+    std::vector<Vector3i> pieces;  // two vertices and the label
+    for (Index e = 0; e < old_.boundary.cols(); ++e) {
+      const int a = old_.boundary(0, e), b = old_.boundary(1, e), m = middle(a, b),
+                label = old_.boundary_label[e];
       pieces.emplace_back(a, m < 0 ? b : m, label);
       if (m >= 0) pieces.emplace_back(m, b, label);
     }
-    const auto n = static_cast<Eigen::Index>(pieces.size());
+    const auto n = static_cast<Index>(pieces.size());
     new_.boundary.resize(2, n);
     new_.boundary_label.resize(n);
-    for (Eigen::Index e = 0; e < n; ++e) {
+    for (Index e = 0; e < n; ++e) {
       new_.boundary.col(e) = pieces[e].head<2>();
       new_.boundary_label[e] = pieces[e][2];
     }
@@ -183,14 +197,18 @@ class Bisection {
   std::map<std::pair<int, int>, int> middle_;  ///< of each halved edge
 };
 
-inline Mesh refined(const Mesh& mesh, const std::vector<int>& marked) { return Bisection(mesh, marked).mesh(); }
+inline Mesh refined(const Mesh& mesh, const std::vector<int>& marked) {
+  return Bisection(mesh, marked).mesh();
+}
 
 /// The triangles that have a corner within a distance of a point.
-inline std::vector<int> triangles_near(const Mesh& mesh, const Eigen::Vector2d& point, double distance) {
+inline std::vector<int> triangles_near(const Mesh& mesh, const Vector2d& point,
+                                       double distance) {
   std::vector<int> near;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+  for (int t = 0; t < mesh.cell_count(); ++t) {
     double closest = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) closest = std::min(closest, (mesh.corner(t, k) - point).norm());
+    for (int k = 0; k < 3; ++k)
+      closest = std::min(closest, (mesh.corner(t, k) - point).norm());
     if (closest <= distance) near.push_back(t);
   }
   return near;
@@ -204,7 +222,7 @@ inline Mesh rotated(Mesh mesh, double angle) {
 /// The mirror image x -> -x, with triangles turned back to counter-clockwise.
 inline Mesh mirrored(Mesh mesh) {
   mesh.vertices.row(0) *= -1;
-  mesh.triangles.row(1).swap(mesh.triangles.row(2));
+  mesh.cells.row(1).swap(mesh.cells.row(2));
   return mesh;
 }
 
@@ -213,8 +231,8 @@ inline Mesh joined(const Mesh& a, const Mesh& b) {
   Mesh both;
   both.vertices.resize(2, a.vertices.cols() + b.vertices.cols());
   both.vertices << a.vertices, b.vertices;
-  both.triangles.resize(3, a.triangles.cols() + b.triangles.cols());
-  both.triangles << a.triangles, b.triangles.array() + a.vertex_count();
+  both.cells.resize(3, a.cells.cols() + b.cells.cols());
+  both.cells << a.cells, b.cells.array() + a.vertex_count();
   both.boundary.resize(2, a.boundary.cols() + b.boundary.cols());
   both.boundary << a.boundary, b.boundary.array() + a.vertex_count();
   both.boundary_label.resize(both.boundary.cols());
@@ -228,7 +246,7 @@ inline Mesh irregular(int nx, int ny, double width, double height, std::mt19937&
   Mesh mesh = moved(rectangle(nx, ny, width, height), cell, 0.2, random);
   std::uniform_real_distribution<double> part(0, 1);
   for (int level = 0; level < 2; ++level) {
-    const Eigen::Vector2d point(width * part(random), height * part(random));
+    const Vector2d point(width * part(random), height * part(random));
     mesh = refined(mesh, triangles_near(mesh, point, 0.5 * cell));
   }
   return renumbered(mesh, random).mesh;
@@ -239,7 +257,8 @@ struct Starred {
   Mesh mesh;
   Edges edges;
   Stars stars;
-  explicit Starred(const Mesh& m) : mesh(m), edges(edges_of(m)), stars(stars_of(m, edges)) {}
+  explicit Starred(const Mesh& m)
+      : mesh(m), edges(edges_of(m)), stars(stars_of(m, edges)) {}
 };
 
 }  // namespace ffcontact::test

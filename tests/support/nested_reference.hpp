@@ -12,21 +12,26 @@
 /// Errors against the solution on a nested finer mesh, in the energy norm.
 namespace ffcontact::test {
 
-/// Values at the vertices of the `ratio` times finer rectangle of a field on rectangle(nx, ny, ...), exactly: the diagonals of
-/// the fine squares lie on those of the coarse ones.
-inline Eigen::VectorXd on_finer_rectangle(const Eigen::VectorXd& coarse, int nx, int ny, int ratio) {
+/// Values at the vertices of the `ratio` times finer rectangle of a field on
+/// rectangle(nx, ny, ...), exactly: the diagonals of the fine squares lie on those of the
+/// coarse ones.
+inline VectorXd on_finer_rectangle(const VectorXd& coarse, int nx, int ny, int ratio) {
   const int fine_x = nx * ratio, fine_y = ny * ratio;
-  Eigen::VectorXd fine(2 * (fine_x + 1) * (fine_y + 1));
-  const auto value = [&](int i, int j) { return Eigen::Vector2d(coarse.segment<2>(2 * (j * (nx + 1) + i))); };
+  VectorXd fine(2 * (fine_x + 1) * (fine_y + 1));
+  const auto value = [&](int i, int j) {
+    return Vector2d(coarse.segment<2>(2 * (j * (nx + 1) + i)));
+  };
   for (int j = 0; j <= fine_y; ++j)
     for (int i = 0; i <= fine_x; ++i) {
       const int I = std::min(i / ratio, nx - 1), J = std::min(j / ratio, ny - 1);
-      const double x = static_cast<double>(i) / ratio - I, y = static_cast<double>(j) / ratio - J;
-      const Eigen::Vector2d corner = value(I, J), opposite = value(I + 1, J + 1);
-      const Eigen::Vector2d other = x >= y ? value(I + 1, J) : value(I, J + 1);  // below or above the diagonal
-      fine.segment<2>(2 * (j * (fine_x + 1) + i)) = x >= y
-                                                        ? corner + (x - y) * (other - corner) + y * (opposite - corner)
-                                                        : corner + (y - x) * (other - corner) + x * (opposite - corner);
+      const double x = static_cast<double>(i) / ratio - I,
+                   y = static_cast<double>(j) / ratio - J;
+      const Vector2d corner = value(I, J), opposite = value(I + 1, J + 1);
+      // below or above the diagonal
+      const Vector2d other = x >= y ? value(I + 1, J) : value(I, J + 1);
+      fine.segment<2>(2 * (j * (fine_x + 1) + i)) =
+          x >= y ? corner + (x - y) * (other - corner) + y * (opposite - corner)
+                 : corner + (y - x) * (other - corner) + x * (opposite - corner);
     }
   return fine;
 }
@@ -35,27 +40,30 @@ inline Eigen::VectorXd on_finer_rectangle(const Eigen::VectorXd& coarse, int nx,
 inline Mesh subdivided(Mesh mesh, int times) {
   for (; times > 0; --times) {
     std::map<std::pair<int, int>, int> middle;
-    std::vector<Eigen::Vector2d> vertices(mesh.vertices.colwise().begin(), mesh.vertices.colwise().end());
+    std::vector<Vector2d> vertices(mesh.vertices.colwise().begin(),
+                                   mesh.vertices.colwise().end());
     const auto between = [&](int a, int b) {
-      const auto [place, is_new] = middle.emplace(std::minmax(a, b), static_cast<int>(vertices.size()));
+      const auto [place, is_new] =
+          middle.emplace(std::minmax(a, b), static_cast<int>(vertices.size()));
       if (is_new) vertices.push_back(0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)));
       return place->second;
     };
     Mesh fine;
-    fine.triangles.resize(3, 4 * mesh.triangles.cols());
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-      const Eigen::Vector3i v = mesh.triangles.col(t);
-      const Eigen::Vector3i m(between(v[1], v[2]), between(v[2], v[0]), between(v[0], v[1]));
-      fine.triangles.middleCols<4>(4 * t) << v[0], v[1], v[2], m[0], m[2], m[0], m[1], m[1], m[1], m[2], m[0], m[2];
+    fine.cells.resize(3, 4 * mesh.cells.cols());
+    for (int t = 0; t < mesh.cell_count(); ++t) {
+      const Vector3i v = mesh.cells.col(t);
+      const Vector3i m(between(v[1], v[2]), between(v[2], v[0]), between(v[0], v[1]));
+      fine.cells.middleCols<4>(4 * t) << v[0], v[1], v[2], m[0], m[2], m[0], m[1], m[1],
+          m[1], m[2], m[0], m[2];
     }
     fine.boundary.resize(2, 2 * mesh.boundary.cols());
     fine.boundary_label.resize(2 * mesh.boundary.cols());
-    for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e) {
+    for (Index e = 0; e < mesh.boundary.cols(); ++e) {
       const int a = mesh.boundary(0, e), b = mesh.boundary(1, e), m = between(a, b);
       fine.boundary.middleCols<2>(2 * e) << a, m, m, b;
       fine.boundary_label.segment<2>(2 * e).setConstant(mesh.boundary_label[e]);
     }
-    fine.vertices.resize(2, static_cast<Eigen::Index>(vertices.size()));
+    fine.vertices.resize(2, static_cast<Index>(vertices.size()));
     for (std::size_t v = 0; v < vertices.size(); ++v) fine.vertices.col(v) = vertices[v];
     mesh = std::move(fine);
   }
@@ -63,7 +71,7 @@ inline Mesh subdivided(Mesh mesh, int times) {
 }
 
 /// |v| = a(v, v)^(1/2).
-inline double energy_norm(const Problem& problem, const Eigen::VectorXd& v) {
+inline double energy_norm(const Problem& problem, const VectorXd& v) {
   return std::sqrt(v.dot(stiffness(problem.mesh, problem.hooke) * v));
 }
 
@@ -72,74 +80,85 @@ struct SquaredDistances {
   double stress, displacement;
 };
 
-using Polygon = std::vector<Eigen::Vector2d>;
+using Polygon = std::vector<Vector2d>;
 
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vector2d& a, const Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
-/// The part of a convex polygon on the left of the line from a to b (Sutherland, Hodgman).
-inline Polygon left_part(const Polygon& polygon, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+/// The part of a convex polygon on the left of the line from a to b (Sutherland,
+/// Hodgman).
+inline Polygon left_part(const Polygon& polygon, const Vector2d& a, const Vector2d& b) {
   Polygon part;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Eigen::Vector2d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const Vector2d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
     const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
     if (at_p >= 0) part.push_back(p);
-    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) part.push_back(p + at_p / (at_p - at_q) * (q - p));
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
+      part.push_back(p + at_p / (at_p - at_q) * (q - p));
   }
   return part;
 }
 
 inline Polygon intersection(const TriangleCorners& a, const TriangleCorners& b) {
   const Eigen::Array2d apart =
-      (a.rowwise().minCoeff() - b.rowwise().maxCoeff()).cwiseMax(b.rowwise().minCoeff() - a.rowwise().maxCoeff());
+      (a.rowwise().minCoeff() - b.rowwise().maxCoeff())
+          .cwiseMax(b.rowwise().minCoeff() - a.rowwise().maxCoeff());
   if (apart.maxCoeff() >= 0) return {};
   Polygon part{a.col(0), a.col(1), a.col(2)};
   for (int k = 0; k < 3; ++k) part = left_part(part, b.col(k), b.col((k + 1) % 3));
   return part;
 }
 
-/// Integral over a convex polygon of a quadratic function: three points a triangle are exact.
+/// Integral over a convex polygon of a quadratic function: three points a triangle are
+/// exact.
 template <class Function>
 double integral(const Polygon& polygon, Function&& f) {
   double sum = 0;
   for (std::size_t k = 2; k < polygon.size(); ++k) {
-    const Eigen::Vector2d &a = polygon[0], &b = polygon[k - 1], &c = polygon[k];
-    sum += cross(b - a, c - a) / 6 * (f(0.5 * (a + b)) + f(0.5 * (b + c)) + f(0.5 * (c + a)));
+    const Vector2d &a = polygon[0], &b = polygon[k - 1], &c = polygon[k];
+    sum += cross(b - a, c - a) / 6 *
+           (f(0.5 * (a + b)) + f(0.5 * (b + c)) + f(0.5 * (c + a)));
   }
   return sum;
 }
 
-inline Eigen::Vector3d barycentric(const TriangleCorners& corners, const Eigen::Vector2d& x) {
-  Eigen::Matrix3d system;
+inline Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
+  Matrix3d system;
   system << corners, Eigen::RowVector3d::Ones();
-  return system.inverse() * Eigen::Vector3d(x.x(), x.y(), 1);
+  return system.inverse() * Vector3d(x.x(), x.y(), 1);
 }
 
-/// Distances, exactly, of an admissible pair from a reference solution whose stress is constant on the fine triangles. The pair
-/// is on the bodies or on their common refinement.
-inline SquaredDistances squared_distances(const Problem& coarse, const Estimate& estimate, const Problem& fine,
-                                          const Eigen::VectorXd& reference) {
+/// Distances, exactly, of an admissible pair from a reference solution whose stress is
+/// constant on the fine triangles. The pair is on the bodies or on their common
+/// refinement.
+inline SquaredDistances squared_distances(const Problem& coarse, const Estimate& estimate,
+                                          const Problem& fine,
+                                          const VectorXd& reference) {
   const Mesh& mesh = estimate.refinement ? estimate.refinement->mesh : coarse.mesh;
   Hooke hooke = coarse.hooke;
   if (estimate.refinement) {
     hooke.clear();
     for (int t : estimate.refinement->parent) hooke.push_back(coarse.hooke[t]);
   }
-  const Eigen::Matrix3Xd sigma = stresses(fine.mesh, fine.hooke, reference);
-  const Eigen::Matrix3Xd sigma_of_u_hat = stresses(mesh, hooke, estimate.displacement);
+  const Matrix3Xd sigma = stresses(fine.mesh, fine.hooke, reference);
+  const Matrix3Xd sigma_of_u_hat = stresses(mesh, hooke, estimate.displacement);
   SquaredDistances squares{0, 0};
-  for (int T = 0; T < mesh.triangle_count(); ++T) {
+  for (int T = 0; T < mesh.cell_count(); ++T) {
     const TriangleCorners corners = corners_of(mesh, T);
-    const Eigen::Matrix3d compliance = hooke[T].inverse();
+    const Matrix3d compliance = hooke[T].inverse();
     for (int k = 0; k < 3; ++k) {
       TriangleCorners sub;
       sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
-      for (int t = 0; t < fine.mesh.triangle_count(); ++t) {
+      for (int t = 0; t < fine.mesh.cell_count(); ++t) {
         const Polygon part = intersection(corners_of(fine.mesh, t), sub);
         if (part.size() < 3) continue;
-        const Eigen::Vector3d of_fine = sigma.col(t), d_u = of_fine - sigma_of_u_hat.col(T);
-        squares.displacement += integral(part, [&](const Eigen::Vector2d&) { return d_u.dot(compliance * d_u); });
-        squares.stress += integral(part, [&](const Eigen::Vector2d& x) {
-          const Eigen::Vector3d d = of_fine - estimate.stress[T].middleCols<3>(3 * k) * barycentric(sub, x);
+        const Vector3d of_fine = sigma.col(t), d_u = of_fine - sigma_of_u_hat.col(T);
+        squares.displacement +=
+            integral(part, [&](const Vector2d&) { return d_u.dot(compliance * d_u); });
+        squares.stress += integral(part, [&](const Vector2d& x) {
+          const Vector3d d =
+              of_fine - estimate.stress[T].middleCols<3>(3 * k) * barycentric(sub, x);
           return d.dot(compliance * d);
         });
       }

@@ -13,56 +13,61 @@ namespace ffcontact::test {
 /// Lame's constants of plane strain [MPa].
 struct Material {
   double lambda, G;
-  Eigen::Matrix3d hooke() const { return isotropic(lambda, G); }
+  Matrix3d hooke() const { return isotropic(lambda, G); }
 };
 inline Material material(double youngs_modulus, double nu) {
-  return {youngs_modulus * nu / ((1 + nu) * (1 - 2 * nu)), youngs_modulus / (2 * (1 + nu))};
+  return {youngs_modulus * nu / ((1 + nu) * (1 - 2 * nu)),
+          youngs_modulus / (2 * (1 + nu))};
 }
 
 constexpr double penalty = 1e30;  ///< FreeFEM's tgv
 
-using Field = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
+using Field = std::function<Vector2d(const Vector2d&)>;
 
-/// A body with its loads and supports as FreeFEM assembles them, and the law on its contact line.
+/// A body with its loads and supports as FreeFEM assembles them, and the law on its
+/// contact line.
 struct Problem {
   Mesh mesh;
   Edges edges;
   ContactLine line;
   Hooke hooke;
   RowMatrix A;
-  Eigen::VectorXd b;
-  Eigen::Matrix4Xd neumann;     ///< moments of the given tractions [4 x Mesh::boundary]
-  Eigen::Matrix2Xd body_force;  ///< per triangle
+  VectorXd b;
+  Matrix4Xd neumann;     ///< moments of the given tractions [4 x Mesh::boundary]
+  Matrix2Xd body_force;  ///< per triangle
   ContactLaw law;
 
   ElasticSystem system() const { return elastic_system(A, b); }
 };
 
-inline Eigen::VectorXd everywhere(const ContactLine& line, double value) {
-  return Eigen::VectorXd::Constant(line.node_count(), value);
+inline VectorXd everywhere(const ContactLine& line, double value) {
+  return VectorXd::Constant(line.node_count(), value);
 }
 
 /// A body without loads and supports, and without friction.
-inline Problem body(const Mesh& mesh, const Material& material, const std::vector<int>& contact_labels = {bottom}) {
+inline Problem body(const Mesh& mesh, const Material& material,
+                    const std::vector<int>& contact_labels = {bottom}) {
   Problem problem;
   problem.mesh = mesh;
   problem.edges = edges_of(mesh);
   problem.line = contact_line(mesh, problem.edges, contact_labels);
-  problem.hooke = Hooke(mesh.triangle_count(), material.hooke());
+  problem.hooke = Hooke(mesh.cell_count(), material.hooke());
   problem.A = stiffness(mesh, problem.hooke);
-  problem.b = Eigen::VectorXd::Zero(problem.A.rows());
-  problem.neumann = Eigen::Matrix4Xd::Zero(4, mesh.boundary.cols());
-  problem.body_force = Eigen::Matrix2Xd::Zero(2, mesh.triangles.cols());
+  problem.b = VectorXd::Zero(problem.A.rows());
+  problem.neumann = Matrix4Xd::Zero(4, mesh.boundary.cols());
+  problem.body_force = Matrix2Xd::Zero(2, mesh.cells.cols());
   problem.law.friction = everywhere(problem.line, 0);
   return problem;
 }
 
 /// Adds a constant traction [MPa] on the edges of a label.
-inline void add_traction(Problem& problem, int label, const Eigen::Vector2d& traction) {
+inline void add_traction(Problem& problem, int label, const Vector2d& traction) {
   const Mesh& mesh = problem.mesh;
-  for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e) {
+  for (Index e = 0; e < mesh.boundary.cols(); ++e) {
     if (mesh.boundary_label[e] != label) continue;
-    const double length = (mesh.vertices.col(mesh.boundary(1, e)) - mesh.vertices.col(mesh.boundary(0, e))).norm();
+    const double length =
+        (mesh.vertices.col(mesh.boundary(1, e)) - mesh.vertices.col(mesh.boundary(0, e)))
+            .norm();
     for (int end = 0; end < 2; ++end) {
       problem.neumann.block<2, 1>(2 * end, e) += length / 2 * traction;
       problem.b.segment<2>(2 * mesh.boundary(end, e)) += length / 2 * traction;
@@ -71,10 +76,11 @@ inline void add_traction(Problem& problem, int label, const Eigen::Vector2d& tra
 }
 
 /// Adds a constant body force [N/mm^3].
-inline void add_body_force(Problem& problem, const Eigen::Vector2d& force) {
-  for (int t = 0; t < problem.mesh.triangle_count(); ++t) {
+inline void add_body_force(Problem& problem, const Vector2d& force) {
+  for (int t = 0; t < problem.mesh.cell_count(); ++t) {
     problem.body_force.col(t) += force;
-    for (int v : problem.mesh.triangles.col(t)) problem.b.segment<2>(2 * v) += signed_area(problem.mesh, t) / 3 * force;
+    for (int v : problem.mesh.cells.col(t))
+      problem.b.segment<2>(2 * v) += signed_area(problem.mesh, t) / 3 * force;
   }
 }
 
@@ -85,13 +91,14 @@ inline void prescribe_dof(Problem& problem, int dof, double value) {
 
 /// Prescribes one component on the vertices of a label.
 inline void prescribe(Problem& problem, int label, int component, const Field& value) {
-  for (Eigen::Index e = 0; e < problem.mesh.boundary.cols(); ++e)
+  for (Index e = 0; e < problem.mesh.boundary.cols(); ++e)
     if (problem.mesh.boundary_label[e] == label)
       for (int v : problem.mesh.boundary.col(e))
-        prescribe_dof(problem, 2 * v + component, value(problem.mesh.vertices.col(v))[component]);
+        prescribe_dof(problem, 2 * v + component,
+                      value(problem.mesh.vertices.col(v))[component]);
 }
 
-inline Eigen::Vector2d no_displacement(const Eigen::Vector2d&) { return Eigen::Vector2d::Zero(); }
+inline Vector2d no_displacement(const Vector2d&) { return Vector2d::Zero(); }
 
 inline void prescribe(Problem& problem, int label, int component) {
   prescribe(problem, label, component, no_displacement);
@@ -102,9 +109,12 @@ inline void clamp(Problem& problem, int label, const Field& value = no_displacem
   prescribe(problem, label, 1, value);
 }
 
-inline void set_friction(Problem& problem, double mu) { problem.law.friction = everywhere(problem.line, mu); }
+inline void set_friction(Problem& problem, double mu) {
+  problem.law.friction = everywhere(problem.line, mu);
+}
 
-/// Example 1 of [CHH01]: 80 x 40, clamped at the top, pushed from the left by 10 MPa, symmetric at the right.
+/// Example 1 of [CHH01]: 80 x 40, clamped at the top, pushed from the left by 10 MPa,
+/// symmetric at the right.
 inline Problem example_1(Multiplier multiplier, int cells = 16) {
   Problem problem = body(rectangle(2 * cells, cells, 80, 40), material(13e3, 0.2));
   add_traction(problem, left, {10, 0});
@@ -115,8 +125,8 @@ inline Problem example_1(Multiplier multiplier, int cells = 16) {
   return problem;
 }
 
-/// Example 2 of [CHH01]: 40 x 40, pressed from the top by 5 MPa, symmetric at the right; only contact holds it
-/// vertically.
+/// Example 2 of [CHH01]: 40 x 40, pressed from the top by 5 MPa, symmetric at the right;
+/// only contact holds it vertically.
 inline Problem example_2(Multiplier multiplier, double mu, int cells = 16) {
   Problem problem = body(rectangle(cells, cells, 40, 40), material(13e3, 0.2));
   add_traction(problem, top, {0, -5});
@@ -126,31 +136,36 @@ inline Problem example_2(Multiplier multiplier, double mu, int cells = 16) {
   return problem;
 }
 
-/// Benchmark B1 (Raous, Chabrand, Lebon 1988; code_aster SSNV128): 40 x 40, pressed from the top by 50 MPa and pushed
-/// from the left by 150 MPa, symmetric at the right; the contact line opens, slips and sticks from left to right.
+/// Benchmark B1 (Raous, Chabrand, Lebon 1988; code_aster SSNV128): 40 x 40, pressed from
+/// the top by 50 MPa and pushed from the left by 150 MPa, symmetric at the right; the
+/// contact line opens, slips and sticks from left to right.
 inline Problem block_with_three_zones(int cells) {
   Problem problem = body(rectangle(cells, cells, 40, 40), material(130e3, 0.2));
   add_traction(problem, top, {0, -50});
   add_traction(problem, left, {150, 0});
   prescribe(problem, right, 0);
-  prescribe_dof(problem, 2 * cells + 1, 0);  // the lower right corner is held in both directions
+  // the lower right corner is held in both directions
+  prescribe_dof(problem, 2 * cells + 1, 0);
   set_friction(problem, 1);
   return problem;
 }
 
-inline ContactSolution solved(const Problem& problem, const ContactSettings& settings = {}) {
-  return solve_contact(problem.mesh, problem.line, problem.law, problem.system(), settings);
+inline ContactSolution solved(const Problem& problem,
+                              const ContactSettings& settings = {}) {
+  return solve_contact(problem.mesh, problem.line, problem.law, problem.system(),
+                       settings);
 }
 
-inline Eigen::VectorXd nodal_values(const Mesh& mesh, const Field& field) {
-  Eigen::VectorXd values(2 * mesh.vertices.cols());
-  for (int v = 0; v < mesh.vertex_count(); ++v) values.segment<2>(2 * v) = field(mesh.vertices.col(v));
+inline VectorXd nodal_values(const Mesh& mesh, const Field& field) {
+  VectorXd values(2 * mesh.vertices.cols());
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    values.segment<2>(2 * v) = field(mesh.vertices.col(v));
   return values;
 }
 
 /// Largest difference relative to the largest value of the second.
-inline double relative_difference(const Eigen::Ref<const Eigen::MatrixXd>& a,
-                                  const Eigen::Ref<const Eigen::MatrixXd>& b) {
+inline double relative_difference(const Ref<const MatrixXd>& a,
+                                  const Ref<const MatrixXd>& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <Eigen/Core>
 #include <cstdlib>
 #include <ostream>
 #include <random>
 #include <string>
+
+#include "ffcontact/base/eigen.hpp"
 
 namespace ffcontact::test {
 
@@ -18,11 +19,13 @@ constexpr int cases_a_property = 20;
 constexpr int cases_a_property = 60;
 #endif
 
-/// RapidCheck draws a new seed for every run and prints it beside the number of cases a property; with both of them in the
-/// environment, RC_PARAMS="seed=... max_success=...", the run is replayed. Of what is said twice the last counts.
+/// RapidCheck draws a new seed for every run and prints it beside the number of cases a
+/// property; with both of them in the environment, RC_PARAMS="seed=... max_success=...",
+/// the run is replayed. Of what is said twice the last counts.
 inline const bool cases_are_set = [] {
   const char* given = std::getenv("RC_PARAMS");
-  const std::string parameters = "max_success=" + std::to_string(cases_a_property) + " " + (given ? given : "");
+  const std::string parameters =
+      "max_success=" + std::to_string(cases_a_property) + " " + (given ? given : "");
   return setenv("RC_PARAMS", parameters.c_str(), 1) == 0;
 }();
 
@@ -35,24 +38,29 @@ inline std::ostream& operator<<(std::ostream& out, const Random& random) {
   return out << "Random(" << random.seed << ")";
 }
 
-/// Real numbers in [low, high], in steps of a thousandth of the range; they shrink towards low.
+/// Real numbers in [low, high], in steps of a thousandth of the range; they shrink
+/// towards low.
 inline rc::Gen<double> real(double low, double high) {
-  return rc::gen::map(rc::gen::inRange(0, 1001), [=](int step) { return low + (high - low) * step / 1000; });
+  return rc::gen::map(rc::gen::inRange(0, 1001),
+                      [=](int step) { return low + (high - low) * step / 1000; });
 }
 
 /// Entries uniform in [-1, 1].
-inline Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index cols, std::mt19937& random) {
+inline MatrixXd random_matrix(Index rows, Index cols, std::mt19937& random) {
   std::uniform_real_distribution<double> entry(-1, 1);
-  return Eigen::MatrixXd::NullaryExpr(rows, cols, [&] { return entry(random); });
+  return MatrixXd::NullaryExpr(rows, cols, [&] { return entry(random); });
 }
 
-inline Eigen::VectorXd random_vector(Eigen::Index size, std::mt19937& random) { return random_matrix(size, 1, random); }
+inline VectorXd random_vector(Index size, std::mt19937& random) {
+  return random_matrix(size, 1, random);
+}
 
 }  // namespace ffcontact::test
 
 template <>
 struct rc::Arbitrary<ffcontact::test::Random> {
   static Gen<ffcontact::test::Random> arbitrary() {
-    return gen::map(gen::noShrink(gen::inRange(0, 1 << 30)), [](int seed) { return ffcontact::test::Random(seed); });
+    return gen::map(gen::noShrink(gen::inRange(0, 1 << 30)),
+                    [](int seed) { return ffcontact::test::Random(seed); });
   }
 };

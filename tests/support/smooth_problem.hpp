@@ -7,39 +7,42 @@
 #include "ffcontact/equilibrium/composite_stress.hpp"
 #include "support/problems.hpp"
 
-/// Manufactured problems on (0, 2) x (0, 2): u = grad phi with a harmonic potential phi, hence div u = 0, sigma = 2 G
-/// eps and div sigma = 0. Both are exact solutions of frictionless contact on y = 0: u_n = 0, sigma_n < 0, sigma_t = 0.
+/// Manufactured problems on (0, 2) x (0, 2): u = grad phi with a harmonic potential phi,
+/// hence div u = 0, sigma = 2 G eps and div sigma = 0. Both are exact solutions of
+/// frictionless contact on y = 0: u_n = 0, sigma_n < 0, sigma_t = 0.
 namespace ffcontact::test {
 
 struct Manufactured {
   Material material;
   Field displacement;
-  std::function<Eigen::Vector3d(const Eigen::Vector2d&)> strain;  ///< Voigt, engineering shear
+  std::function<Vector3d(const Vector2d&)> strain;  ///< Voigt, engineering shear
 
-  Eigen::Vector3d stress(const Eigen::Vector2d& x) const { return material.hooke() * strain(x); }
+  Vector3d stress(const Vector2d& x) const { return material.hooke() * strain(x); }
 };
 
 /// phi = e^x cos y
 inline Manufactured smooth_solution(double nu) {
   return {material(1, nu),
-          [](const Eigen::Vector2d& x) -> Eigen::Vector2d {
-            return std::exp(x.x()) * Eigen::Vector2d(std::cos(x.y()), -std::sin(x.y()));
+          [](const Vector2d& x) -> Vector2d {
+            return std::exp(x.x()) * Vector2d(std::cos(x.y()), -std::sin(x.y()));
           },
-          [](const Eigen::Vector2d& x) -> Eigen::Vector3d {
-            return std::exp(x.x()) * Eigen::Vector3d(std::cos(x.y()), -std::cos(x.y()), -2 * std::sin(x.y()));
+          [](const Vector2d& x) -> Vector3d {
+            return std::exp(x.x()) *
+                   Vector3d(std::cos(x.y()), -std::cos(x.y()), -2 * std::sin(x.y()));
           }};
 }
 
-/// phi = (x + 1)^3 - 3 (x + 1) y^2: stresses and tractions are linear, as the data of the discrete problem.
+/// phi = (x + 1)^3 - 3 (x + 1) y^2: stresses and tractions are linear, as the data of the
+/// discrete problem.
 inline Manufactured cubic_solution(double nu) {
   return {material(1, nu),
-          [](const Eigen::Vector2d& x) {
+          [](const Vector2d& x) {
             const double s = x.x() + 1, y = x.y();
-            return Eigen::Vector2d(3 * (s * s - y * y), -6 * s * y);
+            return Vector2d(3 * (s * s - y * y), -6 * s * y);
           },
-          [](const Eigen::Vector2d& x) {
+          [](const Vector2d& x) {
             const double s = x.x() + 1, y = x.y();
-            return Eigen::Vector3d(6 * s, -6 * s, -12 * y);
+            return Vector3d(6 * s, -6 * s, -12 * y);
           }};
 }
 
@@ -52,9 +55,10 @@ inline Problem without_contact(const Manufactured& exact, const Mesh& mesh) {
   return problem;
 }
 
-inline Eigen::VectorXd solved_without_contact(const Problem& problem) {
+inline VectorXd solved_without_contact(const Problem& problem) {
   const ElasticSystem system = problem.system();
-  return CondensedStiffness(system, {}).extended(system.load, Eigen::VectorXd()) + system.prescribed_value;
+  return CondensedStiffness(system, {}).extended(system.load, VectorXd()) +
+         system.prescribed_value;
 }
 
 /// Frictionless contact at the bottom, exact displacements on the other sides.
@@ -67,61 +71,73 @@ inline Problem with_contact(const Manufactured& exact, const Mesh& mesh) {
 /// Frictionless contact at the bottom, exact tractions (linear ones) on the other sides.
 inline Problem loaded_in_contact(const Manufactured& exact, const Mesh& mesh) {
   Problem problem = body(mesh, exact.material);
-  for (Eigen::Index b = 0; b < mesh.boundary.cols(); ++b) {
-    const std::map<int, Eigen::Vector2d> normals{{right, {1, 0}}, {top, {0, 1}}, {left, {-1, 0}}};
+  for (Index b = 0; b < mesh.boundary.cols(); ++b) {
+    const std::map<int, Vector2d> normals{
+        {right, {1, 0}}, {top, {0, 1}}, {left, {-1, 0}}};
     const auto normal = normals.find(mesh.boundary_label[b]);
     if (normal == normals.end()) continue;
-    const Eigen::Vector2d a = mesh.vertices.col(mesh.boundary(0, b)), c = mesh.vertices.col(mesh.boundary(1, b));
-    Eigen::Vector4d density;
-    density << traction(exact.stress(a), normal->second), traction(exact.stress(c), normal->second);
+    const Vector2d a = mesh.vertices.col(mesh.boundary(0, b)),
+                   c = mesh.vertices.col(mesh.boundary(1, b));
+    Vector4d density;
+    density << traction(exact.stress(a), normal->second),
+        traction(exact.stress(c), normal->second);
     problem.neumann.col(b) = moments_of_density(density, (c - a).norm());
     for (int end = 0; end < 2; ++end)
-      problem.b.segment<2>(2 * mesh.boundary(end, b)) += problem.neumann.block<2, 1>(2 * end, b);
+      problem.b.segment<2>(2 * mesh.boundary(end, b)) +=
+          problem.neumann.block<2, 1>(2 * end, b);
   }
   return problem;
 }
 
-/// Points of a triangle with equal weights that integrate quadratic functions exactly on its 16 parts: the middles of
-/// their sides.
-inline std::vector<Eigen::Vector2d> sample_points(const Eigen::Matrix<double, 2, 3>& corners) {
+/// Points of a triangle with equal weights that integrate quadratic functions exactly on
+/// its 16 parts: the middles of their sides.
+inline std::vector<Vector2d> sample_points(const Matrix<double, 2, 3>& corners) {
   constexpr int n = 4;
-  const Eigen::Vector2d a = (corners.col(1) - corners.col(0)) / n, b = (corners.col(2) - corners.col(0)) / n;
-  std::vector<Eigen::Vector2d> points;
+  const Vector2d a = (corners.col(1) - corners.col(0)) / n,
+                 b = (corners.col(2) - corners.col(0)) / n;
+  std::vector<Vector2d> points;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n - i; ++j) {
-      const auto add = [&](double x, double y) { points.push_back(corners.col(0) + (i + x) * a + (j + y) * b); };
+      const auto add = [&](double x, double y) {
+        points.push_back(corners.col(0) + (i + x) * a + (j + y) * b);
+      };
       add(0.5, 0), add(0, 0.5), add(0.5, 0.5);
-      if (i + j < n - 1) add(0.5, 1), add(1, 0.5), add(0.5, 0.5);  // the triangle turned upside down
+      // the triangle turned upside down
+      if (i + j < n - 1) add(0.5, 1), add(1, 0.5), add(0.5, 0.5);
     }
   return points;
 }
 
 /// |C eps(u) - sigma| in energy, for stresses by their corner values on the subtriangles.
-inline double distance(const Manufactured& exact, const Mesh& mesh, const std::vector<CompositeStress>& sigma) {
-  const Eigen::Matrix3d compliance = exact.material.hooke().inverse();
+inline double distance(const Manufactured& exact, const Mesh& mesh,
+                       const std::vector<CompositeStress>& sigma) {
+  const Matrix3d compliance = exact.material.hooke().inverse();
   double square = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      Eigen::Matrix<double, 2, 3> corners;
+      Matrix<double, 2, 3> corners;
       corners << mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3),
           (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
-      Eigen::Matrix3d of_corners;  // (1, x, y)
+      Matrix3d of_corners;  // (1, x, y)
       of_corners << Eigen::RowVector3d::Ones(), corners;
-      const Eigen::Matrix3d linear = sigma[t].middleCols<3>(3 * k) * of_corners.inverse();
-      const std::vector<Eigen::Vector2d> points = sample_points(corners);
-      for (const Eigen::Vector2d& x : points) {
-        const Eigen::Vector3d difference = exact.stress(x) - linear * Eigen::Vector3d(1, x.x(), x.y());
-        square += signed_area(mesh, t) / (3.0 * points.size()) * difference.dot(compliance * difference);
+      const Matrix3d linear = sigma[t].middleCols<3>(3 * k) * of_corners.inverse();
+      const std::vector<Vector2d> points = sample_points(corners);
+      for (const Vector2d& x : points) {
+        const Vector3d difference = exact.stress(x) - linear * Vector3d(1, x.x(), x.y());
+        square += signed_area(mesh, t) / (3.0 * points.size()) *
+                  difference.dot(compliance * difference);
       }
     }
   return std::sqrt(square);
 }
 
 /// |u - u_h| in energy.
-inline double error_of(const Manufactured& exact, const Problem& problem, const Eigen::VectorXd& displacement) {
-  const Eigen::Matrix3Xd sigma = stresses(problem.mesh, problem.hooke, displacement);
+inline double error_of(const Manufactured& exact, const Problem& problem,
+                       const VectorXd& displacement) {
+  const Matrix3Xd sigma = stresses(problem.mesh, problem.hooke, displacement);
   std::vector<CompositeStress> values;
-  for (Eigen::Index t = 0; t < sigma.cols(); ++t) values.push_back(sigma.col(t).replicate<1, 9>());
+  for (Index t = 0; t < sigma.cols(); ++t)
+    values.push_back(sigma.col(t).replicate<1, 9>());
   return distance(exact, problem.mesh, values);
 }
 

@@ -19,9 +19,14 @@ constexpr double sufficient = 1e-4;
 
 class FaceByFace {
  public:
-  FaceByFace(const Eigen::MatrixXd& H, const Eigen::VectorXd& h, const Eigen::VectorXd& low,
-             const Eigen::VectorXd& high, const Eigen::VectorXd& start, int most_steps)
-      : H_(H), h_(h), low_(low), high_(high), most_steps_(most_steps), fixed_(start.size(), 0) {
+  FaceByFace(const MatrixXd& H, const VectorXd& h, const VectorXd& low,
+             const VectorXd& high, const VectorXd& start, int most_steps)
+      : H_(H),
+        h_(h),
+        low_(low),
+        high_(high),
+        most_steps_(most_steps),
+        fixed_(start.size(), 0) {
     move_to(clamped(start));
   }
 
@@ -36,50 +41,52 @@ class FaceByFace {
   }
 
  private:
-  Eigen::VectorXd clamped(const Eigen::VectorXd& x) const { return x.cwiseMax(low_).cwiseMin(high_); }
+  VectorXd clamped(const VectorXd& x) const { return x.cwiseMax(low_).cwiseMin(high_); }
   double value() const { return 0.5 * x_.dot(gradient_ + h_); }
 
-  void move_to(const Eigen::VectorXd& x) {
+  void move_to(const VectorXd& x) {
     x_ = x;
     gradient_ = H_ * x + h_;
-    tolerance_ = rounding * (H_.diagonal().cwiseProduct(x_.cwiseAbs()) + h_.cwiseAbs()).maxCoeff();
+    tolerance_ =
+        rounding * (H_.diagonal().cwiseProduct(x_.cwiseAbs()) + h_.cwiseAbs()).maxCoeff();
   }
 
-  /// Fixes the unknowns that their gradient holds at a bound. @return whether another one can lower the function
+  /// Fixes the unknowns that their gradient holds at a bound. @return whether another one
+  /// can lower the function
   bool leave_bounds() {
     bool any = false;
-    for (Eigen::Index i = 0; i < x_.size(); ++i) {
-      fixed_[i] =
-          (x_[i] <= low_[i] && gradient_[i] >= -tolerance_) || (x_[i] >= high_[i] && gradient_[i] <= tolerance_);
+    for (Index i = 0; i < x_.size(); ++i) {
+      fixed_[i] = (x_[i] <= low_[i] && gradient_[i] >= -tolerance_) ||
+                  (x_[i] >= high_[i] && gradient_[i] <= tolerance_);
       any = any || (!fixed_[i] && std::abs(gradient_[i]) > tolerance_);
     }
     return any;
   }
 
-  std::vector<Eigen::Index> free_unknowns() const {
-    std::vector<Eigen::Index> free;
-    for (Eigen::Index i = 0; i < x_.size(); ++i)
+  std::vector<Index> free_unknowns() const {
+    std::vector<Index> free;
+    for (Index i = 0; i < x_.size(); ++i)
       if (!fixed_[i]) free.push_back(i);
     return free;
   }
 
   /// To the minimum over the free unknowns [all].
-  Eigen::VectorXd newton_step() {
-    const std::vector<Eigen::Index> free = free_unknowns();
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(x_.size());
+  VectorXd newton_step() {
+    const std::vector<Index> free = free_unknowns();
+    VectorXd step = VectorXd::Zero(x_.size());
     if (free.empty()) return step;
     ++steps_;
-    const Eigen::MatrixXd part = H_(free, free);
-    const Eigen::VectorXd right = -gradient_(free);
-    const Eigen::VectorXd on_face = Cholesky(part).solve(right);
+    const MatrixXd part = H_(free, free);
+    const VectorXd right = -gradient_(free);
+    const VectorXd on_face = Cholesky(part).solve(right);
     step(free) = on_face;
     return step;
   }
 
   /// Fixes unknowns at a bound that a step would move out of it.
-  bool fix_blocked(const Eigen::VectorXd& step) {
+  bool fix_blocked(const VectorXd& step) {
     bool any = false;
-    for (Eigen::Index i = 0; i < x_.size(); ++i)
+    for (Index i = 0; i < x_.size(); ++i)
       if ((x_[i] <= low_[i] && step[i] < 0) || (x_[i] >= high_[i] && step[i] > 0)) {
         fixed_[i] = 1;
         any = true;
@@ -87,38 +94,40 @@ class FaceByFace {
     return any;
   }
 
-  double room(Eigen::Index i, double step) const { return step < 0 ? low_[i] - x_[i] : high_[i] - x_[i]; }
+  double room(Index i, double step) const {
+    return step < 0 ? low_[i] - x_[i] : high_[i] - x_[i];
+  }
 
   /// Along a step up to the first bound.
-  Eigen::VectorXd at_first_bound(const Eigen::VectorXd& step) const {
-    Eigen::Index first = -1;
+  VectorXd at_first_bound(const VectorXd& step) const {
+    Index first = -1;
     double part = 1;
-    for (Eigen::Index i = 0; i < x_.size(); ++i)
+    for (Index i = 0; i < x_.size(); ++i)
       if (step[i] != 0 && room(i, step[i]) / step[i] < part) {
         part = room(i, step[i]) / step[i];
         first = i;
       }
-    Eigen::VectorXd x = clamped(x_ + part * step);
+    VectorXd x = clamped(x_ + part * step);
     if (first >= 0) x[first] = step[first] < 0 ? low_[first] : high_[first];
     return x;
   }
 
-  bool lowers(const Eigen::VectorXd& by) const {
+  bool lowers(const VectorXd& by) const {
     const double slope = gradient_.dot(by);
     return slope + 0.5 * by.dot(H_ * by) <= sufficient * std::min(slope, 0.0);
   }
 
   void fix_at_bounds() {
-    for (Eigen::Index i = 0; i < x_.size(); ++i)
+    for (Index i = 0; i < x_.size(); ++i)
       if (x_[i] <= low_[i] || x_[i] >= high_[i]) fixed_[i] = 1;
   }
 
   /// @return whether the minimum of the face is reached
   bool step_on_face() {
-    const Eigen::VectorXd step = newton_step();
+    const VectorXd step = newton_step();
     if (!step.allFinite()) return true;
     if (fix_blocked(step)) return false;
-    const Eigen::VectorXd whole = x_ + step, inside = clamped(whole);
+    const VectorXd whole = x_ + step, inside = clamped(whole);
     if (inside == whole) {
       move_to(whole);
       return true;
@@ -128,10 +137,10 @@ class FaceByFace {
     return false;
   }
 
-  const Eigen::MatrixXd& H_;
-  const Eigen::VectorXd &h_, &low_, &high_;
+  const MatrixXd& H_;
+  const VectorXd &h_, &low_, &high_;
   const int most_steps_;
-  Eigen::VectorXd x_, gradient_;
+  VectorXd x_, gradient_;
   std::vector<char> fixed_;
   double tolerance_ = 0;
   int steps_ = 0;
@@ -139,8 +148,9 @@ class FaceByFace {
 
 }  // namespace
 
-BoundedMinimum bounded_minimum(const Eigen::MatrixXd& H, const Eigen::VectorXd& h, const Eigen::VectorXd& low,
-                               const Eigen::VectorXd& high, const Eigen::VectorXd& start, int most_steps) {
+BoundedMinimum bounded_minimum(const MatrixXd& H, const VectorXd& h, const VectorXd& low,
+                               const VectorXd& high, const VectorXd& start,
+                               int most_steps) {
   return FaceByFace(H, h, low, high, start, most_steps).solve();
 }
 

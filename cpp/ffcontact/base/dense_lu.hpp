@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include "ffcontact/base/eigen.hpp"
 
 namespace ffcontact {
 
-/// P A = L U of a dense square matrix by LAPACK, for A x = b with some thousand unknowns: OpenBLAS uses all of the processor,
-/// which Eigen's own factorisation, compiled for every x86-64, does not.
+/// P A = L U of a dense square matrix by LAPACK, for A x = b with some thousand unknowns:
+/// OpenBLAS uses all of the processor, which Eigen's own factorisation, compiled for
+/// every x86-64, does not.
 class DenseLu {
  public:
   /// @param matrix  square, not empty
-  explicit DenseLu(Eigen::MatrixXd matrix);
+  explicit DenseLu(MatrixXd matrix);
 
   /// Estimate of 1 / (|A| |A^-1|) in the 1-norm; 0 if A is singular or not finite.
   double reciprocal_condition() const;
 
   /// A^-1 b, for a matrix that is not singular.
-  Eigen::VectorXd solve(Eigen::VectorXd right) const;
+  VectorXd solve(VectorXd right) const;
 
  private:
-  Eigen::MatrixXd factors_;
-  Eigen::VectorXi pivots_;
+  MatrixXd factors_;
+  VectorXi pivots_;
   double norm_;
 };
 

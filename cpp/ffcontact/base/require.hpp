@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "ffcontact/base/eigen.hpp"
 
 /// Refusals: every bad input ends in one sentence that names what was wrong and where.
 namespace ffcontact {
@@ -20,20 +21,23 @@ template <class... Parts>
 }
 
 /// @throws std::invalid_argument  if `actual` differs from `expected`
-inline void require_size(const std::string& name, Eigen::Index actual, Eigen::Index expected) {
-  if (actual != expected) refuse(name, " has ", actual, " values where ", expected, " are needed");
+inline void require_size(const std::string& name, Index actual, Index expected) {
+  if (actual != expected)
+    refuse(name, " has ", actual, " values where ", expected, " are needed");
 }
 
 /// @throws std::invalid_argument  naming the first value that is NaN or infinite
-inline void require_finite(const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& values) {
+inline void require_finite(const std::string& name, const Ref<const VectorXd>& values) {
   if (values.allFinite()) return;
-  for (Eigen::Index k = 0; k < values.size(); ++k)
-    if (!std::isfinite(values[k])) refuse(name, "[", k, "] is ", values[k], ", not a finite number");
+  for (Index k = 0; k < values.size(); ++k)
+    if (!std::isfinite(values[k]))
+      refuse(name, "[", k, "] is ", values[k], ", not a finite number");
 }
 
 /// @throws std::invalid_argument  naming the first value below zero or not finite
-inline void require_nonnegative(const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& values) {
-  for (Eigen::Index k = 0; k < values.size(); ++k)
+inline void require_nonnegative(const std::string& name,
+                                const Ref<const VectorXd>& values) {
+  for (Index k = 0; k < values.size(); ++k)
     if (!(values[k] >= 0) || !std::isfinite(values[k]))
       refuse(name, " must be finite and not negative, but value ", k, " is ", values[k]);
 }

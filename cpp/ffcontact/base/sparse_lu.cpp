@@ -6,10 +6,10 @@
 namespace ffcontact {
 
 struct SparseLu::Factor {
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+  Eigen::SparseLU<SparseMatrix> lu;
 };
 
-SparseLu::SparseLu(Eigen::SparseMatrix<double> A) : factor_(std::make_unique<Factor>()) {
+SparseLu::SparseLu(SparseMatrix A) : factor_(std::make_unique<Factor>()) {
   A.makeCompressed();
   factor_->lu.compute(A);
 }
@@ -20,17 +20,19 @@ SparseLu::SparseLu(SparseLu&&) noexcept = default;
 
 bool SparseLu::is_regular() const { return factor_->lu.info() == Eigen::Success; }
 
-Eigen::VectorXd SparseLu::solve(const Eigen::VectorXd& b) const { return factor_->lu.solve(b); }
+VectorXd SparseLu::solve(const VectorXd& b) const { return factor_->lu.solve(b); }
 
-Eigen::VectorXd SparseLu::solve_transposed(const Eigen::VectorXd& b) const { return factor_->lu.transpose().solve(b); }
+VectorXd SparseLu::solve_transposed(const VectorXd& b) const {
+  return factor_->lu.transpose().solve(b);
+}
 
 // Eigen's SparseLU does not take zero columns.
-Eigen::MatrixXd SparseLu::solve_columns(const Eigen::MatrixXd& B) const {
+MatrixXd SparseLu::solve_columns(const MatrixXd& B) const {
   if (B.cols() == 0) return B;
   return factor_->lu.solve(B);
 }
 
-Eigen::MatrixXd SparseLu::solve_transposed_columns(const Eigen::MatrixXd& B) const {
+MatrixXd SparseLu::solve_transposed_columns(const MatrixXd& B) const {
   if (B.cols() == 0) return B;
   return factor_->lu.transpose().solve(B);
 }

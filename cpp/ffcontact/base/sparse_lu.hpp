@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <memory>
+
+#include "ffcontact/base/eigen.hpp"
 
 namespace ffcontact {
 
@@ -10,16 +11,16 @@ namespace ffcontact {
 class SparseLu {
  public:
   /// @param A  square, not empty
-  explicit SparseLu(Eigen::SparseMatrix<double> A);
+  explicit SparseLu(SparseMatrix A);
   ~SparseLu();
   SparseLu(SparseLu&&) noexcept;
 
   bool is_regular() const;
 
-  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;                     ///< A^-1 b
-  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& B) const;             ///< A^-1 B
-  Eigen::VectorXd solve_transposed(const Eigen::VectorXd& b) const;          ///< A'^-1 b
-  Eigen::MatrixXd solve_transposed_columns(const Eigen::MatrixXd& B) const;  ///< A'^-1 B
+  VectorXd solve(const VectorXd& b) const;                     ///< A^-1 b
+  MatrixXd solve_columns(const MatrixXd& B) const;             ///< A^-1 B
+  VectorXd solve_transposed(const VectorXd& b) const;          ///< A'^-1 b
+  MatrixXd solve_transposed_columns(const MatrixXd& B) const;  ///< A'^-1 B
 
  private:
   struct Factor;

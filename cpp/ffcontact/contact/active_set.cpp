@@ -11,9 +11,11 @@ namespace ffcontact {
 
 namespace {
 
-/// Below this, relative to the largest multiplier (or load on the line) or displacement, a contradiction is rounding.
+/// Below this, relative to the largest multiplier (or load on the line) or displacement,
+/// a contradiction is rounding.
 constexpr double relative_rounding = 1e-12;
-/// A closed node that moves by more than this, relative to the largest displacement, is moved by a prescribed dof.
+/// A closed node that moves by more than this, relative to the largest displacement, is
+/// moved by a prescribed dof.
 constexpr double relative_motion = 1e-11;
 /// Steps that may fail to lower the number of contradictions.
 constexpr int patience = 10;
@@ -26,10 +28,14 @@ struct Rounding {
 };
 
 /// Which way a node slides, 0 if it does not move.
-int direction(double vt, const Rounding& rounding) { return vt > rounding.v ? 1 : vt < -rounding.v ? -1 : 0; }
+int direction(double vt, const Rounding& rounding) {
+  return vt > rounding.v ? 1 : vt < -rounding.v ? -1 : 0;
+}
 
 ContactState closed_state(int slip) {
-  return slip > 0 ? ContactState::slip_forward : slip < 0 ? ContactState::slip_backward : ContactState::stick;
+  return slip > 0   ? ContactState::slip_forward
+         : slip < 0 ? ContactState::slip_backward
+                    : ContactState::stick;
 }
 
 ContactState limited_state(int slip) {
@@ -54,35 +60,44 @@ bool next_open(double Pn, double vn, bool open, const Rounding& rounding) {
   return open ? vn <= rounding.v : Pn > rounding.P || vn < -rounding.motion;
 }
 
-ContactState next_state(const NodalLaw& law, int node, ContactState now, const ContactRows& rows,
-                        const Rounding& rounding) {
-  const double Pn = rows.P[2 * node], Pt = rows.P[2 * node + 1], vt = rows.v[2 * node + 1];
+ContactState next_state(const NodalLaw& law, int node, ContactState now,
+                        const ContactRows& rows, const Rounding& rounding) {
+  const double Pn = rows.P[2 * node], Pt = rows.P[2 * node + 1],
+               vt = rows.v[2 * node + 1];
   const bool open = next_open(Pn, rows.v[2 * node], is_open(now), rounding);
-  if (law.frictionless(node)) return open ? ContactState::open : ContactState::slip_forward;
+  if (law.frictionless(node))
+    return open ? ContactState::open : ContactState::slip_forward;
   if (law.tresca()) {
     const int slip = next_slip(Pt, vt, law.tresca_bound[node], slip_sign(now), rounding);
     return open ? open_state(slip) : closed_state(slip);
   }
   if (open) return ContactState::open;
-  const int slip = now == ContactState::open ? direction(vt, rounding)
-                                             : next_slip(Pt, vt, law.bound(node, Pn), slip_sign(now), rounding);
-  return slip != 0 && -law.friction[node] * Pn > law.limit(node) ? limited_state(slip) : closed_state(slip);
+  const int slip = now == ContactState::open
+                       ? direction(vt, rounding)
+                       : next_slip(Pt, vt, law.bound(node, Pn), slip_sign(now), rounding);
+  return slip != 0 && -law.friction[node] * Pn > law.limit(node) ? limited_state(slip)
+                                                                 : closed_state(slip);
 }
 
 /// The nearest state that the law has at a node.
 ContactState start_state(const NodalLaw& law, int node, ContactState state) {
-  if (law.frictionless(node)) return is_open(state) ? ContactState::open : ContactState::slip_forward;
-  if (is_open(state)) return law.tresca() ? open_state(slip_sign(state)) : ContactState::open;
+  if (law.frictionless(node))
+    return is_open(state) ? ContactState::open : ContactState::slip_forward;
+  if (is_open(state))
+    return law.tresca() ? open_state(slip_sign(state)) : ContactState::open;
   return state;
 }
 
 Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
-  const double P_largest = std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
+  const double P_largest =
+      std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
   const double v_largest = motion_scale(contact, rows.v);
-  return {relative_rounding * P_largest, relative_rounding * v_largest, relative_motion * v_largest};
+  return {relative_rounding * P_largest, relative_rounding * v_largest,
+          relative_motion * v_largest};
 }
 
-States next_states(const CondensedContact& contact, const NodalLaw& law, const States& state, const ContactRows& rows) {
+States next_states(const CondensedContact& contact, const NodalLaw& law,
+                   const States& state, const ContactRows& rows) {
   const Rounding rounding = rounding_of(contact, rows);
   States next(state.size());
   for (std::size_t i = 0; i < state.size(); ++i)
@@ -91,71 +106,88 @@ States next_states(const CondensedContact& contact, const NodalLaw& law, const S
 }
 
 int differences(const States& a, const States& b) {
-  return static_cast<int>(std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(), std::not_equal_to<>()));
+  return static_cast<int>(std::inner_product(a.begin(), a.end(), b.begin(), 0,
+                                             std::plus<>(), std::not_equal_to<>()));
 }
 
-void keep(const States& state, const ContactRows& rows, double violation, ActiveSetResult& result) {
+void keep(const States& state, const ContactRows& rows, double violation,
+          ActiveSetResult& result) {
   result.P = rows.P;
   result.v = rows.v;
   result.state = state;
   result.violation = violation;
 }
 
-/// Where a prescribed end and its neighbour both touch, both are closed: the end's multiplier is then continued. One of them
-/// open may be as good an answer to the conditions, but leaves the pressures beside it oscillating.
-States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw& law, const ContactRows& rows,
-                                 States state) {
+/// Where a prescribed end and its neighbour both touch, both are closed: the end's
+/// multiplier is then continued. One of them open may be as good an answer to the
+/// conditions, but leaves the pressures beside it oscillating.
+States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw& law,
+                                 const ContactRows& rows, States state) {
   const Rounding rounding = rounding_of(contact, rows);
-  const auto touches = [&](int node) { return std::abs(rows.v[2 * node]) <= rounding.motion; };
+  const auto touches = [&](int node) {
+    return std::abs(rows.v[2 * node]) <= rounding.motion;
+  };
   for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
     if (contact.dependent[d] % 2 != 0 || contact.continued[d] < 0) continue;
-    if (!contact.loads_the_body(static_cast<Eigen::Index>(d))) continue;
+    if (!contact.loads_the_body(static_cast<Index>(d))) continue;
     const int end = contact.dependent[d] / 2, neighbour = contact.continued[d] / 2;
-    if (is_open(state[end]) == is_open(state[neighbour]) || !touches(end) || !touches(neighbour)) continue;
+    if (is_open(state[end]) == is_open(state[neighbour]) || !touches(end) ||
+        !touches(neighbour))
+      continue;
     const int node = is_open(state[end]) ? end : neighbour;
-    const int slip = law.tresca() ? slip_sign(state[node]) : direction(rows.v[2 * node + 1], rounding);
-    state[node] = law.frictionless(node) ? ContactState::slip_forward : closed_state(slip);
+    const int slip =
+        law.tresca() ? slip_sign(state[node]) : direction(rows.v[2 * node + 1], rounding);
+    state[node] =
+        law.frictionless(node) ? ContactState::slip_forward : closed_state(slip);
   }
   return state;
 }
 
-/// Takes the answer with touching ends closed in place of a converged one, if it is one too.
-void close_touching_ends(const CondensedContact& contact, const NodalLaw& law, double tolerance,
-                         ActiveSetResult& result) {
+/// Takes the answer with touching ends closed in place of a converged one, if it is one
+/// too.
+void close_touching_ends(const CondensedContact& contact, const NodalLaw& law,
+                         double tolerance, ActiveSetResult& result) {
   ContactRows rows{result.P, result.v};
   const States closed = with_touching_ends_closed(contact, law, rows, result.state);
   if (closed == result.state) return;
   ++result.iterations;
   const SystemKind kind = solve_active_set(contact, law, closed, rows);
-  if (kind == SystemKind::inconsistent || next_states(contact, law, closed, rows) != closed) return;
+  if (kind == SystemKind::inconsistent ||
+      next_states(contact, law, closed, rows) != closed)
+    return;
   const double violation = law_violation(contact, law, rows);
   if (violation <= tolerance) keep(closed, rows, violation, result);
 }
 
 }  // namespace
 
-double law_violation(const CondensedContact& contact, const NodalLaw& law, const ContactRows& rows) {
+double law_violation(const CondensedContact& contact, const NodalLaw& law,
+                     const ContactRows& rows) {
   constexpr double share_of_loads = 1e-4;
   return law_violation(law, rows.P, rows.v, motion_scale(contact, rows.v),
                        share_of_loads * contact.g.cwiseAbs().maxCoeff());
 }
 
-ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law, States state,
-                                  const NewtonSettings& settings) {
-  for (std::size_t i = 0; i < state.size(); ++i) state[i] = start_state(law, static_cast<int>(i), state[i]);
+ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law,
+                                  States state, const NewtonSettings& settings) {
+  for (std::size_t i = 0; i < state.size(); ++i)
+    state[i] = start_state(law, static_cast<int>(i), state[i]);
 
   ActiveSetResult result;
   result.violation = std::numeric_limits<double>::infinity();
-  ContactRows rows{Eigen::VectorXd::Zero(contact.position.size()), Eigen::VectorXd::Zero(contact.position.size())};
+  ContactRows rows{VectorXd::Zero(contact.position.size()),
+                   VectorXd::Zero(contact.position.size())};
   int fewest = std::numeric_limits<int>::max(), patience_left = patience;
   while (result.iterations < settings.max_iterations) {
     ++result.iterations;
     const SystemKind kind = solve_active_set(contact, law, state, rows);
     const bool held = kind != SystemKind::inconsistent;
-    const double violation = held ? law_violation(contact, law, rows) : std::numeric_limits<double>::infinity();
+    const double violation = held ? law_violation(contact, law, rows)
+                                  : std::numeric_limits<double>::infinity();
     const States next = next_states(contact, law, state, rows);
     const bool settled = next == state;
-    if (settled || violation < result.violation || result.iterations == 1) keep(state, rows, violation, result);
+    if (settled || violation < result.violation || result.iterations == 1)
+      keep(state, rows, violation, result);
     if (settled) {
       result.status = held ? ContactStatus::inaccurate : ContactStatus::singular;
       break;
@@ -173,7 +205,8 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
   }
   if (result.violation <= settings.tolerance) result.status = ContactStatus::converged;
   if (result.status == ContactStatus::converged) {
-    if (result.iterations < settings.max_iterations) close_touching_ends(contact, law, settings.tolerance, result);
+    if (result.iterations < settings.max_iterations)
+      close_touching_ends(contact, law, settings.tolerance, result);
     put_into_law(law, result.state, result.P);
   }
   return result;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/active_set_system.hpp"
 
 namespace ffcontact {
@@ -12,12 +13,13 @@ enum class ContactStatus {
   cycled,         ///< the contradictions of the active set do not get fewer
   singular,       ///< a motion of the body is left free by the last active set
   not_converged,  ///< iterations used up
-  inaccurate,     ///< the active set is settled, but violation or residual exceed the tolerance
+  /// the active set is settled, but violation or residual exceed the tolerance
+  inaccurate,
 };
 
 /// The answer with the smallest violation, its active set, and how it was reached.
 struct ActiveSetResult {
-  Eigen::VectorXd P, v;             ///< multipliers and displacements of all rows 2 i + c [2 p]
+  VectorXd P, v;  ///< multipliers and displacements of all rows 2 i + c [2 p]
   std::vector<ContactState> state;  ///< [p]
   double violation = 0;             ///< law_violation of P and v
   int iterations = 0;
@@ -29,23 +31,32 @@ struct NewtonSettings {
   double tolerance = 1e-10;  ///< law_violation that is accepted
 };
 
-/// Semismooth Newton on the condensed system: solve for the active set (solve_active_set), then change the state of every node
-/// that its own answer contradicts: closed and P_n > 0 opens; open and v_n > 0 slips along v_t; stick and |P_t| > b slips against
-/// P_t, at the shear limit where -mu P_n exceeds it; slip s and s v_t < 0 sticks; a closed or sticking node that a prescribed dof moves away opens or slips. With Tresca's
-/// law, whose friction does not ask for contact, the two components of a node change independently. A node never
-/// turns from slip to slip directly: that is the primal-dual active set with its augmentation parameter sent to zero, free of
-/// scale, and it does not cycle between the two slips. The first set without a contradiction is a solution of Prop. 3.4 / 3.5.
+/// Semismooth Newton on the condensed system: solve for the active set
+/// (solve_active_set), then change the state of every node that its own answer
+/// contradicts: closed and P_n > 0 opens; open and v_n > 0 slips along v_t; stick and
+/// |P_t| > b slips against P_t, at the shear limit where -mu P_n exceeds it; slip s and s
+/// v_t < 0 sticks; a closed or sticking node that a prescribed dof moves away opens or
+/// slips. With Tresca's law, whose friction does not ask for contact, the two components
+/// of a node change independently. A node never turns from slip to slip directly: that is
+/// the primal-dual active set with its augmentation parameter sent to zero, free of
+/// scale, and it does not cycle between the two slips. The first set without a
+/// contradiction is a solution of Prop. 3.4 / 3.5.
 ///
-/// When ten steps have not lowered the number of contradictions the run stops as cycled: solve_convex and fixed_point go on.
+/// When ten steps have not lowered the number of contradictions the run stops as cycled:
+/// solve_convex and fixed_point go on.
 ///
-/// Converged is what fulfils the law to the tolerance: a set without a contradiction may be no solution where rows depend on each
-/// other and their multipliers have more than one value.
+/// Converged is what fulfils the law to the tolerance: a set without a contradiction may
+/// be no solution where rows depend on each other and their multipliers have more than
+/// one value.
 /// @param state  first guess [p]
-ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
+ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law,
+                                  std::vector<ContactState> state,
                                   const NewtonSettings& settings = {});
 
-/// law_violation of an answer, displacements relative to motion_scale and multipliers to the largest one, or to 1e-4 of the
-/// largest load on the line, g, which counts the gaps and prescribed motions by their stiffness: beside it rounding is rounding.
-double law_violation(const CondensedContact& contact, const NodalLaw& law, const ContactRows& rows);
+/// law_violation of an answer, displacements relative to motion_scale and multipliers to
+/// the largest one, or to 1e-4 of the largest load on the line, g, which counts the gaps
+/// and prescribed motions by their stiffness: beside it rounding is rounding.
+double law_violation(const CondensedContact& contact, const NodalLaw& law,
+                     const ContactRows& rows);
 
 }  // namespace ffcontact

@@ -14,7 +14,8 @@ namespace {
 
 /// Reciprocal condition number below which the scaled system counts as singular.
 constexpr double singular = 1e-13;
-/// Residual, relative to the right-hand side, up to which a singular system counts as solved.
+/// Residual, relative to the right-hand side, up to which a singular system counts as
+/// solved.
 constexpr double solved = 1e-10;
 /// Stiffness, relative to the diagonal, that holds a body which nothing else holds.
 constexpr double leash = 1e-8;
@@ -38,15 +39,19 @@ RowCondition row_condition(const NodalLaw& law, int row, ContactState state) {
 /// Unknowns: v of the primary rows that are not given, then q, each divided by its scale.
 class LinearStep {
  public:
-  LinearStep(const CondensedContact& contact, const NodalLaw& law, const std::vector<ContactState>& state)
-      : contact_(contact), v_scale_(contact.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()) {
+  LinearStep(const CondensedContact& contact, const NodalLaw& law,
+             const std::vector<ContactState>& state)
+      : contact_(contact),
+        v_scale_(contact.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()) {
     for (int row = 0; row < contact.position.size(); ++row)
       conditions_.push_back(row_condition(law, row, state[row / 2]));
     for (std::size_t k = 0; k < contact.primary.size(); ++k)
-      if (!conditions_[contact.primary[k]].on_displacement) unknown_.push_back(static_cast<int>(k));
+      if (!conditions_[contact.primary[k]].on_displacement)
+        unknown_.push_back(static_cast<int>(k));
     q_scale_.resize(contact.E.cols());
-    for (Eigen::Index d = 0; d < contact.E.cols(); ++d) {
-      const double reach = std::hypot(contact.E.col(d).cwiseProduct(v_scale_).norm(), std::sqrt(contact.F(d, d)));
+    for (Index d = 0; d < contact.E.cols(); ++d) {
+      const double reach = std::hypot(contact.E.col(d).cwiseProduct(v_scale_).norm(),
+                                      std::sqrt(contact.F(d, d)));
       q_scale_[d] = 1 / (reach > 0 ? reach : v_scale_.mean());
     }
   }
@@ -54,44 +59,46 @@ class LinearStep {
   SystemKind solve(ContactRows& rows) {
     assemble();
     SystemKind kind = SystemKind::regular;
-    const Eigen::VectorXd x = solution(kind);
+    const VectorXd x = solution(kind);
     if (!x.allFinite()) return SystemKind::inconsistent;
-    const auto n = static_cast<Eigen::Index>(unknown_.size());
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(contact_.S.rows());
-    for (Eigen::Index j = 0; j < n; ++j) v[unknown_[j]] = v_scale_[unknown_[j]] * x[j];
+    const auto n = static_cast<Index>(unknown_.size());
+    VectorXd v = VectorXd::Zero(contact_.S.rows());
+    for (Index j = 0; j < n; ++j) v[unknown_[j]] = v_scale_[unknown_[j]] * x[j];
     spread(v, q_scale_.cwiseProduct(x.tail(q_scale_.size())), rows);
     return kind;
   }
 
  private:
   /// Adds factor * P_row to equation e.
-  void add_multiplier(Eigen::Index e, int row, double factor) {
-    const auto n = static_cast<Eigen::Index>(unknown_.size());
+  void add_multiplier(Index e, int row, double factor) {
+    const auto n = static_cast<Index>(unknown_.size());
     const int k = contact_.position[row];
     if (k < 0) {
       matrix_(e, n - 1 - k) += factor * q_scale_[-1 - k];
       return;
     }
-    for (Eigen::Index j = 0; j < n; ++j) matrix_(e, j) += factor * contact_.S(unknown_[j], k) * v_scale_[unknown_[j]];
-    for (Eigen::Index d = 0; d < contact_.E.cols(); ++d) matrix_(e, n + d) -= factor * contact_.E(k, d) * q_scale_[d];
+    for (Index j = 0; j < n; ++j)
+      matrix_(e, j) += factor * contact_.S(unknown_[j], k) * v_scale_[unknown_[j]];
+    for (Index d = 0; d < contact_.E.cols(); ++d)
+      matrix_(e, n + d) -= factor * contact_.E(k, d) * q_scale_[d];
     right_[e] += factor * contact_.g[k];
   }
 
-  void multiplier_equation(Eigen::Index e, int row, double row_scale) {
+  void multiplier_equation(Index e, int row, double row_scale) {
     const RowCondition& condition = conditions_[row];
     right_[e] = row_scale * condition.value;
     add_multiplier(e, row, row_scale);
     if (condition.ratio != 0) add_multiplier(e, row - 1, -row_scale * condition.ratio);
   }
 
-  void dependent_displacement_equation(Eigen::Index e, Eigen::Index d) {
-    const auto n = static_cast<Eigen::Index>(unknown_.size());
+  void dependent_displacement_equation(Index e, Index d) {
+    const auto n = static_cast<Index>(unknown_.size());
     double steering = 0;
-    for (Eigen::Index j = 0; j < n; ++j) {
+    for (Index j = 0; j < n; ++j) {
       matrix_(e, j) = q_scale_[d] * contact_.E(unknown_[j], d) * v_scale_[unknown_[j]];
       steering += std::abs(contact_.E(unknown_[j], d));
     }
-    for (Eigen::Index j = 0; j < contact_.F.cols(); ++j) {
+    for (Index j = 0; j < contact_.F.cols(); ++j) {
       matrix_(e, n + j) = q_scale_[d] * contact_.F(d, j) * q_scale_[j];
       steering += std::abs(matrix_(e, n + j));
     }
@@ -99,18 +106,20 @@ class LinearStep {
       matrix_.row(e).setZero();
       add_multiplier(e, contact_.dependent[d], 1 / q_scale_[d]);
       const bool loads_the_body = contact_.loads_the_body(d);
-      if (loads_the_body && contact_.continued[d] >= 0) add_multiplier(e, contact_.continued[d], -1 / q_scale_[d]);
+      if (loads_the_body && contact_.continued[d] >= 0)
+        add_multiplier(e, contact_.continued[d], -1 / q_scale_[d]);
     } else {
       right_[e] = -q_scale_[d] * contact_.dependent_offset[d];
     }
   }
 
   void assemble() {
-    const auto n = static_cast<Eigen::Index>(unknown_.size()), d = contact_.E.cols();
-    matrix_ = Eigen::MatrixXd::Zero(n + d, n + d);
-    right_ = Eigen::VectorXd::Zero(n + d);
-    for (Eigen::Index e = 0; e < n; ++e) multiplier_equation(e, contact_.primary[unknown_[e]], v_scale_[unknown_[e]]);
-    for (Eigen::Index k = 0; k < d; ++k) {
+    const auto n = static_cast<Index>(unknown_.size()), d = contact_.E.cols();
+    matrix_ = MatrixXd::Zero(n + d, n + d);
+    right_ = VectorXd::Zero(n + d);
+    for (Index e = 0; e < n; ++e)
+      multiplier_equation(e, contact_.primary[unknown_[e]], v_scale_[unknown_[e]]);
+    for (Index k = 0; k < d; ++k) {
       const int row = contact_.dependent[k];
       if (conditions_[row].on_displacement)
         dependent_displacement_equation(n + k, k);
@@ -119,11 +128,11 @@ class LinearStep {
     }
   }
 
-  Eigen::VectorXd solution(SystemKind& kind) {
+  VectorXd solution(SystemKind& kind) {
     if (matrix_.rows() == 0) return right_;
     const DenseLu lu(matrix_);
     if (lu.reciprocal_condition() > singular) return lu.solve(right_);
-    const Eigen::VectorXd smallest = least_squares(matrix_, right_, {10 * singular});
+    const VectorXd smallest = least_squares(matrix_, right_, {10 * singular});
     kind = SystemKind::consistent;
     if ((matrix_ * smallest - right_).norm() <= solved * right_.norm()) return smallest;
     kind = SystemKind::inconsistent;
@@ -131,9 +140,10 @@ class LinearStep {
     return matrix_.partialPivLu().solve(right_);
   }
 
-  void spread(const Eigen::VectorXd& v, const Eigen::VectorXd& q, ContactRows& rows) const {
-    const Eigen::VectorXd P = contact_.S * v - contact_.g - contact_.E * q;
-    const Eigen::VectorXd v_dependent = contact_.E.transpose() * v + contact_.F * q + contact_.dependent_offset;
+  void spread(const VectorXd& v, const VectorXd& q, ContactRows& rows) const {
+    const VectorXd P = contact_.S * v - contact_.g - contact_.E * q;
+    const VectorXd v_dependent =
+        contact_.E.transpose() * v + contact_.F * q + contact_.dependent_offset;
     rows.P.resize(contact_.position.size());
     rows.v.resize(contact_.position.size());
     for (int row = 0; row < contact_.position.size(); ++row) {
@@ -141,17 +151,19 @@ class LinearStep {
       const RowCondition& condition = conditions_[row];
       rows.P[row] = k >= 0 ? P[k] : q[-1 - k];
       rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
-      if (!condition.on_displacement)  // exactly, so that a body without contact has no forces of rounding size
-        rows.P[row] = condition.value + (condition.ratio != 0 ? condition.ratio * rows.P[row - 1] : 0);
+      // exactly, so that a body without contact has no forces of rounding size
+      if (!condition.on_displacement)
+        rows.P[row] = condition.value +
+                      (condition.ratio != 0 ? condition.ratio * rows.P[row - 1] : 0);
     }
   }
 
   const CondensedContact& contact_;
-  const Eigen::VectorXd v_scale_;
-  Eigen::VectorXd q_scale_, right_;
+  const VectorXd v_scale_;
+  VectorXd q_scale_, right_;
   std::vector<RowCondition> conditions_;
   std::vector<int> unknown_;
-  Eigen::MatrixXd matrix_;
+  MatrixXd matrix_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/nodal_law.hpp"
 
@@ -10,24 +11,29 @@ namespace ffcontact {
 
 /// Multipliers and displacements of all rows 2 i + c [2 p].
 struct ContactRows {
-  Eigen::VectorXd P, v;
+  VectorXd P, v;
 };
 
 /// How the linear system of an active set was solved.
 enum class SystemKind {
   regular,
-  consistent,  ///< singular, but the loads do not work on the motion that is left free: the smallest solution
-  inconsistent,  ///< the loads push along a motion that the active set leaves free: the body is let go a long way along it
+  /// singular, but the loads do not work on the motion that is left free: the smallest
+  /// solution
+  consistent,
+  /// the loads push along a motion that the active set leaves free: the body is let go a
+  /// long way along it
+  inconsistent,
 };
 
 /// With the state of every node known, all conditions are linear:
 ///     open:  P_n = 0, P_t = 0        closed:  v_n = 0
 ///     stick: v_t = 0                 slip s:  P_t = s mu P_n  (Tresca: P_t = -s b, open or not; at the shear limit P_t = -s k),
 ///                                             s = sign of v_t
-/// together with P = S v - g - E q of the body. Unknown are v of the primary rows that are not given and q; rows and columns
-/// are scaled by the diagonal of S, so that neither units nor the sizes of the elements matter.
-/// A dependent row that the unknowns do not move has its multiplier continued (CondensedContact::continued), or 0
-/// if it does not load the body either, as nodal forces on prescribed dofs.
+/// together with P = S v - g - E q of the body. Unknown are v of the primary rows that
+/// are not given and q; rows and columns are scaled by the diagonal of S, so that neither
+/// units nor the sizes of the elements matter. A dependent row that the unknowns do not
+/// move has its multiplier continued (CondensedContact::continued), or 0 if it does not
+/// load the body either, as nodal forces on prescribed dofs.
 /// @param state  of each node [p]
 /// @param rows   the answer; not touched if the system is not finite
 SystemKind solve_active_set(const CondensedContact& contact, const NodalLaw& law,

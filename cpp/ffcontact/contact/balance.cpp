@@ -13,19 +13,23 @@ namespace ffcontact {
 namespace {
 
 constexpr double unbalanced = 1e-9;
-/// A motion is held by the stiffness when a row of K z is larger than this against |K| |z|.
+/// A motion is held by the stiffness when a row of K z is larger than this against |K|
+/// |z|.
 constexpr double rounding = 1e-11;
 
-/// Work of the extreme contact multipliers along each motion, one column per multiplier [motions x multipliers].
-Eigen::MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law, const Eigen::MatrixXd& motions) {
-  Eigen::MatrixXd trace(2 * line.node_count(), motions.cols());
-  for (Eigen::Index k = 0; k < motions.cols(); ++k) trace.col(k) = contact_components(line, motions.col(k)).reshaped();
-  const Eigen::MatrixXd weighted = weight_of_rows(law.multiplier, line) * trace;
+/// Work of the extreme contact multipliers along each motion, one column per multiplier
+/// [motions x multipliers].
+MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
+                        const MatrixXd& motions) {
+  MatrixXd trace(2 * line.node_count(), motions.cols());
+  for (Index k = 0; k < motions.cols(); ++k)
+    trace.col(k) = contact_components(line, motions.col(k)).reshaped();
+  const MatrixXd weighted = weight_of_rows(law.multiplier, line) * trace;
 
-  Eigen::MatrixXd work(motions.cols(), (law.tresca() ? 3 : 2) * line.node_count());
-  Eigen::Index next = 0;
+  MatrixXd work(motions.cols(), (law.tresca() ? 3 : 2) * line.node_count());
+  Index next = 0;
   for (int i = 0; i < line.node_count(); ++i) {
-    const Eigen::VectorXd n = weighted.row(2 * i), t = weighted.row(2 * i + 1);
+    const VectorXd n = weighted.row(2 * i), t = weighted.row(2 * i + 1);
     if (law.tresca()) {
       const double can_hold = law.slip_bound[i] > 0 ? 1 : 0;
       work.col(next++) = -n;
@@ -41,36 +45,42 @@ Eigen::MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law, c
 
 }  // namespace
 
-Eigen::MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
-  const Eigen::MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
+MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
+  const MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
   if (motions.cols() == 0) return motions;
-  Eigen::MatrixXd forces = system.stiffness * motions;
-  for (Eigen::Index dof = 0; dof < forces.rows(); ++dof) {
+  MatrixXd forces = system.stiffness * motions;
+  for (Index dof = 0; dof < forces.rows(); ++dof) {
     double row_sum = 0;
-    for (RowMatrix::InnerIterator entry(system.stiffness, dof); entry; ++entry) row_sum += std::abs(entry.value());
+    for (RowMatrix::InnerIterator entry(system.stiffness, dof); entry; ++entry)
+      row_sum += std::abs(entry.value());
     if (system.prescribed[dof] || row_sum == 0)
       forces.row(dof).setZero();
     else
       forces.row(dof) /= row_sum;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(forces, Eigen::ComputeThinU | Eigen::ComputeThinV);  // descending
-  Eigen::Index held = 0;
-  while (held < motions.cols() && svd.singularValues()[held] > rounding * std::sqrt(static_cast<double>(forces.rows())))
+  // descending
+  const Eigen::JacobiSVD<MatrixXd> svd(forces, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Index held = 0;
+  while (held < motions.cols() &&
+         svd.singularValues()[held] >
+             rounding * std::sqrt(static_cast<double>(forces.rows())))
     ++held;
   return motions * svd.matrixV().rightCols(motions.cols() - held);
 }
 
-void require_balance(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system) {
-  const Eigen::MatrixXd motions = unheld_motions(mesh, system);
+void require_balance(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                     const ElasticSystem& system) {
+  const MatrixXd motions = unheld_motions(mesh, system);
   if (motions.cols() == 0) return;
-  const Eigen::VectorXd pushed = motions.transpose() * system.load;
+  const VectorXd pushed = motions.transpose() * system.load;
   const double scale = system.load.cwiseAbs().sum();
   if (pushed.cwiseAbs().maxCoeff() <= unbalanced * scale) return;
 
-  const Eigen::MatrixXd forces = extreme_forces(line, law, motions);
-  const Eigen::VectorXd left = pushed + forces * nonnegative_least_squares(forces, -pushed);
+  const MatrixXd forces = extreme_forces(line, law, motions);
+  const VectorXd left = pushed + forces * nonnegative_least_squares(forces, -pushed);
   if (left.norm() > unbalanced * scale)
-    refuse("no equilibrium: the loads push the body in a ", motion_in_words(mesh, motions * left),
+    refuse("no equilibrium: the loads push the body in a ",
+           motion_in_words(mesh, motions * left),
            ", which neither prescribed displacements nor contact forces oppose");
 }
 

@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
 namespace ffcontact {
 
-/// The rigid motions z that neither prescribed dofs nor the stiffness (springs, K z = 0 to rounding) hold, one column each.
-Eigen::MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system);
+/// The rigid motions z that neither prescribed dofs nor the stiffness (springs, K z = 0
+/// to rounding) hold, one column each.
+MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system);
 
 /// Can contact balance the loads on the unheld rigid motions z?
 ///
-/// It can when admissible multipliers P exist with z . (b + W P) = 0 for all z. Coulomb's law at a node spans
-/// -n + mu t and -n - mu t, so this is a nonnegative least-squares problem with one row per motion; what it leaves
-/// over is (Farkas) a motion that the loads push and no admissible force opposes. With Tresca's law the bounded tangential
+/// It can when admissible multipliers P exist with z . (b + W P) = 0 for all z. Coulomb's
+/// law at a node spans -n + mu t and -n - mu t, so this is a nonnegative least-squares
+/// problem with one row per motion; what it leaves over is (Farkas) a motion that the
+/// loads push and no admissible force opposes. With Tresca's law the bounded tangential
 /// forces are taken at their largest in either direction.
 /// @throws std::invalid_argument  naming that motion
-void require_balance(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system);
+void require_balance(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                     const ElasticSystem& system);
 
 }  // namespace ffcontact

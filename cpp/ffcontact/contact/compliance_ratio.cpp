@@ -14,7 +14,7 @@ constexpr double along_the_line = 1e-3;
 constexpr double largest_ratio = 1e12;
 
 /// 1 / (n' K_vv n), or 0 at a vertex that is prescribed along n.
-double nodal_compliance(const ElasticSystem& system, int vertex, const Eigen::Vector2d& n) {
+double nodal_compliance(const ElasticSystem& system, int vertex, const Vector2d& n) {
   double stiffness = 0;
   for (int i = 0; i < 2; ++i) {
     if (std::abs(n[i]) < along_the_line) continue;
@@ -26,26 +26,29 @@ double nodal_compliance(const ElasticSystem& system, int vertex, const Eigen::Ve
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-double edge_compliance(const Edges& edges, const ElasticSystem& system, int edge, double length,
-                       const Eigen::Vector2d& n) {
+double edge_compliance(const Edges& edges, const ElasticSystem& system, int edge,
+                       double length, const Vector2d& n) {
   return length * 0.5 *
-         (nodal_compliance(system, edges.vertices(0, edge), n) + nodal_compliance(system, edges.vertices(1, edge), n));
+         (nodal_compliance(system, edges.vertices(0, edge), n) +
+          nodal_compliance(system, edges.vertices(1, edge), n));
 }
 
 }  // namespace
 
-double compliance_ratio(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system) {
+double compliance_ratio(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+                        const ElasticSystem& system) {
   double sum = 0, weight = 0;
   for (const FacingPiece& piece : line.pieces) {
     const int e = piece.contact_edge, own = line.edge[e], opposite = piece.opposite_edge;
-    const Eigen::Vector2d n = line.normal.col(line.edge_node(0, e));
+    const Vector2d n = line.normal.col(line.edge_node(0, e));
     const double own_length = edge_vector(mesh, edges, own).norm();
     const double own_compliance = edge_compliance(edges, system, own, own_length, n);
-    const double opposite_compliance =
-        edge_compliance(edges, system, opposite, edge_vector(mesh, edges, opposite).norm(), n);
+    const double opposite_compliance = edge_compliance(
+        edges, system, opposite, edge_vector(mesh, edges, opposite).norm(), n);
     if (own_compliance == 0 && opposite_compliance == 0) continue;
     const double length = (piece.end - piece.begin) * own_length;
-    const double ratio = std::clamp(opposite_compliance / own_compliance, 1 / largest_ratio, largest_ratio);
+    const double ratio = std::clamp(opposite_compliance / own_compliance,
+                                    1 / largest_ratio, largest_ratio);
     sum += length * std::log(ratio);
     weight += length;
   }

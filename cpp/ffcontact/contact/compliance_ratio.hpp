@@ -6,15 +6,19 @@
 
 namespace ffcontact {
 
-/// How much more the opposite trace yields to a pressure on one of its edges than the line's own trace does, on both meshes as
-/// they are: the mean over the facing pieces, weighted by their lengths, of
+/// How much more the opposite trace yields to a pressure on one of its edges than the
+/// line's own trace does, on both meshes as they are: the mean over the facing pieces,
+/// weighted by their lengths, of
 ///     log (c_opposite / c_own),    c = h / k,    1/k = mean of 1 / (n' K_vv n) over the ends v of the edge,
-/// as its exponential [-]. h is the length of the mesh edge and K_vv the 2 x 2 block of the stiffness at a vertex, n' K_vv n / h the
-/// modulus times a number of the mesh's angles; a vertex that is prescribed along n does not yield.
+/// as its exponential [-]. h is the length of the mesh edge and K_vv the 2 x 2 block of
+/// the stiffness at a vertex, n' K_vv n / h the modulus times a number of the mesh's
+/// angles; a vertex that is prescribed along n does not yield.
 ///
-/// A multiplier a node of a trace that yields much less than the other one asks the other trace for more than it can do between its
-/// own nodes: contact opens and closes from node to node. The trace that yields more follows the other without that.
-double compliance_ratio(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system);
+/// A multiplier a node of a trace that yields much less than the other one asks the other
+/// trace for more than it can do between its own nodes: contact opens and closes from
+/// node to node. The trace that yields more follows the other without that.
+double compliance_ratio(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+                        const ElasticSystem& system);
 
 /// From this ratio on the opposite body is to carry the multipliers.
 constexpr double much_softer = 3;

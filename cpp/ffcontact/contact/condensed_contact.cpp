@@ -14,26 +14,29 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// A free direction of a contact vertex is taken as tangential when its normal component is below this.
+/// A free direction of a contact vertex is taken as tangential when its normal component
+/// is below this.
 constexpr double tangential = 1e-3;
 
-/// How a vertex moves: displacement = directions w for its free components w (first column of `directions` at `column`).
+/// How a vertex moves: displacement = directions w for its free components w (first
+/// column of `directions` at `column`).
 struct VertexMotion {
   int column = 0;
   std::vector<int> rows;  ///< primary row of each free component
-  Eigen::Matrix<double, 2, Eigen::Dynamic> directions;
+  Matrix<double, 2, Dynamic> directions;
 };
 
-VertexMotion vertex_motion(const ContactLine& line, int node, const std::vector<char>& prescribed) {
+VertexMotion vertex_motion(const ContactLine& line, int node,
+                           const std::vector<char>& prescribed) {
   const int v = line.vertex[node];
-  const Eigen::Vector2d n = line.normal.col(node), t = line.tangent(node);
+  const Vector2d n = line.normal.col(node), t = line.tangent(node);
   VertexMotion motion;
   if (!prescribed[2 * v] && !prescribed[2 * v + 1]) {
     motion.rows = {2 * node, 2 * node + 1};
     motion.directions.resize(2, 2);
     motion.directions << n, t;
   } else if (!prescribed[2 * v] || !prescribed[2 * v + 1]) {
-    const Eigen::Vector2d d = prescribed[2 * v] ? Eigen::Vector2d::UnitY() : Eigen::Vector2d::UnitX();
+    const Vector2d d = prescribed[2 * v] ? Vector2d::UnitY() : Vector2d::UnitX();
     const bool along_tangent = std::abs(n.dot(d)) < tangential;
     motion.rows = {2 * node + (along_tangent ? 1 : 0)};
     motion.directions = d;
@@ -43,11 +46,13 @@ VertexMotion vertex_motion(const ContactLine& line, int node, const std::vector<
   return motion;
 }
 
-/// Fills primary, dependent and position; the first node of a vertex carries its primary rows.
-std::map<int, VertexMotion> number_rows(const ContactLine& line, const std::vector<char>& prescribed,
+/// Fills primary, dependent and position; the first node of a vertex carries its primary
+/// rows.
+std::map<int, VertexMotion> number_rows(const ContactLine& line,
+                                        const std::vector<char>& prescribed,
                                         CondensedContact& contact) {
   std::map<int, VertexMotion> motions;
-  contact.position = Eigen::VectorXi::Zero(2 * line.node_count());
+  contact.position = VectorXi::Zero(2 * line.node_count());
   std::vector<char> primary(2 * line.node_count(), 0);
   for (int i = 0; i < line.node_count(); ++i) {
     if (motions.count(line.vertex[i])) continue;
@@ -59,7 +64,8 @@ std::map<int, VertexMotion> number_rows(const ContactLine& line, const std::vect
     }
     motions.emplace(line.vertex[i], std::move(motion));
   }
-  for (std::size_t k = 0; k < contact.primary.size(); ++k) contact.position[contact.primary[k]] = static_cast<int>(k);
+  for (std::size_t k = 0; k < contact.primary.size(); ++k)
+    contact.position[contact.primary[k]] = static_cast<int>(k);
   for (int row = 0; row < 2 * line.node_count(); ++row)
     if (!primary[row]) {
       contact.position[row] = -1 - static_cast<int>(contact.dependent.size());
@@ -68,16 +74,17 @@ std::map<int, VertexMotion> number_rows(const ContactLine& line, const std::vect
   return motions;
 }
 
-/// The opposite vertices that carry no rows move by their free components. Returns the number of all unknowns.
-int number_opposite(const ContactLine& line, const std::vector<char>& prescribed, int unknowns,
-                    std::map<int, VertexMotion>& motions) {
+/// The opposite vertices that carry no rows move by their free components. Returns the
+/// number of all unknowns.
+int number_opposite(const ContactLine& line, const std::vector<char>& prescribed,
+                    int unknowns, std::map<int, VertexMotion>& motions) {
   for (const int v : opposite_vertices(line)) {
     if (motions.count(v)) continue;
     VertexMotion motion;
     motion.column = unknowns;
     motion.directions.resize(2, 2 - prescribed[2 * v] - prescribed[2 * v + 1]);
     for (int c = 0, column = 0; c < 2; ++c)
-      if (!prescribed[2 * v + c]) motion.directions.col(column++) = Eigen::Vector2d::Unit(c);
+      if (!prescribed[2 * v + c]) motion.directions.col(column++) = Vector2d::Unit(c);
     unknowns += static_cast<int>(motion.directions.cols());
     motions.emplace(v, std::move(motion));
   }
@@ -85,106 +92,122 @@ int number_opposite(const ContactLine& line, const std::vector<char>& prescribed
 }
 
 /// Trace operator of all rows, [u]_rows = T w.
-Eigen::SparseMatrix<double> trace_operator(const ContactLine& line, const std::map<int, VertexMotion>& motions,
-                                           Eigen::Index unknowns) {
+SparseMatrix trace_operator(const ContactLine& line,
+                            const std::map<int, VertexMotion>& motions, Index unknowns) {
   Triplets entries;
   const auto add_motion = [&](int node, int vertex, double factor) {
     const VertexMotion& motion = motions.at(vertex);
-    for (Eigen::Index k = 0; k < motion.directions.cols(); ++k) {
-      entries.emplace_back(2 * node, motion.column + k, factor * line.normal.col(node).dot(motion.directions.col(k)));
-      entries.emplace_back(2 * node + 1, motion.column + k, factor * line.tangent(node).dot(motion.directions.col(k)));
+    for (Index k = 0; k < motion.directions.cols(); ++k) {
+      entries.emplace_back(2 * node, motion.column + k,
+                           factor * line.normal.col(node).dot(motion.directions.col(k)));
+      entries.emplace_back(2 * node + 1, motion.column + k,
+                           factor * line.tangent(node).dot(motion.directions.col(k)));
     }
   };
   for (int i = 0; i < line.node_count(); ++i) {
     add_motion(i, line.vertex[i], 1);
-    visit_opposite(line, i, [&](int vertex, double weight) { add_motion(i, vertex, -weight); });
+    visit_opposite(line, i,
+                   [&](int vertex, double weight) { add_motion(i, vertex, -weight); });
   }
-  Eigen::SparseMatrix<double> T(2 * line.node_count(), unknowns);
+  SparseMatrix T(2 * line.node_count(), unknowns);
   T.setFromTriplets(entries.begin(), entries.end());
   return T;
 }
 
-Eigen::SparseMatrix<double> selected_rows(const Eigen::SparseMatrix<double>& A, const std::vector<int>& rows) {
+SparseMatrix selected_rows(const SparseMatrix& A, const std::vector<int>& rows) {
   Triplets entries;
-  for (std::size_t k = 0; k < rows.size(); ++k) entries.emplace_back(static_cast<int>(k), rows[k], 1.0);
-  Eigen::SparseMatrix<double> selection(static_cast<Eigen::Index>(rows.size()), A.rows());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    entries.emplace_back(static_cast<int>(k), rows[k], 1.0);
+  SparseMatrix selection(static_cast<Index>(rows.size()), A.rows());
   selection.setFromTriplets(entries.begin(), entries.end());
   return selection * A;
 }
 
 /// Displacement of the kept dofs in terms of w.
-Eigen::SparseMatrix<double> kept_operator(const std::map<int, VertexMotion>& motions, const std::vector<int>& kept,
-                                          Eigen::Index unknowns) {
+SparseMatrix kept_operator(const std::map<int, VertexMotion>& motions,
+                           const std::vector<int>& kept, Index unknowns) {
   Triplets entries;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const VertexMotion& motion = motions.at(kept[k] / 2);
-    for (Eigen::Index j = 0; j < motion.directions.cols(); ++j)
-      entries.emplace_back(static_cast<int>(k), motion.column + j, motion.directions(kept[k] % 2, j));
+    for (Index j = 0; j < motion.directions.cols(); ++j)
+      entries.emplace_back(static_cast<int>(k), motion.column + j,
+                           motion.directions(kept[k] % 2, j));
   }
-  Eigen::SparseMatrix<double> Q(static_cast<Eigen::Index>(kept.size()), unknowns);
+  SparseMatrix Q(static_cast<Index>(kept.size()), unknowns);
   Q.setFromTriplets(entries.begin(), entries.end());
   return Q;
 }
 
-/// Rows of dependent multipliers that free dofs steer by less than `unsteered` are those of prescribed values alone: a force that
-/// had to act through what is left would be larger than all others by as much.
-void forget_unsteered_rows(const Eigen::SparseMatrix<double>& W, CondensedContact& contact) {
-  const Eigen::VectorXd steered = contact.A.cwiseAbs() * Eigen::VectorXd::Ones(contact.A.cols());
-  const Eigen::VectorXd whole = W.cwiseAbs() * Eigen::VectorXd::Ones(W.cols());
-  contact.A.prune([&](Eigen::Index row, Eigen::Index, double) {
-    return contact.is_primary(static_cast<int>(row)) || steered[row] > unsteered * whole[row];
+/// Rows of dependent multipliers that free dofs steer by less than `unsteered` are those
+/// of prescribed values alone: a force that had to act through what is left would be
+/// larger than all others by as much.
+void forget_unsteered_rows(const SparseMatrix& W, CondensedContact& contact) {
+  const VectorXd steered = contact.A.cwiseAbs() * VectorXd::Ones(contact.A.cols());
+  const VectorXd whole = W.cwiseAbs() * VectorXd::Ones(W.cols());
+  contact.A.prune([&](Index row, Index, double) {
+    return contact.is_primary(static_cast<int>(row)) ||
+           steered[row] > unsteered * whole[row];
   });
 }
 
 /// Of A on the primary rows.
 SparseLu primary_factor(const CondensedContact& contact) {
-  const auto f = static_cast<Eigen::Index>(contact.primary.size());
+  const auto f = static_cast<Index>(contact.primary.size());
   SparseLu factor(selected_rows(contact.A, contact.primary).leftCols(f));
   if (!factor.is_regular())
     refuse(
-        "the contact multipliers are not independent: the contact line turns too sharply between prescribed vertices");
+        "the contact multipliers are not independent: the contact line turns too sharply "
+        "between prescribed vertices");
   return factor;
 }
 
 /// The relation between v, w_o and the multipliers before w_o is condensed, loads apart:
 ///     S v + V' w_o = P + E q,   V v + O w_o = E_o q,   v_dependent = E' v + E_o' w_o.
 struct OppositeTerms {
-  Eigen::MatrixXd V, O, E;
+  MatrixXd V, O, E;
 };
 
 /// Fills S and E as if w_o were given.
-OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness, const SparseLu& factor,
-                                     CondensedContact& contact) {
-  const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
-  const Eigen::SparseMatrix<double> Qt = contact.to_kept.transpose();
-  const Eigen::MatrixXd S_w = Qt * stiffness.schur() * contact.to_kept;
-  const Eigen::MatrixXd half = factor.solve_transposed_columns(S_w.topLeftCorner(f, f));  // A^-T S_w
+OppositeTerms relation_with_opposite(const CondensedStiffness& stiffness,
+                                     const SparseLu& factor, CondensedContact& contact) {
+  const auto f = static_cast<Index>(contact.primary.size()), o = contact.A.cols() - f;
+  const SparseMatrix Qt = contact.to_kept.transpose();
+  const MatrixXd S_w = Qt * stiffness.schur() * contact.to_kept;
+  // A^-T S_w
+  const MatrixXd half = factor.solve_transposed_columns(S_w.topLeftCorner(f, f));
   contact.S = factor.solve_transposed_columns(half.transpose());
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
-  const Eigen::MatrixXd A_dependent = selected_rows(contact.A, contact.dependent);
+  const MatrixXd A_dependent = selected_rows(contact.A, contact.dependent);
   contact.E = factor.solve_transposed_columns(A_dependent.leftCols(f).transpose());
 
   // w = A^-1 (v - v_prescribed) - X w_o with X = A^-1 A_o.
   OppositeTerms terms;
-  const Eigen::MatrixXd X = factor.solve_columns(selected_rows(contact.A, contact.primary).rightCols(o));
-  const Eigen::MatrixXd S_ow = S_w.bottomLeftCorner(o, f) - X.transpose() * S_w.topLeftCorner(f, f);
+  const MatrixXd X =
+      factor.solve_columns(selected_rows(contact.A, contact.primary).rightCols(o));
+  const MatrixXd S_ow =
+      S_w.bottomLeftCorner(o, f) - X.transpose() * S_w.topLeftCorner(f, f);
   terms.V = factor.solve_transposed_columns(S_ow.transpose()).transpose();
-  terms.O = S_w.bottomRightCorner(o, o) - S_ow * X - X.transpose() * S_w.topRightCorner(f, o);
-  terms.E = A_dependent.rightCols(o).transpose() - X.transpose() * A_dependent.leftCols(f).transpose();
+  terms.O =
+      S_w.bottomRightCorner(o, o) - S_ow * X - X.transpose() * S_w.topRightCorner(f, o);
+  terms.E = A_dependent.rightCols(o).transpose() -
+            X.transpose() * A_dependent.leftCols(f).transpose();
   return terms;
 }
 
 /// w_o = O^-1 (h + E_o q - V v) put into the relation, loads apart.
 void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
-  contact.opposite_of_v = Eigen::MatrixXd::Zero(terms.V.rows(), terms.V.cols());
-  contact.opposite_of_q = Eigen::MatrixXd::Zero(terms.E.rows(), terms.E.cols());
-  contact.F = Eigen::MatrixXd::Zero(terms.E.cols(), terms.E.cols());
+  contact.opposite_of_v = MatrixXd::Zero(terms.V.rows(), terms.V.cols());
+  contact.opposite_of_q = MatrixXd::Zero(terms.E.rows(), terms.E.cols());
+  contact.F = MatrixXd::Zero(terms.E.cols(), terms.E.cols());
   if (terms.O.rows() == 0) return;
   contact.opposite_scale = terms.O.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   const auto R = contact.opposite_scale.asDiagonal();
-  contact.opposite_stiffness.emplace(Eigen::MatrixXd(R * (0.5 * (terms.O + terms.O.transpose())) * R));
-  if (!contact.opposite_stiffness->is_positive_definite() || contact.opposite_stiffness->reciprocal_condition() < 1e-15)
-    throw std::runtime_error("the bodies are not held, even with their contact lines glued to each other");
+  contact.opposite_stiffness.emplace(
+      MatrixXd(R * (0.5 * (terms.O + terms.O.transpose())) * R));
+  if (!contact.opposite_stiffness->is_positive_definite() ||
+      contact.opposite_stiffness->reciprocal_condition() < 1e-15)
+    throw std::runtime_error(
+        "the bodies are not held, even with their contact lines glued to each other");
   contact.opposite_of_v = R * contact.opposite_stiffness->solve_columns(-(R * terms.V));
   contact.S += terms.V.transpose() * contact.opposite_of_v;
   contact.S = (0.5 * (contact.S + contact.S.transpose())).eval();
@@ -194,24 +217,25 @@ void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
 }
 
 /// g and the offsets for a load and the v of prescribed values.
-void put_loads(const CondensedStiffness& stiffness, const Eigen::VectorXd& load, const Eigen::VectorXd& v_prescribed,
-               const SparseLu& factor, CondensedContact& contact) {
-  const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
+void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
+               const VectorXd& v_prescribed, const SparseLu& factor,
+               CondensedContact& contact) {
+  const auto f = static_cast<Index>(contact.primary.size()), o = contact.A.cols() - f;
   contact.v_prescribed = v_prescribed;
-  Eigen::VectorXd w_prescribed = Eigen::VectorXd::Zero(f + o);
+  VectorXd w_prescribed = VectorXd::Zero(f + o);
   w_prescribed.head(f) = factor.solve(v_prescribed(contact.primary));
-  const Eigen::VectorXd forces =
-      stiffness.condensed_load(load) + stiffness.schur() * Eigen::VectorXd(contact.to_kept * w_prescribed);
-  const Eigen::VectorXd g_w = contact.to_kept.transpose() * forces;
+  const VectorXd forces = stiffness.condensed_load(load) +
+                          stiffness.schur() * VectorXd(contact.to_kept * w_prescribed);
+  const VectorXd g_w = contact.to_kept.transpose() * forces;
   contact.g = factor.solve_transposed(g_w.head(f));
-  contact.dependent_offset =
-      v_prescribed(contact.dependent) - selected_rows(contact.A, contact.dependent) * w_prescribed;
-  contact.opposite_offset = Eigen::VectorXd::Zero(o);
+  contact.dependent_offset = v_prescribed(contact.dependent) -
+                             selected_rows(contact.A, contact.dependent) * w_prescribed;
+  contact.opposite_offset = VectorXd::Zero(o);
   if (o == 0) return;
-  const Eigen::SparseMatrix<double> A_o = selected_rows(contact.A, contact.primary).rightCols(o);
-  const Eigen::VectorXd h = g_w.tail(o) - A_o.transpose() * contact.g;
-  contact.opposite_offset =
-      contact.opposite_scale.cwiseProduct(contact.opposite_stiffness->solve(contact.opposite_scale.cwiseProduct(h)));
+  const SparseMatrix A_o = selected_rows(contact.A, contact.primary).rightCols(o);
+  const VectorXd h = g_w.tail(o) - A_o.transpose() * contact.g;
+  contact.opposite_offset = contact.opposite_scale.cwiseProduct(
+      contact.opposite_stiffness->solve(contact.opposite_scale.cwiseProduct(h)));
   contact.g += contact.opposite_of_v.transpose() * h;
   contact.dependent_offset += contact.opposite_of_q.transpose() * h;
 }
@@ -235,21 +259,23 @@ std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& syst
 std::vector<char> idle_rows(const CondensedContact& contact) {
   std::vector<char> idle(contact.position.size(), 0);
   for (std::size_t d = 0; d < contact.dependent.size(); ++d)
-    idle[contact.dependent[d]] = !contact.loads_the_body(static_cast<Eigen::Index>(d));
+    idle[contact.dependent[d]] = !contact.loads_the_body(static_cast<Index>(d));
   return idle;
 }
 
-double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v) {
+double motion_scale(const CondensedContact& contact, const VectorXd& v) {
   double scale = v.cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < contact.g.size(); ++i) {
+  for (Index i = 0; i < contact.g.size(); ++i) {
     const int other = contact.position[contact.primary[i] ^ 1];
-    const double stiffness = std::max(contact.S(i, i), other >= 0 ? contact.S(other, other) : 0);
+    const double stiffness =
+        std::max(contact.S(i, i), other >= 0 ? contact.S(other, other) : 0);
     if (stiffness > 0) scale = std::max(scale, std::abs(contact.g[i]) / stiffness);
   }
   return scale;
 }
 
-CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
+CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law,
+                                   const ElasticSystem& system,
                                    const CondensedStiffness& stiffness) {
   CondensedContact contact;
   contact.kept_dofs = contact_dofs(line, system);
@@ -257,32 +283,37 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
   if (contact.primary.empty()) refuse("every dof of the contact line is prescribed");
   const std::vector<int> continued = continued_rows(line, system.prescribed);
   for (int row : contact.dependent) contact.continued.push_back(continued[row]);
-  const int unknowns = number_opposite(line, system.prescribed, static_cast<int>(contact.primary.size()), motions);
+  const int unknowns = number_opposite(line, system.prescribed,
+                                       static_cast<int>(contact.primary.size()), motions);
 
-  const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
+  const SparseMatrix W = weight_of_rows(law.multiplier, line);
   contact.A = W * trace_operator(line, motions, unknowns);
   forget_unsteered_rows(W, contact);
   contact.to_kept = kept_operator(motions, contact.kept_dofs, unknowns);
   const SparseLu factor = primary_factor(contact);
   condense_opposite(relation_with_opposite(stiffness, factor, contact), contact);
-  const Eigen::VectorXd v_prescribed =
+  const VectorXd v_prescribed =
       W * displacement_against_foundation(line, law, system.prescribed_value).reshaped();
   put_loads(stiffness, system.load, v_prescribed, factor, contact);
   return contact;
 }
 
-CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
-                            const Eigen::VectorXd& v_prescribed) {
+CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness,
+                            const VectorXd& load, const VectorXd& v_prescribed) {
   put_loads(stiffness, load, v_prescribed, primary_factor(contact), contact);
   return contact;
 }
 
-Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v, const Eigen::VectorXd& q) {
-  const auto f = static_cast<Eigen::Index>(contact.primary.size()), o = contact.A.cols() - f;
-  Eigen::VectorXd w(f + o);
-  w.tail(o) = contact.opposite_offset + contact.opposite_of_v * v + contact.opposite_of_q * q;
-  const Eigen::VectorXd from_opposite = selected_rows(contact.A, contact.primary).rightCols(o) * w.tail(o);
-  w.head(f) = primary_factor(contact).solve(v - contact.v_prescribed(contact.primary) - from_opposite);
+VectorXd kept_displacement(const CondensedContact& contact, const VectorXd& v,
+                           const VectorXd& q) {
+  const auto f = static_cast<Index>(contact.primary.size()), o = contact.A.cols() - f;
+  VectorXd w(f + o);
+  w.tail(o) =
+      contact.opposite_offset + contact.opposite_of_v * v + contact.opposite_of_q * q;
+  const VectorXd from_opposite =
+      selected_rows(contact.A, contact.primary).rightCols(o) * w.tail(o);
+  w.head(f) = primary_factor(contact).solve(v - contact.v_prescribed(contact.primary) -
+                                            from_opposite);
   return contact.to_kept * w;
 }
 

@@ -5,73 +5,94 @@
 #include <vector>
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
 namespace ffcontact {
 
-/// The body as the contact conditions see it: a small dense relation between multipliers P and v = W (u_n - gap, u_t - previous).
+/// The body as the contact conditions see it: a small dense relation between multipliers
+/// P and v = W (u_n - gap, u_t - previous).
 ///
-/// Row 2 i + c stands for component c (0 normal, 1 tangential) of node i. Rows are primary, as many as the contact vertices
-/// have free dofs, or dependent: a row whose dof is prescribed, or that of the second node at a corner. With S u_c = g + W'P
-/// from CondensedStiffness and v = A w in terms of the free components w,
+/// Row 2 i + c stands for component c (0 normal, 1 tangential) of node i. Rows are
+/// primary, as many as the contact vertices have free dofs, or dependent: a row whose dof
+/// is prescribed, or that of the second node at a corner. With S u_c = g + W'P from
+/// CondensedStiffness and v = A w in terms of the free components w,
 ///     P = S v - g - E q,    v_dependent = E' v + offset,    E = A_primary^-T A_dependent',
-/// where P and v are those of the primary rows and q are the multipliers of the dependent rows.
+/// where P and v are those of the primary rows and q are the multipliers of the dependent
+/// rows.
 ///
-/// Against other bodies v = A w + A_o w_o with the free components w_o of the opposite vertices, which carry no multipliers of
-/// their own. In the unknowns (v, w_o) the stiffness is S~, and w_o is condensed too,
+/// Against other bodies v = A w + A_o w_o with the free components w_o of the opposite
+/// vertices, which carry no multipliers of their own. In the unknowns (v, w_o) the
+/// stiffness is S~, and w_o is condensed too,
 ///     w_o = S~_oo^-1 (g~_o + E_o q - S~_ov v),
 /// which leaves the same relation, with F = E_o' S~_oo^-1 E_o added:   v_dependent = E' v + F q + offset.
-/// S~_oo is the stiffness with the traces glued to each other, hence definite when contact can hold the bodies at all.
+/// S~_oo is the stiffness with the traces glued to each other, hence definite when
+/// contact can hold the bodies at all.
 ///
-/// At a vertex with one free dof the primary row is the normal one unless the dof is tangential.
-/// A dependent row that free dofs move by less than 1e-6 of its weights, as where a prescribed vertex all but faces a prescribed
-/// one, is taken for one that they do not move.
+/// At a vertex with one free dof the primary row is the normal one unless the dof is
+/// tangential. A dependent row that free dofs move by less than 1e-6 of its weights, as
+/// where a prescribed vertex all but faces a prescribed one, is taken for one that they
+/// do not move.
 struct CondensedContact {
-  std::vector<int> primary;          ///< row of each primary unknown [f]
-  std::vector<int> dependent;        ///< row of each dependent unknown [d]
-  std::vector<int> continued;        ///< continued_rows of the dependent ones [d]
-  Eigen::VectorXi position;          ///< of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
-  Eigen::MatrixXd S;                 ///< [f x f]
-  Eigen::VectorXd g;                 ///< [f]
-  Eigen::MatrixXd E;                 ///< [f x d]
-  Eigen::MatrixXd F;                 ///< [d x d], zero on a rigid foundation
-  Eigen::VectorXd dependent_offset;  ///< [d]
-  std::vector<int> kept_dofs;  ///< free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
-  Eigen::SparseMatrix<double> to_kept;  ///< displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]
-  Eigen::SparseMatrix<double> A;        ///< v of all rows = A (w, w_o) + v_prescribed [2 p x f + o]
-  Eigen::VectorXd v_prescribed;         ///< v of the prescribed values, gap and previous displacement included [2 p]
-  Eigen::VectorXd opposite_offset;      ///< w_o = opposite_offset + opposite_of_v v + opposite_of_q q [o]
-  Eigen::MatrixXd opposite_of_v;        ///< [o x f]
-  Eigen::MatrixXd opposite_of_q;        ///< [o x d]
-  Eigen::VectorXd opposite_scale;       ///< R = diag(S~_oo)^-1/2 [o]
+  std::vector<int> primary;    ///< row of each primary unknown [f]
+  std::vector<int> dependent;  ///< row of each dependent unknown [d]
+  std::vector<int> continued;  ///< continued_rows of the dependent ones [d]
+  /// of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
+  VectorXi position;
+  MatrixXd S;                 ///< [f x f]
+  VectorXd g;                 ///< [f]
+  MatrixXd E;                 ///< [f x d]
+  MatrixXd F;                 ///< [d x d], zero on a rigid foundation
+  VectorXd dependent_offset;  ///< [d]
+  /// free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
+  std::vector<int> kept_dofs;
+  /// displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]
+  SparseMatrix to_kept;
+  SparseMatrix A;  ///< v of all rows = A (w, w_o) + v_prescribed [2 p x f + o]
+  /// v of the prescribed values, gap and previous displacement included [2 p]
+  VectorXd v_prescribed;
+  /// w_o = opposite_offset + opposite_of_v v + opposite_of_q q [o]
+  VectorXd opposite_offset;
+  MatrixXd opposite_of_v;                      ///< [o x f]
+  MatrixXd opposite_of_q;                      ///< [o x d]
+  VectorXd opposite_scale;                     ///< R = diag(S~_oo)^-1/2 [o]
   std::optional<Cholesky> opposite_stiffness;  ///< of R S~_oo R; nothing if o = 0
 
   bool is_primary(int row) const { return position[row] >= 0; }
-  /// Does the multiplier of dependent row d do anything to a body? Nodal forces on prescribed dofs do not.
-  bool loads_the_body(Eigen::Index d) const { return !E.col(d).isZero(0) || !F.col(d).isZero(0); }
+  /// Does the multiplier of dependent row d do anything to a body? Nodal forces on
+  /// prescribed dofs do not.
+  bool loads_the_body(Index d) const {
+    return !E.col(d).isZero(0) || !F.col(d).isZero(0);
+  }
 };
 
 /// 1 for the rows whose multiplier does not load the body [2 p].
 std::vector<char> idle_rows(const CondensedContact& contact);
 
-/// The free dofs of the vertices on the line, in the order of its nodes, then those of the opposite vertices.
+/// The free dofs of the vertices on the line, in the order of its nodes, then those of
+/// the opposite vertices.
 std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system);
 
-/// What v is small against: its largest value, or what the loads would move a node alone, max |g_i| / S_ii with the S_ii of the
-/// stiffer component of the node (that of a component in which the body is free is rounding). Where all nodes stick v is nothing
+/// What v is small against: its largest value, or what the loads would move a node alone,
+/// max |g_i| / S_ii with the S_ii of the stiffer component of the node (that of a
+/// component in which the body is free is rounding). Where all nodes stick v is nothing
 /// but rounding.
-double motion_scale(const CondensedContact& contact, const Eigen::VectorXd& v);
+double motion_scale(const CondensedContact& contact, const VectorXd& v);
 
 /// @throws std::invalid_argument  if the contact line has no free dof
-CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
+CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law,
+                                   const ElasticSystem& system,
                                    const CondensedStiffness& stiffness);
 
-/// The same relation for another load on all dofs and other v of the prescribed values: that of a correction, for instance.
-CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness, const Eigen::VectorXd& load,
-                            const Eigen::VectorXd& v_prescribed);
+/// The same relation for another load on all dofs and other v of the prescribed values:
+/// that of a correction, for instance.
+CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness,
+                            const VectorXd& load, const VectorXd& v_prescribed);
 
-/// Displacement of the kept dofs that has the given v on the primary rows under the multipliers q of the dependent rows [kept].
-Eigen::VectorXd kept_displacement(const CondensedContact& contact, const Eigen::VectorXd& v, const Eigen::VectorXd& q);
+/// Displacement of the kept dofs that has the given v on the primary rows under the
+/// multipliers q of the dependent rows [kept].
+VectorXd kept_displacement(const CondensedContact& contact, const VectorXd& v,
+                           const VectorXd& q);
 
 }  // namespace ffcontact

@@ -16,19 +16,24 @@ namespace {
 /// Deviations from the chord below this part of the coefficient are rounding.
 constexpr double rounding = 1e-12;
 
-/// The end values of a bound along an edge, which is linear between the nodes where it is not given.
-Eigen::Vector2d at_ends(const ContactLine& line, const Eigen::Matrix2Xd& bound, const Eigen::VectorXd& nodal,
-                        int edge) {
+/// The end values of a bound along an edge, which is linear between the nodes where it is
+/// not given.
+Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound, const VectorXd& nodal,
+                 int edge) {
   if (bound.size() > 0) return bound.col(edge);
   return {nodal[line.edge_node(0, edge)], nodal[line.edge_node(1, edge)]};
 }
 
-const Eigen::VectorXd& coefficient(const ContactLaw& law) { return law.tresca() ? law.slip_bound : law.friction; }
+const VectorXd& coefficient(const ContactLaw& law) {
+  return law.tresca() ? law.slip_bound : law.friction;
+}
 
-Eigen::Vector2d unlimited() { return Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()); }
+Vector2d unlimited() {
+  return Vector2d::Constant(std::numeric_limits<double>::infinity());
+}
 
 void require_valid(const char* name, const EdgeRange& range, const ContactLine& line) {
-  for (const Eigen::Matrix2Xd* bound : {&range.least, &range.most}) {
+  for (const Matrix2Xd* bound : {&range.least, &range.most}) {
     if (bound->size() == 0) continue;
     require_size(name, bound->cols(), line.edge_count());
     require_nonnegative(name, bound->reshaped());
@@ -37,33 +42,38 @@ void require_valid(const char* name, const EdgeRange& range, const ContactLine& 
 
 }  // namespace
 
-Eigen::Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
+Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
   return at_ends(line, law.between_nodes.least, coefficient(law), edge);
 }
 
-Eigen::Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
+Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
   return at_ends(line, law.between_nodes.most, coefficient(law), edge);
 }
 
-Eigen::Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
-  return law.limited() ? at_ends(line, law.limit_between_nodes.least, law.shear_limit, edge) : unlimited();
+Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
+  return law.limited()
+             ? at_ends(line, law.limit_between_nodes.least, law.shear_limit, edge)
+             : unlimited();
 }
 
-Eigen::Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
-  return law.limited() ? at_ends(line, law.limit_between_nodes.most, law.shear_limit, edge) : unlimited();
+Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
+  return law.limited()
+             ? at_ends(line, law.limit_between_nodes.most, law.shear_limit, edge)
+             : unlimited();
 }
 
-EdgeRange enclosing_range(const Eigen::Ref<const Eigen::MatrixXd>& samples) {
-  const Eigen::VectorXd s = Eigen::VectorXd::LinSpaced(samples.rows(), 0, 1);
-  EdgeRange range{Eigen::Matrix2Xd(2, samples.cols()), Eigen::Matrix2Xd(2, samples.cols())};
-  for (Eigen::Index e = 0; e < samples.cols(); ++e) {
-    const Eigen::VectorXd values = samples.col(e);
-    const Eigen::Vector2d ends(values[0], values[values.size() - 1]);
-    const Eigen::VectorXd above = values - ends[0] * (1 - s.array()).matrix() - ends[1] * s;
+EdgeRange enclosing_range(const Ref<const MatrixXd>& samples) {
+  const VectorXd s = VectorXd::LinSpaced(samples.rows(), 0, 1);
+  EdgeRange range{Matrix2Xd(2, samples.cols()), Matrix2Xd(2, samples.cols())};
+  for (Index e = 0; e < samples.cols(); ++e) {
+    const VectorXd values = samples.col(e);
+    const Vector2d ends(values[0], values[values.size() - 1]);
+    const VectorXd above = values - ends[0] * (1 - s.array()).matrix() - ends[1] * s;
     const bool linear = above.cwiseAbs().maxCoeff() <= rounding * values.maxCoeff();
-    range.least.col(e) = linear ? ends : Eigen::Vector2d(ends.array() + above.minCoeff());
-    range.most.col(e) = linear ? ends : Eigen::Vector2d(ends.array() + above.maxCoeff());
-    if (range.least.col(e).minCoeff() < 0) range.least.col(e).setConstant(values.minCoeff());
+    range.least.col(e) = linear ? ends : Vector2d(ends.array() + above.minCoeff());
+    range.most.col(e) = linear ? ends : Vector2d(ends.array() + above.maxCoeff());
+    if (range.least.col(e).minCoeff() < 0)
+      range.least.col(e).setConstant(values.minCoeff());
   }
   return range;
 }
@@ -87,56 +97,61 @@ void require_valid(const ContactLaw& law, const ContactLine& line) {
     require_finite("gap", law.gap);
   }
   if (law.previous.size() > 0) {
-    require_size("previous tangential displacement", law.previous.size(), line.node_count());
+    require_size("previous tangential displacement", law.previous.size(),
+                 line.node_count());
     require_finite("previous tangential displacement", law.previous);
   }
 }
 
-Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLine& line) {
+SparseMatrix weight_matrix(Multiplier multiplier, const ContactLine& line) {
   if (multiplier == Multiplier::pressure) return contact_mass(line);
-  Eigen::SparseMatrix<double> identity(line.node_count(), line.node_count());
+  SparseMatrix identity(line.node_count(), line.node_count());
   identity.setIdentity();
   return identity;
 }
 
-Eigen::SparseMatrix<double> weight_of_rows(Multiplier multiplier, const ContactLine& line) {
-  const Eigen::SparseMatrix<double> W = weight_matrix(multiplier, line);
+SparseMatrix weight_of_rows(Multiplier multiplier, const ContactLine& line) {
+  const SparseMatrix W = weight_matrix(multiplier, line);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(4 * W.nonZeros());
   for (int j = 0; j < W.outerSize(); ++j)
-    for (Eigen::SparseMatrix<double>::InnerIterator w(W, j); w; ++w) {
+    for (SparseMatrix::InnerIterator w(W, j); w; ++w) {
       const int i = static_cast<int>(w.row());
       const bool turned = line.normal.col(i) != line.normal.col(j);
       const double cosine = turned ? line.normal.col(i).dot(line.normal.col(j)) : 1;
       const double sine = turned ? line.normal.col(i).dot(line.tangent(j)) : 0;
       for (int c = 0; c < 2; ++c) {
         entries.emplace_back(2 * i + c, 2 * j + c, w.value() * cosine);
-        if (turned) entries.emplace_back(2 * i + c, 2 * j + 1 - c, (c == 0 ? 1 : -1) * w.value() * sine);
+        if (turned)
+          entries.emplace_back(2 * i + c, 2 * j + 1 - c,
+                               (c == 0 ? 1 : -1) * w.value() * sine);
       }
     }
-  Eigen::SparseMatrix<double> rows(2 * W.rows(), 2 * W.cols());
+  SparseMatrix rows(2 * W.rows(), 2 * W.cols());
   rows.setFromTriplets(entries.begin(), entries.end());
   return rows;
 }
 
-Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
-                                                 const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  Eigen::Matrix2Xd trace = contact_components(line, displacement);
+Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
+                                          const Ref<const VectorXd>& displacement) {
+  Matrix2Xd trace = contact_components(line, displacement);
   if (law.gap.size() > 0) trace.row(0) -= law.gap.transpose();
   if (law.previous.size() > 0) trace.row(1) -= law.previous.transpose();
   return trace;
 }
 
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
-                              const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale,
+                              const Ref<const VectorXd>& displacement,
+                              const Ref<const Matrix2Xd>& multiplier, double v_scale,
                               const std::vector<char>& idle) {
-  const Eigen::SparseMatrix<double> W = weight_of_rows(law.multiplier, line);
-  Eigen::VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
-  const Eigen::VectorXd weight = weight_matrix(law.multiplier, line) * Eigen::VectorXd::Ones(line.node_count());
+  const SparseMatrix W = weight_of_rows(law.multiplier, line);
+  VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
+  const VectorXd weight =
+      weight_matrix(law.multiplier, line) * VectorXd::Ones(line.node_count());
   double largest = displacement.cwiseAbs().maxCoeff();
   if (law.gap.size() > 0) largest = std::max(largest, law.gap.cwiseAbs().maxCoeff());
-  if (law.previous.size() > 0) largest = std::max(largest, law.previous.cwiseAbs().maxCoeff());
+  if (law.previous.size() > 0)
+    largest = std::max(largest, law.previous.cwiseAbs().maxCoeff());
   const double scale = std::max(v_scale, largest * weight.maxCoeff());
   for (std::size_t row = 0; row < idle.size(); ++row)
     if (idle[row] && std::abs(v[row]) <= unsteered * scale) v[row] = 0;

@@ -1,72 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
 
-/// The two discrete convexes of multipliers [CHH01, 3.1]. In both the conditions hold node by node between a multiplier P
-/// and a displacement W u, and the body is loaded by W P:
+/// The two discrete convexes of multipliers [CHH01, 3.1]. In both the conditions hold
+/// node by node between a multiplier P and a displacement W u, and the body is loaded by
+/// W P:
 enum class Multiplier {
   pressure,  ///< M'_h (Prop. 3.4): W = M, P = nodal pressures L [MPa]
   force,     ///< M''_h (Prop. 3.5): W = I, P = nodal forces F = M L [N/mm]
 };
 
-/// Two functions that are linear on each contact edge and enclose a coefficient there, by their values at its ends [2 x m].
+/// Two functions that are linear on each contact edge and enclose a coefficient there, by
+/// their values at its ends [2 x m].
 struct EdgeRange {
-  Eigen::Matrix2Xd least, most;
+  Matrix2Xd least, most;
 };
 
 /// The law of contact and friction along the line, given at its nodes.
 ///     P_n <= 0,  v_n <= 0,  P_n v_n = 0
 ///     |P_t| <= b,  |P_t| < b => v_t = 0,  P_t v_t <= 0
-/// for v = W (u_n - gap, u_t - previous) with the bound b = -mu P_n (Coulomb), b = min(-mu P_n, k) with k = shear_limit (Coulomb and
-/// Orowan), or b = slip_bound (Tresca); bounds in units of P, M k for nodal forces.
+/// for v = W (u_n - gap, u_t - previous) with the bound b = -mu P_n (Coulomb), b =
+/// min(-mu P_n, k) with k = shear_limit (Coulomb and Orowan), or b = slip_bound (Tresca);
+/// bounds in units of P, M k for nodal forces.
 struct ContactLaw {
   Multiplier multiplier = Multiplier::force;
-  Eigen::VectorXd friction;    ///< mu >= 0 at each node [p]; 0 is the frictionless case
-  Eigen::VectorXd slip_bound;  ///< Tresca's bound >= 0 at each node [MPa], in place of -mu lambda_n; empty for Coulomb
-  Eigen::VectorXd gap;         ///< initial gap along n at each node [mm]; empty for none
-  Eigen::VectorXd previous;    ///< u_t of the load step before [mm], for the incremental law; empty for the static law
-  /// The coefficient between the nodes, where it is not linear there: mu of Coulomb's law, k of Tresca's. Empty where it is. The
-  /// solver knows the nodes alone; tractions are judged along the edges.
+  VectorXd friction;  ///< mu >= 0 at each node [p]; 0 is the frictionless case
+  /// Tresca's bound >= 0 at each node [MPa], in place of -mu lambda_n; empty for Coulomb
+  VectorXd slip_bound;
+  VectorXd gap;  ///< initial gap along n at each node [mm]; empty for none
+  /// u_t of the load step before [mm], for the incremental law; empty for the static law
+  VectorXd previous;
+  /// The coefficient between the nodes, where it is not linear there: mu of Coulomb's
+  /// law, k of Tresca's. Empty where it is. The solver knows the nodes alone; tractions
+  /// are judged along the edges.
   EdgeRange between_nodes;
-  Eigen::VectorXd shear_limit;    ///< largest |lambda_t| of Coulomb's law at each node >= 0 [MPa]; empty for none
+  /// largest |lambda_t| of Coulomb's law at each node >= 0 [MPa]; empty for none
+  VectorXd shear_limit;
   EdgeRange limit_between_nodes;  ///< of shear_limit likewise
 
   bool tresca() const { return slip_bound.size() > 0; }
   bool limited() const { return shear_limit.size() > 0; }
 };
 
-/// Values of mu (Coulomb) or k (Tresca) at the ends of a contact edge: of a linear function that is nowhere above the
-/// coefficient, and of one that is nowhere below it.
-Eigen::Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
-Eigen::Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
+/// Values of mu (Coulomb) or k (Tresca) at the ends of a contact edge: of a linear
+/// function that is nowhere above the coefficient, and of one that is nowhere below it.
+Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
+Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
 
 /// The same of shear_limit; infinite where there is none.
-Eigen::Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
-Eigen::Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
+Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
+Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
 
-/// The two lines nearest to the chord that enclose a coefficient >= 0 sampled at evenly spaced points of each edge, ends
-/// included: the chord shifted by the largest deviation to either side, or the constant least value where the lower one would
-/// fall below 0. Where the samples are on the chord to rounding it is both.
+/// The two lines nearest to the chord that enclose a coefficient >= 0 sampled at evenly
+/// spaced points of each edge, ends included: the chord shifted by the largest deviation
+/// to either side, or the constant least value where the lower one would fall below 0.
+/// Where the samples are on the chord to rounding it is both.
 /// @param samples  one column per edge [at least 2 x m]
-EdgeRange enclosing_range(const Eigen::Ref<const Eigen::MatrixXd>& samples);
+EdgeRange enclosing_range(const Ref<const MatrixXd>& samples);
 
-/// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is negative or not finite
+/// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is
+///                                negative or not finite
 void require_valid(const ContactLaw& law, const ContactLine& line);
 
-/// What a node does. A node that slides along +t has v_t > 0 and is pulled back, P_t = -b. Tresca's friction does not ask for
-/// contact: b is given, and an open node sticks or slips under it like any other.
+/// What a node does. A node that slides along +t has v_t > 0 and is pulled back, P_t =
+/// -b. Tresca's friction does not ask for contact: b is given, and an open node sticks or
+/// slips under it like any other.
 enum class ContactState : char {
   open,
   stick,
   slip_forward,
   slip_backward,
-  limited_forward,  ///< slip under the shear limit, P_t = -k; within the solver, answers say slip
+  /// slip under the shear limit, P_t = -k; within the solver, answers say slip
+  limited_forward,
   limited_backward,
   open_stick,  ///< Tresca's law only, within the solver; answers say open
   open_slip_forward,
@@ -86,39 +97,49 @@ inline int slip_sign(ContactState state) {
   }
 }
 
-inline bool is_open(ContactState state) { return state == ContactState::open || state >= ContactState::open_stick; }
+inline bool is_open(ContactState state) {
+  return state == ContactState::open || state >= ContactState::open_stick;
+}
 
 inline bool is_limited(ContactState state) {
-  return state == ContactState::limited_forward || state == ContactState::limited_backward;
+  return state == ContactState::limited_forward ||
+         state == ContactState::limited_backward;
 }
 
 /// Does a state keep a component (0 normal, 1 tangential) from moving, v = 0?
 inline bool holds(ContactState state, int component) {
-  return component == 0 ? !is_open(state) : state != ContactState::open && slip_sign(state) == 0;
+  return component == 0 ? !is_open(state)
+                        : state != ContactState::open && slip_sign(state) == 0;
 }
 
 /// W of the law on a line: the mass matrix (3.9) or the identity [p x p].
-Eigen::SparseMatrix<double> weight_matrix(Multiplier multiplier, const ContactLine& line);
+SparseMatrix weight_matrix(Multiplier multiplier, const ContactLine& line);
 
-/// W for both components, row 2 i + c, so that the forces are W P and v = W (components of a displacement) [2 p x 2 p].
-/// Where neighbours i, j have different normals the vectors are weighted, not the components: block (i, j) is w_ij times the
-/// rotation from the frame of j to that of i, and W P is exactly the load of the vector density with nodal values P.
-Eigen::SparseMatrix<double> weight_of_rows(Multiplier multiplier, const ContactLine& line);
+/// W for both components, row 2 i + c, so that the forces are W P and v = W (components
+/// of a displacement) [2 p x 2 p]. Where neighbours i, j have different normals the
+/// vectors are weighted, not the components: block (i, j) is w_ij times the rotation from
+/// the frame of j to that of i, and W P is exactly the load of the vector density with
+/// nodal values P.
+SparseMatrix weight_of_rows(Multiplier multiplier, const ContactLine& line);
 
-/// (u_n - gap, u_t - previous) at the nodes [2 x p] of a displacement on all dofs; jumps where the line faces another body.
-Eigen::Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
-                                                 const Eigen::Ref<const Eigen::VectorXd>& displacement);
+/// (u_n - gap, u_t - previous) at the nodes [2 x p] of a displacement on all dofs; jumps
+/// where the line faces another body.
+Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
+                                          const Ref<const VectorXd>& displacement);
 
-/// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the largest multiplier, the largest
-/// displacement of the body, gap or previous displacement, or the product.
+/// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the
+/// largest multiplier, the largest displacement of the body, gap or previous
+/// displacement, or the product.
 /// @param displacement  on all dofs [mm]
 /// @param multiplier    (P_n, P_t) at each node [2 x p]
-/// @param v_scale       what v = W (u - gap) is relative to at least: where all nodes stick, u is nothing but rounding
-/// @param idle          1 for rows 2 i + c whose multiplier moves nothing: v is that of prescribed values there, to 1e-6 of the
+/// @param v_scale       what v = W (u - gap) is relative to at least: where all nodes
+///                      stick, u is nothing but rounding
+/// @param idle          1 for rows 2 i + c whose multiplier moves nothing: v is that of
+///                      prescribed values there, to 1e-6 of the
 ///                      scale, and 0 where it is below that; empty for none
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
-                              const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                              const Eigen::Ref<const Eigen::Matrix2Xd>& multiplier, double v_scale = 0,
+                              const Ref<const VectorXd>& displacement,
+                              const Ref<const Matrix2Xd>& multiplier, double v_scale = 0,
                               const std::vector<char>& idle = {});
 
 }  // namespace ffcontact

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/active_set.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
@@ -11,32 +12,42 @@
 namespace ffcontact {
 
 enum class ContactSolver {
-  newton,       ///< active_set_newton; where it does not converge, convex_contact, or fixed_point helped by Newton
+  /// active_set_newton; where it does not converge, convex_contact, or fixed_point helped
+  /// by Newton
+  newton,
   fixed_point,  ///< fixed_point [CHH01, Definition 3.1]
 };
 
 struct ContactSettings {
   ContactSolver solver = ContactSolver::newton;
-  int max_iterations = 2000;                ///< linear systems of the contact line in all
-  double tolerance = 1e-10;                 ///< largest complementarity and residual defect of an accepted answer
-  std::vector<ContactState> initial_state;  ///< a guess, e.g. of the load step before; empty: every node sticks
+  int max_iterations = 2000;  ///< linear systems of the contact line in all
+  /// largest complementarity and residual defect of an accepted answer
+  double tolerance = 1e-10;
+  /// a guess, e.g. of the load step before; empty: every node sticks
+  std::vector<ContactState> initial_state;
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
 };
 
 /// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
 struct ContactSolution {
-  ContactStatus status = ContactStatus::not_converged;  ///< anything but converged: the rest is the best iterate
-  Eigen::VectorXd displacement;                         ///< u_h on all dofs [mm]
-  Eigen::Matrix2Xd pressure;        ///< nodal values (lambda_n, lambda_t) of the multipliers [MPa], compression < 0
-  Eigen::Matrix2Xd force;           ///< nodal forces (F_n, F_t) = M (lambda_n, lambda_t) [N/mm]
+  /// anything but converged: the rest is the best iterate
+  ContactStatus status = ContactStatus::not_converged;
+  VectorXd displacement;  ///< u_h on all dofs [mm]
+  /// nodal values (lambda_n, lambda_t) of the multipliers [MPa], compression < 0
+  Matrix2Xd pressure;
+  Matrix2Xd force;  ///< nodal forces (F_n, F_t) = M (lambda_n, lambda_t) [N/mm]
   std::vector<ContactState> state;  ///< per node
   int iterations = 0;               ///< dense systems solved
   std::vector<double>
-      history;  ///< relative change of lambda_n per step of the fixed point; empty where Newton was enough
-  double complementarity = 0;                           ///< complementarity_defect of the answer
-  double residual = 0;                                  ///< residual_defect of the answer
-  std::shared_ptr<const CondensedStiffness> stiffness;  ///< K and its factor, for further loads and for the estimate
+      /// relative change of lambda_n per step of the fixed point; empty where Newton was
+      /// enough
+      history;
+  /// complementarity_defect of the answer
+  double complementarity = 0;
+  double residual = 0;  ///< residual_defect of the answer
+  /// K and its factor, for further loads and for the estimate
+  std::shared_ptr<const CondensedStiffness> stiffness;
 
   bool accepted(const ContactSettings& settings) const {
     return status == ContactStatus::converged && complementarity <= settings.tolerance &&
@@ -44,29 +55,37 @@ struct ContactSolution {
   }
 };
 
-/// Solves K u = b + B' P under the conditions of Prop. 3.4 / 3.5 for a body on a rigid foundation, or for bodies against each
-/// other (a joined mesh and system, and lines with their opposite bodies; u_n and u_t are then the jumps [u] . n and [u] . t, and
-/// -P acts on the opposite body): one factorisation, the condensed relation between P and v, the chosen solver on it, one
-/// back-substitution.
+/// Solves K u = b + B' P under the conditions of Prop. 3.4 / 3.5 for a body on a rigid
+/// foundation, or for bodies against each other (a joined mesh and system, and lines with
+/// their opposite bodies; u_n and u_t are then the jumps [u] . n and [u] . t, and -P acts
+/// on the opposite body): one factorisation, the condensed relation between P and v, the
+/// chosen solver on it, one back-substitution.
 ///
-/// The quasi-static path of a load that changes direction is a sequence of such problems with ContactLaw::previous and
-/// ContactSettings::initial_state taken from the step before.
+/// The quasi-static path of a load that changes direction is a sequence of such problems
+/// with ContactLaw::previous and ContactSettings::initial_state taken from the step
+/// before.
 ///
-/// Multipliers at nodes with a prescribed dof: for Multiplier::force no equation gives F there, which is returned as 0; lambda is
-/// then 0 or continued from the next node (CondensedContact) and M L = F is solved on the others. For Multiplier::pressure
-/// complementarity determines lambda unless W u vanishes identically there; then the same is done.
+/// Multipliers at nodes with a prescribed dof: for Multiplier::force no equation gives F
+/// there, which is returned as 0; lambda is then 0 or continued from the next node
+/// (CondensedContact) and M L = F is solved on the others. For Multiplier::pressure
+/// complementarity determines lambda unless W u vanishes identically there; then the same
+/// is done.
 ///
-/// Where contact leaves a motion free on which no load works (a body on a frictionless plane), displacements are determined
-/// up to it, and one of them is returned.
-/// @throws std::invalid_argument  for input that does not fit, prescribed displacements that penetrate (require_feasible), or
+/// Where contact leaves a motion free on which no load works (a body on a frictionless
+/// plane), displacements are determined up to it, and one of them is returned.
+/// @throws std::invalid_argument  for input that does not fit, prescribed displacements
+///                                that penetrate (require_feasible), or
 ///                                loads that contact cannot balance (with the motion named)
 /// @throws std::runtime_error     if a part of the body is held by nothing
-ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
-                              const ElasticSystem& system, const ContactSettings& settings = {});
+ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
+                              const ContactLaw& law, const ElasticSystem& system,
+                              const ContactSettings& settings = {});
 
-/// States of a new line from those of an earlier one (the mesh before adaptation): of the old node nearest in abscissa.
+/// States of a new line from those of an earlier one (the mesh before adaptation): of the
+/// old node nearest in abscissa.
 /// @throws std::invalid_argument  if the sizes of the old arrays differ
-std::vector<ContactState> states_at(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& old_abscissa,
+std::vector<ContactState> states_at(const ContactLine& line,
+                                    const Ref<const VectorXd>& old_abscissa,
                                     const std::vector<ContactState>& old_state);
 
 /// What a status means, as the end of a sentence.

@@ -13,35 +13,41 @@ namespace {
 
 /// r of the proximal terms: far above rounding, below what a body that is held has.
 constexpr double proximal = 1e-9;
-/// r of the dependent rows falls by this factor from pass to pass, down to what rounding allows: beside the compliance of a soft
-/// body it may be far above what moves their multipliers.
+/// r of the dependent rows falls by this factor from pass to pass, down to what rounding
+/// allows: beside the compliance of a soft body it may be far above what moves their
+/// multipliers.
 constexpr double fall = 0.1, least_proximal = 1e-13;
 constexpr int most_passes = 30;
 /// Passes end when they change v by less than this part of what the loads would.
 constexpr double settled = 1e-13;
 
-/// Positions are those of the primary rows, then those of the dependent ones. Multipliers are measured in units that give C
-/// a diagonal of 1.
+/// Positions are those of the primary rows, then those of the dependent ones. Multipliers
+/// are measured in units that give C a diagonal of 1.
 class ProximalPasses {
  public:
   ProximalPasses(const CondensedContact& contact, const NodalLaw& law)
-      : contact_(contact), law_(law), primary_(contact.S.rows()), dependent_(contact.E.cols()) {
+      : contact_(contact),
+        law_(law),
+        primary_(contact.S.rows()),
+        dependent_(contact.E.cols()) {
     rows_ = contact.primary;
     rows_.insert(rows_.end(), contact.dependent.begin(), contact.dependent.end());
     put_compliance();
     put_bounds();
-    x_ = Eigen::VectorXd::Zero(low_.size());
-    v_ = Eigen::VectorXd::Zero(primary_);
+    x_ = VectorXd::Zero(low_.size());
+    v_ = VectorXd::Zero(primary_);
   }
 
   /// @return Cholesky factorisations
   int pass(int most_steps) {
     compliance_.diagonal().tail(dependent_).setConstant(1 + dependent_proximal_);
     dependent_proximal_ = std::max(fall * dependent_proximal_, least_proximal);
-    const Eigen::VectorXd h = unit_.cwiseProduct(displacement_of_multipliers()) - compliance_ * x_;
+    const VectorXd h =
+        unit_.cwiseProduct(displacement_of_multipliers()) - compliance_ * x_;
     BoundedMinimum minimum = bounded_minimum(compliance_, h, low_, high_, x_, most_steps);
     x_ = std::move(minimum.x);
-    const Eigen::VectorXd v = (compliance_ * x_ + h).head(primary_).cwiseQuotient(unit_.head(primary_));
+    const VectorXd v =
+        (compliance_ * x_ + h).head(primary_).cwiseQuotient(unit_.head(primary_));
     change_ = (v - v_).cwiseAbs().maxCoeff();
     v_ = v;
     return minimum.steps;
@@ -51,11 +57,11 @@ class ProximalPasses {
   double change() const { return change_; }
 
   ContactRows answer() const {
-    const Eigen::VectorXd P = unit_.cwiseProduct(x_), q = P.tail(dependent_);
-    const Eigen::VectorXd balanced = contact_.S * v_ - contact_.g - contact_.E * q;
-    const Eigen::VectorXd moved = dependent_displacement(v_, q);
-    ContactRows rows{Eigen::VectorXd(P.size()), Eigen::VectorXd(P.size())};
-    for (Eigen::Index k = 0; k < P.size(); ++k) {
+    const VectorXd P = unit_.cwiseProduct(x_), q = P.tail(dependent_);
+    const VectorXd balanced = contact_.S * v_ - contact_.g - contact_.E * q;
+    const VectorXd moved = dependent_displacement(v_, q);
+    ContactRows rows{VectorXd(P.size()), VectorXd(P.size())};
+    for (Index k = 0; k < P.size(); ++k) {
       const bool at_bound = x_[k] == low_[k] || x_[k] == high_[k];
       rows.P[rows_[k]] = at_bound || k >= primary_ ? P[k] : balanced[k];
       rows.v[rows_[k]] = k < primary_ ? v_[k] : moved[k - primary_];
@@ -67,13 +73,15 @@ class ProximalPasses {
     std::vector<ContactState> states;
     for (int node = 0; node < x_.size() / 2; ++node) {
       const bool open = x_[place(2 * node)] == 0;
-      const Eigen::Index t = place(2 * node + 1);
+      const Index t = place(2 * node + 1);
       if (law_.frictionless(node))
         states.push_back(open ? ContactState::open : ContactState::slip_forward);
       else if (x_[t] == -bound(t))
-        states.push_back(open ? ContactState::open_slip_forward : ContactState::slip_forward);
+        states.push_back(open ? ContactState::open_slip_forward
+                              : ContactState::slip_forward);
       else if (x_[t] == bound(t))
-        states.push_back(open ? ContactState::open_slip_backward : ContactState::slip_backward);
+        states.push_back(open ? ContactState::open_slip_backward
+                              : ContactState::slip_backward);
       else
         states.push_back(open ? ContactState::open_stick : ContactState::stick);
     }
@@ -81,78 +89,87 @@ class ProximalPasses {
   }
 
  private:
-  Eigen::Index place(int row) const {
+  Index place(int row) const {
     const int k = contact_.position[row];
     return k >= 0 ? k : primary_ - 1 - k;
   }
 
   void put_compliance() {
-    Eigen::MatrixXd S = contact_.S;
+    MatrixXd S = contact_.S;
     S.diagonal() *= 1 + proximal;
     stiffness_ = Cholesky(S);
-    Eigen::MatrixXd& C = compliance_;
+    MatrixXd& C = compliance_;
     C.resize(primary_ + dependent_, primary_ + dependent_);
-    C.topLeftCorner(primary_, primary_) = stiffness_.solve_columns(Eigen::MatrixXd::Identity(primary_, primary_));
+    C.topLeftCorner(primary_, primary_) =
+        stiffness_.solve_columns(MatrixXd::Identity(primary_, primary_));
     C.topRightCorner(primary_, dependent_) = stiffness_.solve_columns(contact_.E);
-    C.bottomLeftCorner(dependent_, primary_) = C.topRightCorner(primary_, dependent_).transpose();
+    C.bottomLeftCorner(dependent_, primary_) =
+        C.topRightCorner(primary_, dependent_).transpose();
     C.bottomRightCorner(dependent_, dependent_) =
         contact_.F + contact_.E.transpose() * C.topRightCorner(primary_, dependent_);
     const double softest = C.diagonal().head(primary_).maxCoeff();
-    for (Eigen::Index k = primary_; k < C.rows(); ++k)
+    for (Index k = primary_; k < C.rows(); ++k)
       if (C(k, k) == 0) C(k, k) = softest;
     unit_ = C.diagonal().cwiseSqrt().cwiseInverse();
     C = (unit_.asDiagonal() * C * unit_.asDiagonal()).eval();
   }
 
   /// b of a tangential position in its unit.
-  double bound(Eigen::Index k) const { return law_.tresca() ? law_.tresca_bound[rows_[k] / 2] / unit_[k] : 0; }
+  double bound(Index k) const {
+    return law_.tresca() ? law_.tresca_bound[rows_[k] / 2] / unit_[k] : 0;
+  }
 
   void put_bounds() {
     low_.resize(unit_.size());
     high_.resize(unit_.size());
-    for (Eigen::Index k = 0; k < unit_.size(); ++k) {
+    for (Index k = 0; k < unit_.size(); ++k) {
       const bool normal = rows_[k] % 2 == 0;
       low_[k] = normal ? -std::numeric_limits<double>::infinity() : -bound(k);
       high_[k] = normal ? 0 : bound(k);
     }
-    for (Eigen::Index d = 0; d < dependent_; ++d)
-      if (!contact_.loads_the_body(d)) low_[primary_ + d] = high_[primary_ + d] = idle_multiplier(d);
+    for (Index d = 0; d < dependent_; ++d)
+      if (!contact_.loads_the_body(d))
+        low_[primary_ + d] = high_[primary_ + d] = idle_multiplier(d);
   }
 
-  /// Of a dependent row that does not load the body: its v is given, and with it what friction does there.
-  double idle_multiplier(Eigen::Index d) const {
-    const Eigen::Index k = primary_ + d;
+  /// Of a dependent row that does not load the body: its v is given, and with it what
+  /// friction does there.
+  double idle_multiplier(Index d) const {
+    const Index k = primary_ + d;
     const double v = contact_.dependent_offset[d];
     if (rows_[k] % 2 == 0 || v == 0) return 0;
     return v > 0 ? -bound(k) : bound(k);
   }
 
-  Eigen::VectorXd dependent_displacement(const Eigen::VectorXd& v, const Eigen::VectorXd& q) const {
+  VectorXd dependent_displacement(const VectorXd& v, const VectorXd& q) const {
     return contact_.E.transpose() * v + contact_.F * q + contact_.dependent_offset;
   }
 
-  /// v of all rows under the multipliers of the last pass, by what they still lack of balancing its v.
-  Eigen::VectorXd displacement_of_multipliers() const {
-    const Eigen::VectorXd P = unit_.cwiseProduct(x_), q = P.tail(dependent_);
-    Eigen::VectorXd v(P.size());
-    v.head(primary_) = v_ + stiffness_.solve(P.head(primary_) + contact_.g + contact_.E * q - contact_.S * v_);
+  /// v of all rows under the multipliers of the last pass, by what they still lack of
+  /// balancing its v.
+  VectorXd displacement_of_multipliers() const {
+    const VectorXd P = unit_.cwiseProduct(x_), q = P.tail(dependent_);
+    VectorXd v(P.size());
+    v.head(primary_) = v_ + stiffness_.solve(P.head(primary_) + contact_.g +
+                                             contact_.E * q - contact_.S * v_);
     v.tail(dependent_) = dependent_displacement(v.head(primary_), q);
     return v;
   }
 
   const CondensedContact& contact_;
   const NodalLaw& law_;
-  const Eigen::Index primary_, dependent_;
+  const Index primary_, dependent_;
   std::vector<int> rows_;  ///< of each position
   Cholesky stiffness_;     ///< S + r diag(S)
-  Eigen::MatrixXd compliance_;
-  Eigen::VectorXd unit_, low_, high_;
-  Eigen::VectorXd x_, v_;  ///< multipliers in their units; v of the primary rows
+  MatrixXd compliance_;
+  VectorXd unit_, low_, high_;
+  VectorXd x_, v_;  ///< multipliers in their units; v of the primary rows
   double change_ = 0;
   double dependent_proximal_ = proximal;  ///< r of the dependent rows in the next pass
 };
 
-void keep(std::vector<ContactState> state, ContactRows rows, double violation, ActiveSetResult& result) {
+void keep(std::vector<ContactState> state, ContactRows rows, double violation,
+          ActiveSetResult& result) {
   result.violation = violation;
   result.state = std::move(state);
   result.P = std::move(rows.P);
@@ -161,19 +178,24 @@ void keep(std::vector<ContactState> state, ContactRows rows, double violation, A
 
 }  // namespace
 
-ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law, const NewtonSettings& settings) {
+ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law,
+                               const NewtonSettings& settings) {
   ActiveSetResult result;
   result.violation = std::numeric_limits<double>::infinity();
   ProximalPasses passes(contact, law);
   for (int k = 0; k < most_passes && result.iterations < settings.max_iterations; ++k) {
-    result.iterations += std::max(1, passes.pass(settings.max_iterations - result.iterations));
+    result.iterations +=
+        std::max(1, passes.pass(settings.max_iterations - result.iterations));
     ContactRows rows = passes.answer();
     const double violation = law_violation(contact, law, rows);
-    const bool ends = violation <= settings.tolerance && passes.change() <= settled * motion_scale(contact, rows.v);
-    if (violation < result.violation || ends) keep(passes.states(), std::move(rows), violation, result);
+    const bool ends = violation <= settings.tolerance &&
+                      passes.change() <= settled * motion_scale(contact, rows.v);
+    if (violation < result.violation || ends)
+      keep(passes.states(), std::move(rows), violation, result);
     if (ends) break;
     rows = {};
-    if (solve_active_set(contact, law, passes.states(), rows) == SystemKind::inconsistent) continue;
+    if (solve_active_set(contact, law, passes.states(), rows) == SystemKind::inconsistent)
+      continue;
     const double without_terms = law_violation(contact, law, rows);
     if (without_terms > settings.tolerance) continue;
     keep(passes.states(), std::move(rows), without_terms, result);
@@ -186,14 +208,17 @@ ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& 
   return result;
 }
 
-ActiveSetResult solve_convex(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
+ActiveSetResult solve_convex(const CondensedContact& contact, const NodalLaw& law,
+                             std::vector<ContactState> state,
                              const NewtonSettings& settings) {
   ActiveSetResult newton = active_set_newton(contact, law, std::move(state), settings);
   const int left = settings.max_iterations - newton.iterations;
   if (newton.status == ContactStatus::converged || left <= 0) return newton;
   ActiveSetResult convex = convex_contact(contact, law, {left, settings.tolerance});
   ActiveSetResult& better =
-      convex.status == ContactStatus::converged || convex.violation < newton.violation ? convex : newton;
+      convex.status == ContactStatus::converged || convex.violation < newton.violation
+          ? convex
+          : newton;
   better.iterations = newton.iterations + convex.iterations;
   return better;
 }

@@ -14,32 +14,40 @@ namespace ffcontact {
 
 namespace {
 
-/// Penetrations are compared with the largest normal displacement and gap, and with what the coordinates resolve.
+/// Penetrations are compared with the largest normal displacement and gap, and with what
+/// the coordinates resolve.
 constexpr double rounding = 1e-10, coordinate_rounding = 1e-14;
 /// The largest penetration over the largest displacement that may remove it.
 constexpr double held = 1e-3;
 
 /// A point of the contact line, its jump of displacements as a sum over vertices.
 struct Station {
-  Eigen::Vector2d point, normal;
+  Vector2d point, normal;
   int node;  ///< of the line, the nearest
   double gap;
   std::vector<std::pair<int, double>> weights;
 };
 
-Station station_at_node(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, int node) {
+Station station_at_node(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                        int node) {
   const int vertex = line.vertex[node];
-  Station station{
-      mesh.vertices.col(vertex), line.normal.col(node), node, law.gap.size() > 0 ? law.gap[node] : 0, {{vertex, 1.0}}};
-  visit_opposite(line, node, [&](int v, double weight) { station.weights.emplace_back(v, -weight); });
+  Station station{mesh.vertices.col(vertex),
+                  line.normal.col(node),
+                  node,
+                  law.gap.size() > 0 ? law.gap[node] : 0,
+                  {{vertex, 1.0}}};
+  visit_opposite(line, node,
+                 [&](int v, double weight) { station.weights.emplace_back(v, -weight); });
   return station;
 }
 
 /// @param x, y  places on the mesh edge of the contact edge and on the opposite one
-Station station_on_piece(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ContactLaw& law,
-                         const FacingPiece& piece, double x, double y) {
+Station station_on_piece(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+                         const ContactLaw& law, const FacingPiece& piece, double x,
+                         double y) {
   const int e = piece.contact_edge, a = line.edge_node(0, e), b = line.edge_node(1, e);
-  const int first = edges.vertices(0, line.edge[e]), second = edges.vertices(1, line.edge[e]);
+  const int first = edges.vertices(0, line.edge[e]),
+            second = edges.vertices(1, line.edge[e]);
   const double s = line.share(e, x);
   const auto gap = [&](int i) { return law.gap.size() > 0 ? law.gap[i] : 0; };
   return {(1 - x) * mesh.vertices.col(first) + x * mesh.vertices.col(second),
@@ -52,32 +60,38 @@ Station station_on_piece(const Mesh& mesh, const Edges& edges, const ContactLine
            {edges.vertices(1, piece.opposite_edge), -y}}};
 }
 
-/// Where an admissible displacement is asked to be clear: the nodes, or those of the common refinement.
-std::vector<Station> stations(const Mesh& mesh, const ContactLine& line, const ContactLaw& law) {
+/// Where an admissible displacement is asked to be clear: the nodes, or those of the
+/// common refinement.
+std::vector<Station> stations(const Mesh& mesh, const ContactLine& line,
+                              const ContactLaw& law) {
   std::vector<Station> result;
   if (line.matches()) {
-    for (int i = 0; i < line.node_count(); ++i) result.push_back(station_at_node(mesh, line, law, i));
+    for (int i = 0; i < line.node_count(); ++i)
+      result.push_back(station_at_node(mesh, line, law, i));
     return result;
   }
   const Edges edges = edges_of(mesh);
   for (const FacingPiece& piece : line.pieces) {
-    result.push_back(station_on_piece(mesh, edges, line, law, piece, piece.begin, piece.opposite_begin));
-    result.push_back(station_on_piece(mesh, edges, line, law, piece, piece.end, piece.opposite_end));
+    result.push_back(station_on_piece(mesh, edges, line, law, piece, piece.begin,
+                                      piece.opposite_begin));
+    result.push_back(
+        station_on_piece(mesh, edges, line, law, piece, piece.end, piece.opposite_end));
   }
   return result;
 }
 
 /// G w + c <= 0, one row per station.
 struct Clearance {
-  WeightsByNode G;    ///< [stations x dofs], free dofs only
-  Eigen::VectorXd c;  ///< [mm]
+  WeightsByNode G;  ///< [stations x dofs], free dofs only
+  VectorXd c;       ///< [mm]
 };
 
-Clearance clearance_of(const std::vector<Station>& stations, const ElasticSystem& system) {
-  const auto rows = static_cast<Eigen::Index>(stations.size());
-  Clearance clearance{WeightsByNode(rows, system.dof_count()), Eigen::VectorXd(rows)};
+Clearance clearance_of(const std::vector<Station>& stations,
+                       const ElasticSystem& system) {
+  const auto rows = static_cast<Index>(stations.size());
+  Clearance clearance{WeightsByNode(rows, system.dof_count()), VectorXd(rows)};
   std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index row = 0; row < rows; ++row) {
+  for (Index row = 0; row < rows; ++row) {
     const Station& station = stations[row];
     clearance.c[row] = -station.gap;
     for (const auto& [vertex, weight] : station.weights)
@@ -94,19 +108,25 @@ Clearance clearance_of(const std::vector<Station>& stations, const ElasticSystem
 }
 
 /// Penetration that rounding explains [mm].
-double accepted_penetration(const Mesh& mesh, const std::vector<Station>& stations, const ElasticSystem& system) {
-  const Eigen::Vector2d extent = mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
+double accepted_penetration(const Mesh& mesh, const std::vector<Station>& stations,
+                            const ElasticSystem& system) {
+  const Vector2d extent =
+      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
   double scale = 0;
   for (const Station& station : stations) {
     scale = std::max(scale, std::abs(station.gap));
     for (const auto& part : station.weights)
-      scale = std::max(scale, system.prescribed_value.segment<2>(2 * part.first).cwiseAbs().maxCoeff());
+      scale = std::max(
+          scale,
+          system.prescribed_value.segment<2>(2 * part.first).cwiseAbs().maxCoeff());
   }
   return rounding * scale + coordinate_rounding * extent.maxCoeff();
 }
 
-/// Are there vertices on the line that are prescribed, and against another body some on its side, too?
-bool prescribed_on_both_sides(const ContactLine& line, const std::vector<char>& prescribed) {
+/// Are there vertices on the line that are prescribed, and against another body some on
+/// its side, too?
+bool prescribed_on_both_sides(const ContactLine& line,
+                              const std::vector<char>& prescribed) {
   const auto is_held = [&](int v) { return prescribed[2 * v] || prescribed[2 * v + 1]; };
   const std::vector<int> opposite = opposite_vertices(line);
   return std::any_of(line.vertex.begin(), line.vertex.end(), is_held) &&
@@ -115,17 +135,20 @@ bool prescribed_on_both_sides(const ContactLine& line, const std::vector<char>& 
 
 /// Is it enough that every free dof retreats, each as the mean of its rows asks for?
 bool clear_by_retreat(const Clearance& clearance) {
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(clearance.c.size());
-  const Eigen::VectorXd sum = clearance.G.transpose() * ones, total = clearance.G.cwiseAbs().transpose() * ones;
-  const Eigen::VectorXd retreat = -(total.array() > 0).select(sum.array() / total.array(), 0.0);
-  const Eigen::VectorXd moved = clearance.G * retreat;
+  const VectorXd ones = VectorXd::Ones(clearance.c.size());
+  const VectorXd sum = clearance.G.transpose() * ones,
+                 total = clearance.G.cwiseAbs().transpose() * ones;
+  const VectorXd retreat = -(total.array() > 0).select(sum.array() / total.array(), 0.0);
+  const VectorXd moved = clearance.G * retreat;
   double step = 0;
-  for (Eigen::Index i = 0; i < moved.size(); ++i)
-    if (clearance.c[i] > 0 && moved[i] < -held) step = std::max(step, -clearance.c[i] / moved[i]);
+  for (Index i = 0; i < moved.size(); ++i)
+    if (clearance.c[i] > 0 && moved[i] < -held)
+      step = std::max(step, -clearance.c[i] / moved[i]);
   return (clearance.c + step * moved).maxCoeff() <= rounding * clearance.c.maxCoeff();
 }
 
-/// The rows that no dof can lower without raising another of them. A dof that lowers all its rows frees them.
+/// The rows that no dof can lower without raising another of them. A dof that lowers all
+/// its rows frees them.
 std::vector<int> bound_rows(const WeightsByNode& G) {
   std::vector<char> bound(G.rows(), 1);
   for (bool changed = true; changed;) {
@@ -134,10 +157,11 @@ std::vector<int> bound_rows(const WeightsByNode& G) {
     const auto visit = [&](auto&& action) {
       for (int i = 0; i < G.rows(); ++i)
         if (bound[i])
-          for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry) action(i, entry.col(), entry.value());
+          for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
+            action(i, entry.col(), entry.value());
     };
-    visit([&](int, Eigen::Index dof, double value) { (value > 0 ? up : down)[dof] = 1; });
-    visit([&](int i, Eigen::Index dof, double) {
+    visit([&](int, Index dof, double value) { (value > 0 ? up : down)[dof] = 1; });
+    visit([&](int i, Index dof, double) {
       if (up[dof] && down[dof]) return;
       bound[i] = 0;
       changed = true;
@@ -150,53 +174,57 @@ std::vector<int> bound_rows(const WeightsByNode& G) {
 }
 
 /// Some rows of G as columns, dofs without an entry left out [dofs x selected].
-Eigen::MatrixXd transposed_rows(const WeightsByNode& G, const std::vector<int>& selected) {
-  std::map<Eigen::Index, Eigen::Index> place;
+MatrixXd transposed_rows(const WeightsByNode& G, const std::vector<int>& selected) {
+  std::map<Index, Index> place;
   for (int i : selected)
     for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
-      place.emplace(entry.col(), static_cast<Eigen::Index>(place.size()));
-  Eigen::MatrixXd rows =
-      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(place.size()), static_cast<Eigen::Index>(selected.size()));
+      place.emplace(entry.col(), static_cast<Index>(place.size()));
+  MatrixXd rows = MatrixXd::Zero(static_cast<Index>(place.size()),
+                                 static_cast<Index>(selected.size()));
   for (std::size_t k = 0; k < selected.size(); ++k)
     for (WeightsByNode::InnerIterator entry(G, selected[k]); entry; ++entry)
-      rows(place.at(entry.col()), static_cast<Eigen::Index>(k)) = entry.value();
+      rows(place.at(entry.col()), static_cast<Index>(k)) = entry.value();
   return rows;
 }
 
-/// y . c, row by row, for the weights y of the header with sum y . c = max |c|; zeros where w exists.
-Eigen::VectorXd shares_in_contradiction(const Clearance& clearance, const std::vector<int>& selected) {
-  const Eigen::MatrixXd G = transposed_rows(clearance.G, selected);
-  const Eigen::Index dofs = G.rows(), count = G.cols();
+/// y . c, row by row, for the weights y of the header with sum y . c = max |c|; zeros
+/// where w exists.
+VectorXd shares_in_contradiction(const Clearance& clearance,
+                                 const std::vector<int>& selected) {
+  const MatrixXd G = transposed_rows(clearance.G, selected);
+  const Index dofs = G.rows(), count = G.cols();
   Eigen::RowVectorXd c(count);
-  for (Eigen::Index k = 0; k < count; ++k) c[k] = clearance.c[selected[k]];
-  Eigen::MatrixXd rows(dofs + 1, count);
+  for (Index k = 0; k < count; ++k) c[k] = clearance.c[selected[k]];
+  MatrixXd rows(dofs + 1, count);
   rows << G, c / clearance.c.cwiseAbs().maxCoeff();
-  const Eigen::VectorXd wanted = Eigen::VectorXd::Unit(dofs + 1, dofs);
-  const Eigen::VectorXd y = nonnegative_least_squares(rows, wanted);
-  if ((rows * y - wanted).norm() > held) return Eigen::VectorXd::Zero(count);
+  const VectorXd wanted = VectorXd::Unit(dofs + 1, dofs);
+  const VectorXd y = nonnegative_least_squares(rows, wanted);
+  if ((rows * y - wanted).norm() > held) return VectorXd::Zero(count);
   return y.cwiseProduct(c.transpose());
 }
 
 }  // namespace
 
-void require_feasible(const Mesh& mesh, const ContactLine& line, const ContactLaw& law, const ElasticSystem& system) {
+void require_feasible(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                      const ElasticSystem& system) {
   if (!prescribed_on_both_sides(line, system.prescribed)) return;
   const std::vector<Station> all = stations(mesh, line, law);
   Clearance clearance = clearance_of(all, system);
-  const Eigen::VectorXd inside = clearance.c;
+  const VectorXd inside = clearance.c;
   clearance.c.array() -= accepted_penetration(mesh, all, system);
   if (clearance.c.maxCoeff() <= 0 || clear_by_retreat(clearance)) return;
   const std::vector<int> bound = bound_rows(clearance.G);
   if (bound.empty()) return;
-  const Eigen::VectorXd shares = shares_in_contradiction(clearance, bound);
-  Eigen::Index worst;
+  const VectorXd shares = shares_in_contradiction(clearance, bound);
+  Index worst;
   if (shares.maxCoeff(&worst) <= 0) return;
 
   const Station& station = all[bound[worst]];
   const bool bodies = line.against_a_body();
   refuse("prescribed displacements hold ", bodies ? "contact node " : "vertex ",
-         bodies ? station.node : line.vertex[station.node], " at (", station.point.x(), ", ", station.point.y(), ") ",
-         inside[bound[worst]], " inside ", bodies ? "the opposite body" : "the foundation",
+         bodies ? station.node : line.vertex[station.node], " at (", station.point.x(),
+         ", ", station.point.y(), ") ", inside[bound[worst]], " inside ",
+         bodies ? "the opposite body" : "the foundation",
          ": change them or gap= there, or free a dof that moves it along n");
 }
 

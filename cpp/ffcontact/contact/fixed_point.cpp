@@ -14,45 +14,53 @@ constexpr double smallest_damping = 1.0 / 32;
 /// Newton from the states of a step is given this many linear systems.
 constexpr int newton_systems = 10;
 
-Eigen::VectorXd normal_multipliers(const Eigen::VectorXd& P) {
-  return Eigen::Map<const Eigen::VectorXd, 0, Eigen::InnerStride<2>>(P.data(), P.size() / 2);
+VectorXd normal_multipliers(const VectorXd& P) {
+  return Map<const VectorXd, 0, Eigen::InnerStride<2>>(P.data(), P.size() / 2);
 }
 
-double relative_change(const Eigen::VectorXd& g, const Eigen::VectorXd& image) {
+double relative_change(const VectorXd& g, const VectorXd& image) {
   const double scale = image.cwiseAbs().maxCoeff();
   return scale > 0 ? (image - g).cwiseAbs().maxCoeff() / scale : g.cwiseAbs().maxCoeff();
 }
 
-/// Where g is 0 P(g) is frictionless, and its states know no direction. Coulomb's law has one as soon as P_n is not quite 0.
+/// Where g is 0 P(g) is frictionless, and its states know no direction. Coulomb's law has
+/// one as soon as P_n is not quite 0.
 void follow_slip(const NodalLaw& law, const NodalLaw& given, ActiveSetResult& answer) {
   for (std::size_t i = 0; i < answer.state.size(); ++i) {
     const int node = static_cast<int>(i);
-    if (law.frictionless(node) || !given.frictionless(node) || is_open(answer.state[i])) continue;
+    if (law.frictionless(node) || !given.frictionless(node) || is_open(answer.state[i]))
+      continue;
     const double vt = answer.v[2 * node + 1];
-    answer.state[i] = vt > 0 ? ContactState::slip_forward : vt < 0 ? ContactState::slip_backward : ContactState::stick;
+    answer.state[i] = vt > 0   ? ContactState::slip_forward
+                      : vt < 0 ? ContactState::slip_backward
+                               : ContactState::stick;
   }
 }
 
 }  // namespace
 
-FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& law, std::vector<ContactState> state,
+FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& law,
+                             std::vector<ContactState> state,
                              const NewtonSettings& settings, bool with_newton) {
   FixedPointResult result;
   result.answer.violation = std::numeric_limits<double>::infinity();
-  Eigen::VectorXd g = Eigen::VectorXd::Zero(law.friction.size());
+  VectorXd g = VectorXd::Zero(law.friction.size());
   double damping = 1;
   int systems = 0;
   const auto left = [&] { return settings.max_iterations - systems; };
   while (left() > 0) {
     const NodalLaw given = law.tresca() ? law : with_given_slip_limit(law, g);
-    ActiveSetResult step = solve_convex(contact, given, state, {left(), settings.tolerance});
+    ActiveSetResult step =
+        solve_convex(contact, given, state, {left(), settings.tolerance});
     systems += step.iterations;
-    const bool same_states = step.state == state, solved = step.status == ContactStatus::converged;
+    const bool same_states = step.state == state,
+               solved = step.status == ContactStatus::converged;
     state = step.state;
 
-    const Eigen::VectorXd image = normal_multipliers(step.P);
+    const VectorXd image = normal_multipliers(step.P);
     const double change = law.tresca() ? 0 : relative_change(g, image);
-    if (!result.history.empty() && change > result.history.back()) damping = std::max(damping / 2, smallest_damping);
+    if (!result.history.empty() && change > result.history.back())
+      damping = std::max(damping / 2, smallest_damping);
     result.history.push_back(change);
     g += damping * (image - g);
 
@@ -67,8 +75,8 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     }
     result.answer.status = ContactStatus::not_converged;
     if (!with_newton || same_states || left() <= 0) continue;
-    ActiveSetResult newton =
-        active_set_newton(contact, law, state, {std::min(newton_systems, left()), settings.tolerance});
+    ActiveSetResult newton = active_set_newton(
+        contact, law, state, {std::min(newton_systems, left()), settings.tolerance});
     systems += newton.iterations;
     if (newton.status != ContactStatus::converged) continue;
     result.answer = std::move(newton);

@@ -12,12 +12,14 @@ namespace ffcontact {
 namespace {
 
 /// What turns nodal pressures into the multipliers of the law.
-Eigen::VectorXd weights(const ContactLine& line, const ContactLaw& law) {
-  return law.multiplier == Multiplier::pressure ? Eigen::VectorXd::Ones(line.node_count()) : nodal_lengths(line);
+VectorXd weights(const ContactLine& line, const ContactLaw& law) {
+  return law.multiplier == Multiplier::pressure ? VectorXd::Ones(line.node_count())
+                                                : nodal_lengths(line);
 }
 
 /// The law with the bound that g gives, in units of P.
-NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law, const Eigen::VectorXd& given_pressure) {
+NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law,
+                     const VectorXd& given_pressure) {
   const NodalLaw nodal = nodal_law(law, line);
   if (given_pressure.size() == 0 || law.tresca()) return nodal;
   return with_given_slip_limit(nodal, weights(line, law).cwiseProduct(given_pressure));
@@ -26,8 +28,8 @@ NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law, const Eigen
 }  // namespace
 
 MultiplierProjection projected_multipliers(const ContactLine& line, const ContactLaw& law,
-                                           const Eigen::Ref<const Eigen::Matrix2Xd>& pressure,
-                                           const Eigen::Ref<const Eigen::VectorXd>& given_pressure) {
+                                           const Ref<const Matrix2Xd>& pressure,
+                                           const Ref<const VectorXd>& given_pressure) {
   require_valid(law, line);
   require_size("contact pressures", pressure.cols(), line.node_count());
   require_finite("contact pressure", pressure.reshaped());
@@ -37,7 +39,7 @@ MultiplierProjection projected_multipliers(const ContactLine& line, const Contac
   }
 
   const NodalLaw nodal = law_of_step(line, law, given_pressure);
-  const Eigen::VectorXd weight = weights(line, law);
+  const VectorXd weight = weights(line, law);
   MultiplierProjection result{pressure, 0};
   for (int i = 0; i < line.node_count(); ++i) {
     auto p = result.pressure.col(i);

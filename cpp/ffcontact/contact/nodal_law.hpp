@@ -4,25 +4,28 @@
 #include <algorithm>
 #include <limits>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 
 namespace ffcontact {
 
 /// The law at each node in the units of the multipliers P.
 struct NodalLaw {
-  Eigen::VectorXd friction;      ///< mu [p]
-  Eigen::VectorXd tresca_bound;  ///< in units of P [p]; empty for Coulomb
-  Eigen::VectorXd shear_limit;   ///< of Coulomb's law in units of P [p]; empty for none
+  VectorXd friction;      ///< mu [p]
+  VectorXd tresca_bound;  ///< in units of P [p]; empty for Coulomb
+  VectorXd shear_limit;   ///< of Coulomb's law in units of P [p]; empty for none
 
   bool tresca() const { return tresca_bound.size() > 0; }
   double limit(int node) const {
-    return shear_limit.size() > 0 ? shear_limit[node] : std::numeric_limits<double>::infinity();
+    return shear_limit.size() > 0 ? shear_limit[node]
+                                  : std::numeric_limits<double>::infinity();
   }
   double bound(int node, double normal_multiplier) const {
     if (tresca()) return tresca_bound[node];
     return std::min(friction[node] * std::max(0.0, -normal_multiplier), limit(node));
   }
-  /// Frictionless everywhere, or Tresca's: the solution is the minimum of a convex function.
+  /// Frictionless everywhere, or Tresca's: the solution is the minimum of a convex
+  /// function.
   bool is_convex() const { return tresca() || friction.isZero(0); }
   bool frictionless(int node) const {
     return tresca() ? tresca_bound[node] == 0 : friction[node] == 0 || limit(node) == 0;
@@ -31,16 +34,20 @@ struct NodalLaw {
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
 
-/// Tresca's law of the problem P(g) [CHH01, (3.1)]: the bound of Coulomb's law at given normal multipliers.
+/// Tresca's law of the problem P(g) [CHH01, (3.1)]: the bound of Coulomb's law at given
+/// normal multipliers.
 /// @param normal  g_n in units of P [p]; what is above 0 counts as 0
-NodalLaw with_given_slip_limit(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& normal);
+NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& normal);
 
-/// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: displacements relative to `v_scale`, multipliers to the
-/// largest of them, or to `P_scale` where they are but rounding beside it.
-double law_violation(const NodalLaw& law, const Eigen::Ref<const Eigen::VectorXd>& P,
-                     const Eigen::Ref<const Eigen::VectorXd>& v, double v_scale, double P_scale = 0);
+/// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: displacements
+/// relative to `v_scale`, multipliers to the largest of them, or to `P_scale` where they
+/// are but rounding beside it.
+double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
+                     const Ref<const VectorXd>& v, double v_scale, double P_scale = 0);
 
-/// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b, and P_t = -s b where a node slips.
-void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state, Eigen::VectorXd& P);
+/// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b,
+/// and P_t = -s b where a node slips.
+void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state,
+                  VectorXd& P);
 
 }  // namespace ffcontact

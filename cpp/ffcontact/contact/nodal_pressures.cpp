@@ -11,23 +11,27 @@ namespace ffcontact {
 namespace {
 
 /// The other node of an edge at each node [p].
-Eigen::VectorXi neighbours(const ContactLine& line) {
-  Eigen::VectorXi neighbour(line.node_count());
+VectorXi neighbours(const ContactLine& line) {
+  VectorXi neighbour(line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
     for (int end = 0; end < 2; ++end)
-      if (!is_constant_on(line, e)) neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
+      if (!is_constant_on(line, e))
+        neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
   return neighbour;
 }
 
 /// 1 for the rows 2 i + c whose direction moves no free dof, on either body.
-std::vector<char> rows_without_work(const ContactLine& line, const std::vector<char>& prescribed) {
+std::vector<char> rows_without_work(const ContactLine& line,
+                                    const std::vector<char>& prescribed) {
   std::vector<char> without(2 * line.node_count(), 1);
   for (int i = 0; i < line.node_count(); ++i) {
-    const Eigen::Vector2d direction[2] = {line.normal.col(i), line.tangent(i)};
+    const Vector2d direction[2] = {line.normal.col(i), line.tangent(i)};
     const auto works_at = [&](int vertex, double weight) {
       for (int c = 0; c < 2; ++c)
         for (int k = 0; k < 2; ++k)
-          if (!prescribed[2 * vertex + k] && std::abs(weight * direction[c][k]) > unsteered) without[2 * i + c] = 0;
+          if (!prescribed[2 * vertex + k] &&
+              std::abs(weight * direction[c][k]) > unsteered)
+            without[2 * i + c] = 0;
     };
     works_at(line.vertex[i], 1);
     visit_opposite(line, i, works_at);
@@ -35,7 +39,8 @@ std::vector<char> rows_without_work(const ContactLine& line, const std::vector<c
   return without;
 }
 
-/// The row whose equation gives the value of each row: its own, that it is continued from, or -1 for a value of 0 [2 p].
+/// The row whose equation gives the value of each row: its own, that it is continued
+/// from, or -1 for a value of 0 [2 p].
 std::vector<int> sources(const ContactLine& line, const std::vector<char>& prescribed) {
   const std::vector<char> without = rows_without_work(line, prescribed);
   const std::vector<int> continued = continued_rows(line, prescribed);
@@ -49,67 +54,77 @@ std::vector<int> sources(const ContactLine& line, const std::vector<char>& presc
 
 }  // namespace
 
-Eigen::VectorXd nodal_lengths(const ContactLine& line) {
-  Eigen::VectorXd lengths = Eigen::VectorXd::Zero(line.node_count());
+VectorXd nodal_lengths(const ContactLine& line) {
+  VectorXd lengths = VectorXd::Zero(line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end) lengths[line.edge_node(end, e)] += line.length[e] / 2;
+    for (int end = 0; end < 2; ++end)
+      lengths[line.edge_node(end, e)] += line.length[e] / 2;
   return lengths;
 }
 
-Eigen::Matrix2Xd lumped_pressures(const ContactLine& line, const Eigen::Ref<const Eigen::Matrix2Xd>& force) {
+Matrix2Xd lumped_pressures(const ContactLine& line, const Ref<const Matrix2Xd>& force) {
   return force * nodal_lengths(line).cwiseInverse().asDiagonal();
 }
 
-Eigen::Matrix2Xd forces_of(const ContactLine& line, const Eigen::Ref<const Eigen::Matrix2Xd>& density) {
-  return (weight_of_rows(Multiplier::pressure, line) * density.reshaped()).reshaped(2, line.node_count());
+Matrix2Xd forces_of(const ContactLine& line, const Ref<const Matrix2Xd>& density) {
+  return (weight_of_rows(Multiplier::pressure, line) * density.reshaped())
+      .reshaped(2, line.node_count());
 }
 
-Eigen::Matrix2Xd consistent_pressures(const ContactLine& line, const std::vector<char>& prescribed,
-                                      const Eigen::Ref<const Eigen::Matrix2Xd>& force) {
+Matrix2Xd consistent_pressures(const ContactLine& line,
+                               const std::vector<char>& prescribed,
+                               const Ref<const Matrix2Xd>& force) {
   const std::vector<int> source = sources(line, prescribed);
-  const Eigen::SparseMatrix<double> mass = weight_of_rows(Multiplier::pressure, line);
+  const SparseMatrix mass = weight_of_rows(Multiplier::pressure, line);
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < mass.outerSize(); ++j) {
     if (source[j] < 0) continue;
-    for (Eigen::SparseMatrix<double>::InnerIterator m(mass, j); m; ++m)
-      if (source[m.row()] == m.row()) entries.emplace_back(static_cast<int>(m.row()), source[j], m.value());
+    for (SparseMatrix::InnerIterator m(mass, j); m; ++m)
+      if (source[m.row()] == m.row())
+        entries.emplace_back(static_cast<int>(m.row()), source[j], m.value());
   }
-  Eigen::VectorXd right = force.reshaped();
+  VectorXd right = force.reshaped();
   for (int row = 0; row < right.size(); ++row) {
     if (source[row] == row) continue;
     right[row] = 0;
     entries.emplace_back(row, row, 1.0);
   }
-  Eigen::SparseMatrix<double> system(mass.rows(), mass.cols());
+  SparseMatrix system(mass.rows(), mass.cols());
   system.setFromTriplets(entries.begin(), entries.end());
-  Eigen::VectorXd pressure = SparseLu(std::move(system)).solve(right);
+  VectorXd pressure = SparseLu(std::move(system)).solve(right);
   for (int row = 0; row < right.size(); ++row)
     if (source[row] >= 0) pressure[row] = pressure[source[row]];
   return pressure.reshaped(2, line.node_count());
 }
 
-Eigen::Matrix2Xd lumped_pressures(const ContactLine& line, const std::vector<char>& prescribed,
-                                  const Eigen::Ref<const Eigen::Matrix2Xd>& force) {
+Matrix2Xd lumped_pressures(const ContactLine& line, const std::vector<char>& prescribed,
+                           const Ref<const Matrix2Xd>& force) {
   const std::vector<int> source = sources(line, prescribed);
-  const Eigen::VectorXd lumped = lumped_pressures(line, force).reshaped();
-  Eigen::VectorXd pressure(lumped.size());
-  for (int row = 0; row < pressure.size(); ++row) pressure[row] = source[row] < 0 ? 0 : lumped[source[row]];
+  const VectorXd lumped = lumped_pressures(line, force).reshaped();
+  VectorXd pressure(lumped.size());
+  for (int row = 0; row < pressure.size(); ++row)
+    pressure[row] = source[row] < 0 ? 0 : lumped[source[row]];
   return pressure.reshaped(2, line.node_count());
 }
 
-Eigen::Matrix2Xd multiplier_density(const ContactLine& line, Multiplier multiplier, const std::vector<char>& prescribed,
-                                    const Eigen::Ref<const Eigen::Matrix2Xd>& pressure) {
+Matrix2Xd multiplier_density(const ContactLine& line, Multiplier multiplier,
+                             const std::vector<char>& prescribed,
+                             const Ref<const Matrix2Xd>& pressure) {
   if (multiplier == Multiplier::pressure) return pressure;
-  return consistent_pressures(line, prescribed, pressure * nodal_lengths(line).asDiagonal());
+  return consistent_pressures(line, prescribed,
+                              pressure * nodal_lengths(line).asDiagonal());
 }
 
-std::vector<int> continued_rows(const ContactLine& line, const std::vector<char>& prescribed) {
-  const Eigen::VectorXi neighbour = neighbours(line);
+std::vector<int> continued_rows(const ContactLine& line,
+                                const std::vector<char>& prescribed) {
+  const VectorXi neighbour = neighbours(line);
   std::vector<int> continued(2 * line.node_count());
   for (int row = 0; row < 2 * line.node_count(); ++row) {
     const int v = line.vertex[row / 2];
-    const bool clamped = prescribed[2 * v] && prescribed[2 * v + 1], held = prescribed[2 * v] || prescribed[2 * v + 1];
-    continued[row] = clamped || (held && row % 2 == 0) ? 2 * neighbour[row / 2] + row % 2 : -1;
+    const bool clamped = prescribed[2 * v] && prescribed[2 * v + 1],
+               held = prescribed[2 * v] || prescribed[2 * v + 1];
+    continued[row] =
+        clamped || (held && row % 2 == 0) ? 2 * neighbour[row / 2] + row % 2 : -1;
   }
   return continued;
 }

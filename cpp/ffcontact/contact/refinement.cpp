@@ -12,69 +12,84 @@ namespace {
 
 constexpr double share_of_terms = 1e-4;
 
-/// Contact forces on all dofs: F_n n + F_t t at every node, and against it on the opposite body.
-Eigen::VectorXd contact_load(const ContactLine& line, const Eigen::Matrix2Xd& force, Eigen::Index dofs) {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(dofs);
+/// Contact forces on all dofs: F_n n + F_t t at every node, and against it on the
+/// opposite body.
+VectorXd contact_load(const ContactLine& line, const Matrix2Xd& force, Index dofs) {
+  VectorXd load = VectorXd::Zero(dofs);
   for (int i = 0; i < line.node_count(); ++i) {
-    const Eigen::Vector2d F = force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
+    const Vector2d F = force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
     load.segment<2>(2 * line.vertex[i]) += F;
-    visit_opposite(line, i, [&](int vertex, double weight) { load.segment<2>(2 * vertex) -= weight * F; });
+    visit_opposite(line, i, [&](int vertex, double weight) {
+      load.segment<2>(2 * vertex) -= weight * F;
+    });
   }
   return load;
 }
 
 /// b + contact forces - K u on the free dofs.
-Eigen::VectorXd residual(const ElasticSystem& system, const Eigen::VectorXd& u, const Eigen::VectorXd& contact) {
-  Eigen::VectorXd residual = system.load + contact - system.stiffness * (u - system.prescribed_value);
-  for (Eigen::Index dof = 0; dof < residual.size(); ++dof)
+VectorXd residual(const ElasticSystem& system, const VectorXd& u,
+                  const VectorXd& contact) {
+  VectorXd residual =
+      system.load + contact - system.stiffness * (u - system.prescribed_value);
+  for (Index dof = 0; dof < residual.size(); ++dof)
     if (system.prescribed[dof]) residual[dof] = 0;
   return residual;
 }
 
-double largest(const Eigen::VectorXd& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0; }
+double largest(const VectorXd& values) {
+  return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
+}
 
 }  // namespace
 
-Eigen::Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law, const Eigen::VectorXd& P) {
+Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
+                          const VectorXd& P) {
   return (weight_of_rows(law.multiplier, line) * P).reshaped(2, line.node_count());
 }
 
-double residual_defect(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
-                       const BodyAnswer& answer) {
-  const Eigen::VectorXd& u = answer.displacement;
-  const Eigen::VectorXd contact = contact_load(line, nodal_forces_of(line, law, answer.P), u.size());
-  const Eigen::VectorXd r = residual(system, u, contact);
+double residual_defect(const ContactLine& line, const ContactLaw& law,
+                       const ElasticSystem& system, const BodyAnswer& answer) {
+  const VectorXd& u = answer.displacement;
+  const VectorXd contact =
+      contact_load(line, nodal_forces_of(line, law, answer.P), u.size());
+  const VectorXd r = residual(system, u, contact);
   const double apart = std::max(largest(law.gap), largest(law.previous));
   double forces = 0;
-  for (Eigen::Index dof = 0; dof < r.size(); ++dof)
-    if (!system.prescribed[dof]) forces = std::max(forces, std::abs(system.load[dof]) + std::abs(contact[dof]));
+  for (Index dof = 0; dof < r.size(); ++dof)
+    if (!system.prescribed[dof])
+      forces = std::max(forces, std::abs(system.load[dof]) + std::abs(contact[dof]));
   double defect = 0;
-  for (Eigen::Index dof = 0; dof < r.size(); ++dof) {
+  for (Index dof = 0; dof < r.size(); ++dof) {
     if (r[dof] == 0) continue;
     double terms = 0;
     for (RowMatrix::InnerIterator e(system.stiffness, dof); e; ++e)
       terms += std::abs(e.value()) * (std::abs(u[e.col()]) + apart);
-    defect = std::max(defect, std::abs(r[dof]) / std::max(forces, share_of_terms * terms));
+    defect =
+        std::max(defect, std::abs(r[dof]) / std::max(forces, share_of_terms * terms));
   }
   return defect;
 }
 
-BodyAnswer refined(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
-                   const CondensedStiffness& stiffness, const CondensedContact& contact,
+BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
+                   const ElasticSystem& system, const CondensedStiffness& stiffness,
+                   const CondensedContact& contact,
                    const std::vector<ContactState>& state, const BodyAnswer& answer) {
-  const Eigen::VectorXd forces = contact_load(line, nodal_forces_of(line, law, answer.P), answer.displacement.size());
-  const Eigen::VectorXd load = residual(system, answer.displacement, forces);
-  Eigen::VectorXd v =
-      weight_of_rows(law.multiplier, line) * displacement_against_foundation(line, law, answer.displacement).reshaped();
-  for (Eigen::Index row = 0; row < v.size(); ++row)
+  const VectorXd forces = contact_load(line, nodal_forces_of(line, law, answer.P),
+                                       answer.displacement.size());
+  const VectorXd load = residual(system, answer.displacement, forces);
+  VectorXd v = weight_of_rows(law.multiplier, line) *
+               displacement_against_foundation(line, law, answer.displacement).reshaped();
+  for (Index row = 0; row < v.size(); ++row)
     if (!holds(state[row / 2], static_cast<int>(row % 2))) v[row] = 0;
   const CondensedContact correction = with_loads(contact, stiffness, load, v);
   NodalLaw unbounded = nodal_law(law, line);
   unbounded.tresca_bound.setZero();
   unbounded.shear_limit.setZero();
   ContactRows rows;
-  if (solve_active_set(correction, unbounded, state, rows) == SystemKind::inconsistent) return answer;
-  const Eigen::VectorXd kept = kept_displacement(correction, rows.v(contact.primary), rows.P(contact.dependent));
+  if (solve_active_set(correction, unbounded, state, rows) == SystemKind::inconsistent)
+    return answer;
+  const VectorXd kept =
+      kept_displacement(correction, rows.v(contact.primary), rows.P(contact.dependent));
   return {answer.displacement + stiffness.extended(load, kept), answer.P + rows.P};
 }
 

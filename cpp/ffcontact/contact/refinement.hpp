@@ -3,31 +3,37 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 
 namespace ffcontact {
 
 /// A displacement on all dofs and the multipliers of all rows 2 i + c [2 p].
 struct BodyAnswer {
-  Eigen::VectorXd displacement, P;
+  VectorXd displacement, P;
 };
 
 /// Contact forces W P at the nodes [2 x p].
-Eigen::Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law, const Eigen::VectorXd& P);
+Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
+                          const VectorXd& P);
 
-/// |K u - b - contact forces| on the free dofs, relative to the largest load or force, or, dof by dof, to 1e-4 of the terms
-/// that its row adds up, sum_j |K_ij| (|u_j| + d), with d the largest gap or previous displacement. The latter is what rounding
-/// asks for: 1e-10 of it are some fifty units in the last place of the terms. It counts where a stiff body moves much
-/// more than it strains, and where nothing but gaps and prescribed motions load the body.
-double residual_defect(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
-                       const BodyAnswer& answer);
+/// |K u - b - contact forces| on the free dofs, relative to the largest load or force,
+/// or, dof by dof, to 1e-4 of the terms that its row adds up, sum_j |K_ij| (|u_j| + d),
+/// with d the largest gap or previous displacement. The latter is what rounding asks for:
+/// 1e-10 of it are some fifty units in the last place of the terms. It counts where a
+/// stiff body moves much more than it strains, and where nothing but gaps and prescribed
+/// motions load the body.
+double residual_defect(const ContactLine& line, const ContactLaw& law,
+                       const ElasticSystem& system, const BodyAnswer& answer);
 
-/// One step of iterative refinement with the states kept: the residual and the displacements that the states forbid are taken
-/// for the loads of a correction (with_loads), which solve_active_set finds without bounds of its own.
+/// One step of iterative refinement with the states kept: the residual and the
+/// displacements that the states forbid are taken for the loads of a correction
+/// (with_loads), which solve_active_set finds without bounds of its own.
 /// @param state  the states that the answer was solved for [p]
 /// @return the answer itself if the states leave a motion free
-BodyAnswer refined(const ContactLine& line, const ContactLaw& law, const ElasticSystem& system,
-                   const CondensedStiffness& stiffness, const CondensedContact& contact,
+BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
+                   const ElasticSystem& system, const CondensedStiffness& stiffness,
+                   const CondensedContact& contact,
                    const std::vector<ContactState>& state, const BodyAnswer& answer);
 
 }  // namespace ffcontact

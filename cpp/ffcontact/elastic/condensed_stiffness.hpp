@@ -1,41 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
 namespace ffcontact {
 
-/// The stiffness of a body seen from a few kept dofs c (those of the contact line), by one sparse factorisation.
+/// The stiffness of a body seen from a few kept dofs c (those of the contact line), by
+/// one sparse factorisation.
 ///
 /// With the kept dofs ordered last and a diagonal D > 0 added to K_cc,
 ///     K + D = L L',    S + D = L_cc L_cc',    S = K_cc - K_ci K_ii^-1 K_ic,
-/// so that Schur's complement S is the trailing block of the factor. D makes bodies factor that only contact holds: their K is
-/// singular, and so is S, which keeps exactly the rigid motions of the body. Cost: one linear solve. What is factored is
-/// R (K + D) R with R = diag(K)^-1/2: units, and materials or triangles that differ by any factor, do not count as singular.
-/// The interior is ordered by METIS on the graph of vertices, not of dofs.
+/// so that Schur's complement S is the trailing block of the factor. D makes bodies
+/// factor that only contact holds: their K is singular, and so is S, which keeps exactly
+/// the rigid motions of the body. Cost: one linear solve. What is factored is R (K + D) R
+/// with R = diag(K)^-1/2: units, and materials or triangles that differ by any factor, do
+/// not count as singular. The interior is ordered by METIS on the graph of vertices, not
+/// of dofs.
 class CondensedStiffness {
  public:
-  /// @param kept  free dofs to keep, without repetition; the order is that of all vectors and matrices of kept dofs
+  /// @param kept  free dofs to keep, without repetition; the order is that of all vectors
+  ///              and matrices of kept dofs
   /// @throws std::invalid_argument  if a kept dof is prescribed or out of range
-  /// @throws std::runtime_error     if K + D is not positive definite: a part of the body is held by nothing
+  /// @throws std::runtime_error     if K + D is not positive definite: a part of the body
+  ///                                is held by nothing
   CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept);
   ~CondensedStiffness();
   CondensedStiffness(CondensedStiffness&&) noexcept;
   CondensedStiffness& operator=(CondensedStiffness&&) noexcept;
 
   /// S [kept x kept].
-  const Eigen::MatrixXd& schur() const;
+  const MatrixXd& schur() const;
 
-  /// g = b_c - K_ci K_ii^-1 b_i for a load on all dofs [kept]. The solution obeys S u_c = g + contact forces.
-  Eigen::VectorXd condensed_load(const Eigen::Ref<const Eigen::VectorXd>& load) const;
+  /// g = b_c - K_ci K_ii^-1 b_i for a load on all dofs [kept]. The solution obeys S u_c =
+  /// g + contact forces.
+  VectorXd condensed_load(const Ref<const VectorXd>& load) const;
 
-  /// The displacement on all dofs (0 on prescribed ones) that has u_c on the kept dofs and balances the load on the others.
-  Eigen::VectorXd extended(const Eigen::Ref<const Eigen::VectorXd>& load,
-                           const Eigen::Ref<const Eigen::VectorXd>& kept_displacement) const;
+  /// The displacement on all dofs (0 on prescribed ones) that has u_c on the kept dofs
+  /// and balances the load on the others.
+  VectorXd extended(const Ref<const VectorXd>& load,
+                    const Ref<const VectorXd>& kept_displacement) const;
 
  private:
   struct Factor;

@@ -19,7 +19,7 @@ struct RowSums {
   double diagonal = 0, others = 0;
 };
 
-RowSums row_sums(const RowMatrixView& A, Eigen::Index row) {
+RowSums row_sums(const RowMatrixView& A, Index row) {
   RowSums sums;
   for (RowIterator entry(A, row); entry; ++entry)
     (entry.col() == row ? sums.diagonal : sums.others) += std::abs(entry.value());
@@ -34,7 +34,7 @@ struct OffDiagonal {
 
 OffDiagonal off_diagonal(const RowMatrixView& A) {
   OffDiagonal result{std::vector<char>(A.cols(), 0)};
-  for (Eigen::Index row = 0; row < A.rows(); ++row)
+  for (Index row = 0; row < A.rows(); ++row)
     for (RowIterator entry(A, row); entry; ++entry) {
       if (entry.col() == row || entry.value() == 0) continue;
       result.in_column[entry.col()] = 1;
@@ -43,54 +43,61 @@ OffDiagonal off_diagonal(const RowMatrixView& A) {
   return result;
 }
 
-/// Of the dofs that have nothing but a diagonal, neither in their row nor in their column, marks those that are prescribed: with
-/// tgv=-2 a free dof whose neighbours are all prescribed looks like them, but for its diagonal. FreeFEM prescribes with 1; in a
+/// Of the dofs that have nothing but a diagonal, neither in their row nor in their
+/// column, marks those that are prescribed: with tgv=-2 a free dof whose neighbours are
+/// all prescribed looks like them, but for its diagonal. FreeFEM prescribes with 1; in a
 /// matrix that was scaled afterwards with another value, which then is that of them all.
-void mark_isolated(const RowMatrixView& A, const std::vector<Eigen::Index>& isolated, std::vector<char>& prescribed) {
+void mark_isolated(const RowMatrixView& A, const std::vector<Index>& isolated,
+                   std::vector<char>& prescribed) {
   if (isolated.empty()) return;
   double unit = A.coeff(isolated.front(), isolated.front());
   bool one_value = true;
-  for (const Eigen::Index dof : isolated) {
+  for (const Index dof : isolated) {
     const double diagonal = A.coeff(dof, dof);
     one_value = one_value && diagonal == unit;
     if (diagonal == 1) unit = 1;
   }
   if (unit != 1 && !one_value)
     refuse("dof ", isolated.front(), " has nothing but its diagonal ", unit,
-           " in A, others have another value, and none is 1: which of them are prescribed cannot be told; assemble A "
+           " in A, others have another value, and none is 1: which of them are "
+           "prescribed cannot be told; assemble A "
            "and b with "
            "tgv=-1 or the default tgv");
-  for (const Eigen::Index dof : isolated) prescribed[dof] = A.coeff(dof, dof) == unit;
+  for (const Index dof : isolated) prescribed[dof] = A.coeff(dof, dof) == unit;
 }
 
 void require_finite_entries(const RowMatrixView& A) {
-  for (Eigen::Index row = 0; row < A.rows(); ++row)
+  for (Index row = 0; row < A.rows(); ++row)
     for (RowIterator entry(A, row); entry; ++entry)
-      if (!std::isfinite(entry.value())) refuse("A(", row, ",", entry.col(), ") is ", entry.value(), ", not finite");
+      if (!std::isfinite(entry.value()))
+        refuse("A(", row, ",", entry.col(), ") is ", entry.value(), ", not finite");
 }
 
-/// |x' (K y) - y' (K x)| vanishes for a symmetric K; x and y are fixed, without structure, and zero on prescribed dofs.
+/// |x' (K y) - y' (K x)| vanishes for a symmetric K; x and y are fixed, without
+/// structure, and zero on prescribed dofs.
 void require_symmetric(const RowMatrixView& A, const std::vector<char>& prescribed) {
   const auto n = A.rows();
-  Eigen::VectorXd x(n), y(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
+  VectorXd x(n), y(n);
+  for (Index i = 0; i < n; ++i) {
     x[i] = prescribed[i] ? 0 : std::sin(1.0 + 0.7 * static_cast<double>(i % 1009));
     y[i] = prescribed[i] ? 0 : std::cos(2.0 + 1.3 * static_cast<double>(i % 1013));
   }
-  const Eigen::VectorXd Ax = A * x, Ay = A * y;
+  const VectorXd Ax = A * x, Ay = A * y;
   double scale = 0;
-  for (Eigen::Index i = 0; i < n; ++i) scale += std::abs(y[i] * Ax[i]);
-  if (std::abs(x.dot(Ay) - y.dot(Ax)) > symmetry_tolerance * scale) refuse("A is not symmetric on the free dofs");
+  for (Index i = 0; i < n; ++i) scale += std::abs(y[i] * Ax[i]);
+  if (std::abs(x.dot(Ay) - y.dot(Ax)) > symmetry_tolerance * scale)
+    refuse("A is not symmetric on the free dofs");
 }
 
-/// Refuses values other than zero where the columns of all prescribed dofs are gone: what they load the body with is lost. One
-/// column that couples shows that the others were kept, too.
+/// Refuses values other than zero where the columns of all prescribed dofs are gone: what
+/// they load the body with is lost. One column that couples shows that the others were
+/// kept, too.
 void require_columns(const RowMatrixView& A, const std::vector<char>& prescribed,
-                     const Eigen::VectorXd& prescribed_value) {
-  for (Eigen::Index row = 0; row < A.rows(); ++row)
+                     const VectorXd& prescribed_value) {
+  for (Index row = 0; row < A.rows(); ++row)
     for (RowIterator entry(A, row); entry; ++entry)
       if (entry.col() != row && prescribed[entry.col()] && entry.value() != 0) return;
-  Eigen::Index dof = 0;
+  Index dof = 0;
   while (prescribed_value[dof] == 0) ++dof;
   refuse("dof ", dof, " is prescribed to ", prescribed_value[dof],
          " but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
@@ -101,8 +108,8 @@ void require_columns(const RowMatrixView& A, const std::vector<char>& prescribed
 std::vector<char> prescribed_dofs(const RowMatrixView& A) {
   const OffDiagonal others = off_diagonal(A);
   std::vector<char> prescribed(A.rows(), 0);
-  std::vector<Eigen::Index> isolated;
-  for (Eigen::Index row = 0; row < A.rows(); ++row) {
+  std::vector<Index> isolated;
+  for (Index row = 0; row < A.rows(); ++row) {
     const RowSums sums = row_sums(A, row);
     if (sums.diagonal == 0) continue;
     const bool alone = sums.others == 0 && !others.in_column[row];
@@ -114,58 +121,63 @@ std::vector<char> prescribed_dofs(const RowMatrixView& A) {
   return prescribed;
 }
 
-ElasticSystem elastic_system(const RowMatrixView& A, const Eigen::Ref<const Eigen::VectorXd>& b) {
-  if (A.rows() != A.cols()) refuse("A has ", A.rows(), " rows and ", A.cols(), " columns, it must be square");
+ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b) {
+  if (A.rows() != A.cols())
+    refuse("A has ", A.rows(), " rows and ", A.cols(), " columns, it must be square");
   require_size("b", b.size(), A.rows());
   require_finite("b", b);
   require_finite_entries(A);
 
-  ElasticSystem system{A, b, prescribed_dofs(A), Eigen::VectorXd::Zero(A.rows())};
+  ElasticSystem system{A, b, prescribed_dofs(A), VectorXd::Zero(A.rows())};
   require_symmetric(A, system.prescribed);
-  for (Eigen::Index dof = 0; dof < A.rows(); ++dof)
+  for (Index dof = 0; dof < A.rows(); ++dof)
     if (system.prescribed[dof]) system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
   if (!system.prescribed_value.isZero(0)) {
     require_columns(A, system.prescribed, system.prescribed_value);
     system.load -= A * system.prescribed_value;
   }
-  for (Eigen::Index dof = 0; dof < A.rows(); ++dof)
+  for (Index dof = 0; dof < A.rows(); ++dof)
     if (system.prescribed[dof]) system.load[dof] = 0;
   return system;
 }
 
 RowMatrix stiffness(const Mesh& mesh, const Hooke& hooke) {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(36 * static_cast<std::size_t>(mesh.triangle_count()));
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const Eigen::Matrix<double, 2, 3> g = hat_gradients(mesh, t);
-    Eigen::Matrix<double, 3, 6> B;  // strain of the six local dofs
-    for (int k = 0; k < 3; ++k) B.middleCols<2>(2 * k) << g(0, k), 0, 0, g(1, k), g(1, k), g(0, k);
-    const Eigen::Matrix<double, 6, 6> element = signed_area(mesh, t) * B.transpose() * hooke[t] * B;
+  entries.reserve(36 * static_cast<std::size_t>(mesh.cell_count()));
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const Matrix<double, 2, 3> g = hat_gradients(mesh, t);
+    Matrix<double, 3, 6> B;  // strain of the six local dofs
+    for (int k = 0; k < 3; ++k)
+      B.middleCols<2>(2 * k) << g(0, k), 0, 0, g(1, k), g(1, k), g(0, k);
+    const Matrix<double, 6, 6> element =
+        signed_area(mesh, t) * B.transpose() * hooke[t] * B;
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
-        entries.emplace_back(2 * mesh.triangles(i / 2, t) + i % 2, 2 * mesh.triangles(j / 2, t) + j % 2, element(i, j));
+        entries.emplace_back(2 * mesh.cells(i / 2, t) + i % 2,
+                             2 * mesh.cells(j / 2, t) + j % 2, element(i, j));
   }
-  const Eigen::Index n = 2 * mesh.vertices.cols();
+  const Index n = 2 * mesh.vertices.cols();
   RowMatrix K(n, n);
   K.setFromTriplets(entries.begin(), entries.end());
   return K;
 }
 
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
-  Eigen::Index dofs = 0, entries = 0;
+  Index dofs = 0, entries = 0;
   for (const ElasticSystem& body : bodies) {
     dofs += body.dof_count();
     entries += body.stiffness.nonZeros();
   }
-  ElasticSystem joined{RowMatrix(dofs, dofs), Eigen::VectorXd(dofs), {}, Eigen::VectorXd(dofs)};
+  ElasticSystem joined{RowMatrix(dofs, dofs), VectorXd(dofs), {}, VectorXd(dofs)};
   joined.stiffness.reserve(entries);
-  Eigen::Index first = 0;
+  Index first = 0;
   for (const ElasticSystem& body : bodies) {
-    const Eigen::Index size = body.dof_count();
+    const Index size = body.dof_count();
     joined.load.segment(first, size) = body.load;
     joined.prescribed_value.segment(first, size) = body.prescribed_value;
-    joined.prescribed.insert(joined.prescribed.end(), body.prescribed.begin(), body.prescribed.end());
-    for (Eigen::Index row = 0; row < size; ++row) {
+    joined.prescribed.insert(joined.prescribed.end(), body.prescribed.begin(),
+                             body.prescribed.end());
+    for (Index row = 0; row < size; ++row) {
       joined.stiffness.startVec(first + row);
       for (RowMatrix::InnerIterator e(body.stiffness, row); e; ++e)
         joined.stiffness.insertBack(first + row, first + e.col()) = e.value();

@@ -1,35 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 
 namespace ffcontact {
 
 /// Rows are read (a prescribed row tells itself), so matrices are stored by rows.
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-using RowMatrixView = Eigen::Ref<const RowMatrix>;
+using RowMatrixView = Ref<const RowMatrix>;
 
-/// A linear elastic body before contact: K u = b on the free dofs, u = value on the prescribed ones.
-/// The dof of component c at vertex v is 2 v + c, FreeFEM's numbering of [P1, P1].
+/// A linear elastic body before contact: K u = b on the free dofs, u = value on the
+/// prescribed ones. The dof of component c at vertex v is 2 v + c, FreeFEM's numbering of
+/// [P1, P1].
 struct ElasticSystem {
-  RowMatrix stiffness;           ///< K [N/mm^2 per unit thickness]; rows and columns of prescribed dofs are not used
-  Eigen::VectorXd load;          ///< b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
+  /// K [N/mm^2 per unit thickness]; rows and columns of prescribed dofs are not used
+  RowMatrix stiffness;
+  /// b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
+  VectorXd load;
   std::vector<char> prescribed;  ///< 1 where the dof is prescribed
-  Eigen::VectorXd prescribed_value;  ///< [mm], 0 on free dofs
+  VectorXd prescribed_value;     ///< [mm], 0 on free dofs
 
   int dof_count() const { return static_cast<int>(load.size()); }
 };
 
-/// The system as FreeFEM assembles it. A dof is prescribed when its row is penalised (tgv = 1e30: the diagonal exceeds the
-/// rest of the row by 1e12, value = b / diagonal) or has nothing but a diagonal (tgv = -1 or -2, value = b / diagonal). With -2
-/// a free dof whose neighbours are all prescribed has nothing but a diagonal either: its stiffness, where the others have 1.
-/// @throws std::invalid_argument  if sizes differ, a value of A or b is not finite, A is not symmetric on the free dofs, a
+/// The system as FreeFEM assembles it. A dof is prescribed when its row is penalised (tgv
+/// = 1e30: the diagonal exceeds the rest of the row by 1e12, value = b / diagonal) or has
+/// nothing but a diagonal (tgv = -1 or -2, value = b / diagonal). With -2 a free dof
+/// whose neighbours are all prescribed has nothing but a diagonal either: its stiffness,
+/// where the others have 1.
+/// @throws std::invalid_argument  if sizes differ, a value of A or b is not finite, A is
+///                                not symmetric on the free dofs, a
 ///                                prescribed value is not zero where the columns of A are gone (tgv = -2), or such a matrix was
 ///                                scaled and has free dofs without free neighbours
-ElasticSystem elastic_system(const RowMatrixView& A, const Eigen::Ref<const Eigen::VectorXd>& b);
+ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b);
 
 /// Several bodies as one system of separate blocks, in the order of joined_mesh.
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);

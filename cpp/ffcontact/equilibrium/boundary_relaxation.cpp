@@ -12,12 +12,12 @@ namespace ffcontact {
 
 namespace {
 
-/// A condition that corrections change by less than this part of what they could is not changed by them: coordinates far from
-/// the origin are known to little more.
+/// A condition that corrections change by less than this part of what they could is not
+/// changed by them: coordinates far from the origin are known to little more.
 constexpr double negligible = 1e-10;
 
-/// The vertices that are relaxed together: one, or those that contact edges join across two bodies. The unknowns of their stars
-/// follow each other.
+/// The vertices that are relaxed together: one, or those that contact edges join across
+/// two bodies. The unknowns of their stars follow each other.
 struct Group {
   std::vector<StarCorrections> stars;
   std::vector<int> first;  ///< unknown of each star, and the number of all
@@ -38,10 +38,12 @@ struct Spoke {
   int first;  ///< unknown of the star
 
   int edge() const { return star.spoke(number); }
-  /// The outward normal is to the right of the first spoke and to the left of the last one, which runs against its edge.
+  /// The outward normal is to the right of the first spoke and to the left of the last
+  /// one, which runs against its edge.
   bool runs_along_edge() const { return number == 0; }
-  /// Moments of the traction at the vertex and at the other end for the four unknowns of the spoke.
-  Eigen::Matrix4d moments() const { return (runs_along_edge() ? 1 : -1) * star.moments(number); }
+  /// Moments of the traction at the vertex and at the other end for the four unknowns of
+  /// the spoke.
+  Matrix4d moments() const { return (runs_along_edge() ? 1 : -1) * star.moments(number); }
   /// Adds the four columns of a matrix for the spoke's unknowns to one for all unknowns.
   template <class Local, class All>
   void spread(const Local& local, All&& all) const {
@@ -53,7 +55,8 @@ struct Spoke {
 std::vector<Spoke> boundary_spokes(const Group& group) {
   std::vector<Spoke> spokes;
   for (std::size_t s = 0; s < group.stars.size(); ++s)
-    for (int k : {0, group.stars[s].spoke_count() - 1}) spokes.push_back({group.stars[s], k, group.first[s]});
+    for (int k : {0, group.stars[s].spoke_count() - 1})
+      spokes.push_back({group.stars[s], k, group.first[s]});
   return spokes;
 }
 
@@ -62,19 +65,23 @@ int free_edge(const Spoke& spoke, const FreeContact* contact) {
   return contact ? contact->tractions.contact_edge[spoke.edge()] : -1;
 }
 
-bool carries_multipliers(const Spoke& spoke, int contact_edge, const FreeContact& contact) {
+bool carries_multipliers(const Spoke& spoke, int contact_edge,
+                         const FreeContact& contact) {
   return contact.line.edge[contact_edge] == spoke.edge();
 }
 
 /// Homogeneous linear conditions on the corrections of a group.
 class Conditions {
  public:
-  Conditions(const Group& group) : rows_(Eigen::MatrixXd::Zero(16 * group.stars.size(), group.unknowns())) {}
+  Conditions(const Group& group)
+      : rows_(MatrixXd::Zero(16 * group.stars.size(), group.unknowns())) {}
 
-  /// component . moment does not change at either end: psi_i and psi_m vanish exactly when b_i and b_j do.
-  void fix(const Spoke& spoke, const Eigen::Vector2d& component) {
+  /// component . moment does not change at either end: psi_i and psi_m vanish exactly
+  /// when b_i and b_j do.
+  void fix(const Spoke& spoke, const Vector2d& component) {
     for (int end = 0; end < 2; ++end)
-      spoke.spread(component.transpose() * spoke.moments().middleRows<2>(2 * end), rows_.row(count_++));
+      spoke.spread(component.transpose() * spoke.moments().middleRows<2>(2 * end),
+                   rows_.row(count_++));
   }
   /// Both bodies feel opposite forces.
   void balance(const Spoke& one, const Spoke& other) {
@@ -82,14 +89,14 @@ class Conditions {
     other.spread(other.moments(), rows_.middleRows<4>(count_));
     count_ += 4;
   }
-  Eigen::MatrixXd kernel() const {
-    if (count_ == 0) return Eigen::MatrixXd::Identity(rows_.cols(), rows_.cols());
+  MatrixXd kernel() const {
+    if (count_ == 0) return MatrixXd::Identity(rows_.cols(), rows_.cols());
     return kernel_basis(rows_.topRows(count_), {negligible});
   }
 
  private:
-  Eigen::MatrixXd rows_;
-  Eigen::Index count_ = 0;
+  MatrixXd rows_;
+  Index count_ = 0;
 };
 
 /// Where friction may vanish at an end of the edge, r_t is left as it is.
@@ -98,30 +105,32 @@ bool frictionless(const FreeContact& contact, int e) {
          least_shear_limit(contact.line, contact.law, e).minCoeff() == 0;
 }
 
-/// Basis of the corrections that leave known boundary tractions alone and load both bodies of a contact edge oppositely
-/// [unknowns x n].
-Eigen::MatrixXd admissible_corrections(const Group& group, const BoundaryTractions& boundary,
-                                       const FreeContact* contact) {
+/// Basis of the corrections that leave known boundary tractions alone and load both
+/// bodies of a contact edge oppositely [unknowns x n].
+MatrixXd admissible_corrections(const Group& group, const BoundaryTractions& boundary,
+                                const FreeContact* contact) {
   Conditions conditions(group);
   const std::vector<Spoke> spokes = boundary_spokes(group);
   for (const Spoke& spoke : spokes) {
     const int e = free_edge(spoke, contact);
     if (e < 0) {
       for (int c = 0; c < 2; ++c)
-        if (boundary.known(c, spoke.edge())) conditions.fix(spoke, Eigen::Vector2d::Unit(c));
+        if (boundary.known(c, spoke.edge())) conditions.fix(spoke, Vector2d::Unit(c));
     } else if (carries_multipliers(spoke, e, *contact)) {
       if (frictionless(*contact, e)) conditions.fix(spoke, contact->line.edge_tangent(e));
       for (const Spoke& other : spokes)
-        if (other.edge() != spoke.edge() && free_edge(other, contact) == e) conditions.balance(spoke, other);
+        if (other.edge() != spoke.edge() && free_edge(other, contact) == e)
+          conditions.balance(spoke, other);
     }
   }
   return conditions.kernel();
 }
 
-/// What the corrections of a group do to the end values (r_n,i, r_t,i, r_n,j, r_t,j) of one free contact edge.
+/// What the corrections of a group do to the end values (r_n,i, r_t,i, r_n,j, r_t,j) of
+/// one free contact edge.
 struct EdgeEnds {
   int edge;
-  Eigen::Matrix<double, 4, Eigen::Dynamic> change;  ///< [4 x unknowns]
+  Matrix<double, 4, Dynamic> change;  ///< [4 x unknowns]
 };
 
 std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) {
@@ -129,16 +138,19 @@ std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) 
   for (const Spoke& spoke : boundary_spokes(group)) {
     const int e = free_edge(spoke, &contact);
     if (e < 0 || !carries_multipliers(spoke, e, contact)) continue;
-    Eigen::Matrix2d frame;
-    frame << contact.line.edge_normal(e).transpose(), contact.line.edge_tangent(e).transpose();
-    const Eigen::Matrix4d moments = spoke.moments();
-    Eigen::Matrix4d density;
-    for (int c = 0; c < 4; ++c) density.col(c) = density_of_moments(moments.col(c), contact.line.length[e]);
+    Matrix2d frame;
+    frame << contact.line.edge_normal(e).transpose(),
+        contact.line.edge_tangent(e).transpose();
+    const Matrix4d moments = spoke.moments();
+    Matrix4d density;
+    for (int c = 0; c < 4; ++c)
+      density.col(c) = density_of_moments(moments.col(c), contact.line.length[e]);
     EdgeEnds ends{e, {}};
     ends.change.setZero(4, group.unknowns());
     for (int end = 0; end < 2; ++end)
-      spoke.spread(frame * density.middleRows<2>(2 * (spoke.runs_along_edge() ? end : 1 - end)),
-                   ends.change.middleRows<2>(2 * end));
+      spoke.spread(
+          frame * density.middleRows<2>(2 * (spoke.runs_along_edge() ? end : 1 - end)),
+          ends.change.middleRows<2>(2 * end));
     result.push_back(ends);
   }
   return result;
@@ -146,22 +158,25 @@ std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) 
 
 /// Cost and cone of the free ends as functions of the corrections.
 struct ContactTerms {
-  Eigen::VectorXd cost;  ///< linear part of e^2
-  Eigen::MatrixXd C;
-  Eigen::VectorXd d;
+  VectorXd cost;  ///< linear part of e^2
+  MatrixXd C;
+  VectorXd d;
 };
 
-ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, const FreeContact* contact) {
-  const auto most = EdgeCone::most_rows * static_cast<Eigen::Index>(ends.size());
-  ContactTerms terms{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd(most, unknowns), Eigen::VectorXd(most)};
-  Eigen::Index row = 0;
+ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns,
+                           const FreeContact* contact) {
+  const auto most = EdgeCone::most_rows * static_cast<Index>(ends.size());
+  ContactTerms terms{VectorXd::Zero(unknowns), MatrixXd(most, unknowns), VectorXd(most)};
+  Index row = 0;
   for (const auto& [e, change] : ends) {
     const FreeTractions& tractions = contact->tractions;
     const EdgeCone cone = edge_cone(contact->line, contact->law, e);
-    terms.cost += change.transpose() * interleaved(tractions.normal_cost.col(e), tractions.tangential_cost.col(e));
+    terms.cost += change.transpose() * interleaved(tractions.normal_cost.col(e),
+                                                   tractions.tangential_cost.col(e));
     terms.C.middleRows(row, cone.C.rows()) = cone.C * change;
     terms.d.segment(row, cone.d.size()) =
-        (cone.d - cone.C * end_values(tractions.densities, e)).cwiseMin(0);  // r is inside: the rest is rounding
+        // r is inside: the rest is rounding
+        (cone.d - cone.C * end_values(tractions.densities, e)).cwiseMin(0);
     row += cone.d.size();
   }
   terms.C.conservativeResize(row, Eigen::NoChange);
@@ -170,11 +185,11 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns, cons
 }
 
 /// The conditions on x for y = Z x, without those that no x can change.
-void restrict(const Eigen::MatrixXd& Z, ContactTerms& terms) {
-  Eigen::Index kept = 0;
-  const Eigen::MatrixXd C = terms.C * Z;
+void restrict(const MatrixXd& Z, ContactTerms& terms) {
+  Index kept = 0;
+  const MatrixXd C = terms.C * Z;
   const double size = Z.norm();
-  for (Eigen::Index row = 0; row < C.rows(); ++row)
+  for (Index row = 0; row < C.rows(); ++row)
     if (C.row(row).norm() > negligible * size * terms.C.row(row).norm()) {
       terms.d[kept] = terms.d[row];
       terms.C.row(kept++) = terms.C.row(row);
@@ -185,27 +200,28 @@ void restrict(const Eigen::MatrixXd& Z, ContactTerms& terms) {
 
 }  // namespace
 
-double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices, Eigen::VectorXd& airy,
-                      FreeContact* contact) {
+double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices,
+                      VectorXd& airy, FreeContact* contact) {
   const Group group(setting, vertices);
-  const Eigen::MatrixXd Z = admissible_corrections(group, setting.boundary, contact);
+  const MatrixXd Z = admissible_corrections(group, setting.boundary, contact);
   if (Z.cols() == 0) return 0;
-  const std::vector<EdgeEnds> ends = contact ? free_ends(group, *contact) : std::vector<EdgeEnds>{};
+  const std::vector<EdgeEnds> ends =
+      contact ? free_ends(group, *contact) : std::vector<EdgeEnds>{};
   ContactTerms terms = contact_terms(ends, group.unknowns(), contact);
   restrict(Z, terms);
 
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(group.unknowns(), group.unknowns());
-  Eigen::VectorXd slope = terms.cost;
+  MatrixXd H = MatrixXd::Zero(group.unknowns(), group.unknowns());
+  VectorXd slope = terms.cost;
   for (std::size_t s = 0; s < group.stars.size(); ++s) {
-    const StarEnergy<Eigen::Dynamic> energy(setting, group.stars[s].vertex(), airy);
+    const StarEnergy<Dynamic> energy(setting, group.stars[s].vertex(), airy);
     H.block(group.first[s], group.first[s], energy.g.size(), energy.g.size()) =
         energy.H.selfadjointView<Eigen::Lower>();
     slope.segment(group.first[s], energy.g.size()) += 2 * energy.g;
   }
-  const std::optional<Eigen::VectorXd> x =
-      quadratic_minimum(2 * Z.transpose() * H * Z, Z.transpose() * slope, terms.C, terms.d);
+  const std::optional<VectorXd> x = quadratic_minimum(
+      2 * Z.transpose() * H * Z, Z.transpose() * slope, terms.C, terms.d);
   if (!x) return 0;
-  const Eigen::VectorXd y = Z * *x;
+  const VectorXd y = Z * *x;
   const double fall = -y.dot(H * y) - y.dot(slope);
   if (!(fall > 0)) return 0;
   for (std::size_t s = 0; s < group.stars.size(); ++s)
@@ -239,7 +255,8 @@ std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
     join(line.vertex[i], groups.size() - 1);
     visit_opposite(line, i, [&](int vertex, double) { join(vertex, groups.size() - 1); });
   }
-  groups.erase(std::remove_if(groups.begin(), groups.end(), [](const auto& group) { return group.empty(); }),
+  groups.erase(std::remove_if(groups.begin(), groups.end(),
+                              [](const auto& group) { return group.empty(); }),
                groups.end());
   return groups;
 }

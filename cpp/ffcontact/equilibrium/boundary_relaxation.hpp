@@ -3,22 +3,26 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/equilibrium/free_tractions.hpp"
 #include "ffcontact/equilibrium/star_energy.hpp"
 
 namespace ffcontact {
 
-/// Relaxes the stars of some boundary vertices together: one vertex, or those that contact edges join across bodies.
+/// Relaxes the stars of some boundary vertices together: one vertex, or those that
+/// contact edges join across bodies.
 ///
-/// min y'Hy + 2 g'y + contact cost over the corrections y of the stars that leave known boundary tractions alone and load both
-/// bodies of a contact edge oppositely, with r_hat in the cone at the ends of free contact edges.
+/// min y'Hy + 2 g'y + contact cost over the corrections y of the stars that leave known
+/// boundary tractions alone and load both bodies of a contact edge oppositely, with r_hat
+/// in the cone at the ends of free contact edges.
 /// @param airy     unknowns of AirySpace, changed in place
 /// @param contact  r_hat, relaxed in place; null: all contact tractions are known
 /// @return by how much e^2 fell
-double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices, Eigen::VectorXd& airy,
-                      FreeContact* contact);
+double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices,
+                      VectorXd& airy, FreeContact* contact);
 
-/// The vertices to relax together on a line: that of each node and what it faces, joined where nodes share a vertex.
+/// The vertices to relax together on a line: that of each node and what it faces, joined
+/// where nodes share a vertex.
 std::vector<std::vector<int>> contact_groups(const ContactLine& line);
 
 }  // namespace ffcontact

@@ -12,11 +12,13 @@ namespace ffcontact {
 namespace {
 
 /// Per label: which components are prescribed at every vertex that carries it.
-std::map<int, std::array<bool, 2>> prescribed_labels(const Mesh& mesh, const std::vector<char>& prescribed) {
+std::map<int, std::array<bool, 2>> prescribed_labels(
+    const Mesh& mesh, const std::vector<char>& prescribed) {
   std::map<int, std::array<bool, 2>> labels;
-  for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e) {
+  for (Index e = 0; e < mesh.boundary.cols(); ++e) {
     std::array<bool, 2>& fixed =
-        labels.try_emplace(mesh.boundary_label[e], std::array<bool, 2>{true, true}).first->second;
+        labels.try_emplace(mesh.boundary_label[e], std::array<bool, 2>{true, true})
+            .first->second;
     for (int end = 0; end < 2; ++end)
       for (int c = 0; c < 2; ++c)
         if (!prescribed[2 * mesh.boundary(end, e) + c]) fixed[c] = false;
@@ -26,10 +28,13 @@ std::map<int, std::array<bool, 2>> prescribed_labels(const Mesh& mesh, const std
 
 }  // namespace
 
-BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const std::vector<char>& prescribed,
-                                     const Eigen::Ref<const Eigen::Matrix4Xd>& neumann, const ContactLine& line,
+BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
+                                     const std::vector<char>& prescribed,
+                                     const Ref<const Matrix4Xd>& neumann,
+                                     const ContactLine& line,
                                      const ContactDensities& contact) {
-  require_size("prescribed dofs", static_cast<Eigen::Index>(prescribed.size()), 2 * mesh.vertices.cols());
+  require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
+               2 * mesh.vertices.cols());
   require_size("tractions", neumann.cols(), mesh.boundary.cols());
   require_finite("traction", neumann.reshaped());
 
@@ -50,18 +55,18 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const
     }
   }
   for (int k = 0; k < line.edge_count(); ++k) {
-    const Eigen::Vector2d n = line.edge_normal(k), t = line.edge_tangent(k);
-    Eigen::Vector4d density;
+    const Vector2d n = line.edge_normal(k), t = line.edge_tangent(k);
+    Vector4d density;
     density << contact.normal(0, k) * n + contact.tangential(0, k) * t,
         contact.normal(1, k) * n + contact.tangential(1, k) * t;
-    const Eigen::Vector4d moments = moments_of_density(density, line.length[k]);
-    const auto load = [&](int edge, const Eigen::Vector4d& contact_moments) {
+    const Vector4d moments = moments_of_density(density, line.length[k]);
+    const auto load = [&](int edge, const Vector4d& contact_moments) {
       result.known.col(edge).setConstant(true);
       result.moments.col(edge) += contact_moments;
     };
     load(line.edge[k], moments);
     if (!line.against_a_body() || line.opposite_edge[k] < 0) continue;
-    Eigen::Vector4d opposite;
+    Vector4d opposite;
     opposite << -moments.tail<2>(), -moments.head<2>();
     load(line.opposite_edge[k], opposite);
   }

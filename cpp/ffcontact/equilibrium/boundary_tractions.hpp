@@ -3,32 +3,41 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/cone_correction.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {
 
-/// Moments of linear edge tractions, int F phi at the first and at the second vertex of each mesh edge, where F = sigma n with
-/// the edge's normal (outward on the boundary): one column (b_first, b_second) per edge [N/mm].
-using EdgeMoments = Eigen::Matrix4Xd;
+/// Moments of linear edge tractions, int F phi at the first and at the second vertex of
+/// each mesh edge, where F = sigma n with the edge's normal (outward on the boundary):
+/// one column (b_first, b_second) per edge [N/mm].
+using EdgeMoments = Matrix4Xd;
 
-/// What the boundary of an admissible stress must carry, per edge and Cartesian component.
+/// What the boundary of an admissible stress must carry, per edge and Cartesian
+/// component.
 ///
-/// On Neumann and contact edges both components are known, on the latter as the sum of given and contact tractions. On a Dirichlet edge a prescribed component is free (the support
-/// answers) and the other one known, e.g. 0 on a symmetry line. A component of an edge counts as prescribed when that dof is
-/// prescribed at every vertex of every edge with the same label: a single Neumann edge between two supports stays Neumann.
+/// On Neumann and contact edges both components are known, on the latter as the sum of
+/// given and contact tractions. On a Dirichlet edge a prescribed component is free (the
+/// support answers) and the other one known, e.g. 0 on a symmetry line. A component of an
+/// edge counts as prescribed when that dof is prescribed at every vertex of every edge
+/// with the same label: a single Neumann edge between two supports stays Neumann.
 struct BoundaryTractions {
-  Eigen::Array<bool, 2, Eigen::Dynamic> known;  ///< [2 x edges], false inside the body
-  EdgeMoments moments;                          ///< of the known components, 0 elsewhere
+  Eigen::Array<bool, 2, Dynamic> known;  ///< [2 x edges], false inside the body
+  EdgeMoments moments;                   ///< of the known components, 0 elsewhere
 };
 
 /// @param prescribed  1 where the dof is prescribed [2 * vertices]
-/// @param neumann     moments of the given tractions at the two vertices of each column of Mesh::boundary [4 x boundary];
+/// @param neumann     moments of the given tractions at the two vertices of each column
+///                    of Mesh::boundary [4 x boundary];
 ///                    not read on prescribed components
-/// @param line        where it faces whole edges of another body, these carry the opposite forces
+/// @param line        where it faces whole edges of another body, these carry the
+///                    opposite forces
 /// @param contact     densities on the contact edges
-BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges, const std::vector<char>& prescribed,
-                                     const Eigen::Ref<const Eigen::Matrix4Xd>& neumann, const ContactLine& line,
+BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
+                                     const std::vector<char>& prescribed,
+                                     const Ref<const Matrix4Xd>& neumann,
+                                     const ContactLine& line,
                                      const ContactDensities& contact);
 
 }  // namespace ffcontact

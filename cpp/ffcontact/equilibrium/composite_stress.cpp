@@ -14,13 +14,15 @@ namespace {
 
 constexpr int edge_loads = 12, all_loads = 18;
 using StressMap =
-    Eigen::Matrix<double, 27, all_loads>;  ///< corner stresses (column-major 3 x 9) from edge and body loads
+    /// corner stresses (column-major 3 x 9) from edge and body loads
+    Matrix<double, 27, all_loads>;
 
 /// Corner numbers of subtriangle k: two vertices of the triangle and 3 for the centroid.
 std::array<int, 3> subtriangle(int k) { return {(k + 1) % 3, (k + 2) % 3, 3}; }
 
 /// Adds factor * (sigma n) at one corner to two rows of the conditions.
-void add_traction(Eigen::MatrixXd& conditions, int row, int k, int corner, const Eigen::Vector2d& n, double factor) {
+void add_traction(MatrixXd& conditions, int row, int k, int corner, const Vector2d& n,
+                  double factor) {
   const int first = 9 * k + 3 * corner;
   conditions(row, first) += factor * n.x();
   conditions(row, first + 2) += factor * n.y();
@@ -28,18 +30,19 @@ void add_traction(Eigen::MatrixXd& conditions, int row, int k, int corner, const
   conditions(row + 1, first + 2) += factor * n.x();
 }
 
-/// f on subtriangle k from the moments int f phi_i: the mean of phi_i over subtriangle k is 1/9 for i = k and 4/9
-/// otherwise.
-Eigen::Matrix3d force_per_moment(double area) {
-  Eigen::Matrix3d means = Eigen::Matrix3d::Constant(4.0 / 9);
+/// f on subtriangle k from the moments int f phi_i: the mean of phi_i over subtriangle k
+/// is 1/9 for i = k and 4/9 otherwise.
+Matrix3d force_per_moment(double area) {
+  Matrix3d means = Matrix3d::Constant(4.0 / 9);
   means.diagonal().setConstant(1.0 / 9);
   return (area / 3 * means).inverse();
 }
 
-/// The conditions of the header on a triangle, conditions * stress = right * loads, as tractions: divergences times the root of
-/// the area, jumps of unit normals, moments over lengths.
+/// The conditions of the header on a triangle, conditions * stress = right * loads, as
+/// tractions: divergences times the root of the area, jumps of unit normals, moments over
+/// lengths.
 struct Conditions {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(30, 27), right = Eigen::MatrixXd::Zero(30, all_loads);
+  MatrixXd matrix = MatrixXd::Zero(30, 27), right = MatrixXd::Zero(30, all_loads);
 
   explicit Conditions(const TriangleCorners& corners) {
     x_ << corners, corners.rowwise().mean();
@@ -56,17 +59,20 @@ struct Conditions {
     const std::array<int, 3> s = subtriangle(k);
     const double root = std::sqrt(twice_area_ / 2);
     for (int c = 0; c < 3; ++c) {
-      const Eigen::Vector2d opposite = x_.col(s[(c + 2) % 3]) - x_.col(s[(c + 1) % 3]);
+      const Vector2d opposite = x_.col(s[(c + 2) % 3]) - x_.col(s[(c + 1) % 3]);
       add_traction(matrix, row, k, c, -turned_right(opposite) / (twice_area_ / 3), root);
     }
-    const Eigen::Matrix3d forces = root * force_per_moment(twice_area_ / 2);
-    for (int i = 0; i < 3; ++i) right(row, edge_loads + 2 * i) = right(row + 1, edge_loads + 2 * i + 1) = -forces(k, i);
+    const Matrix3d forces = root * force_per_moment(twice_area_ / 2);
+    for (int i = 0; i < 3; ++i)
+      right(row, edge_loads + 2 * i) = right(row + 1, edge_loads + 2 * i + 1) =
+          -forces(k, i);
   }
 
   /// Continuity on the edge from a vertex to the centroid, at both ends.
   void add_continuity(int row, int vertex) {
-    const Eigen::Vector2d n = turned_right(x_.col(3) - x_.col(vertex)).normalized();
-    const int before = (vertex + 2) % 3, after = (vertex + 1) % 3;  // the two subtriangles that have this vertex
+    const Vector2d n = turned_right(x_.col(3) - x_.col(vertex)).normalized();
+    // the two subtriangles that have this vertex
+    const int before = (vertex + 2) % 3, after = (vertex + 1) % 3;
     for (int end = 0; end < 2; ++end, row += 2)
       for (int k : {before, after}) {
         const int corner = end == 1 ? 2 : (subtriangle(k)[0] == vertex ? 0 : 1);
@@ -76,7 +82,8 @@ struct Conditions {
 
   /// Moments b_i = l (2 F_i + F_j) / 6 on the outer edge k.
   void add_edge(int row, int k) {
-    const Eigen::Vector2d side = x_.col((k + 2) % 3) - x_.col((k + 1) % 3), n = turned_right(side).normalized();
+    const Vector2d side = x_.col((k + 2) % 3) - x_.col((k + 1) % 3),
+                   n = turned_right(side).normalized();
     for (int end = 0; end < 2; ++end, row += 2) {
       add_traction(matrix, row, k, end, n, 2.0 / 6);
       add_traction(matrix, row, k, 1 - end, n, 1.0 / 6);
@@ -84,7 +91,7 @@ struct Conditions {
     }
   }
 
-  Eigen::Matrix<double, 2, 4> x_;
+  Matrix<double, 2, 4> x_;
   double twice_area_;
 };
 
@@ -94,7 +101,8 @@ TriangleCorners reference_triangle() {
   return corners;
 }
 
-/// The conditions on the reference triangle (0,0), (1,0), (0,1), solved for every unit load.
+/// The conditions on the reference triangle (0,0), (1,0), (0,1), solved for every unit
+/// load.
 StressMap solve_reference() {
   const Conditions conditions(reference_triangle());
   return least_squares_of_columns(conditions.matrix, conditions.right);
@@ -108,72 +116,81 @@ const StressMap& reference_map() {
 /// Integrals of products of corner values over a subtriangle of area A: A/12 (1 + delta).
 double mass(double area, int a, int b) { return area / (a == b ? 6 : 12); }
 
-Eigen::Matrix2d piola_matrix(const TriangleCorners& corners) {
-  Eigen::Matrix2d B;
+Matrix2d piola_matrix(const TriangleCorners& corners) {
+  Matrix2d B;
   B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
   return B;
 }
 
-/// Height over longest side below which Piola's map spoils the equilibrium: it carries the rounding of the forces on the long
-/// edges over to the short one, where it grows with the square of this ratio.
+/// Height over longest side below which Piola's map spoils the equilibrium: it carries
+/// the rounding of the forces on the long edges over to the short one, where it grows
+/// with the square of this ratio.
 constexpr double thin = 0.06;
 
 bool is_thin(const TriangleCorners& corners) {
   double longest = 0;
-  for (int k = 0; k < 3; ++k) longest = std::max(longest, (corners.col((k + 1) % 3) - corners.col(k)).squaredNorm());
+  for (int k = 0; k < 3; ++k)
+    longest =
+        std::max(longest, (corners.col((k + 1) % 3) - corners.col(k)).squaredNorm());
   return piola_matrix(corners).determinant() < thin * longest;
 }
 
 }  // namespace
 
-Eigen::Matrix3d piola_voigt(const Eigen::Matrix2d& B) {
+Matrix3d piola_voigt(const Matrix2d& B) {
   const double a = B(0, 0), b = B(0, 1), c = B(1, 0), d = B(1, 1);
-  Eigen::Matrix3d T;
+  Matrix3d T;
   T << a * a, b * b, 2 * a * b,  //
       c * c, d * d, 2 * c * d,   //
       a * c, b * d, a * d + b * c;
   return T;
 }
 
-CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
-                                 const BodyLoads& body_loads) {
-  Eigen::Matrix<double, all_loads, 1> loads;
+CompositeStress composite_stress(const TriangleCorners& corners,
+                                 const EdgeLoads& on_edges, const BodyLoads& body_loads) {
+  Matrix<double, all_loads, 1> loads;
   loads << on_edges, body_loads;
-  if (is_thin(corners)) {  // backward stable: what is left of each condition is of the size of rounding
+  // backward stable: what is left of each condition is of the size of rounding
+  if (is_thin(corners)) {
     const Conditions conditions(corners.colwise() - corners.rowwise().mean());
-    const Eigen::VectorXd stress = least_squares(conditions.matrix, conditions.right * loads);
-    return Eigen::Map<const CompositeStress>(stress.data());
+    const VectorXd stress = least_squares(conditions.matrix, conditions.right * loads);
+    return Map<const CompositeStress>(stress.data());
   }
-  const Eigen::Matrix2d B = piola_matrix(corners);
-  Eigen::Map<Eigen::Matrix<double, 2, all_loads / 2>> forces(loads.data());
+  const Matrix2d B = piola_matrix(corners);
+  Map<Matrix<double, 2, all_loads / 2>> forces(loads.data());
   forces = (B.inverse() * forces).eval();
-  const Eigen::Matrix<double, 27, 1> s = reference_map() * loads;
-  return piola_voigt(B) / B.determinant() * Eigen::Map<const CompositeStress>(s.data());
+  const Matrix<double, 27, 1> s = reference_map() * loads;
+  return piola_voigt(B) / B.determinant() * Map<const CompositeStress>(s.data());
 }
 
-Eigen::Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area) {
-  return Eigen::Map<const Eigen::Matrix<double, 2, 3>>(body_loads.data()) * force_per_moment(area).transpose();
+Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area) {
+  return Map<const Matrix<double, 2, 3>>(body_loads.data()) *
+         force_per_moment(area).transpose();
 }
 
-double energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const CompositeStress& stress) {
+double energy(const TriangleCorners& corners, const Matrix3d& compliance,
+              const CompositeStress& stress) {
   const double area = piola_matrix(corners).determinant() / 6;
   const CompositeStress strain = compliance * stress;
   double sum = 0;
   for (int k = 0; k < 9; k += 3)
     for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) sum += mass(area, a, b) * stress.col(k + a).dot(strain.col(k + b));
+      for (int b = 0; b < 3; ++b)
+        sum += mass(area, a, b) * stress.col(k + a).dot(strain.col(k + b));
   return sum;
 }
 
-Eigen::Vector4d density_of_moments(const Eigen::Vector4d& moments, double length) {
-  Eigen::Vector4d density;
-  density << 2 * moments.head<2>() - moments.tail<2>(), 2 * moments.tail<2>() - moments.head<2>();
+Vector4d density_of_moments(const Vector4d& moments, double length) {
+  Vector4d density;
+  density << 2 * moments.head<2>() - moments.tail<2>(),
+      2 * moments.tail<2>() - moments.head<2>();
   return 2 / length * density;
 }
 
-Eigen::Vector4d moments_of_density(const Eigen::Vector4d& density, double length) {
-  Eigen::Vector4d moments;
-  moments << 2 * density.head<2>() + density.tail<2>(), 2 * density.tail<2>() + density.head<2>();
+Vector4d moments_of_density(const Vector4d& density, double length) {
+  Vector4d moments;
+  moments << 2 * density.head<2>() + density.tail<2>(),
+      2 * density.tail<2>() + density.head<2>();
   return length / 6 * moments;
 }
 

@@ -1,52 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
+#include "ffcontact/base/eigen.hpp"
 
 namespace ffcontact {
 
-/// The stress that is linear on the three subtriangles of a triangle [Johnson, Mercier 1978; CHH01, 4.2.2, analytical].
+/// The stress that is linear on the three subtriangles of a triangle [Johnson, Mercier
+/// 1978; CHH01, 4.2.2, analytical].
 ///
-/// The triangle is cut at its centroid G; subtriangle k lies opposite to vertex k and has the corners k+1, k+2, G. With
-/// continuous tractions on the inner edges, div sigma + f = 0 in each subtriangle (f constant in each) and linear tractions F
-/// on the outer edges, the 27 coefficients are fixed by the loads of the triangle, if these are in equilibrium.
+/// The triangle is cut at its centroid G; subtriangle k lies opposite to vertex k and has
+/// the corners k+1, k+2, G. With continuous tractions on the inner edges, div sigma + f =
+/// 0 in each subtriangle (f constant in each) and linear tractions F on the outer edges,
+/// the 27 coefficients are fixed by the loads of the triangle, if these are in
+/// equilibrium.
 ///
-/// Edge loads [12]: for each edge k (opposite to vertex k, from vertex k+1 to k+2) the moments b = int F phi at k+1 and at
-/// k+2, F = sigma n with n outward, two components each. Body loads [6]: int f phi_i at the three vertices; they fix the three
-/// constant values of f. All are forces per unit thickness [N/mm].
-using EdgeLoads = Eigen::Matrix<double, 12, 1>;
-using BodyLoads = Eigen::Matrix<double, 6, 1>;
-using BodyLoadsOfAll = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< per triangle
+/// Edge loads [12]: for each edge k (opposite to vertex k, from vertex k+1 to k+2) the
+/// moments b = int F phi at k+1 and at k+2, F = sigma n with n outward, two components
+/// each. Body loads [6]: int f phi_i at the three vertices; they fix the three constant
+/// values of f. All are forces per unit thickness [N/mm].
+using EdgeLoads = Matrix<double, 12, 1>;
+using BodyLoads = Matrix<double, 6, 1>;
+using BodyLoadsOfAll = Matrix<double, 6, Dynamic>;  ///< per triangle
 
-/// Voigt stresses at the corners of the subtriangles [MPa]: column 3 k + c is corner c (k+1, k+2, G) of subtriangle k.
-using CompositeStress = Eigen::Matrix<double, 3, 9>;
+/// Voigt stresses at the corners of the subtriangles [MPa]: column 3 k + c is corner c
+/// (k+1, k+2, G) of subtriangle k.
+using CompositeStress = Matrix<double, 3, 9>;
 
-using TriangleCorners = Eigen::Matrix<double, 2, 3>;
+using TriangleCorners = Matrix<double, 2, 3>;
 
-/// The stress for given loads. Loads out of equilibrium are balanced in the sense of least squares on the reference triangle:
-/// the caller's equilibrium is the stress's.
+/// The stress for given loads. Loads out of equilibrium are balanced in the sense of
+/// least squares on the reference triangle: the caller's equilibrium is the stress's.
 ///
-/// Computed once on the reference triangle and carried over by Piola's map x = B xi + x_0:
+/// Computed once on the reference triangle and carried over by Piola's map x = B xi +
+/// x_0:
 ///     sigma = B s B' / det B,   forces = B (forces)_ref,
-/// which keeps symmetry, equilibrium and edge forces. On triangles thinner than 1 : 16 the conditions are solved directly.
-CompositeStress composite_stress(const TriangleCorners& corners, const EdgeLoads& on_edges,
-                                 const BodyLoads& body_loads);
+/// which keeps symmetry, equilibrium and edge forces. On triangles thinner than 1 : 16
+/// the conditions are solved directly.
+CompositeStress composite_stress(const TriangleCorners& corners,
+                                 const EdgeLoads& on_edges, const BodyLoads& body_loads);
 
 /// T with sigma = T s / det B in Voigt order, for Piola's map sigma = B s B' / det B.
-Eigen::Matrix3d piola_voigt(const Eigen::Matrix2d& B);
+Matrix3d piola_voigt(const Matrix2d& B);
 
-/// The three constant values of f on the subtriangles [N/mm^3], one column each, for body loads int f phi_i.
-Eigen::Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area);
+/// The three constant values of f on the subtriangles [N/mm^3], one column each, for body
+/// loads int f phi_i.
+Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area);
 
 /// int sigma : C^-1 sigma over one triangle [N/mm per unit thickness times mm], exactly.
-double energy(const TriangleCorners& corners, const Eigen::Matrix3d& compliance, const CompositeStress& stress);
+double energy(const TriangleCorners& corners, const Matrix3d& compliance,
+              const CompositeStress& stress);
 
-/// End values of the linear density with moments b_i, b_j on an edge: (2 / l) (2 b_i - b_j) at i [MPa].
+/// End values of the linear density with moments b_i, b_j on an edge: (2 / l) (2 b_i -
+/// b_j) at i [MPa].
 /// @param moments  (b_i, b_j), two components each
 /// @return (F_i, F_j)
-Eigen::Vector4d density_of_moments(const Eigen::Vector4d& moments, double length);
+Vector4d density_of_moments(const Vector4d& moments, double length);
 
 /// Moments of the linear density with end values F_i, F_j: l (2 F_i + F_j) / 6 at i.
-Eigen::Vector4d moments_of_density(const Eigen::Vector4d& density, double length);
+Vector4d moments_of_density(const Vector4d& density, double length);
 
 }  // namespace ffcontact

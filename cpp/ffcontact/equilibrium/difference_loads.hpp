@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 
 namespace ffcontact {
 
-using EdgeLoadsOfAll = Eigen::Matrix<double, 12, Eigen::Dynamic>;  ///< EdgeLoads per triangle
+using EdgeLoadsOfAll = Matrix<double, 12, Dynamic>;  ///< EdgeLoads per triangle
 
-/// The edge loads of sigma_hat - sigma on each triangle, where sigma_hat has the given edge moments and sigma is constant per
-/// triangle. With the body loads they are in equilibrium on every triangle when sigma_hat is.
-EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges, const EdgeMoments& moments,
-                                const Eigen::Ref<const Eigen::Matrix3Xd>& stress);
+/// The edge loads of sigma_hat - sigma on each triangle, where sigma_hat has the given
+/// edge moments and sigma is constant per triangle. With the body loads they are in
+/// equilibrium on every triangle when sigma_hat is.
+EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
+                                const EdgeMoments& moments,
+                                const Ref<const Matrix3Xd>& stress);
 
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 

@@ -10,57 +10,68 @@ namespace ffcontact {
 
 namespace {
 
-/// Loads and stresses that differ by more than this part of the largest moment were not computed from each other.
+/// Loads and stresses that differ by more than this part of the largest moment were not
+/// computed from each other.
 constexpr double unbalanced = 1e-6;
 
-/// The moments of the spokes of one star, seen along vertex -> neighbour with the normal to the right, so that triangle k has
-/// moment(k) on its right side and moment(k + 1) on its left: moment(k) - moment(k+1) = load(k).
+/// The moments of the spokes of one star, seen along vertex -> neighbour with the normal
+/// to the right, so that triangle k has moment(k) on its right side and moment(k + 1) on
+/// its left: moment(k) - moment(k+1) = load(k).
 struct StarChain {
-  Eigen::Matrix2Xd load;    ///< per triangle
-  Eigen::Matrix2Xd target;  ///< per spoke: from the mean stress
-  Eigen::Matrix2Xd sum;     ///< per spoke: loads before it, so that moment(k) = moment(0) - sum(k)
+  Matrix2Xd load;    ///< per triangle
+  Matrix2Xd target;  ///< per spoke: from the mean stress
+  /// per spoke: loads before it, so that moment(k) = moment(0) - sum(k)
+  Matrix2Xd sum;
 };
 
 /// +1 when the spoke starts at the vertex.
-double direction(const Edges& edges, int spoke, int vertex) { return edges.vertices(0, spoke) == vertex ? 1 : -1; }
+double direction(const Edges& edges, int spoke, int vertex) {
+  return edges.vertices(0, spoke) == vertex ? 1 : -1;
+}
 
 /// Rows of a moments column that belong to the vertex.
-int rows_of(const Edges& edges, int spoke, int vertex) { return edges.vertices(0, spoke) == vertex ? 0 : 2; }
+int rows_of(const Edges& edges, int spoke, int vertex) {
+  return edges.vertices(0, spoke) == vertex ? 0 : 2;
+}
 
 StarChain star_chain(const Mesh& mesh, const Edges& edges, const Stars& stars, int vertex,
-                     const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads) {
+                     const Ref<const Matrix3Xd>& stress,
+                     const BodyLoadsOfAll& body_loads) {
   const int triangles = stars.triangle_count(vertex), spokes = stars.spoke_count(vertex);
   StarChain chain;
   chain.load.resize(2, triangles);
   chain.target.resize(2, spokes);
-  chain.sum = Eigen::Matrix2Xd::Zero(2, spokes);
+  chain.sum = Matrix2Xd::Zero(2, spokes);
   for (int k = 0; k < triangles; ++k) {
     const int t = stars.triangle[stars.triangle_start[vertex] + k],
               local = stars.local[stars.triangle_start[vertex] + k];
-    chain.load.col(k) = signed_area(mesh, t) * traction(stress.col(t), hat_gradients(mesh, t).col(local)) -
+    chain.load.col(k) = signed_area(mesh, t) *
+                            traction(stress.col(t), hat_gradients(mesh, t).col(local)) -
                         body_loads.block<2, 1>(2 * local, t);
     if (k + 1 < spokes) chain.sum.col(k + 1) = chain.sum.col(k) + chain.load.col(k);
   }
   for (int k = 0; k < spokes; ++k) {
     const int spoke = stars.spoke[stars.spoke_start[vertex] + k];
-    const int left = edges.triangles(0, spoke), right = edges.triangles(1, spoke);
-    const Eigen::Vector3d mean =
-        right < 0 ? Eigen::Vector3d(stress.col(left)) : Eigen::Vector3d(0.5 * (stress.col(left) + stress.col(right)));
+    const int left = edges.cells(0, spoke), right = edges.cells(1, spoke);
+    const Vector3d mean = right < 0
+                              ? Vector3d(stress.col(left))
+                              : Vector3d(0.5 * (stress.col(left) + stress.col(right)));
     const double half_length = 0.5 * edge_vector(mesh, edges, spoke).norm();
-    chain.target.col(k) =
-        direction(edges, spoke, vertex) * half_length * traction(mean, edge_normal(mesh, edges, spoke));
+    chain.target.col(k) = direction(edges, spoke, vertex) * half_length *
+                          traction(mean, edge_normal(mesh, edges, spoke));
   }
   return chain;
 }
 
 }  // namespace
 
-NodalEquilibrium nodal_equilibrium(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                                   const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
+NodalEquilibrium nodal_equilibrium(const Mesh& mesh, const Edges& edges,
+                                   const Stars& stars, const Ref<const Matrix3Xd>& stress,
+                                   const BodyLoadsOfAll& body_loads,
                                    const BoundaryTractions& boundary) {
   EdgeMoments moments = boundary.moments;
   double scale = moments.cwiseAbs().maxCoeff();
-  Eigen::Matrix2Xd missing = Eigen::Matrix2Xd::Zero(2, mesh.vertex_count());
+  Matrix2Xd missing = Matrix2Xd::Zero(2, mesh.vertex_count());
 #pragma omp parallel for reduction(max : scale)
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (stars.triangle_count(v) == 0) continue;
@@ -71,9 +82,11 @@ NodalEquilibrium nodal_equilibrium(const Mesh& mesh, const Edges& edges, const S
 
     for (int c = 0; c < 2; ++c) {
       const auto given = [&](int k) {
-        return direction(edges, spokes[k], v) * boundary.moments(rows_of(edges, spokes[k], v) + c, spokes[k]);
+        return direction(edges, spokes[k], v) *
+               boundary.moments(rows_of(edges, spokes[k], v) + c, spokes[k]);
       };
-      const bool at_first = boundary.known(c, spokes[0]), at_last = boundary.known(c, spokes[last]);
+      const bool at_first = boundary.known(c, spokes[0]),
+                 at_last = boundary.known(c, spokes[last]);
       const double start = at_first  ? given(0)
                            : at_last ? given(last) + chain.sum(c, last)
                                      : (chain.target.row(c) + chain.sum.row(c)).mean();
@@ -90,22 +103,25 @@ NodalEquilibrium nodal_equilibrium(const Mesh& mesh, const Edges& edges, const S
   return {std::move(moments), std::move(missing), scale};
 }
 
-void require_balanced(const Mesh& mesh, const NodalEquilibrium& equilibrium, double least_scale) {
-  Eigen::Index component, vertex;
+void require_balanced(const Mesh& mesh, const NodalEquilibrium& equilibrium,
+                      double least_scale) {
+  Index component, vertex;
   const double worst = equilibrium.missing.cwiseAbs().maxCoeff(&component, &vertex);
   if (worst <= unbalanced * std::max(least_scale, equilibrium.scale)) return;
-  const Eigen::Vector2d x = mesh.origin + mesh.vertices.col(vertex);
+  const Vector2d x = mesh.origin + mesh.vertices.col(vertex);
   std::ostringstream sentence;
   sentence.precision(10);
-  sentence << "the loads do not balance the stresses at vertex " << vertex << " (" << x.x() << ", " << x.y()
-           << "): " << worst << " N/mm are left over";
+  sentence << "the loads do not balance the stresses at vertex " << vertex << " ("
+           << x.x() << ", " << x.y() << "): " << worst << " N/mm are left over";
   throw Imbalance(sentence.str(), static_cast<int>(vertex), static_cast<int>(component));
 }
 
 EdgeMoments equilibrated_moments(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                                 const Eigen::Ref<const Eigen::Matrix3Xd>& stress, const BodyLoadsOfAll& body_loads,
+                                 const Ref<const Matrix3Xd>& stress,
+                                 const BodyLoadsOfAll& body_loads,
                                  const BoundaryTractions& boundary) {
-  NodalEquilibrium equilibrium = nodal_equilibrium(mesh, edges, stars, stress, body_loads, boundary);
+  NodalEquilibrium equilibrium =
+      nodal_equilibrium(mesh, edges, stars, stress, body_loads, boundary);
   require_balanced(mesh, equilibrium);
   return std::move(equilibrium.moments);
 }

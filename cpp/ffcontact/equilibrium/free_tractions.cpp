@@ -7,7 +7,8 @@ std::vector<int> contact_edge_numbers(const ContactLine& line, const Edges& edge
   std::vector<int> numbers(edges.count(), -1);
   for (int e = 0; e < line.edge_count(); ++e) {
     numbers[line.edge[e]] = e;
-    if (line.against_a_body() && line.opposite_edge[e] >= 0) numbers[line.opposite_edge[e]] = e;
+    if (line.against_a_body() && line.opposite_edge[e] >= 0)
+      numbers[line.opposite_edge[e]] = e;
   }
   return numbers;
 }

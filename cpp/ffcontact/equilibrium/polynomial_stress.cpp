@@ -13,8 +13,8 @@ namespace ffcontact {
 namespace {
 
 constexpr int monomials = 15, unknowns = 2 * monomials;
-using Products = Eigen::Matrix<double, monomials, monomials>;
-using LongProducts = Eigen::Matrix<long double, monomials, monomials>;
+using Products = Matrix<double, monomials, monomials>;
+using LongProducts = Matrix<long double, monomials, monomials>;
 
 struct Powers {
   int p, q;
@@ -31,7 +31,7 @@ std::array<Powers, monomials> powers() {
 
 const std::array<Powers, monomials> exponents = powers();
 
-using Point = Eigen::Matrix<long double, 2, 1>;
+using Point = Matrix<long double, 2, 1>;
 
 /// xi^p eta^q; 0 for a negative power, which has the factor 0 in a derivative.
 long double monomial(int p, int q, const Point& xi) {
@@ -50,18 +50,22 @@ long double integral(int p, int q) {
 /// Derivative of monomial i along axis a as factor and powers.
 std::pair<double, Powers> derivative(int i, int a) {
   const Powers m = exponents[i];
-  return a == 0 ? std::make_pair(double(m.p), Powers{m.p - 1, m.q}) : std::make_pair(double(m.q), Powers{m.p, m.q - 1});
+  return a == 0 ? std::make_pair(double(m.p), Powers{m.p - 1, m.q})
+                : std::make_pair(double(m.q), Powers{m.p, m.q - 1});
 }
 
-/// Integrals on the reference triangle that all triangles share, for the basis functions b = T m that are orthonormal in
-/// int (grad b_i . grad b_j + b_i b_j): the monomials m themselves would cost six digits.
+/// Integrals on the reference triangle that all triangles share, for the basis functions
+/// b = T m that are orthonormal in int (grad b_i . grad b_j + b_i b_j): the monomials m
+/// themselves would cost six digits.
 struct Reference {
   Products basis;                                    ///< T
   std::array<std::array<Products, 2>, 2> gradients;  ///< int d_a b_i d_b b_j
-  Eigen::Matrix<double, monomials, 2> slopes;        ///< int d_a b_i
-  Eigen::Matrix<double, monomials, 6> edges;         ///< int (1 - s) b_i ds and int s b_i ds on the three edges
-  Eigen::Matrix<double, monomials, 3> body;          ///< load on b_i of f with unit moment at one vertex
-  Eigen::Matrix<double, monomials, 3> linear;        ///< coefficients of 1, xi, eta
+  Matrix<double, monomials, 2> slopes;               ///< int d_a b_i
+  /// int (1 - s) b_i ds and int s b_i ds on the three edges
+  Matrix<double, monomials, 6> edges;
+  /// load on b_i of f with unit moment at one vertex
+  Matrix<double, monomials, 3> body;
+  Matrix<double, monomials, 3> linear;  ///< coefficients of 1, xi, eta
 };
 
 /// int d_a m_i d_b m_j
@@ -76,10 +80,12 @@ LongProducts products_of_derivatives(int a, int b) {
   return products;
 }
 
-/// int (1 - s) m_i ds and int s m_i ds on the three edges, by Gauss points that are exact up to degree 5.
-Eigen::Matrix<long double, monomials, 6> edge_integrals() {
-  Eigen::Matrix<long double, monomials, 6> edges = Eigen::Matrix<long double, monomials, 6>::Zero();
-  const Eigen::Matrix<long double, 2, 3> vertex = (Eigen::Matrix<long double, 2, 3>() << 0, 1, 0, 0, 0, 1).finished();
+/// int (1 - s) m_i ds and int s m_i ds on the three edges, by Gauss points that are exact
+/// up to degree 5.
+Matrix<long double, monomials, 6> edge_integrals() {
+  Matrix<long double, monomials, 6> edges = Matrix<long double, monomials, 6>::Zero();
+  const Matrix<long double, 2, 3> vertex =
+      (Matrix<long double, 2, 3>() << 0, 1, 0, 0, 0, 1).finished();
   const long double root = std::sqrt(0.15L), gauss[] = {0.5L - root, 0.5L, 0.5L + root};
   const long double weight[] = {5.0L / 18, 8.0L / 18, 5.0L / 18};
   for (int k = 0; k < 3; ++k)
@@ -97,11 +103,12 @@ Eigen::Matrix<long double, monomials, 6> edge_integrals() {
 
 Reference solve_reference() {
   LongProducts mass;
-  Eigen::Matrix<long double, monomials, 3> hats;  // int phi_v m_i
-  Eigen::Matrix<long double, monomials, 2> slopes;
+  Matrix<long double, monomials, 3> hats;  // int phi_v m_i
+  Matrix<long double, monomials, 2> slopes;
   for (int i = 0; i < monomials; ++i) {
     const auto [p, q] = exponents[i];
-    for (int j = 0; j < monomials; ++j) mass(i, j) = integral(p + exponents[j].p, q + exponents[j].q);
+    for (int j = 0; j < monomials; ++j)
+      mass(i, j) = integral(p + exponents[j].p, q + exponents[j].q);
     hats(i, 1) = integral(p + 1, q);
     hats(i, 2) = integral(p, q + 1);
     hats(i, 0) = integral(p, q) - hats(i, 1) - hats(i, 2);
@@ -110,20 +117,23 @@ Reference solve_reference() {
       slopes(i, a) = factor * integral(m.p, m.q);
     }
   }
-  const LongProducts gram = mass + products_of_derivatives(0, 0) + products_of_derivatives(1, 1);
+  const LongProducts gram =
+      mass + products_of_derivatives(0, 0) + products_of_derivatives(1, 1);
   const Eigen::LLT<LongProducts> llt(gram);
   const LongProducts T = llt.matrixL().solve(LongProducts::Identity());
-  const Eigen::Matrix<long double, 3, 3> hat_mass =
-      (Eigen::Matrix<long double, 3, 3>::Ones() + Eigen::Matrix<long double, 3, 3>::Identity()) / 24;
+  const Matrix<long double, 3, 3> hat_mass =
+      (Matrix<long double, 3, 3>::Ones() + Matrix<long double, 3, 3>::Identity()) / 24;
   Reference result;
   result.basis = T.cast<double>();
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b)
-      result.gradients[a][b] = (T * products_of_derivatives(a, b) * T.transpose()).cast<double>();
+      result.gradients[a][b] =
+          (T * products_of_derivatives(a, b) * T.transpose()).cast<double>();
   result.slopes = (T * slopes).cast<double>();
   result.edges = (T * edge_integrals()).cast<double>();
   result.body = (T * hats * hat_mass.inverse()).cast<double>();
-  result.linear = LongProducts(llt.matrixL()).topRows<3>().transpose().cast<double>();  // m = L b
+  // m = L b
+  result.linear = LongProducts(llt.matrixL()).topRows<3>().transpose().cast<double>();
   return result;
 }
 
@@ -132,51 +142,56 @@ const Reference& reference() {
   return integrals;
 }
 
-Eigen::Matrix2d map_of(const TriangleCorners& corners) {
-  Eigen::Matrix2d B;
+Matrix2d map_of(const TriangleCorners& corners) {
+  Matrix2d B;
   B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
   return B;
 }
 
 /// Voigt strain of u grad' with engineering shear: strain = E(gradient) u.
-Eigen::Matrix<double, 3, 2> strain_operator(const Eigen::Vector2d& gradient) {
-  Eigen::Matrix<double, 3, 2> E;
+Matrix<double, 3, 2> strain_operator(const Vector2d& gradient) {
+  Matrix<double, 3, 2> E;
   E << gradient.x(), 0, 0, gradient.y(), gradient.y(), gradient.x();
   return E;
 }
 
 /// int C eps(b_j e_d) : eps(b_i e_c), unknown 2 i + c.
-Eigen::MatrixXd stiffness_of(const Eigen::Matrix2d& B, const Eigen::Matrix3d& hooke) {
-  const Eigen::Matrix2d inverse = B.inverse();
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(unknowns, unknowns);
+MatrixXd stiffness_of(const Matrix2d& B, const Matrix3d& hooke) {
+  const Matrix2d inverse = B.inverse();
+  MatrixXd K = MatrixXd::Zero(unknowns, unknowns);
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
-      const Eigen::Matrix2d block =
-          B.determinant() * strain_operator(inverse.row(a)).transpose() * hooke * strain_operator(inverse.row(b));
+      const Matrix2d block = B.determinant() *
+                             strain_operator(inverse.row(a)).transpose() * hooke *
+                             strain_operator(inverse.row(b));
       for (int i = 0; i < monomials; ++i)
-        for (int j = 0; j < monomials; ++j) K.block<2, 2>(2 * i, 2 * j) += reference().gradients[a][b](i, j) * block;
+        for (int j = 0; j < monomials; ++j)
+          K.block<2, 2>(2 * i, 2 * j) += reference().gradients[a][b](i, j) * block;
     }
   return K;
 }
 
 /// Translations and the rotation (-y, x) about x_0, scaled to the size of the triangle.
-Eigen::Matrix<double, unknowns, 3> rigid_motions(const Eigen::Matrix2d& B) {
-  Eigen::Matrix<double, unknowns, 3> Z = Eigen::Matrix<double, unknowns, 3>::Zero();
+Matrix<double, unknowns, 3> rigid_motions(const Matrix2d& B) {
+  Matrix<double, unknowns, 3> Z = Matrix<double, unknowns, 3>::Zero();
   const auto& linear = reference().linear;
   for (int i = 0; i < monomials; ++i) {
     Z(2 * i, 0) = Z(2 * i + 1, 1) = linear(i, 0);
     for (int a = 0; a < 2; ++a)
-      Z.block<2, 1>(2 * i, 2) += linear(i, 1 + a) * Eigen::Vector2d(-B(1, a), B(0, a)) / B.norm();
+      Z.block<2, 1>(2 * i, 2) +=
+          linear(i, 1 + a) * Vector2d(-B(1, a), B(0, a)) / B.norm();
   }
   return Z;
 }
 
-Eigen::VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
-  Eigen::Matrix<double, 2, monomials> load = Eigen::Matrix<double, 2, monomials>::Zero();
+VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
+  Matrix<double, 2, monomials> load = Matrix<double, 2, monomials>::Zero();
   for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector4d density = density_of_moments(on_edges.segment<4>(4 * k), 1);  // times the edge's length
+    // times the edge's length
+    const Vector4d density = density_of_moments(on_edges.segment<4>(4 * k), 1);
     for (int end = 0; end < 2; ++end)
-      load += density.segment<2>(2 * end) * reference().edges.col(2 * k + end).transpose();
+      load +=
+          density.segment<2>(2 * end) * reference().edges.col(2 * k + end).transpose();
     load += body_loads.segment<2>(2 * k) * reference().body.col(k).transpose();
   }
   return load.reshaped();
@@ -184,26 +199,30 @@ Eigen::VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) 
 
 }  // namespace
 
-PolynomialStress polynomial_stress(const TriangleCorners& corners, const Eigen::Matrix3d& hooke,
-                                   const EdgeLoads& on_edges, const BodyLoads& body_loads) {
-  const Eigen::Matrix2d B = map_of(corners);
-  Eigen::MatrixXd K = stiffness_of(B, hooke);
-  const Eigen::Matrix<double, unknowns, 3> Z = rigid_motions(B);
-  K += K.trace() / unknowns * Z * Z.transpose();  // balanced loads: w without rigid motion solves both systems
+PolynomialStress polynomial_stress(const TriangleCorners& corners, const Matrix3d& hooke,
+                                   const EdgeLoads& on_edges,
+                                   const BodyLoads& body_loads) {
+  const Matrix2d B = map_of(corners);
+  MatrixXd K = stiffness_of(B, hooke);
+  const Matrix<double, unknowns, 3> Z = rigid_motions(B);
+  // balanced loads: w without rigid motion solves both systems
+  K += K.trace() / unknowns * Z * Z.transpose();
   PolynomialStress stress{corners, hooke, {}};
   stress.displacement.reshaped() = Cholesky(K).solve(load_of(on_edges, body_loads));
   return stress;
 }
 
-Eigen::Vector3d stress_at(const PolynomialStress& stress, const Eigen::Vector2d& point) {
-  const Eigen::Matrix2d inverse = map_of(stress.corners).inverse();
-  const Eigen::Vector2d xi = inverse * (point - stress.corners.col(0));
-  const Eigen::Matrix<double, 2, monomials> w = stress.displacement * reference().basis;  // on the monomials
-  Eigen::Vector3d strain = Eigen::Vector3d::Zero();
+Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point) {
+  const Matrix2d inverse = map_of(stress.corners).inverse();
+  const Vector2d xi = inverse * (point - stress.corners.col(0));
+  // on the monomials
+  const Matrix<double, 2, monomials> w = stress.displacement * reference().basis;
+  Vector3d strain = Vector3d::Zero();
   for (int i = 0; i < monomials; ++i)
     for (int a = 0; a < 2; ++a) {
       const auto [factor, m] = derivative(i, a);
-      const auto value = static_cast<double>(factor * monomial(m.p, m.q, xi.cast<long double>()));
+      const auto value =
+          static_cast<double>(factor * monomial(m.p, m.q, xi.cast<long double>()));
       strain += value * strain_operator(inverse.row(a)) * w.col(i);
     }
   return stress.hooke * strain;
@@ -212,18 +231,20 @@ Eigen::Vector3d stress_at(const PolynomialStress& stress, const Eigen::Vector2d&
 CompositeStress corner_values(const PolynomialStress& stress) {
   CompositeStress values;
   for (int k = 0; k < 3; ++k) {
-    for (int c = 0; c < 2; ++c) values.col(3 * k + c) = stress_at(stress, stress.corners.col((k + 1 + c) % 3));
+    for (int c = 0; c < 2; ++c)
+      values.col(3 * k + c) = stress_at(stress, stress.corners.col((k + 1 + c) % 3));
     values.col(3 * k + 2) = stress_at(stress, stress.corners.rowwise().mean());
   }
   return values;
 }
 
-double energy(const PolynomialStress& stress, const Eigen::Vector3d& constant) {
-  const Eigen::Matrix2d B = map_of(stress.corners), inverse = B.inverse();
-  const Eigen::VectorXd w = stress.displacement.reshaped();
-  Eigen::Vector3d strain = Eigen::Vector3d::Zero();  // int eps(w)
+double energy(const PolynomialStress& stress, const Vector3d& constant) {
+  const Matrix2d B = map_of(stress.corners), inverse = B.inverse();
+  const VectorXd w = stress.displacement.reshaped();
+  Vector3d strain = Vector3d::Zero();  // int eps(w)
   for (int a = 0; a < 2; ++a)
-    strain += B.determinant() * strain_operator(inverse.row(a)) * (stress.displacement * reference().slopes.col(a));
+    strain += B.determinant() * strain_operator(inverse.row(a)) *
+              (stress.displacement * reference().slopes.col(a));
   return w.dot(stiffness_of(B, stress.hooke) * w) + 2 * constant.dot(strain) +
          B.determinant() / 2 * constant.dot(stress.hooke.inverse() * constant);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/airy_energy.hpp"
 #include "ffcontact/equilibrium/star_corrections.hpp"
@@ -15,44 +16,51 @@ struct StarSetting {
   AirySpace space;
   const Stars& stars;
   const BoundaryTractions& boundary;
-  std::unique_ptr<AiryEnergy[]> energies;  ///< per triangle, from the tractions before the relaxation
+  /// per triangle, from the tractions before the relaxation
+  std::unique_ptr<AiryEnergy[]> energies;
 };
 
 /// @param difference  edge loads of sigma_hat - C eps(u_hat) before the relaxation
 /// @param body_loads  int f phi_i per triangle
-StarSetting star_setting(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
-                         const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
+StarSetting star_setting(const Mesh& mesh, const Edges& edges, const Stars& stars,
+                         const Hooke& hooke, const BoundaryTractions& boundary,
+                         const BodyLoadsOfAll& body_loads,
                          const EdgeLoadsOfAll& difference);
 
-/// The energy of the corrections y of one star, y'Hy + 2 g'y. Stars of up to Max - 3 spokes need no memory of their own.
+/// The energy of the corrections y of one star, y'Hy + 2 g'y. Stars of up to Max - 3
+/// spokes need no memory of their own.
 template <int Max>
 struct StarEnergy {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, Max, Max> H;  ///< lower triangle
-  Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, Max, 1> g;
+  Matrix<double, Dynamic, Dynamic, Eigen::ColMajor, Max, Max> H;  ///< lower triangle
+  Matrix<double, Dynamic, 1, Eigen::ColMajor, Max, 1> g;
 
   /// @param airy  the corrections made so far
-  StarEnergy(const StarSetting& setting, int vertex, const Eigen::VectorXd& airy) {
+  StarEnergy(const StarSetting& setting, int vertex, const VectorXd& airy) {
     const Stars& stars = setting.stars;
     const int n = star_unknowns(stars, vertex), spokes = n - 3;
     H.setZero(n, n);
     g.setZero(n);
     for (int k = 0; k < stars.triangle_count(vertex); ++k) {
       const int place = stars.triangle_start[vertex] + k;
-      add(setting, stars.triangle[place], stars.local[place], airy, 3 + k, 3 + (k + 1) % spokes);
+      add(setting, stars.triangle[place], stars.local[place], airy, 3 + k,
+          3 + (k + 1) % spokes);
     }
   }
 
  private:
-  /// A triangle with the vertex as its local vertex i, edge i + 2 as its right spoke and edge i + 1 as its left one.
-  void add(const StarSetting& setting, int t, int i, const Eigen::VectorXd& airy, int right, int left) {
+  /// A triangle with the vertex as its local vertex i, edge i + 2 as its right spoke and
+  /// edge i + 1 as its left one.
+  void add(const StarSetting& setting, int t, int i, const VectorXd& airy, int right,
+           int left) {
     const AiryEnergy& K = setting.energies[t];
     const LocalAiry x = local_airy(setting.space, airy, t, i);
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     for (int c = 0; c < 3; ++c) {
-      double slope = K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] + K.edge[a](c, 2) * x.on_edges[1] +
-                     K.edge[b](c, 1) * x.on_edges[2];
+      double slope = K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] +
+                     K.edge[a](c, 2) * x.on_edges[1] + K.edge[b](c, 1) * x.on_edges[2];
       for (int d = 0; d < 3; ++d)
-        slope += K.own[i](c, d) * x.at_vertices(d, 0) + K.next[i](c, d) * x.at_vertices(d, 1) +
+        slope += K.own[i](c, d) * x.at_vertices(d, 0) +
+                 K.next[i](c, d) * x.at_vertices(d, 1) +
                  K.next[b](d, c) * x.at_vertices(d, 2);
       g[c] += slope;
       for (int d = 0; d <= c; ++d) H(c, d) += K.own[i](c, d);
@@ -61,15 +69,17 @@ struct StarEnergy {
     }
     double on_right = K.slope.on_edges[b], on_left = K.slope.on_edges[a];
     for (int c = 0; c < 3; ++c) {
-      on_right += K.edge[b](c, 0) * x.at_vertices(c, 2) + K.edge[b](c, 1) * x.at_vertices(c, 0) +
+      on_right += K.edge[b](c, 0) * x.at_vertices(c, 2) +
+                  K.edge[b](c, 1) * x.at_vertices(c, 0) +
                   K.edge[b](c, 2) * x.at_vertices(c, 1);
-      on_left += K.edge[a](c, 0) * x.at_vertices(c, 1) + K.edge[a](c, 1) * x.at_vertices(c, 2) +
+      on_left += K.edge[a](c, 0) * x.at_vertices(c, 1) +
+                 K.edge[a](c, 1) * x.at_vertices(c, 2) +
                  K.edge[a](c, 2) * x.at_vertices(c, 0);
     }
-    g[right] +=
-        on_right + K.edge_own[b] * x.on_edges[2] + K.edge_next[b] * x.on_edges[0] + K.edge_next[a] * x.on_edges[1];
-    g[left] +=
-        on_left + K.edge_own[a] * x.on_edges[1] + K.edge_next[a] * x.on_edges[2] + K.edge_next[i] * x.on_edges[0];
+    g[right] += on_right + K.edge_own[b] * x.on_edges[2] +
+                K.edge_next[b] * x.on_edges[0] + K.edge_next[a] * x.on_edges[1];
+    g[left] += on_left + K.edge_own[a] * x.on_edges[1] + K.edge_next[a] * x.on_edges[2] +
+               K.edge_next[i] * x.on_edges[0];
     H(right, right) += K.edge_own[b];
     H(left, left) += K.edge_own[a];
     H(std::max(right, left), std::min(right, left)) += K.edge_next[a];

@@ -11,31 +11,40 @@
 namespace ffcontact {
 
 struct RelaxationSettings {
-  int sweeps = 2;        ///< at most; fewer where one no longer lowers e
-  double tightness = 0;  ///< stop when the last sweep lowered e by less than this fraction; 0: do all sweeps
+  int sweeps = 2;  ///< at most; fewer where one no longer lowers e
+  /// stop when the last sweep lowered e by less than this fraction; 0: do all sweeps
+  double tightness = 0;
 };
 
-/// Star relaxation: lowers e^2 = |sigma_hat - C eps(u_hat)|^2 + contact part, and keeps equilibrium exactly.
+/// Star relaxation: lowers e^2 = |sigma_hat - C eps(u_hat)|^2 + contact part, and keeps
+/// equilibrium exactly.
 ///
-/// The corrections are one Airy function (AirySpace), from zero: every triangle's energy is a fixed form in its unknowns, set up
-/// once (AiryEnergy), and equilibrium keeps to rounding however many sweeps there are. A sweep solves the small problem of every
-/// vertex, its three unknowns and those of its spokes, in turn: Gauss-Seidel. Known traction components of boundary edges stay
-/// as they are (psi_c = 0 at i and at the middle of the spoke). After the vertices away from free contact edges the sum d of
-/// the sweep's corrections and the last combined direction p are weighed once more,
+/// The corrections are one Airy function (AirySpace), from zero: every triangle's energy
+/// is a fixed form in its unknowns, set up once (AiryEnergy), and equilibrium keeps to
+/// rounding however many sweeps there are. A sweep solves the small problem of every
+/// vertex, its three unknowns and those of its spokes, in turn: Gauss-Seidel. Known
+/// traction components of boundary edges stay as they are (psi_c = 0 at i and at the
+/// middle of the spoke). After the vertices away from free contact edges the sum d of the
+/// sweep's corrections and the last combined direction p are weighed once more,
 ///     min over alpha, beta of e(sigma_hat + alpha d + beta p),
-/// which nearly incompressible bodies need: without it their error falls by half as much in a sweep. At a vertex on free
-/// contact edges the end values of r_hat are unknowns too, kept in the cone by linear inequalities; where the line faces
-/// another body, whose trace must match, the facing vertices are relaxed together, with r_hat on one and -r_hat on the other.
+/// which nearly incompressible bodies need: without it their error falls by half as much
+/// in a sweep. At a vertex on free contact edges the end values of r_hat are unknowns
+/// too, kept in the cone by linear inequalities; where the line faces another body, whose
+/// trace must match, the facing vertices are relaxed together, with r_hat on one and
+/// -r_hat on the other.
 ///
 /// The relaxation ends where a sweep no longer changes a digit of e.
 ///
-/// Vertices of one colour share no triangle and run in parallel; the result does not depend on the number of threads.
+/// Vertices of one colour share no triangle and run in parallel; the result does not
+/// depend on the number of threads.
 /// @param body_loads  int f phi_i per triangle
 /// @param difference  edge loads of sigma_hat - C eps(u_hat), relaxed in place
 /// @param contact     r_hat, relaxed in place; null keeps it fixed
 /// @return what e^2 fell by in every sweep [N/mm per unit thickness times mm]
-std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars, const Hooke& hooke,
-                                const BoundaryTractions& boundary, const BodyLoadsOfAll& body_loads,
-                                const RelaxationSettings& settings, EdgeLoadsOfAll& difference, FreeContact* contact);
+std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars,
+                                const Hooke& hooke, const BoundaryTractions& boundary,
+                                const BodyLoadsOfAll& body_loads,
+                                const RelaxationSettings& settings,
+                                EdgeLoadsOfAll& difference, FreeContact* contact);
 
 }  // namespace ffcontact

@@ -12,15 +12,18 @@ namespace ffcontact {
 
 namespace {
 
-/// A free component lowers no node whose normal has less of it than this: it would be rounding of the normal.
+/// A free component lowers no node whose normal has less of it than this: it would be
+/// rounding of the normal.
 constexpr double along_the_line = 1e-9;
-/// No vertex moves farther than this, against the largest displacement or gap, to lower a node.
+/// No vertex moves farther than this, against the largest displacement or gap, to lower a
+/// node.
 constexpr double farthest = 1e3;
 
 /// Some vertices that move together, and the nodes on them.
 class MovingVertices {
  public:
-  MovingVertices(const ContactLine& line, const std::map<int, std::vector<int>>& nodes_of_vertex,
+  MovingVertices(const ContactLine& line,
+                 const std::map<int, std::vector<int>>& nodes_of_vertex,
                  const std::vector<int>& vertices)
       : line_(line), vertices_(vertices) {
     for (const int v : vertices)
@@ -28,38 +31,43 @@ class MovingVertices {
         nodes_.insert(nodes_.end(), nodes->second.begin(), nodes->second.end());
   }
 
-  /// The smallest change of the free components after which no node penetrates [2 x vertices]; nothing if there is none.
+  /// The smallest change of the free components after which no node penetrates [2 x
+  /// vertices]; nothing if there is none.
   /// @param penetration  u_n - gap of all nodes of the line
   /// @param largest      change of a component
-  std::optional<Eigen::Matrix2Xd> lowering(const Eigen::VectorXd& penetration, const std::vector<char>& prescribed,
-                                           double largest) const {
-    const auto size = 2 * static_cast<Eigen::Index>(vertices_.size());
-    const Eigen::VectorXd deep = penetration(nodes_);
-    if (deep.maxCoeff() <= 0) return Eigen::Matrix2Xd(Eigen::Matrix2Xd::Zero(2, size / 2));
-    const auto change =
-        quadratic_minimum(Eigen::MatrixXd::Identity(size, size), Eigen::VectorXd::Zero(size), away(prescribed), deep);
+  std::optional<Matrix2Xd> lowering(const VectorXd& penetration,
+                                    const std::vector<char>& prescribed,
+                                    double largest) const {
+    const auto size = 2 * static_cast<Index>(vertices_.size());
+    const VectorXd deep = penetration(nodes_);
+    if (deep.maxCoeff() <= 0) return Matrix2Xd(Matrix2Xd::Zero(2, size / 2));
+    const auto change = quadratic_minimum(MatrixXd::Identity(size, size),
+                                          VectorXd::Zero(size), away(prescribed), deep);
     if (!change || change->cwiseAbs().maxCoeff() > largest) return std::nullopt;
-    return Eigen::Matrix2Xd(change->reshaped(2, size / 2));
+    return Matrix2Xd(change->reshaped(2, size / 2));
   }
 
  private:
   /// - [u] . n of each node for the free components [nodes x 2 vertices].
-  Eigen::MatrixXd away(const std::vector<char>& prescribed) const {
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(nodes_.size(), 2 * vertices_.size());
+  MatrixXd away(const std::vector<char>& prescribed) const {
+    MatrixXd rows = MatrixXd::Zero(nodes_.size(), 2 * vertices_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       add(k, line_.vertex[nodes_[k]], -1, rows);
-      visit_opposite(line_, nodes_[k], [&](int vertex, double weight) { add(k, vertex, weight, rows); });
+      visit_opposite(line_, nodes_[k],
+                     [&](int vertex, double weight) { add(k, vertex, weight, rows); });
     }
     for (std::size_t j = 0; j < vertices_.size(); ++j)
       for (int c = 0; c < 2; ++c)
-        if (!prescribed.empty() && prescribed[2 * vertices_[j] + c]) rows.col(2 * j + c).setZero();
+        if (!prescribed.empty() && prescribed[2 * vertices_[j] + c])
+          rows.col(2 * j + c).setZero();
     return (rows.array().abs() < along_the_line).select(0, rows);
   }
 
-  void add(std::size_t k, int vertex, double weight, Eigen::MatrixXd& rows) const {
+  void add(std::size_t k, int vertex, double weight, MatrixXd& rows) const {
     const auto place = std::find(vertices_.begin(), vertices_.end(), vertex);
     if (place == vertices_.end()) return;
-    rows.block<1, 2>(k, 2 * (place - vertices_.begin())) += weight * line_.normal.col(nodes_[k]).transpose();
+    rows.block<1, 2>(k, 2 * (place - vertices_.begin())) +=
+        weight * line_.normal.col(nodes_[k]).transpose();
   }
 
   const ContactLine& line_;
@@ -67,44 +75,48 @@ class MovingVertices {
   std::vector<int> nodes_;
 };
 
-double displacement_scale(const ContactLaw& law, const Eigen::Ref<const Eigen::VectorXd>& displacement) {
+double displacement_scale(const ContactLaw& law,
+                          const Ref<const VectorXd>& displacement) {
   const double largest = displacement.cwiseAbs().maxCoeff();
   return law.gap.size() > 0 ? std::max(largest, law.gap.cwiseAbs().maxCoeff()) : largest;
 }
 
 }  // namespace
 
-Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
-                                        const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                                        const std::vector<char>& prescribed) {
+VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
+                                 const Ref<const VectorXd>& displacement,
+                                 const std::vector<char>& prescribed) {
   std::map<int, std::vector<int>> nodes_of_vertex;
-  for (int i = 0; i < line.node_count(); ++i) nodes_of_vertex[line.vertex[i]].push_back(i);
+  for (int i = 0; i < line.node_count(); ++i)
+    nodes_of_vertex[line.vertex[i]].push_back(i);
 
-  Eigen::VectorXd admissible = displacement;
+  VectorXd admissible = displacement;
   const auto penetration = [&] {
-    return Eigen::VectorXd(displacement_against_foundation(line, law, admissible).row(0));
+    return VectorXd(displacement_against_foundation(line, law, admissible).row(0));
   };
   const double scale = displacement_scale(law, displacement);
-  const auto lower = [&](const std::vector<int>& vertices, const Eigen::VectorXd& deep) {
-    const auto change = MovingVertices(line, nodes_of_vertex, vertices).lowering(deep, prescribed, farthest * scale);
+  const auto lower = [&](const std::vector<int>& vertices, const VectorXd& deep) {
+    const auto change = MovingVertices(line, nodes_of_vertex, vertices)
+                            .lowering(deep, prescribed, farthest * scale);
     for (std::size_t j = 0; change && j < vertices.size(); ++j)
       admissible.segment<2>(2 * vertices[j]) += change->col(j);
     return change.has_value();
   };
   std::vector<int> stuck;
-  const Eigen::VectorXd before = penetration();
+  const VectorXd before = penetration();
   for (const auto& [vertex, nodes] : nodes_of_vertex)
     if (!lower({vertex}, before)) stuck.push_back(vertex);
   if (stuck.empty() || !line.against_a_body()) return admissible;
   for (const std::vector<int>& group : contact_groups(line))
-    if (std::find_first_of(group.begin(), group.end(), stuck.begin(), stuck.end()) != group.end())
+    if (std::find_first_of(group.begin(), group.end(), stuck.begin(), stuck.end()) !=
+        group.end())
       lower(group, penetration());
   return admissible;
 }
 
 PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
-                                     const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+                                     const Ref<const VectorXd>& displacement) {
+  const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
   PenetrationDefect defect;
   const double deepest = w.row(0).maxCoeff(&defect.node);
   if (deepest > 0) defect.value = deepest / displacement_scale(law, displacement);

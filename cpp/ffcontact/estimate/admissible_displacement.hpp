@@ -3,29 +3,33 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 
 namespace ffcontact {
 
-/// u_hat: the displacement with u_n - gap lowered to min(u_n - gap, 0) at the contact nodes, nothing else changed [CHH01, 4.1].
-/// Needed for M'_h only; a displacement that does not penetrate comes back as it is.
-/// At a vertex with two nodes, or with a prescribed component, it is the smallest change that keeps all of them; where the vertex
-/// cannot move so, the vertices that face it on another body move with it. Where there is no such change, as where prescribed
-/// components push a vertex into the foundation, or only one of 1000 times the largest displacement or gap, nothing is changed (see
-/// penetration_defect).
+/// u_hat: the displacement with u_n - gap lowered to min(u_n - gap, 0) at the contact
+/// nodes, nothing else changed [CHH01, 4.1]. Needed for M'_h only; a displacement that
+/// does not penetrate comes back as it is. At a vertex with two nodes, or with a
+/// prescribed component, it is the smallest change that keeps all of them; where the
+/// vertex cannot move so, the vertices that face it on another body move with it. Where
+/// there is no such change, as where prescribed components push a vertex into the
+/// foundation, or only one of 1000 times the largest displacement or gap, nothing is
+/// changed (see penetration_defect).
 /// @param displacement  u_h on all dofs [mm]
 /// @param prescribed    1 where the dof is prescribed and stays; empty for none
-Eigen::VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
-                                        const Eigen::Ref<const Eigen::VectorXd>& displacement,
-                                        const std::vector<char>& prescribed = {});
+VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
+                                 const Ref<const VectorXd>& displacement,
+                                 const std::vector<char>& prescribed = {});
 
-/// How far a displacement penetrates: the largest u_n - gap at the nodes, relative to the largest displacement or gap; 0 where it
-/// keeps clear. Between the nodes all of it is linear.
+/// How far a displacement penetrates: the largest u_n - gap at the nodes, relative to the
+/// largest displacement or gap; 0 where it keeps clear. Between the nodes all of it is
+/// linear.
 struct PenetrationDefect {
   double value = 0;
   int node = 0;  ///< where
 };
 PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
-                                     const Eigen::Ref<const Eigen::VectorXd>& displacement);
+                                     const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

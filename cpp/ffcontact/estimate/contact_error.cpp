@@ -22,7 +22,8 @@ template <class Quadratic>
 std::vector<double> zeros(Quadratic&& f) {
   const double start = f(0.0), middle = f(0.5), end = f(1.0);
   const double a = 2 * (start - 2 * middle + end), b = -3 * start + 4 * middle - end;
-  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * start)), q = -0.5 * (b + std::copysign(root, b));
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * start)),
+               q = -0.5 * (b + std::copysign(root, b));
   std::vector<double> inside;
   for (double x : {q / a, start / q})
     if (x > 0 && x < 1) inside.push_back(x);
@@ -35,25 +36,32 @@ struct EdgeFields {
   bool tresca, limited;
   Linear limit;  ///< the shear limit of Coulomb's law, if it is limited
 
-  double density(double x) const { return bound(x) * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) + rn.at(x) * wn.at(x); }
+  double density(double x) const {
+    return bound(x) * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) + rn.at(x) * wn.at(x);
+  }
   double bound(double x) const {
     if (tresca) return coefficient.at(x);
     return at_limit(x) ? limit.at(x) : coefficient.at(x) * std::abs(rn.at(x));
   }
-  bool at_limit(double x) const { return limited && coefficient.at(x) * std::abs(rn.at(x)) > limit.at(x); }
+  bool at_limit(double x) const {
+    return limited && coefficient.at(x) * std::abs(rn.at(x)) > limit.at(x);
+  }
 
   /// Where the bound has a kink, or where w_t and with it |w_t| changes sign.
   std::vector<double> breaks() const {
     std::vector<double> places{wt.zero(), rn.zero()};
     if (!limited) return places;
     for (const int sign : {1, -1})
-      for (double x : zeros([&](double s) { return sign * coefficient.at(s) * rn.at(s) - limit.at(s); }))
+      for (double x : zeros([&](double s) {
+             return sign * coefficient.at(s) * rn.at(s) - limit.at(s);
+           }))
         places.push_back(x);
     return places;
   }
 };
 
-/// Integral over (0, 1) of a function that is a cubic between its breaks, for which two Gauss points are exact.
+/// Integral over (0, 1) of a function that is a cubic between its breaks, for which two
+/// Gauss points are exact.
 template <class Function>
 double integral(std::vector<double> breaks, Function&& f) {
   breaks.insert(breaks.end(), {0, 1});
@@ -61,21 +69,23 @@ double integral(std::vector<double> breaks, Function&& f) {
   const double gauss = 0.5 / std::sqrt(3.0);
   double sum = 0;
   for (std::size_t piece = 0; piece + 1 < breaks.size(); ++piece) {
-    const double width = breaks[piece + 1] - breaks[piece], middle = 0.5 * (breaks[piece] + breaks[piece + 1]);
+    const double width = breaks[piece + 1] - breaks[piece],
+                 middle = 0.5 * (breaks[piece] + breaks[piece + 1]);
     sum += 0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
   }
   return sum;
 }
 
-EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
-                       const Eigen::Matrix2Xd& w, int e) {
+EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
+                       const ContactDensities& densities, const Matrix2Xd& w, int e) {
   const int i = line.edge_node(0, e), j = line.edge_node(1, e);
   EdgeFields edge{};
   edge.wn = {w(0, i), w(0, j)};
   edge.wt = {w(1, i), w(1, j)};
   edge.rn = {densities.normal(0, e), densities.normal(1, e)};
   edge.rt = {densities.tangential(0, e), densities.tangential(1, e)};
-  const Eigen::Vector2d most = most_coefficient(line, law, e), limit = most_shear_limit(line, law, e);
+  const Vector2d most = most_coefficient(line, law, e),
+                 limit = most_shear_limit(line, law, e);
   edge.coefficient = {most[0], most[1]};
   edge.tresca = law.tresca();
   edge.limited = law.limited();
@@ -85,21 +95,24 @@ EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law, const Con
 
 }  // namespace
 
-Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
-                              const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-  Eigen::VectorXd error(line.edge_count());
+VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
+                       const ContactDensities& densities,
+                       const Ref<const VectorXd>& displacement) {
+  const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  VectorXd error(line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, densities, w, e);
-    error[e] = 2 * line.length[e] * integral(edge.breaks(), [&](double x) { return edge.density(x); });
+    error[e] = 2 * line.length[e] *
+               integral(edge.breaks(), [&](double x) { return edge.density(x); });
   }
   return error;
 }
 
-TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
-                             const Eigen::Ref<const Eigen::VectorXd>& displacement) {
-  const Eigen::Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-  TractionCosts costs{Eigen::Matrix2Xd(2, line.edge_count()), Eigen::Matrix2Xd(2, line.edge_count())};
+TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
+                             const ContactDensities& densities,
+                             const Ref<const VectorXd>& displacement) {
+  const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  TractionCosts costs{Matrix2Xd(2, line.edge_count()), Matrix2Xd(2, line.edge_count())};
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, densities, w, e);
     for (int end = 0; end < 2; ++end) {
@@ -110,7 +123,9 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law, con
         return phi.at(x) * (edge.wn.at(x) - slip);
       };
       costs.normal(end, e) = 2 * line.length[e] * integral(edge.breaks(), normal);
-      costs.tangential(end, e) = 2 * line.length[e] * integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
+      costs.tangential(end, e) = 2 * line.length[e] * integral({}, [&](double x) {
+                                   return phi.at(x) * edge.wt.at(x);
+                                 });
     }
   }
   return costs;

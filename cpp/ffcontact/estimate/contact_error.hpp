@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/cone_correction.hpp"
 
 namespace ffcontact {
 
 /// The contact part of e^2 on each contact edge, exactly [N/mm times mm]:
 ///     2 int (mu |r_n| |w_t| + r_t w_t + r_n (w_n - gap))      [CHH01, (2.11)], with k |w_t| for Tresca's law (2.19) and
-/// min(mu |r_n|, k) |w_t| with a shear limit k. mu and k are the law's upper bounds along the edge (most_coefficient,
-/// most_shear_limit). Each edge is split where w_t or r_n changes sign, and where mu |r_n| = k.
-/// Inside the cone and without penetration every value is >= 0; the indicator functions are left out: outside the cone the value
-/// has no meaning as a bound and can be negative.
+/// min(mu |r_n|, k) |w_t| with a shear limit k. mu and k are the law's upper bounds along
+/// the edge (most_coefficient, most_shear_limit). Each edge is split where w_t or r_n
+/// changes sign, and where mu |r_n| = k. Inside the cone and without penetration every
+/// value is >= 0; the indicator functions are left out: outside the cone the value has no
+/// meaning as a bound and can be negative.
 /// @param displacement  u_hat on all dofs [mm]
-Eigen::VectorXd contact_error(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
-                              const Eigen::Ref<const Eigen::VectorXd>& displacement);
+VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
+                       const ContactDensities& densities,
+                       const Ref<const VectorXd>& displacement);
 
-/// What the end values of r_hat cost in the contact part of e^2 when r_hat is in the cone, [mm^2]:
+/// What the end values of r_hat cost in the contact part of e^2 when r_hat is in the
+/// cone, [mm^2]:
 ///     cost_n = 2 int phi (-mu |w_t| + w_n - gap)   (Tresca: 2 int phi (w_n - gap)),   cost_t = 2 int phi w_t
-/// at the two ends of each edge [2 x m]. For Tresca's law the constant 2 int k |w_t| is left out. With a shear limit mu |w_t| counts
-/// where -mu r_n is below the limit k for the given densities: min(-mu r_n, k) is concave in r_n, so that this is never below its
-/// change.
+/// at the two ends of each edge [2 x m]. For Tresca's law the constant 2 int k |w_t| is
+/// left out. With a shear limit mu |w_t| counts where -mu r_n is below the limit k for
+/// the given densities: min(-mu r_n, k) is concave in r_n, so that this is never below
+/// its change.
 struct TractionCosts {
-  Eigen::Matrix2Xd normal, tangential;
+  Matrix2Xd normal, tangential;
 };
-TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
-                             const Eigen::Ref<const Eigen::VectorXd>& displacement);
+TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
+                             const ContactDensities& densities,
+                             const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

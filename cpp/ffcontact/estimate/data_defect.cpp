@@ -16,10 +16,10 @@ namespace {
 constexpr double tolerance = 1e-6;
 
 /// A field without order, between -1 and 1, and 0 where a dof is prescribed.
-Eigen::VectorXd probe(const std::vector<char>& prescribed) {
-  Eigen::VectorXd z(static_cast<Eigen::Index>(prescribed.size()));
+VectorXd probe(const std::vector<char>& prescribed) {
+  VectorXd z(static_cast<Index>(prescribed.size()));
   unsigned number = 1;
-  for (Eigen::Index dof = 0; dof < z.size(); ++dof) {
+  for (Index dof = 0; dof < z.size(); ++dof) {
     number = number * 1664525u + 1013904223u;  // Numerical Recipes' generator
     z[dof] = prescribed[dof] ? 0 : number / 2147483648.0 - 1;
   }
@@ -27,26 +27,27 @@ Eigen::VectorXd probe(const std::vector<char>& prescribed) {
 }
 
 /// int C eps(u) : eps(phi) for all phi [N/mm].
-Eigen::VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const Eigen::VectorXd& u) {
-  const Eigen::Matrix3Xd stress = stresses(mesh, hooke, u);
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(u.size());
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const Eigen::Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
+VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
+  const Matrix3Xd stress = stresses(mesh, hooke, u);
+  VectorXd forces = VectorXd::Zero(u.size());
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
     for (int k = 0; k < 3; ++k)
-      forces.segment<2>(2 * mesh.triangles(k, t)) += signed_area(mesh, t) * traction(stress.col(t), gradients.col(k));
+      forces.segment<2>(2 * mesh.cells(k, t)) +=
+          signed_area(mesh, t) * traction(stress.col(t), gradients.col(k));
   }
   return forces;
 }
 
 /// K_ii of one dof.
-double diagonal_of_law(const Mesh& mesh, const Hooke& hooke, Eigen::Index dof) {
-  const Eigen::VectorXd unit = Eigen::VectorXd::Unit(2 * mesh.vertices.cols(), dof);
+double diagonal_of_law(const Mesh& mesh, const Hooke& hooke, Index dof) {
+  const VectorXd unit = VectorXd::Unit(2 * mesh.vertices.cols(), dof);
   return inner_forces(mesh, hooke, unit)[dof];
 }
 
-std::string at_vertex(const Mesh& mesh, Eigen::Index dof) {
+std::string at_vertex(const Mesh& mesh, Index dof) {
   std::ostringstream text;
-  const Eigen::Vector2d x = mesh.origin + mesh.vertices.col(dof / 2);
+  const Vector2d x = mesh.origin + mesh.vertices.col(dof / 2);
   text << "vertex " << dof / 2 << " (" << x.x() << ", " << x.y() << ")";
   return text.str();
 }
@@ -56,7 +57,7 @@ struct Row {
   double sum = 0, terms = 0;
 };
 
-Row row_of(const RowMatrix& A, const Eigen::VectorXd& z, Eigen::Index dof) {
+Row row_of(const RowMatrix& A, const VectorXd& z, Index dof) {
   Row row;
   for (RowMatrix::InnerIterator a(A, dof); a; ++a) {
     row.sum += a.value() * z[a.col()];
@@ -65,85 +66,107 @@ Row row_of(const RowMatrix& A, const Eigen::VectorXd& z, Eigen::Index dof) {
   return row;
 }
 
-/// Forces on all dofs that the loads leave over for contact pressures of the other multiplier.
-Eigen::VectorXd left_over_with_other_multiplier(const Mesh& mesh, const ContactLine& line, const ElasticSystem& system,
-                                                const SolvedBody& body) {
+/// Forces on all dofs that the loads leave over for contact pressures of the other
+/// multiplier.
+VectorXd left_over_with_other_multiplier(const Mesh& mesh, const ContactLine& line,
+                                         const ElasticSystem& system,
+                                         const SolvedBody& body) {
   const bool by_force = body.law.multiplier == Multiplier::force;
-  const Eigen::Matrix2Xd other = by_force
-                                     ? lumped_pressures(line, forces_of(line, body.pressure))
-                                     : multiplier_density(line, Multiplier::force, system.prescribed, body.pressure);
-  Eigen::VectorXd left =
-      inner_forces(mesh, body.hooke, body.displacement) - nodal_forces(mesh, line, edge_densities(line, other));
-  for (int t = 0; t < mesh.triangle_count(); ++t)
-    for (int k = 0; k < 3; ++k) left.segment<2>(2 * mesh.triangles(k, t)) -= body.body_loads.block<2, 1>(2 * k, t);
-  for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e)
+  const Matrix2Xd other =
+      by_force
+          ? lumped_pressures(line, forces_of(line, body.pressure))
+          : multiplier_density(line, Multiplier::force, system.prescribed, body.pressure);
+  VectorXd left = inner_forces(mesh, body.hooke, body.displacement) -
+                  nodal_forces(mesh, line, edge_densities(line, other));
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    for (int k = 0; k < 3; ++k)
+      left.segment<2>(2 * mesh.cells(k, t)) -= body.body_loads.block<2, 1>(2 * k, t);
+  for (Index e = 0; e < mesh.boundary.cols(); ++e)
     for (int end = 0; end < 2; ++end)
       left.segment<2>(2 * mesh.boundary(end, e)) -= body.neumann.block<2, 1>(2 * end, e);
-  for (Eigen::Index dof = 0; dof < left.size(); ++dof)
+  for (Index dof = 0; dof < left.size(); ++dof)
     if (system.prescribed[dof]) left[dof] = 0;
   return left;
 }
 
-const char* name_of(Multiplier multiplier) { return multiplier == Multiplier::force ? "\"force\"" : "\"pressure\""; }
+const char* name_of(Multiplier multiplier) {
+  return multiplier == Multiplier::force ? "\"force\"" : "\"pressure\"";
+}
 
 }  // namespace
 
-void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system, const Hooke& hooke) {
-  const Eigen::VectorXd z = probe(system.prescribed), of_law = inner_forces(mesh, hooke, z);
-  Eigen::VectorXd of_matrix = Eigen::VectorXd::Zero(z.size()), off = of_matrix, terms = of_matrix;
+void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
+                           const Hooke& hooke) {
+  const VectorXd z = probe(system.prescribed), of_law = inner_forces(mesh, hooke, z);
+  VectorXd of_matrix = VectorXd::Zero(z.size()), off = of_matrix, terms = of_matrix;
 #pragma omp parallel for
-  for (Eigen::Index dof = 0; dof < z.size(); ++dof) {
+  for (Index dof = 0; dof < z.size(); ++dof) {
     if (system.prescribed[dof]) continue;
     const Row row = row_of(system.stiffness, z, dof);
     of_matrix[dof] = row.sum;
     terms[dof] = row.terms;
     off[dof] = row.terms > 0 ? std::abs(row.sum - of_law[dof]) / row.terms : 0;
   }
-  Eigen::Index worst;
+  Index worst;
   if (off.maxCoeff(&worst) <= tolerance) return;
 
   const double more = (of_matrix[worst] - of_law[worst]) / z[worst];
-  const double added = system.stiffness.coeff(worst, worst) - diagonal_of_law(mesh, hooke, worst);
+  const double added =
+      system.stiffness.coeff(worst, worst) - diagonal_of_law(mesh, hooke, worst);
   if (std::abs(more - added) <= 1e-3 * std::abs(added))
     refuse("A has ", added, " more on its diagonal at ", at_vertex(mesh, worst),
-           " than lambda and G (or hooke) give: a penalty in place of a prescribed displacement, or a spring; "
+           " than lambda and G (or hooke) give: a penalty in place of a prescribed "
+           "displacement, or a spring; "
            "prescribe with "
            "on() and tgv 1e30, -1 or -2");
   const auto elsewhere = (off.array() <= tolerance).cast<double>();
-  const double factor =
-      ((1 - elsewhere) * of_matrix.array() * of_law.array()).sum() / ((1 - elsewhere) * of_law.array().square()).sum();
+  const double factor = ((1 - elsewhere) * of_matrix.array() * of_law.array()).sum() /
+                        ((1 - elsewhere) * of_law.array().square()).sum();
   const bool multiple =
-      (((of_matrix - factor * of_law).array().abs() <= tolerance * terms.array()) || (off.array() <= tolerance)).all();
+      (((of_matrix - factor * of_law).array().abs() <= tolerance * terms.array()) ||
+       (off.array() <= tolerance))
+          .all();
   if (multiple)
-    refuse("lambda and G (or hooke) are not those of A: A is ", factor, " times the stiffness of the law at ",
-           at_vertex(mesh, worst), "; give the constants of the script's varf");
-  refuse("A is not the stiffness of lambda and G (or hooke): its row of ", at_vertex(mesh, worst), " is off by ",
-         off[worst], " of its terms; give the law of the script's varf in every region, and A without springs");
+    refuse("lambda and G (or hooke) are not those of A: A is ", factor,
+           " times the stiffness of the law at ", at_vertex(mesh, worst),
+           "; give the constants of the script's varf");
+  refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
+         at_vertex(mesh, worst), " is off by ", off[worst],
+         " of its terms; give the law of the script's varf in every region, and A "
+         "without springs");
 }
 
-std::string cause_of(const Imbalance& imbalance, const Mesh& mesh, const ContactLine& line, const ElasticSystem& system,
+std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
+                     const ContactLine& line, const ElasticSystem& system,
                      const SolvedBody& body) {
   const int dof = 2 * imbalance.vertex + imbalance.component;
   if (system.prescribed[dof])
-    return "it is the reaction of a point support, which no admissible stress has: prescribe displacements on whole "
+    return "it is the reaction of a point support, which no admissible stress has: "
+           "prescribe displacements on whole "
            "edges";
   const bool on_line = (line.vertex.array() == imbalance.vertex).any();
-  const Eigen::VectorXd with_other = left_over_with_other_multiplier(mesh, line, system, body);
-  const double scale = inner_forces(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
+  const VectorXd with_other = left_over_with_other_multiplier(mesh, line, system, body);
+  const double scale =
+      inner_forces(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
   if (on_line && std::abs(with_other[dof]) <= tolerance * scale) {
     const Multiplier own = body.law.multiplier;
-    const Multiplier other = own == Multiplier::force ? Multiplier::pressure : Multiplier::force;
-    return std::string("pn and pt fit u with multiplier=") + name_of(other) + ", not with " + name_of(own);
+    const Multiplier other =
+        own == Multiplier::force ? Multiplier::pressure : Multiplier::force;
+    return std::string("pn and pt fit u with multiplier=") + name_of(other) +
+           ", not with " + name_of(own);
   }
   bool on_boundary = false;
-  for (Eigen::Index e = 0; e < mesh.boundary.cols(); ++e)
+  for (Index e = 0; e < mesh.boundary.cols(); ++e)
     on_boundary = on_boundary || (mesh.boundary.col(e).array() == imbalance.vertex).any();
   if (!on_boundary)
-    return "inside the body: give the bodyforce= u was computed with; loads of thermal or initial strains are not "
+    return "inside the body: give the bodyforce= u was computed with; loads of thermal "
+           "or initial strains are not "
            "known here";
   if (on_line)
-    return "on the contact line: give pn and pt of the solution u, and the same label=, normal= and traction=";
-  return "on the boundary: give the traction= u was computed with; loads of thermal or initial strains are not known "
+    return "on the contact line: give pn and pt of the solution u, and the same label=, "
+           "normal= and traction=";
+  return "on the boundary: give the traction= u was computed with; loads of thermal or "
+         "initial strains are not known "
          "here";
 }
 

@@ -9,15 +9,20 @@
 
 namespace ffcontact {
 
-/// Is A the stiffness K of the law? Compares A z with K z on the free dofs for one fixed field z without order that is 0 on the
-/// prescribed dofs; each row to 1e-6 of the terms it sums.
-/// @throws std::invalid_argument  saying by what factor A is off, or where it has something on its diagonal that the law has not (a
+/// Is A the stiffness K of the law? Compares A z with K z on the free dofs for one fixed
+/// field z without order that is 0 on the prescribed dofs; each row to 1e-6 of the terms
+/// it sums.
+/// @throws std::invalid_argument  saying by what factor A is off, or where it has
+///                                something on its diagonal that the law has not (a
 ///                                penalty that does not prescribe, a spring), or where it is off
-void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system, const Hooke& hooke);
+void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
+                           const Hooke& hooke);
 
-/// Why the stresses of u_h are not in equilibrium with the loads at a vertex, as the end of a sentence: a point support, pressures
-/// of the other multiplier, or loads that are not those of u_h.
-std::string cause_of(const Imbalance& imbalance, const Mesh& mesh, const ContactLine& line, const ElasticSystem& system,
+/// Why the stresses of u_h are not in equilibrium with the loads at a vertex, as the end
+/// of a sentence: a point support, pressures of the other multiplier, or loads that are
+/// not those of u_h.
+std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
+                     const ContactLine& line, const ElasticSystem& system,
                      const SolvedBody& body);
 
 }  // namespace ffcontact

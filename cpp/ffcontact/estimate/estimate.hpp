@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/equilibrium/equilibrium_defect.hpp"
 #include "ffcontact/equilibrium/star_relaxation.hpp"
@@ -18,17 +19,20 @@ namespace ffcontact {
 
 /// Which contact tractions r_hat the estimate uses.
 enum class Tractions {
-  free,   ///< in the cone (AdmissibleTractions), and relaxed inside it together with the stress
+  /// in the cone (AdmissibleTractions), and relaxed inside it together with the stress
+  free,
   fixed,  ///< in the cone, not relaxed
-  published,  ///< correction (4.1) alone, as in [CHH01]: edges it cannot mend stay outside the cone, the indicator functions of
-              ///< (2.11) are dropped, and the result is then not admissible
+  /// correction (4.1) alone, as in [CHH01]: edges it cannot mend stay outside the cone,
+  /// the indicator functions of (2.11) are dropped, and the result is then not admissible
+  published,
 };
 
 /// How sigma_hat is built inside the triangles from the edge tractions [CHH01, 4.2.2].
 enum class Construction {
   composite,  ///< in equilibrium at every point (CompositeStress)
-  polynomial,  ///< C eps(w), w of degree 4, in equilibrium in the mean only (PolynomialStress): e is lower and no bound, and the
-               ///< result is not admissible
+  /// C eps(w), w of degree 4, in equilibrium in the mean only (PolynomialStress): e is
+  /// lower and no bound, and the result is not admissible
+  polynomial,
 };
 
 struct EstimateSettings {
@@ -37,49 +41,64 @@ struct EstimateSettings {
   Construction construction = Construction::composite;
 };
 
-/// The error in the constitutive relation of an admissible pair ((u_hat, w_hat), (sigma_hat, r_hat)) [CHH01, 2.2].
+/// The error in the constitutive relation of an admissible pair ((u_hat, w_hat),
+/// (sigma_hat, r_hat)) [CHH01, 2.2].
 ///     e^2 = |sigma_hat - C eps(u_hat)|^2 + 2 int (mu |r_n||w_t| + r_t w_t + r_n w_n)                              (2.11)
 ///     eps = e / |sigma_hat + C eps(u_hat)|,   eps^2 = sum of eps_E^2                                        (2.12), (2.13)
-/// For Tresca's law and without friction e bounds the error of the pair (2.20); for Coulomb's law (2.14) has one more term.
+/// For Tresca's law and without friction e bounds the error of the pair (2.20); for
+/// Coulomb's law (2.14) has one more term.
 struct Estimate {
-  double e = 0;                 ///< [(N/mm times mm)^(1/2)]
-  double relative = 0;          ///< eps [-]
-  double elastic = 0;           ///< |sigma_hat - C eps(u_hat)|, same unit as e
-  double contact = 0;           ///< the contact part of e^2; negative values are possible only outside the cone
-  Eigen::VectorXd local;        ///< eps_E per triangle [-]; 0 where a negative contact part exceeds the elastic one
-  std::vector<double> history;  ///< e before the first and after every sweep, with composite stresses
+  double e = 0;         ///< [(N/mm times mm)^(1/2)]
+  double relative = 0;  ///< eps [-]
+  double elastic = 0;   ///< |sigma_hat - C eps(u_hat)|, same unit as e
+  /// the contact part of e^2; negative values are possible only outside the cone
+  double contact = 0;
+  /// eps_E per triangle [-]; 0 where a negative contact part exceeds the elastic one
+  VectorXd local;
+  /// e before the first and after every sweep, with composite stresses
+  std::vector<double> history;
 
-  /// The bodies cut so that their facing traces match, where they do not; the fields below are then on its mesh and line.
+  /// The bodies cut so that their facing traces match, where they do not; the fields
+  /// below are then on its mesh and line.
   std::optional<CommonRefinement> refinement;
-  Eigen::VectorXd displacement;         ///< u_hat on all dofs [mm]
-  std::vector<CompositeStress> stress;  ///< sigma_hat [MPa]; of the polynomial construction its values at these corners
-  ContactDensities tractions;           ///< r_hat [MPa]
-  Eigen::VectorXd shift;                ///< d of (4.1) per contact edge [MPa], 0 where none
-  std::vector<int> mended;              ///< contact edges brought into the cone by another way than (4.1)
-  std::vector<int> unmended;            ///< contact edges left outside the cone (Tractions::published only)
+  VectorXd displacement;  ///< u_hat on all dofs [mm]
+  /// sigma_hat [MPa]; of the polynomial construction its values at these corners
+  std::vector<CompositeStress> stress;
+  ContactDensities tractions;  ///< r_hat [MPa]
+  VectorXd shift;              ///< d of (4.1) per contact edge [MPa], 0 where none
+  /// contact edges brought into the cone by another way than (4.1)
+  std::vector<int> mended;
+  /// contact edges left outside the cone (Tractions::published only)
+  std::vector<int> unmended;
   EquilibriumDefect equilibrium;
-  double cone = 0;          ///< cone_defect of r_hat, relative to the largest stress
-  double penetration = 0;   ///< penetration_defect of u_hat
-  bool admissible = false;  ///< in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
-  std::string reason;       ///< why not, one sentence without a full stop
+  double cone = 0;         ///< cone_defect of r_hat, relative to the largest stress
+  double penetration = 0;  ///< penetration_defect of u_hat
+  /// in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
+  bool admissible = false;
+  std::string reason;  ///< why not, one sentence without a full stop
 
   int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
 };
 
 /// Builds the admissible pair and evaluates it, as the numbered steps in the body.
 ///
-/// Bodies against each other come as one joined mesh and system, with lines that face other bodies: u_n, u_t and w are jumps,
-/// r_hat acts on the line's body and -r_hat on the opposite one, pointwise. Where the traces do not match all this is done on
-/// their common refinement: non-penetration holds at each of its nodes, r_hat is linear on each of its edges, and the triangles
-/// beside it are the fans of the refinement.
+/// Bodies against each other come as one joined mesh and system, with lines that face
+/// other bodies: u_n, u_t and w are jumps, r_hat acts on the line's body and -r_hat on
+/// the opposite one, pointwise. Where the traces do not match all this is done on their
+/// common refinement: non-penetration holds at each of its nodes, r_hat is linear on each
+/// of its edges, and the triangles beside it are the fans of the refinement.
 ///
-/// Bodies without loads whose stresses and tractions are below 1e-12 of the terms |C| |grad phi| max(|u|, |gap|, |previous|) that
-/// stresses are summed from, and that slide nowhere against Tresca's friction, have none: sigma_hat = 0, r_hat = 0, and e is that
+/// Bodies without loads whose stresses and tractions are below 1e-12 of the terms |C|
+/// |grad phi| max(|u|, |gap|, |previous|) that stresses are summed from, and that slide
+/// nowhere against Tresca's friction, have none: sigma_hat = 0, r_hat = 0, and e is that
 /// of u_hat - u, which is 0 but where u penetrates.
 /// @param system  the stiffness and the prescribed dofs u_h was computed with
-/// @throws std::invalid_argument  for input that does not fit (see data_defect.hpp), or where no tractions in the cone hold the body
-/// @throws std::runtime_error     if tractions had to be mended and a part of the body is held by nothing
-Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line, const ElasticSystem& system,
-                        const SolvedBody& body, const EstimateSettings& settings = {});
+/// @throws std::invalid_argument  for input that does not fit (see data_defect.hpp), or
+///                                where no tractions in the cone hold the body
+/// @throws std::runtime_error     if tractions had to be mended and a part of the body is
+///                                held by nothing
+Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+                        const ElasticSystem& system, const SolvedBody& body,
+                        const EstimateSettings& settings = {});
 
 }  // namespace ffcontact

@@ -16,29 +16,32 @@ namespace {
 /// Resultants are kept to this part of their terms.
 constexpr double resultant_tolerance = 1e-13;
 
-/// Conditions that are met with equality to this part of the tractions hold the projection.
+/// Conditions that are met with equality to this part of the tractions hold the
+/// projection.
 constexpr double tight = 1e-11;
 
 constexpr int most_steps = 100;
 
 /// The components (n, t) of [z] at both ends of an edge, one column per motion.
-Eigen::Matrix<double, 4, Eigen::Dynamic> motions_on_edge(const ContactLine& line, const Eigen::MatrixXd& motions,
-                                                         int e) {
-  Eigen::Matrix2d frame;
+Matrix<double, 4, Dynamic> motions_on_edge(const ContactLine& line,
+                                           const MatrixXd& motions, int e) {
+  Matrix2d frame;
   frame << line.edge_normal(e).transpose(), line.edge_tangent(e).transpose();
-  Eigen::Matrix<double, 4, Eigen::Dynamic> values(4, motions.cols());
+  Matrix<double, 4, Dynamic> values(4, motions.cols());
   for (int end = 0; end < 2; ++end) {
     const int node = line.edge_node(end, e);
-    Eigen::Matrix2Xd jump = motions.middleRows<2>(2 * line.vertex[node]);
-    visit_opposite(line, node, [&](int vertex, double weight) { jump -= weight * motions.middleRows<2>(2 * vertex); });
+    Matrix2Xd jump = motions.middleRows<2>(2 * line.vertex[node]);
+    visit_opposite(line, node, [&](int vertex, double weight) {
+      jump -= weight * motions.middleRows<2>(2 * vertex);
+    });
     values.middleRows<2>(2 * end) = frame * jump;
   }
   return values;
 }
 
 /// int a . b over an edge for end values a and b: a' mass b.
-Eigen::Matrix4d mass_of(const ContactLine& line, int e) {
-  Eigen::Matrix4d mass = 2 * Eigen::Matrix4d::Identity();
+Matrix4d mass_of(const ContactLine& line, int e) {
+  Matrix4d mass = 2 * Matrix4d::Identity();
   mass.topRightCorner<2, 2>().setIdentity();
   mass.bottomLeftCorner<2, 2>().setIdentity();
   return line.length[e] / 6 * mass;
@@ -47,61 +50,68 @@ Eigen::Matrix4d mass_of(const ContactLine& line, int e) {
 /// The projection Pi_C on the cone of one edge, in L2 of the edge.
 class EdgeProjection {
  public:
-  EdgeProjection(const ContactLine& line, const ContactLaw& law, const Eigen::MatrixXd& motions, int e)
+  EdgeProjection(const ContactLine& line, const ContactLaw& law, const MatrixXd& motions,
+                 int e)
       : line_(line),
         law_(law),
         edge_(e),
         cone_(edge_cone(line, law, e)),
         mass_(mass_of(line, e)),
         motions_(motions_on_edge(line, motions, e)) {
-    basis_ = Eigen::MatrixXd::Zero(4, 4 - cone_.frictionless.count());
+    basis_ = MatrixXd::Zero(4, 4 - cone_.frictionless.count());
     for (int k = 0, column = 0; k < 4; ++k)
       if (k % 2 == 0 || !cone_.frictionless[k / 2]) basis_(k, column++) = 1;
     half_ = (basis_.transpose() * mass_ * basis_).llt().matrixL();
   }
 
-  Eigen::Vector4d operator()(const Eigen::Vector4d& r) const {
-    const auto y = quadratic_minimum(basis_.transpose() * mass_ * basis_, -basis_.transpose() * mass_ * r,
-                                     cone_.C * basis_, cone_.d);
-    return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y) : Eigen::Vector4d::Zero();
+  Vector4d operator()(const Vector4d& r) const {
+    const auto y =
+        quadratic_minimum(basis_.transpose() * mass_ * basis_,
+                          -basis_.transpose() * mass_ * r, cone_.C * basis_, cone_.d);
+    return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y) : Vector4d::Zero();
   }
 
   /// r_0 + sum eta_k [z_k].
-  Eigen::Vector4d moved(const Eigen::Vector4d& r, const Eigen::VectorXd& eta) const { return r + motions_ * eta; }
+  Vector4d moved(const Vector4d& r, const VectorXd& eta) const {
+    return r + motions_ * eta;
+  }
 
-  Eigen::VectorXd resultants(const Eigen::Vector4d& r) const { return motions_.transpose() * (mass_ * r); }
+  VectorXd resultants(const Vector4d& r) const {
+    return motions_.transpose() * (mass_ * r);
+  }
 
   /// d resultants / d eta where r is the projection of `outside`.
-  Eigen::MatrixXd slope(const Eigen::Vector4d& r, const Eigen::Vector4d& outside) const {
+  MatrixXd slope(const Vector4d& r, const Vector4d& outside) const {
     return moving().transpose() * moving_on_face(r, outside);
   }
 
   /// r moved by what its face of the cone lets through of the motions.
-  Eigen::Vector4d moved_on_face(const Eigen::Vector4d& r, const Eigen::Vector4d& outside,
-                                const Eigen::VectorXd& eta) const {
-    const Eigen::VectorXd step = moving_on_face(r, outside) * eta;
-    const Eigen::VectorXd change = half_.transpose().triangularView<Eigen::Upper>().solve(step);
+  Vector4d moved_on_face(const Vector4d& r, const Vector4d& outside,
+                         const VectorXd& eta) const {
+    const VectorXd step = moving_on_face(r, outside) * eta;
+    const VectorXd change = half_.transpose().triangularView<Eigen::Upper>().solve(step);
     return clamped_to_cone(line_, law_, edge_, r + basis_ * change);
   }
 
  private:
   /// The motions in the coordinates y = half' x of the free end values x [b x k].
-  Eigen::MatrixXd moving() const { return lower().solve(basis_.transpose() * mass_ * motions_); }
+  MatrixXd moving() const { return lower().solve(basis_.transpose() * mass_ * motions_); }
 
-  /// What is left of them where the conditions that are tight at r stay so. Where r is the apex of the cone it is rounding, small
-  /// against `outside` only.
-  Eigen::MatrixXd moving_on_face(const Eigen::Vector4d& r, const Eigen::Vector4d& outside) const {
+  /// What is left of them where the conditions that are tight at r stay so. Where r is
+  /// the apex of the cone it is rounding, small against `outside` only.
+  MatrixXd moving_on_face(const Vector4d& r, const Vector4d& outside) const {
     const double scale = outside.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
     std::vector<int> held;
     for (int row = 0; row < cone_.d.size(); ++row)
       if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale) held.push_back(row);
-    const Eigen::MatrixXd all = moving();
+    const MatrixXd all = moving();
     if (held.empty()) return all;
-    const Eigen::MatrixXd normals = lower().solve((cone_.C(held, Eigen::all) * basis_).transpose());
+    const MatrixXd normals =
+        lower().solve((cone_.C(held, Eigen::all) * basis_).transpose());
     return all - normals * least_squares_of_columns(normals, all);
   }
 
-  Eigen::TriangularView<const Eigen::MatrixXd, Eigen::Lower> lower() const {
+  Eigen::TriangularView<const MatrixXd, Eigen::Lower> lower() const {
     return half_.triangularView<Eigen::Lower>();
   }
 
@@ -109,51 +119,53 @@ class EdgeProjection {
   const ContactLaw& law_;
   int edge_;
   EdgeCone cone_;
-  Eigen::Matrix4d mass_;
-  Eigen::Matrix<double, 4, Eigen::Dynamic> motions_;
-  Eigen::MatrixXd basis_;  ///< of the end values that friction leaves free
-  Eigen::MatrixXd half_;   ///< Cholesky's factor of the mass on them
+  Matrix4d mass_;
+  Matrix<double, 4, Dynamic> motions_;
+  MatrixXd basis_;  ///< of the end values that friction leaves free
+  MatrixXd half_;   ///< Cholesky's factor of the mass on them
 };
 
 /// The dual problem.
 class Dual {
  public:
   Dual(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
-       const Eigen::MatrixXd& motions, const Eigen::VectorXd& resultants)
+       const MatrixXd& motions, const VectorXd& resultants)
       : densities_(densities), resultants_(resultants) {
-    for (int e = 0; e < line.edge_count(); ++e) edges_.emplace_back(line, law, motions, e);
+    for (int e = 0; e < line.edge_count(); ++e)
+      edges_.emplace_back(line, law, motions, e);
   }
 
   struct Point {
-    Eigen::VectorXd eta;
+    VectorXd eta;
     ContactDensities r;
-    Eigen::VectorXd off;  ///< gradient: the resultants of r less the wanted ones
+    VectorXd off;  ///< gradient: the resultants of r less the wanted ones
   };
 
-  Point at(const Eigen::VectorXd& eta) const {
+  Point at(const VectorXd& eta) const {
     Point point{eta, densities_, -resultants_};
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      const Eigen::Vector4d r = edges_[e](edges_[e].moved(end_values(densities_, e), eta));
+      const Vector4d r = edges_[e](edges_[e].moved(end_values(densities_, e), eta));
       set_end_values(point.r, e, r);
       point.off += edges_[e].resultants(r);
     }
     return point;
   }
 
-  Eigen::MatrixXd slope(const Point& point) const {
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(resultants_.size(), resultants_.size());
+  MatrixXd slope(const Point& point) const {
+    MatrixXd sum = MatrixXd::Zero(resultants_.size(), resultants_.size());
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
-      sum += edges_[e].slope(end_values(point.r, e), edges_[e].moved(end_values(densities_, e), point.eta));
+      sum += edges_[e].slope(end_values(point.r, e),
+                             edges_[e].moved(end_values(densities_, e), point.eta));
     return sum;
   }
 
-  /// The tractions moved on their faces of the cone, eta beside what they are: where eta itself is large its rounding is not that of
-  /// the tractions.
-  Point moved_on_faces(const Point& point, const Eigen::VectorXd& eta) const {
+  /// The tractions moved on their faces of the cone, eta beside what they are: where eta
+  /// itself is large its rounding is not that of the tractions.
+  Point moved_on_faces(const Point& point, const VectorXd& eta) const {
     Point next{point.eta, point.r, -resultants_};
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      const Eigen::Vector4d outside = edges_[e].moved(end_values(densities_, e), point.eta);
-      const Eigen::Vector4d r = edges_[e].moved_on_face(end_values(point.r, e), outside, eta);
+      const Vector4d outside = edges_[e].moved(end_values(densities_, e), point.eta);
+      const Vector4d r = edges_[e].moved_on_face(end_values(point.r, e), outside, eta);
       set_end_values(next.r, e, r);
       next.off += edges_[e].resultants(r);
     }
@@ -168,18 +180,23 @@ class Dual {
     return sum;
   }
 
-  /// The point to which a step leads that is shortened until the gradient along it has changed its sign by little or itself has
-  /// halved, or lengthened as long as that leaves more than half of the gradient along it: the dual is nearly flat where few
+  /// The point to which a step leads that is shortened until the gradient along it has
+  /// changed its sign by little or itself has halved, or lengthened as long as that
+  /// leaves more than half of the gradient along it: the dual is nearly flat where few
   /// tractions in the cone have the resultants.
-  Point moved(const Point& from, const Eigen::VectorXd& step) const {
+  Point moved(const Point& from, const VectorXd& step) const {
     const double before = from.off.dot(step);
-    const auto half_way = [&](const Point& next) { return next.off.dot(step) > 0.5 * before; };
+    const auto half_way = [&](const Point& next) {
+      return next.off.dot(step) > 0.5 * before;
+    };
     const auto too_far = [&](const Point& next) {
-      return next.off.dot(step) > -0.1 * before && next.off.norm() > 0.5 * from.off.norm();
+      return next.off.dot(step) > -0.1 * before &&
+             next.off.norm() > 0.5 * from.off.norm();
     };
     double length = 1;
     Point next = at(from.eta + step);
-    for (; too_far(next) && length > 1e-10; next = at(from.eta + length * step)) length /= 2;
+    for (; too_far(next) && length > 1e-10; next = at(from.eta + length * step))
+      length /= 2;
     if (length < 1 || half_way(next)) return next;
     for (length = 4; length < 1e8; length *= 4) {
       Point farther = at(from.eta + length * step);
@@ -192,40 +209,48 @@ class Dual {
 
  private:
   const ContactDensities& densities_;
-  const Eigen::VectorXd& resultants_;
+  const VectorXd& resultants_;
   std::vector<EdgeProjection> edges_;
 };
 
 }  // namespace
 
-std::optional<ContactDensities> nearest_in_cone(const ContactLine& line, const ContactLaw& law,
-                                                const ContactDensities& densities, const Eigen::MatrixXd& motions,
-                                                const Eigen::VectorXd& resultants) {
+std::optional<ContactDensities> nearest_in_cone(const ContactLine& line,
+                                                const ContactLaw& law,
+                                                const ContactDensities& densities,
+                                                const MatrixXd& motions,
+                                                const VectorXd& resultants) {
   const Dual dual(line, law, densities, motions, resultants);
-  Dual::Point point = dual.at(Eigen::VectorXd::Zero(motions.cols()));
+  Dual::Point point = dual.at(VectorXd::Zero(motions.cols()));
   if (motions.cols() == 0) return point.r;
   const double scale = dual.scale();
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(motions.cols(), motions.cols());
-  const double length = line.length.sum();  // [z] is of size 1: what the slope is where nothing is held
+  const MatrixXd identity = MatrixXd::Identity(motions.cols(), motions.cols());
+  // [z] is of size 1: what the slope is where nothing is held
+  const double length = line.length.sum();
   for (int step = 0; step < most_steps; ++step) {
-    const double rounding = std::numeric_limits<double>::epsilon() * length * point.eta.norm();
-    if (point.off.cwiseAbs().maxCoeff() <= std::max(resultant_tolerance * scale, 2 * rounding)) {
-      const Dual::Point closer = dual.moved_on_faces(point, -least_squares_of_columns(dual.slope(point), point.off));
+    const double rounding =
+        std::numeric_limits<double>::epsilon() * length * point.eta.norm();
+    if (point.off.cwiseAbs().maxCoeff() <=
+        std::max(resultant_tolerance * scale, 2 * rounding)) {
+      const Dual::Point closer = dual.moved_on_faces(
+          point, -least_squares_of_columns(dual.slope(point), point.off));
       return closer.off.norm() < point.off.norm() ? closer.r : point.r;
     }
-    // Regularised by what is left to do: no step is longer than the tractions, and the last ones are Newton's.
+    // Regularised by what is left to do: no step is longer than the tractions, and the
+    // last ones are Newton's.
     const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
-    const Eigen::MatrixXd slope = dual.slope(point) + regular * identity;
+    const MatrixXd slope = dual.slope(point) + regular * identity;
     point = dual.moved(point, -slope.ldlt().solve(point.off));
   }
   return std::nullopt;
 }
 
-Eigen::VectorXd resultants_of(const ContactLine& line, const ContactDensities& densities,
-                              const Eigen::MatrixXd& motions) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(motions.cols());
+VectorXd resultants_of(const ContactLine& line, const ContactDensities& densities,
+                       const MatrixXd& motions) {
+  VectorXd sum = VectorXd::Zero(motions.cols());
   for (int e = 0; e < line.edge_count(); ++e)
-    sum += motions_on_edge(line, motions, e).transpose() * (mass_of(line, e) * end_values(densities, e));
+    sum += motions_on_edge(line, motions, e).transpose() *
+           (mass_of(line, e) * end_values(densities, e));
   return sum;
 }
 

@@ -6,22 +6,23 @@
 
 namespace ffcontact {
 
-Eigen::VectorXd rebalancing_displacement(const ElasticSystem& system, const ContactLine& line,
-                                         const Eigen::VectorXd& force_change, const Eigen::MatrixXd& motions) {
-  return rebalancing_displacement(CondensedStiffness(system, contact_dofs(line, system)), system, line, force_change,
-                                  motions);
+VectorXd rebalancing_displacement(const ElasticSystem& system, const ContactLine& line,
+                                  const VectorXd& force_change, const MatrixXd& motions) {
+  return rebalancing_displacement(CondensedStiffness(system, contact_dofs(line, system)),
+                                  system, line, force_change, motions);
 }
 
-Eigen::VectorXd rebalancing_displacement(const CondensedStiffness& stiffness, const ElasticSystem& system,
-                                         const ContactLine& line, const Eigen::VectorXd& force_change,
-                                         const Eigen::MatrixXd& motions) {
+VectorXd rebalancing_displacement(const CondensedStiffness& stiffness,
+                                  const ElasticSystem& system, const ContactLine& line,
+                                  const VectorXd& force_change, const MatrixXd& motions) {
   const std::vector<int> kept = contact_dofs(line, system);
-  const auto size = static_cast<Eigen::Index>(kept.size());
-  Eigen::MatrixXd Z(size, motions.cols());
-  for (Eigen::Index k = 0; k < size; ++k) Z.row(k) = motions.row(kept[k]);
+  const auto size = static_cast<Index>(kept.size());
+  MatrixXd Z(size, motions.cols());
+  for (Index k = 0; k < size; ++k) Z.row(k) = motions.row(kept[k]);
   const double scale = stiffness.schur().diagonal().mean();
-  const Eigen::MatrixXd S = stiffness.schur() + scale * Z * Z.transpose();
-  return stiffness.extended(force_change, Cholesky(S).solve(stiffness.condensed_load(force_change)));
+  const MatrixXd S = stiffness.schur() + scale * Z * Z.transpose();
+  return stiffness.extended(force_change,
+                            Cholesky(S).solve(stiffness.condensed_load(force_change)));
 }
 
 }  // namespace ffcontact

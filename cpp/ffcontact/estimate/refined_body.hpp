@@ -3,22 +3,27 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
 #include "ffcontact/interface/common_refinement.hpp"
 
 namespace ffcontact {
 
 /// The same solution, law and loads on the common refinement of the facing traces.
-SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges, const ContactLine& old_line,
-                        const SolvedBody& old, const CommonRefinement& refinement);
+SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
+                        const ContactLine& old_line, const SolvedBody& old,
+                        const CommonRefinement& refinement);
 
 /// A vertex field, linear in between, at the vertices of the refinement.
-Eigen::VectorXd refined_field(const CommonRefinement& refinement, const Eigen::VectorXd& field);
+VectorXd refined_field(const CommonRefinement& refinement, const VectorXd& field);
 
-/// 1 where a dof of the refinement is prescribed: a new vertex is held where both ends of its edge are.
-std::vector<char> refined_prescribed(const CommonRefinement& refinement, const std::vector<char>& old);
+/// 1 where a dof of the refinement is prescribed: a new vertex is held where both ends of
+/// its edge are.
+std::vector<char> refined_prescribed(const CommonRefinement& refinement,
+                                     const std::vector<char>& old);
 
-/// Forces on the vertices of the refinement as forces on the old vertices, with the same work on fields linear in between.
-Eigen::VectorXd unrefined_forces(const CommonRefinement& refinement, const Eigen::VectorXd& forces);
+/// Forces on the vertices of the refinement as forces on the old vertices, with the same
+/// work on fields linear in between.
+VectorXd unrefined_forces(const CommonRefinement& refinement, const VectorXd& forces);
 
 }  // namespace ffcontact

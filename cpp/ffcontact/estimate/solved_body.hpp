@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
@@ -12,11 +13,12 @@ namespace ffcontact {
 
 /// A computed contact solution and what it was computed from.
 struct SolvedBody {
-  Hooke hooke;                   ///< per triangle [MPa]
-  Eigen::VectorXd displacement;  ///< u_h on all dofs [mm]
-  Eigen::Matrix2Xd pressure;     ///< (lambda_n, lambda_t) at the contact nodes [MPa]
+  Hooke hooke;            ///< per triangle [MPa]
+  VectorXd displacement;  ///< u_h on all dofs [mm]
+  Matrix2Xd pressure;     ///< (lambda_n, lambda_t) at the contact nodes [MPa]
   ContactLaw law;
-  Eigen::Matrix4Xd neumann;   ///< moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
+  /// moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
+  Matrix4Xd neumann;
   BodyLoadsOfAll body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of the solution on the contact line; null: factorised if needed

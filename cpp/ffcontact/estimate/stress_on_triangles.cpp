@@ -10,19 +10,19 @@ namespace ffcontact {
 namespace {
 
 /// The smallest of these coordinates says how far inside a point is.
-Eigen::Vector3d barycentric(const TriangleCorners& corners, const Eigen::Vector2d& x) {
-  Eigen::Matrix3d system;
+Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
+  Matrix3d system;
   system << corners, Eigen::RowVector3d::Ones();
-  return system.partialPivLu().solve(Eigen::Vector3d(x.x(), x.y(), 1));
+  return system.partialPivLu().solve(Vector3d(x.x(), x.y(), 1));
 }
 
 /// The stress at a point of one of some triangles.
-Eigen::Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& stress,
-                          const std::vector<int>& triangles, const Eigen::Vector2d& x) {
+Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& stress,
+                   const std::vector<int>& triangles, const Vector2d& x) {
   int best = triangles.front();
-  Eigen::Vector3d place = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+  Vector3d place = Vector3d::Constant(-std::numeric_limits<double>::infinity());
   for (int t : triangles) {
-    const Eigen::Vector3d coordinates = barycentric(corners_of(mesh, t), x);
+    const Vector3d coordinates = barycentric(corners_of(mesh, t), x);
     if (coordinates.minCoeff() > place.minCoeff()) {
       best = t;
       place = coordinates;
@@ -38,27 +38,30 @@ Eigen::Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& 
 
 }  // namespace
 
-std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh, const Estimate& estimate) {
+std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh,
+                                                 const Estimate& estimate) {
   if (!estimate.refinement) return estimate.stress;
   const CommonRefinement& refinement = *estimate.refinement;
-  std::vector<CompositeStress> stress(estimate.stress.begin(), estimate.stress.begin() + mesh.triangle_count());
+  std::vector<CompositeStress> stress(estimate.stress.begin(),
+                                      estimate.stress.begin() + mesh.cell_count());
   std::map<int, std::vector<int>> parts;
-  for (int t = mesh.triangle_count(); t < refinement.mesh.triangle_count(); ++t) {
+  for (int t = mesh.cell_count(); t < refinement.mesh.cell_count(); ++t) {
     std::vector<int>& of_parent = parts[refinement.parent[t]];
     if (of_parent.empty()) of_parent.push_back(refinement.parent[t]);
     of_parent.push_back(t);
   }
   for (const auto& [parent, children] : parts) {
     const TriangleCorners corners = corners_of(mesh, parent);
-    const Eigen::Vector2d centre = corners.rowwise().mean();
+    const Vector2d centre = corners.rowwise().mean();
     for (int k = 0; k < 3; ++k) {
-      Eigen::Matrix<double, 2, 3> sub;
+      Matrix<double, 2, 3> sub;
       sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), centre;
-      const Eigen::Vector2d middle = sub.rowwise().mean();
+      const Vector2d middle = sub.rowwise().mean();
       for (int c = 0; c < 3; ++c) {
         constexpr double inwards = 1e-6;
-        const Eigen::Vector2d x = sub.col(c) + inwards * (middle - sub.col(c));
-        stress[parent].col(3 * k + c) = stress_at(refinement.mesh, estimate.stress, children, x);
+        const Vector2d x = sub.col(c) + inwards * (middle - sub.col(c));
+        stress[parent].col(3 * k + c) =
+            stress_at(refinement.mesh, estimate.stress, children, x);
       }
     }
   }

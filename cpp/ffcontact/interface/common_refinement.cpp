@@ -18,12 +18,12 @@ constexpr double same_place = 1e-10;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Pieces shorter than this part of both edges come of vertices that were meant to meet; as triangles they would be too thin to
-/// compute with.
+/// Pieces shorter than this part of both edges come of vertices that were meant to meet;
+/// as triangles they would be too thin to compute with.
 constexpr double sliver = 1e-4;
 
-/// The pieces without slivers: their neighbours on either edge take their place, if there are any, and what is left free of an
-/// opposite edge is no sliver either.
+/// The pieces without slivers: their neighbours on either edge take their place, if there
+/// are any, and what is left free of an opposite edge is no sliver either.
 class WithoutSlivers {
  public:
   WithoutSlivers(const Mesh& mesh, const Edges& edges, const ContactLine& line)
@@ -35,8 +35,10 @@ class WithoutSlivers {
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
       FacingPiece& piece = pieces_[k];
       const double tolerance = smallest_length(piece) / opposite_length(piece);
-      if (piece.opposite_begin > 1 - tolerance && !face_one_edge(k - 1, k)) piece.opposite_begin = 1;
-      if (piece.opposite_end < tolerance && !face_one_edge(k, k + 1)) piece.opposite_end = 0;
+      if (piece.opposite_begin > 1 - tolerance && !face_one_edge(k - 1, k))
+        piece.opposite_begin = 1;
+      if (piece.opposite_end < tolerance && !face_one_edge(k, k + 1))
+        piece.opposite_end = 0;
     }
     return pieces_;
   }
@@ -54,13 +56,15 @@ class WithoutSlivers {
 
   /// Do two pieces that follow each other face parts of the same edge?
   bool face_one_edge(std::size_t k, std::size_t next) const {
-    return k < pieces_.size() && next < pieces_.size() && pieces_[k].opposite_edge == pieces_[next].opposite_edge;
+    return k < pieces_.size() && next < pieces_.size() &&
+           pieces_[k].opposite_edge == pieces_[next].opposite_edge;
   }
 
   /// Gives a sliver to its neighbours.
   bool absorbed(std::size_t k) {
     const FacingPiece piece = pieces_[k];
-    if ((piece.end - piece.begin) * own_length(piece) >= smallest_length(piece)) return false;
+    if ((piece.end - piece.begin) * own_length(piece) >= smallest_length(piece))
+      return false;
     FacingPiece *before = k > 0 ? &pieces_[k - 1] : nullptr,
                 *after = k + 1 < pieces_.size() ? &pieces_[k + 1] : nullptr;
     if (after && after->contact_edge == piece.contact_edge)
@@ -84,10 +88,12 @@ class WithoutSlivers {
 };
 
 bool same(const std::vector<FacingPiece>& a, const std::vector<FacingPiece>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const FacingPiece& p, const FacingPiece& q) {
-    return p.begin == q.begin && p.end == q.end && p.opposite_begin == q.opposite_begin &&
-           p.opposite_end == q.opposite_end;
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const FacingPiece& p, const FacingPiece& q) {
+                      return p.begin == q.begin && p.end == q.end &&
+                             p.opposite_begin == q.opposite_begin &&
+                             p.opposite_end == q.opposite_end;
+                    });
 }
 
 /// The vertices along one old edge, from its first to its second, by their places.
@@ -96,14 +102,19 @@ using CutEdge = std::map<double, int>;
 class Refiner {
  public:
   Refiner(const Mesh& mesh, const Edges& edges, const ContactLine& line)
-      : old_(mesh), old_edges_(edges), old_line_(line), pieces_(WithoutSlivers(mesh, edges, line).pieces()) {
+      : old_(mesh),
+        old_edges_(edges),
+        old_line_(line),
+        pieces_(WithoutSlivers(mesh, edges, line).pieces()) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       vertices_.push_back(mesh.vertices.col(v));
       vertex_weights_.emplace_back(v, v, 1.0);
     }
     for (const FacingPiece& piece : pieces_) {
-      for (double place : {piece.begin, piece.end}) cut(line.edge[piece.contact_edge], place);
-      for (double place : {piece.opposite_begin, piece.opposite_end}) cut(piece.opposite_edge, place);
+      for (double place : {piece.begin, piece.end})
+        cut(line.edge[piece.contact_edge], place);
+      for (double place : {piece.opposite_begin, piece.opposite_end})
+        cut(piece.opposite_edge, place);
     }
   }
 
@@ -122,49 +133,57 @@ class Refiner {
  private:
   void cut(int edge, double place) {
     CutEdge& places = cuts_[edge];
-    if (places.empty()) places = {{0.0, old_edges_.vertices(0, edge)}, {1.0, old_edges_.vertices(1, edge)}};
+    if (places.empty())
+      places = {{0.0, old_edges_.vertices(0, edge)}, {1.0, old_edges_.vertices(1, edge)}};
     if (find(places, place) == places.end()) places.emplace(place, -1);
   }
 
   static CutEdge::const_iterator find(const CutEdge& places, double place) {
     const auto found = places.lower_bound(place - same_place);
-    return found != places.end() && found->first < place + same_place ? found : places.end();
+    return found != places.end() && found->first < place + same_place ? found
+                                                                      : places.end();
   }
 
-  int vertex_at(int edge, double place) const { return find(cuts_.at(edge), place)->second; }
+  int vertex_at(int edge, double place) const {
+    return find(cuts_.at(edge), place)->second;
+  }
 
   void number_new_vertices() {
     for (auto& [edge, places] : cuts_)
       for (auto& [place, vertex] : places) {
         if (vertex >= 0) continue;
         vertex = static_cast<int>(vertices_.size());
-        const int first = old_edges_.vertices(0, edge), second = old_edges_.vertices(1, edge);
-        vertices_.push_back((1 - place) * old_.vertices.col(first) + place * old_.vertices.col(second));
+        const int first = old_edges_.vertices(0, edge),
+                  second = old_edges_.vertices(1, edge);
+        vertices_.push_back((1 - place) * old_.vertices.col(first) +
+                            place * old_.vertices.col(second));
         vertex_weights_.emplace_back(vertex, first, 1 - place);
         vertex_weights_.emplace_back(vertex, second, place);
       }
   }
 
   void cut_triangles() {
-    for (int t = 0; t < old_.triangle_count(); ++t) {
-      triangles_.push_back(old_.triangles.col(t));
+    for (int t = 0; t < old_.cell_count(); ++t) {
+      triangles_.push_back(old_.cells.col(t));
       parent_.push_back(t);
     }
     for (const auto& [edge, places] : cuts_)
-      if (places.size() > 2) cut_triangle(old_edges_.triangles(0, edge), places);
+      if (places.size() > 2) cut_triangle(old_edges_.cells(0, edge), places);
   }
 
-  /// Replaces the part of an old triangle that lies on an edge by a fan. The edge has its triangle on the left.
+  /// Replaces the part of an old triangle that lies on an edge by a fan. The edge has its
+  /// triangle on the left.
   void cut_triangle(int old_triangle, const CutEdge& places) {
     const int first = places.begin()->second, second = places.rbegin()->second;
-    std::vector<int>& parts = parts_.try_emplace(old_triangle, 1, old_triangle).first->second;
+    std::vector<int>& parts =
+        parts_.try_emplace(old_triangle, 1, old_triangle).first->second;
     for (int part : parts)
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3i triangle = triangles_[part];
+        const Vector3i triangle = triangles_[part];
         if (triangle[k] != first || triangle[(k + 1) % 3] != second) continue;
         const int apex = triangle[(k + 2) % 3];
         for (auto a = places.begin(), b = std::next(a); b != places.end(); ++a, ++b) {
-          const Eigen::Vector3i piece(a->second, b->second, apex);
+          const Vector3i piece(a->second, b->second, apex);
           if (a == places.begin()) {
             triangles_[part] = piece;
             continue;
@@ -180,17 +199,20 @@ class Refiner {
   void put_mesh(CommonRefinement& result) const {
     Mesh& mesh = result.mesh;
     mesh.origin = old_.origin;
-    mesh.vertices.resize(2, static_cast<Eigen::Index>(vertices_.size()));
-    for (std::size_t v = 0; v < vertices_.size(); ++v) mesh.vertices.col(v) = vertices_[v];
-    mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles_.size()));
-    for (std::size_t t = 0; t < triangles_.size(); ++t) mesh.triangles.col(t) = triangles_[t];
-    result.parent = Eigen::Map<const Eigen::VectorXi>(parent_.data(), static_cast<Eigen::Index>(parent_.size()));
+    mesh.vertices.resize(2, static_cast<Index>(vertices_.size()));
+    for (std::size_t v = 0; v < vertices_.size(); ++v)
+      mesh.vertices.col(v) = vertices_[v];
+    mesh.cells.resize(3, static_cast<Index>(triangles_.size()));
+    for (std::size_t t = 0; t < triangles_.size(); ++t) mesh.cells.col(t) = triangles_[t];
+    result.parent =
+        Map<const VectorXi>(parent_.data(), static_cast<Index>(parent_.size()));
     result.vertex_weights.resize(mesh.vertices.cols(), old_.vertices.cols());
     result.vertex_weights.setFromTriplets(vertex_weights_.begin(), vertex_weights_.end());
 
     std::vector<int> edge_of_column(old_.boundary.cols(), -1);
-    for (const auto& [edge, places] : cuts_) edge_of_column[old_edges_.boundary_index[edge]] = edge;
-    std::vector<Eigen::Vector2i> boundary;
+    for (const auto& [edge, places] : cuts_)
+      edge_of_column[old_edges_.boundary_index[edge]] = edge;
+    std::vector<Vector2i> boundary;
     std::vector<int> parent;
     for (int b = 0; b < old_.boundary.cols(); ++b) {
       const int edge = edge_of_column[b];
@@ -200,16 +222,17 @@ class Refiner {
         continue;
       }
       const CutEdge& places = cuts_.at(edge);
-      for (auto first = places.begin(), second = std::next(first); second != places.end(); ++first, ++second) {
+      for (auto first = places.begin(), second = std::next(first); second != places.end();
+           ++first, ++second) {
         boundary.emplace_back(first->second, second->second);
         parent.push_back(b);
       }
     }
-    const auto columns = static_cast<Eigen::Index>(boundary.size());
+    const auto columns = static_cast<Index>(boundary.size());
     mesh.boundary.resize(2, columns);
     mesh.boundary_label.resize(columns);
-    result.parent_boundary = Eigen::Map<const Eigen::VectorXi>(parent.data(), columns);
-    for (Eigen::Index b = 0; b < columns; ++b) {
+    result.parent_boundary = Map<const VectorXi>(parent.data(), columns);
+    for (Index b = 0; b < columns; ++b) {
       mesh.boundary.col(b) = boundary[b];
       mesh.boundary_label[b] = old_.boundary_label[parent[b]];
     }
@@ -217,7 +240,8 @@ class Refiner {
 
   bool lies_on(int vertex, int edge) const {
     if (vertex < old_.vertex_count())
-      return old_edges_.vertices(0, edge) == vertex || old_edges_.vertices(1, edge) == vertex;
+      return old_edges_.vertices(0, edge) == vertex ||
+             old_edges_.vertices(1, edge) == vertex;
     const auto places = cuts_.find(edge);
     if (places == cuts_.end()) return false;
     return std::any_of(places->second.begin(), places->second.end(),
@@ -225,30 +249,35 @@ class Refiner {
   }
 
   void put_parent_edges(CommonRefinement& result) const {
-    result.parent_edge = Eigen::VectorXi::Constant(result.edges.count(), -1);
-    for (int t = 0; t < result.mesh.triangle_count(); ++t) {
+    result.parent_edge = VectorXi::Constant(result.edges.count(), -1);
+    for (int t = 0; t < result.mesh.cell_count(); ++t) {
       const int old = result.parent[t];
       for (int k = 0; k < 3; ++k) {
-        const int edge = result.edges.of_triangle(k, t);
-        for (int side : old_edges_.of_triangle.col(old))
-          if (lies_on(result.edges.vertices(0, edge), side) && lies_on(result.edges.vertices(1, edge), side))
+        const int edge = result.edges.of_cell(k, t);
+        for (int side : old_edges_.of_cell.col(old))
+          if (lies_on(result.edges.vertices(0, edge), side) &&
+              lies_on(result.edges.vertices(1, edge), side))
             result.parent_edge[edge] = side;
       }
     }
   }
 
-  /// Rays that cross, as those of neighbours do whose directions differ where the line is hollow, have no common refinement.
+  /// Rays that cross, as those of neighbours do whose directions differ where the line is
+  /// hollow, have no common refinement.
   [[noreturn]] void refuse_shared(int vertex) const {
-    const Eigen::Vector2d x = old_.origin + vertices_[vertex];
-    refuse("two contact edges face the same part of the opposite body near (", x.x(), ", ", x.y(),
-           "), because the contact direction jumps between them: give one direction for both with normal=[nx, ny]");
+    const Vector2d x = old_.origin + vertices_[vertex];
+    refuse("two contact edges face the same part of the opposite body near (", x.x(),
+           ", ", x.y(),
+           "), because the contact direction jumps between them: give one direction for "
+           "both with normal=[nx, ny]");
   }
 
   void put_line(CommonRefinement& result) const {
     std::map<std::pair<int, int>, int> boundary_edge;
     for (int e = 0; e < result.edges.count(); ++e)
       if (result.edges.on_boundary(e))
-        boundary_edge.emplace(std::pair(result.edges.vertices(0, e), result.edges.vertices(1, e)), e);
+        boundary_edge.emplace(
+            std::pair(result.edges.vertices(0, e), result.edges.vertices(1, e)), e);
 
     LineParts parts(old_line_);
     auto piece = pieces_.begin();
@@ -256,26 +285,31 @@ class Refiner {
       const int edge = old_line_.edge[e];
       if (piece == pieces_.end() || piece->contact_edge != e) {
         const std::pair ends(old_edges_.vertices(0, edge), old_edges_.vertices(1, edge));
-        parts.add_edge(e, old_line_.edge_node(0, e), old_line_.edge_node(1, e), boundary_edge.find(ends)->second, -1,
-                       1);
+        parts.add_edge(e, old_line_.edge_node(0, e), old_line_.edge_node(1, e),
+                       boundary_edge.find(ends)->second, -1, 1);
         continue;
       }
-      int node = ends_at_its_node(old_line_, 0, e) ? old_line_.edge_node(0, e)
-                                                   : parts.add_node(vertex_at(edge, piece->begin), e, 0, old_line_);
+      int node = ends_at_its_node(old_line_, 0, e)
+                     ? old_line_.edge_node(0, e)
+                     : parts.add_node(vertex_at(edge, piece->begin), e, 0, old_line_);
       parts.vertex[node] = vertex_at(edge, piece->begin);
       for (; piece != pieces_.end() && piece->contact_edge == e; ++piece) {
-        const int first = vertex_at(edge, piece->begin), second = vertex_at(edge, piece->end);
+        const int first = vertex_at(edge, piece->begin),
+                  second = vertex_at(edge, piece->end);
         const int facing_first = vertex_at(piece->opposite_edge, piece->opposite_begin);
         const int facing_second = vertex_at(piece->opposite_edge, piece->opposite_end);
-        const double begin = old_line_.share(e, piece->begin), end = old_line_.share(e, piece->end);
+        const double begin = old_line_.share(e, piece->begin),
+                     end = old_line_.share(e, piece->end);
         const bool at_node = end == 1 && ends_at_its_node(old_line_, 1, e);
-        const int next = at_node ? old_line_.edge_node(1, e) : parts.add_node(second, e, end, old_line_);
+        const int next = at_node ? old_line_.edge_node(1, e)
+                                 : parts.add_node(second, e, end, old_line_);
         parts.vertex[next] = second;
         parts.face(node, facing_first);
         parts.face(next, facing_second);
         const auto facing = boundary_edge.find({facing_second, facing_first});
         if (facing == boundary_edge.end()) refuse_shared(facing_first);
-        parts.add_edge(e, node, next, boundary_edge.find({first, second})->second, facing->second, end - begin);
+        parts.add_edge(e, node, next, boundary_edge.find({first, second})->second,
+                       facing->second, end - begin);
         node = next;
       }
     }
@@ -285,27 +319,30 @@ class Refiner {
   /// The refined line while it grows.
   struct LineParts {
     std::vector<int> vertex, edge, opposite_edge, parent_edge;
-    std::vector<Eigen::Vector2i> edge_node;
+    std::vector<Vector2i> edge_node;
     std::vector<double> abscissa;
     std::vector<double> share;  ///< of the parent's length
     std::map<int, int> facing;  ///< vertex that a node faces
     Triplets weights;           ///< node_weights
 
     explicit LineParts(const ContactLine& line)
-        : vertex(line.vertex.begin(), line.vertex.end()), abscissa(line.abscissa.begin(), line.abscissa.end()) {
+        : vertex(line.vertex.begin(), line.vertex.end()),
+          abscissa(line.abscissa.begin(), line.abscissa.end()) {
       for (int i = 0; i < line.node_count(); ++i) weights.emplace_back(i, i, 1.0);
     }
     int add_node(int at, int e, double share, const ContactLine& line) {
       const int node = static_cast<int>(vertex.size());
       vertex.push_back(at);
       const bool from_second = !ends_at_its_node(line, 0, e);
-      abscissa.push_back(line.abscissa[line.edge_node(0, e)] + (from_second ? share - 1 : share) * line.length[e]);
+      abscissa.push_back(line.abscissa[line.edge_node(0, e)] +
+                         (from_second ? share - 1 : share) * line.length[e]);
       weights.emplace_back(node, line.edge_node(0, e), 1 - share);
       weights.emplace_back(node, line.edge_node(1, e), share);
       return node;
     }
     void face(int node, int opposite_vertex) { facing.emplace(node, opposite_vertex); }
-    void add_edge(int parent, int first, int second, int mesh_edge, int opposite, double part) {
+    void add_edge(int parent, int first, int second, int mesh_edge, int opposite,
+                  double part) {
       parent_edge.push_back(parent);
       edge_node.emplace_back(first, second);
       edge.push_back(mesh_edge);
@@ -313,29 +350,33 @@ class Refiner {
       share.push_back(part);
     }
     void put(CommonRefinement& result, const ContactLine& old) const {
-      const auto p = static_cast<Eigen::Index>(vertex.size()), m = static_cast<Eigen::Index>(edge.size());
+      const auto p = static_cast<Index>(vertex.size()),
+                 m = static_cast<Index>(edge.size());
       result.node_weights.resize(p, old.node_count());
       result.node_weights.setFromTriplets(weights.begin(), weights.end());
       ContactLine& line = result.line;
-      line.vertex = Eigen::Map<const Eigen::VectorXi>(vertex.data(), p);
+      line.vertex = Map<const VectorXi>(vertex.data(), p);
       line.normal.resize(2, p);
       line.normal.leftCols(old.node_count()) = old.normal;
-      for (Eigen::Index node = old.node_count(); node < p; ++node)
-        line.normal.col(node) = old.normal.col(WeightsByNode::InnerIterator(result.node_weights, node).col());
-      line.abscissa = Eigen::Map<const Eigen::VectorXd>(abscissa.data(), p);
+      for (Index node = old.node_count(); node < p; ++node)
+        line.normal.col(node) =
+            old.normal.col(WeightsByNode::InnerIterator(result.node_weights, node).col());
+      line.abscissa = Map<const VectorXd>(abscissa.data(), p);
       line.precision = old.precision;
-      line.edge = Eigen::Map<const Eigen::VectorXi>(edge.data(), m);
-      line.opposite_edge = Eigen::Map<const Eigen::VectorXi>(opposite_edge.data(), m);
-      result.parent_contact_edge = Eigen::Map<const Eigen::VectorXi>(parent_edge.data(), m);
+      line.edge = Map<const VectorXi>(edge.data(), m);
+      line.opposite_edge = Map<const VectorXi>(opposite_edge.data(), m);
+      result.parent_contact_edge = Map<const VectorXi>(parent_edge.data(), m);
       line.edge_node.resize(2, m);
       line.length.resize(m);
-      for (Eigen::Index e = 0; e < m; ++e) {
+      for (Index e = 0; e < m; ++e) {
         line.edge_node.col(e) = edge_node[e];
         line.length[e] = share[e] * old.length[parent_edge[e]];
-        if (opposite_edge[e] >= 0) line.pieces.push_back({static_cast<int>(e), 0, 1, opposite_edge[e], 1, 0});
+        if (opposite_edge[e] >= 0)
+          line.pieces.push_back({static_cast<int>(e), 0, 1, opposite_edge[e], 1, 0});
       }
       Triplets selection;
-      for (const auto& [node, opposite_vertex] : facing) selection.emplace_back(node, opposite_vertex, 1.0);
+      for (const auto& [node, opposite_vertex] : facing)
+        selection.emplace_back(node, opposite_vertex, 1.0);
       line.opposite.resize(p, result.mesh.vertices.cols());
       line.opposite.setFromTriplets(selection.begin(), selection.end());
     }
@@ -346,16 +387,18 @@ class Refiner {
   const ContactLine& old_line_;
   const std::vector<FacingPiece> pieces_;
   std::map<int, CutEdge> cuts_;  ///< by old edge
-  std::vector<Eigen::Vector2d> vertices_;
-  std::vector<Eigen::Vector3i> triangles_;
+  std::vector<Vector2d> vertices_;
+  std::vector<Vector3i> triangles_;
   std::vector<int> parent_;
-  std::map<int, std::vector<int>> parts_;  ///< triangles that an old triangle was cut into
+  /// triangles that an old triangle was cut into
+  std::map<int, std::vector<int>> parts_;
   Triplets vertex_weights_;
 };
 
 }  // namespace
 
-CommonRefinement common_refinement(const Mesh& mesh, const Edges& edges, const ContactLine& line) {
+CommonRefinement common_refinement(const Mesh& mesh, const Edges& edges,
+                                   const ContactLine& line) {
   return Refiner(mesh, edges, line).refinement();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {
@@ -12,76 +12,102 @@ namespace ffcontact {
 /// Weights of vertices, one row per contact node.
 using WeightsByNode = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// A piece of the common refinement of two facing traces: the part (begin, end) of the mesh edge of a contact edge and the part of
-/// the edge of the opposite body that it faces, which runs the other way. Parameters go from 0 at the first to 1 at the second
+/// A piece of the common refinement of two facing traces: the part (begin, end) of the
+/// mesh edge of a contact edge and the part of the edge of the opposite body that it
+/// faces, which runs the other way. Parameters go from 0 at the first to 1 at the second
 /// vertex of their mesh edge; between the ends of a piece they correspond linearly.
 struct FacingPiece {
   int contact_edge;                     ///< number on the contact line
   double begin, end;                    ///< begin < end
   int opposite_edge;                    ///< mesh edge
   double opposite_begin, opposite_end;  ///< opposite_begin > opposite_end
-  double gap_begin = 0, gap_end = 0;    ///< distance along n at its ends, negative where the bodies overlap [mm]
+  /// distance along n at its ends, negative where the bodies overlap [mm]
+  double gap_begin = 0, gap_end = 0;
 
-  bool is_whole() const { return begin == 0 && end == 1 && opposite_begin == 1 && opposite_end == 0; }
+  bool is_whole() const {
+    return begin == 0 && end == 1 && opposite_begin == 1 && opposite_end == 0;
+  }
 };
 
-/// The boundary part Gamma_C on which contact may occur, as a list of nodes that carry multipliers.
+/// The boundary part Gamma_C on which contact may occur, as a list of nodes that carry
+/// multipliers.
 ///
-/// Nodes follow t = (-n2, n1), counter-clockwise around the body; several separate lines come one after the other, and closed
-/// ones start at a corner. Between
-/// edges of one straight line neighbours share a node; a line is straight within the precision of its coordinates, and has one
-/// normal, that of its chord. A vertex in which two straight lines meet is two nodes, one for each
-/// line and its normal: multipliers jump there, and the mass matrix (3.9) falls apart into one block per straight line. The
-/// vertex then keeps clear of both lines, with W u as with W u_h on each of them: for nodal forces both normal components of
-/// its displacement are bounded, for pressures each end row of M is. On a polygon that stands for a smooth curve this would
-/// lock sliding at every vertex; a line of given directions (along_directions) has one node a vertex instead.
+/// Nodes follow t = (-n2, n1), counter-clockwise around the body; several separate lines
+/// come one after the other, and closed ones start at a corner. Between
+/// edges of one straight line neighbours share a node; a line is straight within the
+/// precision of its coordinates, and has one normal, that of its chord. A vertex in which
+/// two straight lines meet is two nodes, one for each line and its normal: multipliers
+/// jump there, and the mass matrix (3.9) falls apart into one block per straight line.
+/// The vertex then keeps clear of both lines, with W u as with W u_h on each of them: for
+/// nodal forces both normal components of its displacement are bounded, for pressures
+/// each end row of M is. On a polygon that stands for a smooth curve this would lock
+/// sliding at every vertex; a line of given directions (along_directions) has one node a
+/// vertex instead.
 ///
-/// Where the opposite body ends within a mesh edge so does the contact edge (facing_line), at a node between the vertices.
+/// Where the opposite body ends within a mesh edge so does the contact edge
+/// (facing_line), at a node between the vertices.
 struct ContactLine {
-  Eigen::VectorXi vertex;      ///< mesh vertex of each node, or the nearer one of the two that it lies between [p]
-  Eigen::Matrix2Xd normal;     ///< outward unit normal at each node [2 x p]
-  Eigen::VectorXd abscissa;    ///< arc length of each node [mm]
-  Eigen::Matrix2Xi edge_node;  ///< first and second node of each contact edge [2 x m]
-  Eigen::VectorXi edge;        ///< mesh edge of each contact edge [m]
-  Eigen::VectorXd length;      ///< of each contact edge [mm]
-  Eigen::Matrix2Xd part;  ///< places of the ends of contact edges on their mesh edges [2 x m]; empty where all are 0, 1
-  double precision = 0;   ///< of the coordinates of its vertices (coordinate_precision) [mm]
-  /// What is taken from the displacement of a node's vertex to give the jump [u] there, the same for both components
-  /// [p x vertices]: the displacement of the opposite body, and at a node between two vertices what it moves less than its own.
-  /// No rows where all of the foundation is rigid.
+  /// mesh vertex of each node, or the nearer one of the two that it lies between [p]
+  VectorXi vertex;
+  Matrix2Xd normal;     ///< outward unit normal at each node [2 x p]
+  VectorXd abscissa;    ///< arc length of each node [mm]
+  Matrix2Xi edge_node;  ///< first and second node of each contact edge [2 x m]
+  VectorXi edge;        ///< mesh edge of each contact edge [m]
+  VectorXd length;      ///< of each contact edge [mm]
+  /// places of the ends of contact edges on their mesh edges [2 x m]; empty where all are
+  /// 0, 1
+  Matrix2Xd part;
+  /// of the coordinates of its vertices (coordinate_precision) [mm]
+  double precision = 0;
+  /// What is taken from the displacement of a node's vertex to give the jump [u] there,
+  /// the same for both components [p x vertices]: the displacement of the opposite body,
+  /// and at a node between two vertices what it moves less than its own. No rows where
+  /// all of the foundation is rigid.
   WeightsByNode opposite;
-  Eigen::VectorXi opposite_edge;  ///< mesh edge that faces each contact edge as a whole, or -1 [m]; empty as `opposite`
-  std::vector<FacingPiece> pieces;  ///< what the contact edges face, in their order; none on a rigid foundation
+  /// mesh edge that faces each contact edge as a whole, or -1 [m]; empty as `opposite`
+  VectorXi opposite_edge;
+  /// what the contact edges face, in their order; none on a rigid foundation
+  std::vector<FacingPiece> pieces;
 
   int node_count() const { return static_cast<int>(vertex.size()); }
   int edge_count() const { return static_cast<int>(edge.size()); }
   bool against_a_body() const { return opposite.rows() > 0; }
   double place(int end, int e) const { return part.size() > 0 ? part(end, e) : end; }
   /// Share of a contact edge at a place on its mesh edge.
-  double share(int e, double at) const { return (at - place(0, e)) / (place(1, e) - place(0, e)); }
+  double share(int e, double at) const {
+    return (at - place(0, e)) / (place(1, e) - place(0, e));
+  }
   /// Does every contact edge that faces another body face one whole edge?
   bool matches() const {
-    return std::all_of(pieces.begin(), pieces.end(), [](const FacingPiece& p) { return p.is_whole(); });
+    return std::all_of(pieces.begin(), pieces.end(),
+                       [](const FacingPiece& p) { return p.is_whole(); });
   }
-  Eigen::Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
-  /// Both nodes of a contact edge have the normal of its straight line, except on a line of given directions.
-  Eigen::Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
-  Eigen::Vector2d edge_tangent(int e) const { return tangent(edge_node(0, e)); }
+  Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
+  /// Both nodes of a contact edge have the normal of its straight line, except on a line
+  /// of given directions.
+  Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
+  Vector2d edge_tangent(int e) const { return tangent(edge_node(0, e)); }
 };
 
-/// @throws std::invalid_argument  if `labels` is empty or one of them is on no boundary edge of the body
-ContactLine contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels);
+/// @throws std::invalid_argument  if `labels` is empty or one of them is on no boundary
+///                                edge of the body
+ContactLine contact_line(const Mesh& mesh, const Edges& edges,
+                         const std::vector<int>& labels);
 
-/// One node a vertex, corners included, with the unit mean of the normals of the edges beside it. For smooth curves.
+/// One node a vertex, corners included, with the unit mean of the normals of the edges
+/// beside it. For smooth curves.
 /// @throws std::invalid_argument  as contact_line
-ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels);
+ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges,
+                                const std::vector<int>& labels);
 
-/// The same nodes and edges with given contact directions in place of the normals: u_n, u_t and the gap are measured along
-/// them, integrals stay on the geometric edges.
-/// @param direction  of any length, pointing out of the body on the edges beside its node [2 x p]
-/// @throws std::invalid_argument  naming the first vertex whose direction is zero, not finite, or points into the body
+/// The same nodes and edges with given contact directions in place of the normals: u_n,
+/// u_t and the gap are measured along them, integrals stay on the geometric edges.
+/// @param direction  of any length, pointing out of the body on the edges beside its node
+///                   [2 x p]
+/// @throws std::invalid_argument  naming the first vertex whose direction is zero, not
+///                                finite, or points into the body
 ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
-                             const Eigen::Ref<const Eigen::Matrix2Xd>& direction);
+                             const Ref<const Matrix2Xd>& direction);
 
 /// Calls visit(vertex, weight) for the entries of ContactLine::opposite at a node.
 template <class Visit>
@@ -91,14 +117,16 @@ void visit_opposite(const ContactLine& line, int node, Visit&& visit) {
     visit(static_cast<int>(part.col()), part.value());
 }
 
-/// The vertices in ContactLine::opposite, each once: those of opposite bodies, and ends of edges in which the line ends.
+/// The vertices in ContactLine::opposite, each once: those of opposite bodies, and ends
+/// of edges in which the line ends.
 std::vector<int> opposite_vertices(const ContactLine& line);
 
 /// Mass matrix on Gamma_C [mm], m_ij = int psi_i psi_j, tridiagonal [CHH01, (3.9)].
-Eigen::SparseMatrix<double> contact_mass(const ContactLine& line);
+SparseMatrix contact_mass(const ContactLine& line);
 
-/// Normal and tangential components at the nodes [2 x p] of a vertex field (2 * vertex + component) against the opposite body:
-/// [u] . n and [u] . t for [u] = u - opposite u, with u = 0 in a rigid foundation. [u] . n > 0 is penetration.
-Eigen::Matrix2Xd contact_components(const ContactLine& line, const Eigen::Ref<const Eigen::VectorXd>& field);
+/// Normal and tangential components at the nodes [2 x p] of a vertex field (2 * vertex +
+/// component) against the opposite body: [u] . n and [u] . t for [u] = u - opposite u,
+/// with u = 0 in a rigid foundation. [u] . n > 0 is penetration.
+Matrix2Xd contact_components(const ContactLine& line, const Ref<const VectorXd>& field);
 
 }  // namespace ffcontact

@@ -17,7 +17,8 @@ std::vector<Nodes> curves_of(const ContactLine& line) {
   std::vector<Nodes> curves;
   for (int e = 0; e < line.edge_count(); ++e) {
     if (!turns(line, e)) continue;
-    if (curves.empty() || curves.back().back() != line.edge_node(0, e)) curves.push_back({line.edge_node(0, e)});
+    if (curves.empty() || curves.back().back() != line.edge_node(0, e))
+      curves.push_back({line.edge_node(0, e)});
     curves.back().push_back(line.edge_node(1, e));
   }
   return curves;
@@ -26,52 +27,60 @@ std::vector<Nodes> curves_of(const ContactLine& line) {
 /// Where the gap of a curve is the smallest: its node, and the direction there.
 struct Spot {
   int node;
-  Eigen::Vector2d direction;
+  Vector2d direction;
 };
 
-Eigen::Vector2d snapped_to_axis(const Eigen::Vector2d& direction, double angle) {
+Vector2d snapped_to_axis(const Vector2d& direction, double angle) {
   for (int c = 0; c < 2; ++c)
-    if (std::abs(direction[c]) < angle) return std::copysign(1.0, direction[1 - c]) * Eigen::Vector2d::Unit(1 - c);
+    if (std::abs(direction[c]) < angle)
+      return std::copysign(1.0, direction[1 - c]) * Vector2d::Unit(1 - c);
   return direction;
 }
 
-Spot smallest_gap(const ContactLine& line, const Nodes& curve, const Eigen::Ref<const Eigen::VectorXd>& gap) {
+Spot smallest_gap(const ContactLine& line, const Nodes& curve,
+                  const Ref<const VectorXd>& gap) {
   std::size_t k = 0;
   for (std::size_t i = 1; i < curve.size(); ++i)
     if (gap[curve[i]] < gap[curve[k]]) k = i;
-  const Eigen::Vector2d n = line.normal.col(curve[k]);
+  const Vector2d n = line.normal.col(curve[k]);
   if (k == 0 || k + 1 == curve.size()) return {curve[k], n};
   const int before = curve[k - 1], after = curve[k + 1];
-  const double a = line.abscissa[before] - line.abscissa[curve[k]], b = line.abscissa[after] - line.abscissa[curve[k]];
-  const double left = (gap[before] - gap[curve[k]]) / a, right = (gap[after] - gap[curve[k]]) / b;  // slopes of chords
+  const double a = line.abscissa[before] - line.abscissa[curve[k]],
+               b = line.abscissa[after] - line.abscissa[curve[k]];
+  // slopes of chords
+  const double left = (gap[before] - gap[curve[k]]) / a,
+               right = (gap[after] - gap[curve[k]]) / b;
   const double bend = (right - left) / (b - a);
   if (!(a < 0 && b > 0 && bend > 0)) return {curve[k], n};
   const double s = -(left - bend * a) / (2 * bend);
-  const Eigen::Vector2d other = line.normal.col(s < 0 ? before : after);
-  const Eigen::Vector2d direction = (n + s / (s < 0 ? a : b) * (other - n)).normalized();
+  const Vector2d other = line.normal.col(s < 0 ? before : after);
+  const Vector2d direction = (n + s / (s < 0 ? a : b) * (other - n)).normalized();
   return {curve[k], snapped_to_axis(direction, 0.05 * (other - n).norm())};
 }
 
-/// The straight line that shares an end with a curve gives its normal; of two with different normals neither does.
+/// The straight line that shares an end with a curve gives its normal; of two with
+/// different normals neither does.
 std::optional<Spot> neighbouring_line(const ContactLine& line, const Nodes& curve) {
   std::optional<Spot> found;
   for (int e = 0; e < line.edge_count(); ++e)
     for (int node : line.edge_node.col(e))
       if (!turns(line, e) && (node == curve.front() || node == curve.back())) {
-        if (found && found->direction != line.normal.col(node)) return Spot{-1, Eigen::Vector2d::Zero()};
+        if (found && found->direction != line.normal.col(node))
+          return Spot{-1, Vector2d::Zero()};
         found = Spot{node, line.normal.col(node)};
       }
   return found;
 }
 
-bool stands_for_all(const Mesh& mesh, const ContactLine& line, const Nodes& curve, const Spot& spot,
-                    const Eigen::Ref<const Eigen::VectorXd>& gap) {
+bool stands_for_all(const Mesh& mesh, const ContactLine& line, const Nodes& curve,
+                    const Spot& spot, const Ref<const VectorXd>& gap) {
   if (spot.node < 0) return false;
-  const Eigen::Vector2d x0 = mesh.vertices.col(line.vertex[spot.node]);
+  const Vector2d x0 = mesh.vertices.col(line.vertex[spot.node]);
   const double g0 = gap[spot.node];
   bool falls_back = false;
   for (int node : curve) {
-    const double fall = (x0 - mesh.vertices.col(line.vertex[node])).dot(spot.direction), opened = gap[node] - g0;
+    const double fall = (x0 - mesh.vertices.col(line.vertex[node])).dot(spot.direction),
+                 opened = gap[node] - g0;
     if (!(line.normal.col(node).dot(spot.direction) > 0.5)) return false;
     // Beside a spot between two nodes the curve may reach beyond x_0.
     if (fall > 0 && opened < 0.5 * fall - 1.5 * line.precision) return false;
@@ -80,11 +89,13 @@ bool stands_for_all(const Mesh& mesh, const ContactLine& line, const Nodes& curv
   return falls_back;
 }
 
-/// Each edge along which the direction still turns gets two nodes of its own, with its normal.
-ContactLine polygon_where_it_turns(const Mesh& mesh, const Edges& edges, const ContactLine& line) {
+/// Each edge along which the direction still turns gets two nodes of its own, with its
+/// normal.
+ContactLine polygon_where_it_turns(const Mesh& mesh, const Edges& edges,
+                                   const ContactLine& line) {
   ContactLine result = line;
   Nodes origin, kept(line.node_count(), -1);
-  std::vector<Eigen::Vector2d> normals;
+  std::vector<Vector2d> normals;
   std::vector<double> abscissae;
   for (int e = 0; e < line.edge_count(); ++e)
     for (int end = 0; end < 2; ++end) {
@@ -94,24 +105,28 @@ ContactLine polygon_where_it_turns(const Mesh& mesh, const Edges& edges, const C
       if (now < 0) {
         now = static_cast<int>(origin.size());
         origin.push_back(node);
-        normals.push_back(turns(line, e) ? edge_normal(mesh, edges, line.edge[e]) : line.normal.col(node));
+        normals.push_back(turns(line, e) ? edge_normal(mesh, edges, line.edge[e])
+                                         : line.normal.col(node));
         // A closed curve ends where it begins, at another abscissa.
-        abscissae.push_back(turns(line, e) ? line.abscissa[line.edge_node(0, e)] + end * line.length[e]
+        abscissae.push_back(turns(line, e) ? line.abscissa[line.edge_node(0, e)] +
+                                                 end * line.length[e]
                                            : line.abscissa[node]);
       }
       result.edge_node(end, e) = now;
     }
   result.vertex = line.vertex(origin);
-  result.normal.resize(2, static_cast<Eigen::Index>(normals.size()));
-  for (std::size_t i = 0; i < normals.size(); ++i) result.normal.col(static_cast<Eigen::Index>(i)) = normals[i];
-  result.abscissa = Eigen::Map<const Eigen::VectorXd>(abscissae.data(), result.normal.cols());
+  result.normal.resize(2, static_cast<Index>(normals.size()));
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    result.normal.col(static_cast<Index>(i)) = normals[i];
+  result.abscissa = Map<const VectorXd>(abscissae.data(), result.normal.cols());
   return result;
 }
 
 }  // namespace
 
 bool turns(const ContactLine& line, int edge) {
-  return line.normal.col(line.edge_node(0, edge)) != line.normal.col(line.edge_node(1, edge));
+  return line.normal.col(line.edge_node(0, edge)) !=
+         line.normal.col(line.edge_node(1, edge));
 }
 
 bool turns(const ContactLine& line) {
@@ -120,11 +135,12 @@ bool turns(const ContactLine& line) {
   return false;
 }
 
-ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges, ContactLine line,
-                                       const Eigen::Ref<const Eigen::VectorXd>& gap) {
+ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges,
+                                       ContactLine line, const Ref<const VectorXd>& gap) {
   require_size("gap", gap.size(), line.node_count());
   for (const Nodes& curve : curves_of(line)) {
-    const Spot spot = neighbouring_line(line, curve).value_or(smallest_gap(line, curve, gap));
+    const Spot spot =
+        neighbouring_line(line, curve).value_or(smallest_gap(line, curve, gap));
     if (!stands_for_all(mesh, line, curve, spot, gap)) continue;
     for (int node : curve) line.normal.col(node) = spot.direction;
   }

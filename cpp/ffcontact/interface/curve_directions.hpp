@@ -1,31 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
 
-/// As contact_line, but polygons that stand for smooth curves have one node a vertex, with the normals of the circles through
-/// neighbours (SmoothCurve), and a node together with the straight line that they go on from, with its normal. Such a polygon is
-/// at least five edges, no two of them on one straight line, that turn by at most 15 degrees at each vertex.
+/// As contact_line, but polygons that stand for smooth curves have one node a vertex,
+/// with the normals of the circles through neighbours (SmoothCurve), and a node together
+/// with the straight line that they go on from, with its normal. Such a polygon is at
+/// least five edges, no two of them on one straight line, that turn by at most 15 degrees
+/// at each vertex.
 /// @throws std::invalid_argument  as contact_line
-ContactLine curved_contact_line(const Mesh& mesh, const Edges& edges, const std::vector<int>& labels);
+ContactLine curved_contact_line(const Mesh& mesh, const Edges& edges,
+                                const std::vector<int>& labels);
 
 /// Whether contact directions turn along an edge, as on a smooth curve.
 bool turns(const ContactLine& line, int edge);
 bool turns(const ContactLine& line);
 
-/// A line of smooth curves (curved_contact_line) with one contact direction for each of them, where it touches a foundation that
-/// is flatter: tractions are then linear on edges, and can be judged.
+/// A line of smooth curves (curved_contact_line) with one contact direction for each of
+/// them, where it touches a foundation that is flatter: tractions are then linear on
+/// edges, and can be judged.
 ///
-/// The direction d is the normal of a straight line that the curve goes on from, or else the curve's own where the gap is the
-/// smallest, at the vertex of the parabola through three gaps; that of an axis if it is within a twentieth of an edge's turn of
-/// it, so that a force along the axis does not push a body aside that nothing else holds. It stands for the normals n while
+/// The direction d is the normal of a straight line that the curve goes on from, or else
+/// the curve's own where the gap is the smallest, at the vertex of the parabola through
+/// three gaps; that of an axis if it is within a twentieth of an edge's turn of it, so
+/// that a force along the axis does not push a body aside that nothing else holds. It
+/// stands for the normals n while
 ///     n . d > 1/2   and   g - g_0 >= (x_0 - x) . d / 2   at all nodes of the curve, x_0 the one where g is the smallest:
-/// the gap opens at least half as fast as the curve falls back from its tangent. A curve that fits its foundation better than
-/// that becomes the polygon of contact_line: two nodes a vertex, each with the normal of its edge.
+/// the gap opens at least half as fast as the curve falls back from its tangent. A curve
+/// that fits its foundation better than that becomes the polygon of contact_line: two
+/// nodes a vertex, each with the normal of its edge.
 /// @param gap  at the line's nodes [mm]
-ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges, ContactLine line,
-                                       const Eigen::Ref<const Eigen::VectorXd>& gap);
+ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges,
+                                       ContactLine line, const Ref<const VectorXd>& gap);
 
 }  // namespace ffcontact

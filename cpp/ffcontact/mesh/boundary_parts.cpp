@@ -34,7 +34,8 @@ struct Chain {
   bool closed() const { return vertices.front() == vertices.back(); }
 };
 
-Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex, int column, std::set<int>& used) {
+Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex, int column,
+                 std::set<int>& used) {
   Chain chain{{vertex}, {}};
   while (used.insert(column).second) {
     chain.columns.push_back(column);
@@ -47,25 +48,28 @@ Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex, int colu
   return chain;
 }
 
-Eigen::Matrix2Xd points_of(const Mesh& mesh, const std::vector<int>& vertices) {
+Matrix2Xd points_of(const Mesh& mesh, const std::vector<int>& vertices) {
   return mesh.vertices(Eigen::all, vertices);
 }
 
 /// A closed chain starts where it turns the most.
 void start_at_corner(const Mesh& mesh, Chain& chain) {
-  const Eigen::Matrix2Xd x = points_of(mesh, chain.vertices);
-  const Eigen::Index n = x.cols() - 1;
-  Eigen::Index sharpest = 0;
+  const Matrix2Xd x = points_of(mesh, chain.vertices);
+  const Index n = x.cols() - 1;
+  Index sharpest = 0;
   double most = 0;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double turn = angle_between(x.col(k) - x.col((k + n - 1) % n), x.col(k + 1) - x.col(k));
+  for (Index k = 0; k < n; ++k) {
+    const double turn =
+        angle_between(x.col(k) - x.col((k + n - 1) % n), x.col(k + 1) - x.col(k));
     if (turn <= most) continue;
     most = turn;
     sharpest = k;
   }
   chain.vertices.pop_back();
-  std::rotate(chain.vertices.begin(), chain.vertices.begin() + sharpest, chain.vertices.end());
-  std::rotate(chain.columns.begin(), chain.columns.begin() + sharpest, chain.columns.end());
+  std::rotate(chain.vertices.begin(), chain.vertices.begin() + sharpest,
+              chain.vertices.end());
+  std::rotate(chain.columns.begin(), chain.columns.begin() + sharpest,
+              chain.columns.end());
   chain.vertices.push_back(chain.vertices.front());
 }
 
@@ -76,7 +80,8 @@ std::vector<Chain> chains_of(const Mesh& mesh) {
   for (const auto& [vertex, columns] : at)
     if (columns.size() != 2)
       for (int column : columns)
-        if (!used.count(column)) chains.push_back(chain_from(mesh, at, vertex, column, used));
+        if (!used.count(column))
+          chains.push_back(chain_from(mesh, at, vertex, column, used));
   for (int b = 0; b < mesh.boundary.cols(); ++b)
     if (!used.count(b)) {
       chains.push_back(chain_from(mesh, at, mesh.boundary(0, b), b, used));
@@ -86,9 +91,10 @@ std::vector<Chain> chains_of(const Mesh& mesh) {
 }
 
 /// Direction in which a part leaves its first (or, backwards, its last) vertex.
-Eigen::Vector2d leaving(const Mesh& mesh, const BoundaryPart& part, bool backwards) {
+Vector2d leaving(const Mesh& mesh, const BoundaryPart& part, bool backwards) {
   const std::size_t n = part.vertices.size();
-  const int from = part.vertices[backwards ? n - 1 : 0], to = part.vertices[backwards ? n - 2 : 1];
+  const int from = part.vertices[backwards ? n - 1 : 0],
+            to = part.vertices[backwards ? n - 2 : 1];
   return mesh.vertices.col(to) - mesh.vertices.col(from);
 }
 
@@ -96,9 +102,10 @@ double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
   double largest = 0;
   for (const BoundaryPart& part : parts)
     for (std::size_t k = 1; k + 1 < part.curve.size(); ++k) {
-      const Eigen::Vector2d at = mesh.vertices.col(part.curve[k]);
-      largest = std::max(
-          largest, angle_between(at - mesh.vertices.col(part.curve[k - 1]), mesh.vertices.col(part.curve[k + 1]) - at));
+      const Vector2d at = mesh.vertices.col(part.curve[k]);
+      largest =
+          std::max(largest, angle_between(at - mesh.vertices.col(part.curve[k - 1]),
+                                          mesh.vertices.col(part.curve[k + 1]) - at));
     }
   return largest;
 }
@@ -107,29 +114,33 @@ double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
 class Places {
  public:
   Places(const Mesh& mesh, const BoundaryPart& part) : ends_(2, 2) {
-    ends_ << mesh.vertices.col(part.vertices.front()), mesh.vertices.col(part.vertices.back());
+    ends_ << mesh.vertices.col(part.vertices.front()),
+        mesh.vertices.col(part.vertices.back());
     if (part.straight()) return;
-    const Eigen::Matrix2Xd points = points_of(mesh, part.curve);
-    curve_ = smooth_curve(points, part.curve.front() == part.curve.back() && closes_smoothly(points));
+    const Matrix2Xd points = points_of(mesh, part.curve);
+    curve_ = smooth_curve(
+        points, part.curve.front() == part.curve.back() && closes_smoothly(points));
   }
 
-  Eigen::Vector2d beside(const Eigen::Vector2d& x) const {
+  Vector2d beside(const Vector2d& x) const {
     if (curve_) return curve_->beside(x);
-    const Eigen::Vector2d first = ends_.col(0), along = ends_.col(1) - first;
-    return first + std::clamp((x - first).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+    const Vector2d first = ends_.col(0), along = ends_.col(1) - first;
+    return first +
+           std::clamp((x - first).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
   }
-  Eigen::Vector2d nearest_end(const Eigen::Vector2d& x) const {
-    return ends_.col((x - ends_.col(0)).squaredNorm() < (x - ends_.col(1)).squaredNorm() ? 0 : 1);
+  Vector2d nearest_end(const Vector2d& x) const {
+    return ends_.col(
+        (x - ends_.col(0)).squaredNorm() < (x - ends_.col(1)).squaredNorm() ? 0 : 1);
   }
 
  private:
-  Eigen::Matrix2d ends_;
+  Matrix2d ends_;
   std::optional<SmoothCurve> curve_;
 };
 
 /// New places of the vertices on parts, by vertex.
-std::map<int, Eigen::Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
-                                             const std::vector<BoundaryPart>& parts) {
+std::map<int, Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
+                                      const std::vector<BoundaryPart>& parts) {
   std::vector<Places> places;
   for (const BoundaryPart& part : parts) places.emplace_back(mesh, part);
   const int first_label = part_label(mesh, 0);
@@ -139,19 +150,20 @@ std::map<int, Eigen::Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
     if (part < 0 || part >= static_cast<int>(parts.size())) continue;
     for (int v : fine.boundary.col(b)) parts_at[v].insert(part);
   }
-  std::map<int, Eigen::Vector2d> wanted;
+  std::map<int, Vector2d> wanted;
   for (const auto& [vertex, at] : parts_at) {
-    const Eigen::Vector2d x = fine.vertices.col(vertex);
+    const Vector2d x = fine.vertices.col(vertex);
     const Places& place = places[*at.begin()];
     wanted.emplace(vertex, at.size() > 1 ? place.nearest_end(x) : place.beside(x));
   }
   return wanted;
 }
 
-/// The triangle that keeps the smallest part of its area when vertices move, and that part.
+/// The triangle that keeps the smallest part of its area when vertices move, and that
+/// part.
 std::pair<int, double> worst_triangle(const Mesh& before, const Mesh& after) {
   std::pair<int, double> worst{0, 1};
-  for (int t = 0; t < before.triangle_count(); ++t) {
+  for (int t = 0; t < before.cell_count(); ++t) {
     const double kept = signed_area(after, t) / signed_area(before, t);
     if (kept < worst.second) worst = {t, kept};
   }
@@ -159,26 +171,28 @@ std::pair<int, double> worst_triangle(const Mesh& before, const Mesh& after) {
 }
 
 /// Moves of the other vertices become the mean of their neighbours' moves.
-void spread(const Mesh& mesh, const std::vector<char>& given, Eigen::Matrix2Xd& moves) {
-  Eigen::Matrix2Xd sum = Eigen::Matrix2Xd::Zero(2, moves.cols());
-  Eigen::VectorXd count = Eigen::VectorXd::Zero(moves.cols());
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+void spread(const Mesh& mesh, const std::vector<char>& given, Matrix2Xd& moves) {
+  Matrix2Xd sum = Matrix2Xd::Zero(2, moves.cols());
+  VectorXd count = VectorXd::Zero(moves.cols());
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t);
+      const int a = mesh.cells(k, t), b = mesh.cells((k + 1) % 3, t);
       sum.col(a) += moves.col(b);
       sum.col(b) += moves.col(a);
       count[a] += 1;
       count[b] += 1;
     }
-  for (Eigen::Index v = 0; v < moves.cols(); ++v)
+  for (Index v = 0; v < moves.cols(); ++v)
     if (!given[v]) moves.col(v) = sum.col(v) / count[v];
 }
 
 /// Appends the parts of one label each that a line or curve of a chain has.
-void add_parts(const Mesh& mesh, const Chain& chain, const LinePart& line, std::vector<BoundaryPart>& parts) {
+void add_parts(const Mesh& mesh, const Chain& chain, const LinePart& line,
+               std::vector<BoundaryPart>& parts) {
   const auto label = [&](int k) { return mesh.boundary_label[chain.columns[k]]; };
   const auto vertices = [&](int first, int last) {
-    return std::vector<int>(chain.vertices.begin() + first, chain.vertices.begin() + last + 1);
+    return std::vector<int>(chain.vertices.begin() + first,
+                            chain.vertices.begin() + last + 1);
   };
   for (int first = line.first, last = first; first < line.last; first = last) {
     while (last < line.last && label(last) == label(first)) ++last;
@@ -195,7 +209,7 @@ std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
   const double size = extent(mesh.vertices);
   std::vector<BoundaryPart> parts;
   for (const Chain& chain : chains_of(mesh)) {
-    const Eigen::Matrix2Xd points = points_of(mesh, chain.vertices);
+    const Matrix2Xd points = points_of(mesh, chain.vertices);
     const double tolerance = straight_tolerance(coordinate_precision(points, size), size);
     for (const LinePart& line : line_parts(points, tolerance, corner, fewest_edges))
       add_parts(mesh, chain, line, parts);
@@ -203,10 +217,12 @@ std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
   return parts;
 }
 
-double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts, double corner) {
-  constexpr double shallow = 3 * degree;  // what bends at less is straightened afterwards without harm
+double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
+                       double corner) {
+  // what bends at less is straightened afterwards without harm
+  constexpr double shallow = 3 * degree;
   struct End {
-    Eigen::Vector2d leaving;
+    Vector2d leaving;
     bool straight;
   };
   const double turn = std::max(largest_turn(mesh, parts), shallow / 6);
@@ -220,7 +236,8 @@ double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
     if (at.size() != 2) continue;
     const double angle = angle_between(at[0].leaving, -at[1].leaving);
     const bool between_lines = at[0].straight && at[1].straight;
-    if (angle > shallow && (between_lines || angle > 1.5 * turn)) smallest = std::min(smallest, angle);
+    if (angle > shallow && (between_lines || angle > 1.5 * turn))
+      smallest = std::min(smallest, angle);
   }
   return smallest > turn ? std::sqrt(smallest * turn) : corner;
 }
@@ -230,33 +247,37 @@ int part_label(const Mesh& mesh, int part) {
   return std::max(0, highest) + 1 + part;
 }
 
-Eigen::VectorXi labelled_by_parts(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
-  Eigen::VectorXi labels = mesh.boundary_label;
+VectorXi labelled_by_parts(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+  VectorXi labels = mesh.boundary_label;
   for (std::size_t k = 0; k < parts.size(); ++k)
-    for (int column : parts[k].columns) labels[column] = part_label(mesh, static_cast<int>(k));
+    for (int column : parts[k].columns)
+      labels[column] = part_label(mesh, static_cast<int>(k));
   return labels;
 }
 
-Mesh moved_onto_parts(Mesh fine, const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+Mesh moved_onto_parts(Mesh fine, const Mesh& mesh,
+                      const std::vector<BoundaryPart>& parts) {
   constexpr double enough = 0.3;  // of a triangle's area
   constexpr int most_sweeps = 50;
   std::vector<char> given(fine.vertices.cols(), 0);
-  Eigen::Matrix2Xd moves = Eigen::Matrix2Xd::Zero(2, fine.vertices.cols());
+  Matrix2Xd moves = Matrix2Xd::Zero(2, fine.vertices.cols());
   for (const auto& [vertex, place] : wanted_places(fine, mesh, parts)) {
     moves.col(vertex) = place - fine.vertices.col(vertex);
     given[vertex] = 1;
   }
   Mesh moved = fine;
   moved.vertices += moves;
-  for (int sweep = 0; sweep < most_sweeps && worst_triangle(fine, moved).second < enough; ++sweep) {
+  for (int sweep = 0; sweep < most_sweeps && worst_triangle(fine, moved).second < enough;
+       ++sweep) {
     spread(fine, given, moves);
     moved.vertices = fine.vertices + moves;
   }
   const auto [triangle, kept] = worst_triangle(fine, moved);
   if (!(kept > 0)) {
-    const Eigen::Vector2d x = fine.place(fine.triangles(0, triangle));
+    const Vector2d x = fine.place(fine.cells(0, triangle));
     refuse("the triangle at (", x.x(), ", ", x.y(),
-           ") turns over when the boundary is put on its curve: the curve has too few vertices for sizes that small");
+           ") turns over when the boundary is put on its curve: the curve has too few "
+           "vertices for sizes that small");
   }
   return moved;
 }

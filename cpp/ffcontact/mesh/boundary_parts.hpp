@@ -3,37 +3,44 @@
 
 #include <vector>
 
+#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
 namespace ffcontact {
 
-/// The labelled edges of a mesh as straight lines and smooth curves, each from a corner, a branch or a change of label to the
-/// next; a curve may go on beyond a change of label.
-/// A remesher that keeps the ends of labels, as adaptmesh does, keeps the ends of parts when every part has a label of its own
-/// (labelled_by_parts); what it makes of their inside is then put on them (moved_onto_parts).
+/// The labelled edges of a mesh as straight lines and smooth curves, each from a corner,
+/// a branch or a change of label to the next; a curve may go on beyond a change of label.
+/// A remesher that keeps the ends of labels, as adaptmesh does, keeps the ends of parts
+/// when every part has a label of its own (labelled_by_parts); what it makes of their
+/// inside is then put on them (moved_onto_parts).
 struct BoundaryPart {
   std::vector<int> vertices;  ///< in order; the first again at the end of a closed curve
   std::vector<int> columns;   ///< of Mesh::boundary
-  std::vector<int> curve;     ///< vertices of the whole curve that it is a part of; none if it is straight
-  int label;                  ///< in the mesh
+  /// vertices of the whole curve that it is a part of; none if it is straight
+  std::vector<int> curve;
+  int label;  ///< in the mesh
 
   bool straight() const { return curve.empty(); }
 };
 
-/// @param corner  where a curve turns by more it has a corner [rad]; between straight lines every vertex is one
+/// @param corner  where a curve turns by more it has a corner [rad]; between straight
+///                lines every vertex is one
 std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner);
 
 /// Angle between the turns inside curves and those at corners [rad], at most `corner`.
-double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts, double corner);
+double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
+                       double corner);
 
 /// The label that a part has in labelled_by_parts: above all labels of the mesh.
 int part_label(const Mesh& mesh, int part);
 
-Eigen::VectorXi labelled_by_parts(const Mesh& mesh, const std::vector<BoundaryPart>& parts);
+VectorXi labelled_by_parts(const Mesh& mesh, const std::vector<BoundaryPart>& parts);
 
-/// A mesh of the same body with labels of parts, its vertices on them: where two parts meet on their common end, otherwise on
-/// the chord of a straight line, or on the smooth curve. Inner vertices near the boundary give way where triangles would suffer.
+/// A mesh of the same body with labels of parts, its vertices on them: where two parts
+/// meet on their common end, otherwise on the chord of a straight line, or on the smooth
+/// curve. Inner vertices near the boundary give way where triangles would suffer.
 /// @throws std::invalid_argument  naming a triangle that would be turned over
-Mesh moved_onto_parts(Mesh fine, const Mesh& mesh, const std::vector<BoundaryPart>& parts);
+Mesh moved_onto_parts(Mesh fine, const Mesh& mesh,
+                      const std::vector<BoundaryPart>& parts);
 
 }  // namespace ffcontact

@@ -10,7 +10,8 @@ namespace ffcontact {
 
 namespace {
 
-/// One side of a triangle, or one labelled edge (triangle = -1), keyed by its sorted vertices.
+/// One side of a triangle, or one labelled edge (triangle = -1), keyed by its sorted
+/// vertices.
 struct Side {
   int low, high;
   int triangle;
@@ -20,7 +21,9 @@ struct Side {
     if (high != other.high) return high < other.high;
     return triangle > other.triangle;  // labelled edges come last among equals
   }
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+  bool same_edge(const Side& other) const {
+    return low == other.low && high == other.high;
+  }
 };
 
 /// By their low vertices first, which is counting; few sides have the same.
@@ -31,16 +34,18 @@ std::vector<Side> sorted(const std::vector<Side>& sides, int vertices) {
   std::vector<Side> result(sides.size());
   std::vector<std::size_t> next(start.begin(), start.end() - 1);
   for (const Side& side : sides) result[next[side.low]++] = side;
-  for (int v = 0; v < vertices; ++v) std::sort(result.begin() + start[v], result.begin() + start[v + 1]);
+  for (int v = 0; v < vertices; ++v)
+    std::sort(result.begin() + start[v], result.begin() + start[v + 1]);
   return result;
 }
 
 std::vector<Side> sorted_sides(const Mesh& mesh) {
   std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.cols() + mesh.boundary.cols());
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+  sides.reserve(3 * mesh.cells.cols() + mesh.boundary.cols());
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax({mesh.triangles((k + 1) % 3, t), mesh.triangles((k + 2) % 3, t)});
+      const auto [low, high] =
+          std::minmax({mesh.cells((k + 1) % 3, t), mesh.cells((k + 2) % 3, t)});
       sides.push_back({low, high, t, k});
     }
   for (int e = 0; e < mesh.boundary.cols(); ++e) {
@@ -55,20 +60,21 @@ std::vector<Side> sorted_sides(const Mesh& mesh) {
 Edges edges_of(const Mesh& mesh) {
   const std::vector<Side> sides = sorted_sides(mesh);
   Edges edges;
-  const Eigen::Index most = 3 * mesh.triangles.cols();
+  const Index most = 3 * mesh.cells.cols();
   edges.vertices.resize(2, most);
-  edges.triangles.resize(2, most);
+  edges.cells.resize(2, most);
   edges.boundary_index.resize(most);
-  edges.of_triangle.resize(3, mesh.triangles.cols());
-  edges.eta.resize(3, mesh.triangles.cols());
+  edges.of_cell.resize(3, mesh.cells.cols());
+  edges.eta.resize(3, mesh.cells.cols());
 
   int count = 0;
   for (std::size_t s = 0; s < sides.size();) {
     const Side& first = sides[s];
-    if (first.triangle < 0) refuse("labelled edge ", first.local, " belongs to no triangle");
-    const int start = mesh.triangles((first.local + 1) % 3, first.triangle);
+    if (first.triangle < 0)
+      refuse("labelled edge ", first.local, " belongs to no triangle");
+    const int start = mesh.cells((first.local + 1) % 3, first.triangle);
     edges.vertices.col(count) << start, (start == first.low ? first.high : first.low);
-    edges.triangles.col(count) << first.triangle, -1;
+    edges.cells.col(count) << first.triangle, -1;
     edges.boundary_index[count] = -1;
     for (; s < sides.size() && sides[s].same_edge(first); ++s) {
       const Side& side = sides[s];
@@ -76,30 +82,33 @@ Edges edges_of(const Mesh& mesh) {
         edges.boundary_index[count] = side.local;
         continue;
       }
-      const bool left = mesh.triangles((side.local + 1) % 3, side.triangle) == start;
+      const bool left = mesh.cells((side.local + 1) % 3, side.triangle) == start;
       if (side.triangle != first.triangle) {
-        if (left || edges.triangles(1, count) >= 0)
-          refuse("the edge between vertices ", side.low, " and ", side.high, " has triangles that overlap");
-        edges.triangles(1, count) = side.triangle;
+        if (left || edges.cells(1, count) >= 0)
+          refuse("the edge between vertices ", side.low, " and ", side.high,
+                 " has triangles that overlap");
+        edges.cells(1, count) = side.triangle;
       }
-      edges.of_triangle(side.local, side.triangle) = count;
+      edges.of_cell(side.local, side.triangle) = count;
       edges.eta(side.local, side.triangle) = left ? 1.0 : -1.0;
     }
     if (edges.on_boundary(count) && edges.boundary_index[count] < 0)
-      refuse("the boundary edge between vertices ", first.low, " and ", first.high, " has no label");
+      refuse("the boundary edge between vertices ", first.low, " and ", first.high,
+             " has no label");
     ++count;
   }
   edges.vertices.conservativeResize(2, count);
-  edges.triangles.conservativeResize(2, count);
+  edges.cells.conservativeResize(2, count);
   edges.boundary_index.conservativeResize(count);
   return edges;
 }
 
-Eigen::Vector2d edge_vector(const Mesh& mesh, const Edges& edges, int edge) {
-  return mesh.vertices.col(edges.vertices(1, edge)) - mesh.vertices.col(edges.vertices(0, edge));
+Vector2d edge_vector(const Mesh& mesh, const Edges& edges, int edge) {
+  return mesh.vertices.col(edges.vertices(1, edge)) -
+         mesh.vertices.col(edges.vertices(0, edge));
 }
 
-Eigen::Vector2d edge_normal(const Mesh& mesh, const Edges& edges, int edge) {
+Vector2d edge_normal(const Mesh& mesh, const Edges& edges, int edge) {
   return turned_right(edge_vector(mesh, edges, edge).normalized());
 }
 

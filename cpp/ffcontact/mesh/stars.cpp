@@ -9,24 +9,32 @@ namespace {
 
 /// The triangle on the other side of an edge, or -1.
 int neighbour(const Edges& edges, int edge, int triangle) {
-  return edges.triangles(0, edge) == triangle ? edges.triangles(1, edge) : edges.triangles(0, edge);
+  return edges.cells(0, edge) == triangle ? edges.cells(1, edge) : edges.cells(0, edge);
 }
 
 int local_number(const Mesh& mesh, int triangle, int vertex) {
   for (int k = 0; k < 2; ++k)
-    if (mesh.triangles(k, triangle) == vertex) return k;
+    if (mesh.cells(k, triangle) == vertex) return k;
   return 2;
 }
 
-/// Seen from local vertex k, the edge on the right side of a triangle is opposite to k + 2, the one on the left to k + 1.
-int right_spoke(const Edges& edges, int triangle, int k) { return edges.of_triangle((k + 2) % 3, triangle); }
-int left_spoke(const Edges& edges, int triangle, int k) { return edges.of_triangle((k + 1) % 3, triangle); }
+/// Seen from local vertex k, the edge on the right side of a triangle is opposite to k +
+/// 2, the one on the left to k + 1.
+int right_spoke(const Edges& edges, int triangle, int k) {
+  return edges.of_cell((k + 2) % 3, triangle);
+}
+int left_spoke(const Edges& edges, int triangle, int k) {
+  return edges.of_cell((k + 1) % 3, triangle);
+}
 
-/// Turns clockwise around a vertex to the triangle behind a boundary edge; an inner star comes back to where it started.
+/// Turns clockwise around a vertex to the triangle behind a boundary edge; an inner star
+/// comes back to where it started.
 int first_triangle(const Mesh& mesh, const Edges& edges, int vertex, int start) {
   int triangle = start;
   for (;;) {
-    const int next = neighbour(edges, right_spoke(edges, triangle, local_number(mesh, triangle, vertex)), triangle);
+    const int next = neighbour(
+        edges, right_spoke(edges, triangle, local_number(mesh, triangle, vertex)),
+        triangle);
     if (next < 0 || next == start) return next < 0 ? triangle : start;
     triangle = next;
   }
@@ -37,10 +45,10 @@ int first_triangle(const Mesh& mesh, const Edges& edges, int vertex, int start) 
 Stars stars_of(const Mesh& mesh, const Edges& edges) {
   const int n = mesh.vertex_count();
   std::vector<int> any(n, -1), valence(n, 0);
-  for (int t = 0; t < mesh.triangle_count(); ++t)
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      any[mesh.triangles(k, t)] = t;
-      ++valence[mesh.triangles(k, t)];
+      any[mesh.cells(k, t)] = t;
+      ++valence[mesh.cells(k, t)];
     }
 
   Stars stars;
@@ -60,7 +68,8 @@ Stars stars_of(const Mesh& mesh, const Edges& edges) {
     }
     stars.triangle_start.push_back(static_cast<int>(stars.triangle.size()));
     stars.spoke_start.push_back(static_cast<int>(stars.spoke.size()));
-    if (stars.triangle_count(v) != valence[v]) refuse("the body touches itself in the single vertex ", v);
+    if (stars.triangle_count(v) != valence[v])
+      refuse("the body touches itself in the single vertex ", v);
   }
   return stars;
 }
@@ -72,7 +81,7 @@ std::vector<std::vector<int>> vertex_colours(const Mesh& mesh, const Stars& star
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
       for (int k = 0; k < 3; ++k) {
-        const int used = colour[mesh.triangles(k, stars.triangle[s])];
+        const int used = colour[mesh.cells(k, stars.triangle[s])];
         if (used >= 0) taken_by[used] = v;
       }
     std::size_t c = 0;

@@ -13,7 +13,9 @@ namespace {
 constexpr double coarsest_rounding = 2e-5;
 
 /// Decimals before the point of a number: |x| < 10^decimals.
-int decimals_before_point(double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))) + 1; }
+int decimals_before_point(double x) {
+  return static_cast<int>(std::floor(std::log10(std::abs(x)))) + 1;
+}
 
 /// Significant decimals of a number that is known to `tolerance`; at most `most`.
 int significant_decimals(double x, double tolerance, int most) {
@@ -27,14 +29,17 @@ int significant_decimals(double x, double tolerance, int most) {
   return most;
 }
 
-/// The directions from a point to others that a straight line through it may have: those within half an angle of the middle.
+/// The directions from a point to others that a straight line through it may have: those
+/// within half an angle of the middle.
 class Sleeve {
  public:
-  Sleeve(const Eigen::Vector2d& first, double tolerance) : first_(first), tolerance_(tolerance) {}
+  Sleeve(const Vector2d& first, double tolerance)
+      : first_(first), tolerance_(tolerance) {}
 
-  /// Whether the next point of a chain is on a line with all before; it is then one of them.
-  bool takes(const Eigen::Vector2d& point) {
-    const Eigen::Vector2d d = point - first_;
+  /// Whether the next point of a chain is on a line with all before; it is then one of
+  /// them.
+  bool takes(const Vector2d& point) {
+    const Vector2d d = point - first_;
     const double distance = d.norm();
     if (!(distance > farthest_ - tolerance_)) return false;
     farthest_ = std::max(farthest_, distance);
@@ -42,7 +47,8 @@ class Sleeve {
     if (axis_.isZero(0)) axis_ = d / distance;
     const double along = axis_.dot(d), across = axis_.x() * d.y() - axis_.y() * d.x();
     if (!(along > 0)) return false;
-    const double angle = std::atan2(across, along), half = std::asin(tolerance_ / distance);
+    const double angle = std::atan2(across, along),
+                 half = std::asin(tolerance_ / distance);
     if (angle < lowest_ || angle > highest_) return false;
     lowest_ = std::max(lowest_, angle - half);
     highest_ = std::min(highest_, angle + half);
@@ -50,48 +56,53 @@ class Sleeve {
   }
 
  private:
-  const Eigen::Vector2d first_;
+  const Vector2d first_;
   const double tolerance_;
-  Eigen::Vector2d axis_ = Eigen::Vector2d::Zero();  ///< angles are measured from it
+  Vector2d axis_ = Vector2d::Zero();  ///< angles are measured from it
   double farthest_ = 0;
-  double lowest_ = -std::numeric_limits<double>::infinity(), highest_ = std::numeric_limits<double>::infinity();
+  double lowest_ = -std::numeric_limits<double>::infinity(),
+         highest_ = std::numeric_limits<double>::infinity();
 };
 
 /// Angles by which a chain turns at its inner points, and 0 at its ends.
-Eigen::VectorXd turns_of(const Eigen::Ref<const Eigen::Matrix2Xd>& chain) {
-  Eigen::VectorXd turn = Eigen::VectorXd::Zero(chain.cols());
-  for (Eigen::Index k = 1; k + 1 < chain.cols(); ++k)
-    turn[k] = angle_between(chain.col(k) - chain.col(k - 1), chain.col(k + 1) - chain.col(k));
+VectorXd turns_of(const Ref<const Matrix2Xd>& chain) {
+  VectorXd turn = VectorXd::Zero(chain.cols());
+  for (Index k = 1; k + 1 < chain.cols(); ++k)
+    turn[k] =
+        angle_between(chain.col(k) - chain.col(k - 1), chain.col(k + 1) - chain.col(k));
   return turn;
 }
 
-/// Whether a chain has a corner at a point, seen from the curvature of the neighbours that it turns at as well.
-bool sticks_out(const Eigen::Ref<const Eigen::Matrix2Xd>& chain, const Eigen::VectorXd& turn, int k) {
+/// Whether a chain has a corner at a point, seen from the curvature of the neighbours
+/// that it turns at as well.
+bool sticks_out(const Ref<const Matrix2Xd>& chain, const VectorXd& turn, int k) {
   constexpr double smallest = 2 * M_PI / 180, times = 4;
   const auto reach = [&](int i) {
-    return 0.5 * ((chain.col(i + 1) - chain.col(i)).norm() + (chain.col(i) - chain.col(i - 1)).norm());
+    return 0.5 * ((chain.col(i + 1) - chain.col(i)).norm() +
+                  (chain.col(i) - chain.col(i - 1)).norm());
   };
   double curvature = 0;
   for (const int i : {k - 1, k + 1})
-    if (i > 0 && i + 1 < chain.cols()) curvature = std::max(curvature, turn[i] / reach(i));
+    if (i > 0 && i + 1 < chain.cols())
+      curvature = std::max(curvature, turn[i] / reach(i));
   return turn[k] > std::max(smallest, times * curvature * reach(k));
 }
 
 }  // namespace
 
-double coordinate_precision(const Eigen::Ref<const Eigen::Matrix2Xd>& points, double size) {
+double coordinate_precision(const Ref<const Matrix2Xd>& points, double size) {
   constexpr int all = 16;
   const double largest = points.cwiseAbs().maxCoeff();
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest;
   int decimals = 0;
-  for (Eigen::Index k = 0; k < points.size() && decimals < all; ++k)
+  for (Index k = 0; k < points.size() && decimals < all; ++k)
     decimals = std::max(decimals, significant_decimals(points.data()[k], rounding, all));
   if (decimals == 0 || decimals == all) return rounding;
   const double unit = std::pow(10.0, decimals_before_point(largest) - decimals);
   return unit > coarsest_rounding * size ? rounding : std::max(unit, rounding);
 }
 
-std::vector<int> straight_runs(const Eigen::Ref<const Eigen::Matrix2Xd>& chain, double tolerance) {
+std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain, double tolerance) {
   const int last = static_cast<int>(chain.cols()) - 1;
   std::vector<int> starts;
   for (int start = 0; start < last;) {
@@ -106,16 +117,17 @@ std::vector<int> straight_runs(const Eigen::Ref<const Eigen::Matrix2Xd>& chain, 
   return starts;
 }
 
-std::vector<LinePart> line_parts(const Eigen::Ref<const Eigen::Matrix2Xd>& chain, double tolerance, double corner,
-                                 int fewest) {
+std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain, double tolerance,
+                                 double corner, int fewest) {
   const std::vector<int> runs = straight_runs(chain, tolerance);
-  const Eigen::VectorXd turn = turns_of(chain);
+  const VectorXd turn = turns_of(chain);
   const auto single = [&](std::size_t r) { return runs[r + 1] - runs[r] == 1; };
   std::vector<LinePart> parts;
   for (std::size_t r = 0; r + 1 < runs.size();) {
     std::size_t end = r + 1;
     if (single(r))
-      while (end + 1 < runs.size() && single(end) && turn[runs[end]] < corner && !sticks_out(chain, turn, runs[end]))
+      while (end + 1 < runs.size() && single(end) && turn[runs[end]] < corner &&
+             !sticks_out(chain, turn, runs[end]))
         ++end;
     const bool curve = static_cast<int>(end - r) >= fewest;
     if (curve) parts.push_back({runs[r], runs[end], false});
@@ -125,11 +137,11 @@ std::vector<LinePart> line_parts(const Eigen::Ref<const Eigen::Matrix2Xd>& chain
   return parts;
 }
 
-double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+double angle_between(const Vector2d& a, const Vector2d& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
 }
 
-double extent(const Eigen::Ref<const Eigen::Matrix2Xd>& points) {
+double extent(const Ref<const Matrix2Xd>& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 

@@ -18,9 +18,11 @@ constexpr double part_far = 0.92, part_at = 0.85;
 /// A mesh is far from the target when it is off by more than this, as a part of it.
 constexpr double closeness = 0.15;
 
-const double equilateral = std::sqrt(3.0) / 4;  ///< area of the equilateral triangle of size 1
+/// area of the equilateral triangle of size 1
+const double equilateral = std::sqrt(3.0) / 4;
 
-/// Size of a triangle: edge length of the equilateral triangle of its area, which is what meshers call its size.
+/// Size of a triangle: edge length of the equilateral triangle of its area, which is what
+/// meshers call its size.
 double triangle_size(double area) { return std::sqrt(area / equilateral); }
 
 /// Root of an increasing function of log(x), bracketed outwards from x = 1 and halved.
@@ -36,57 +38,67 @@ double increasing_root(const std::function<double(double)>& f) {
   return std::exp(0.5 * (low + high));
 }
 
-void require_valid(const Mesh& mesh, const Eigen::Ref<const Eigen::VectorXd>& local_error, const Eigen::VectorXd& rate,
-                   const SizeSettings& settings) {
-  require_size("rate", rate.size(), mesh.triangle_count());
-  for (Eigen::Index t = 0; t < rate.size(); ++t)
-    if (!(rate[t] > 0) || !std::isfinite(rate[t])) refuse("rate[", t, "] must be positive, got ", rate[t]);
+void require_valid(const Mesh& mesh, const Ref<const VectorXd>& local_error,
+                   const VectorXd& rate, const SizeSettings& settings) {
+  require_size("rate", rate.size(), mesh.cell_count());
+  for (Index t = 0; t < rate.size(); ++t)
+    if (!(rate[t] > 0) || !std::isfinite(rate[t]))
+      refuse("rate[", t, "] must be positive, got ", rate[t]);
   require_nonnegative("eps_E", local_error);
   if (!(settings.target > 0) || !std::isfinite(settings.target))
     refuse("target must be positive, got ", settings.target);
-  if (settings.target >= 1) refuse("target is a part of the solution, 0.02 for 2 %, got ", settings.target);
-  if (!(settings.largest_step > 1)) refuse("the largest step must exceed 1, got ", settings.largest_step);
-  if (!(settings.gradation > 0)) refuse("gradation must be positive, got ", settings.gradation);
-  if (!(settings.smallest >= 0)) refuse("hmin must not be negative, got ", settings.smallest);
-  if (!(settings.largest >= 0)) refuse("hmax must not be negative, got ", settings.largest);
+  if (settings.target >= 1)
+    refuse("target is a part of the solution, 0.02 for 2 %, got ", settings.target);
+  if (!(settings.largest_step > 1))
+    refuse("the largest step must exceed 1, got ", settings.largest_step);
+  if (!(settings.gradation > 0))
+    refuse("gradation must be positive, got ", settings.gradation);
+  if (!(settings.smallest >= 0))
+    refuse("hmin must not be negative, got ", settings.smallest);
+  if (!(settings.largest >= 0))
+    refuse("hmax must not be negative, got ", settings.largest);
   if (settings.largest > 0 && settings.smallest > settings.largest)
     refuse("hmin ", settings.smallest, " exceeds hmax ", settings.largest);
 }
 
-/// Vertex sizes that keep the density of elements: h^-2 is the mean of (r_E h_E)^-2 over the star, weighted by area.
-Eigen::VectorXd vertex_sizes(const Mesh& mesh, const Eigen::VectorXd& ratio) {
-  Eigen::VectorXd density = Eigen::VectorXd::Zero(mesh.vertices.cols()), weight = density;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+/// Vertex sizes that keep the density of elements: h^-2 is the mean of (r_E h_E)^-2 over
+/// the star, weighted by area.
+VectorXd vertex_sizes(const Mesh& mesh, const VectorXd& ratio) {
+  VectorXd density = VectorXd::Zero(mesh.vertices.cols()), weight = density;
+  for (int t = 0; t < mesh.cell_count(); ++t) {
     const double area = signed_area(mesh, t), h = ratio[t] * triangle_size(area);
     for (int k = 0; k < 3; ++k) {
-      density[mesh.triangles(k, t)] += area / (h * h);
-      weight[mesh.triangles(k, t)] += area;
+      density[mesh.cells(k, t)] += area / (h * h);
+      weight[mesh.cells(k, t)] += area;
     }
   }
-  Eigen::VectorXd size(density.size());
-  for (Eigen::Index v = 0; v < size.size(); ++v) size[v] = weight[v] > 0 ? std::sqrt(weight[v] / density[v]) : 0;
+  VectorXd size(density.size());
+  for (Index v = 0; v < size.size(); ++v)
+    size[v] = weight[v] > 0 ? std::sqrt(weight[v] / density[v]) : 0;
   return size;
 }
 
 /// Mean of h^-2 on a triangle.
-double density(const Mesh& mesh, const Eigen::VectorXd& size, int t) {
+double density(const Mesh& mesh, const VectorXd& size, int t) {
   double sum = 0;
-  for (int k = 0; k < 3; ++k) sum += 1 / (3 * std::pow(size[mesh.triangles(k, t)], 2));
+  for (int k = 0; k < 3; ++k) sum += 1 / (3 * std::pow(size[mesh.cells(k, t)], 2));
   return sum;
 }
 
-double predicted_triangles(const Mesh& mesh, const Eigen::VectorXd& size) {
+double predicted_triangles(const Mesh& mesh, const VectorXd& size) {
   double count = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t) count += signed_area(mesh, t) * density(mesh, size, t) / equilateral;
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    count += signed_area(mesh, t) * density(mesh, size, t) / equilateral;
   return count;
 }
 
 /// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
-double predicted_error(const Mesh& mesh, const Eigen::VectorXd& size, const Eigen::VectorXd& local_error,
-                       const Eigen::VectorXd& rate) {
+double predicted_error(const Mesh& mesh, const VectorXd& size,
+                       const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const double ratio = 1 / (triangle_size(signed_area(mesh, t)) * std::sqrt(density(mesh, size, t)));
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const double ratio =
+        1 / (triangle_size(signed_area(mesh, t)) * std::sqrt(density(mesh, size, t)));
     square += std::pow(local_error[t] * std::pow(ratio, rate[t]), 2);
   }
   return std::sqrt(square);
@@ -101,24 +113,26 @@ double wanted_error(double now, const SizeSettings& settings) {
 
 }  // namespace
 
-Eigen::VectorXd size_ratios(const Eigen::Ref<const Eigen::VectorXd>& local_error,
-                            const Eigen::Ref<const Eigen::VectorXd>& rate, double wanted) {
+VectorXd size_ratios(const Ref<const VectorXd>& local_error,
+                     const Ref<const VectorXd>& rate, double wanted) {
   const Eigen::ArrayXd squared = local_error.array().square(), q = rate.array();
   const double largest = squared.maxCoeff();
-  if (largest == 0) return Eigen::VectorXd::Ones(squared.size());
-  const Eigen::ArrayXd bounded = squared.max(1e-12 * largest);  // elements without error coarsen by a finite ratio
+  if (largest == 0) return VectorXd::Ones(squared.size());
+  // elements without error coarsen by a finite ratio
+  const Eigen::ArrayXd bounded = squared.max(1e-12 * largest);
   const auto ratios = [&](double inverse_lambda) -> Eigen::ArrayXd {
     return (inverse_lambda / (q * bounded)).pow(1 / (2 * q + 2));
   };
   const double root = increasing_root([&](double inverse_lambda) {
     return (squared * ratios(inverse_lambda).pow(2 * q)).sum() / (wanted * wanted) - 1;
   });
-  Eigen::VectorXd result = ratios(root);
+  VectorXd result = ratios(root);
   const double coarsest = (squared > 0).select(result.array(), 0).maxCoeff();
   return (squared > 0).select(result.array(), coarsest);
 }
 
-Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorXd size, double gradation) {
+VectorXd graded_size(const Mesh& mesh, const Edges& edges, VectorXd size,
+                     double gradation) {
   std::vector<std::vector<std::pair<int, double>>> neighbours(size.size());
   for (int e = 0; e < edges.count(); ++e) {
     const double length = edge_vector(mesh, edges, e).norm();
@@ -128,7 +142,7 @@ Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorX
   // Dijkstra's algorithm: the smallest size is final and bounds its neighbours.
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for (Eigen::Index v = 0; v < size.size(); ++v) queue.emplace(size[v], static_cast<int>(v));
+  for (Index v = 0; v < size.size(); ++v) queue.emplace(size[v], static_cast<int>(v));
   while (!queue.empty()) {
     const auto [h, v] = queue.top();
     queue.pop();
@@ -142,30 +156,34 @@ Eigen::VectorXd graded_size(const Mesh& mesh, const Edges& edges, Eigen::VectorX
   return size;
 }
 
-Eigen::VectorXd shape_quality(const Mesh& mesh) {
-  Eigen::VectorXd quality(mesh.triangles.cols());
-  for (int t = 0; t < mesh.triangle_count(); ++t) {
+VectorXd shape_quality(const Mesh& mesh) {
+  VectorXd quality(mesh.cells.cols());
+  for (int t = 0; t < mesh.cell_count(); ++t) {
     double squares = 0;
-    for (int k = 0; k < 3; ++k) squares += (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
+    for (int k = 0; k < 3; ++k)
+      squares += (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
     quality[t] = std::sqrt(16 * equilateral * signed_area(mesh, t) / squares);
   }
   return quality;
 }
 
-OptimalSize optimal_size(const Mesh& mesh, const Edges& edges, const Eigen::Ref<const Eigen::VectorXd>& local_error,
-                         const Eigen::VectorXd& rate, const SizeSettings& settings) {
-  require_size("eps_E", local_error.size(), mesh.triangle_count());
-  const Eigen::VectorXd rates = rate.size() > 0 ? rate : Eigen::VectorXd::Ones(local_error.size());
+OptimalSize optimal_size(const Mesh& mesh, const Edges& edges,
+                         const Ref<const VectorXd>& local_error, const VectorXd& rate,
+                         const SizeSettings& settings) {
+  require_size("eps_E", local_error.size(), mesh.cell_count());
+  const VectorXd rates = rate.size() > 0 ? rate : VectorXd::Ones(local_error.size());
   require_valid(mesh, local_error, rates, settings);
-  const Eigen::VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
+  const VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
   result.wanted = wanted_error(local_error.norm(), settings);
   result.ratio = size_ratios(error, rates, result.wanted);
 
-  const Eigen::Vector2d extent = mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
+  const Vector2d extent =
+      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
   const double largest = settings.largest > 0 ? settings.largest : extent.maxCoeff();
-  const double smallest = std::min(largest, std::max(settings.smallest, 1e-9 * extent.maxCoeff()));
-  Eigen::VectorXd size = vertex_sizes(mesh, result.ratio).cwiseMax(smallest).cwiseMin(largest);
+  const double smallest =
+      std::min(largest, std::max(settings.smallest, 1e-9 * extent.maxCoeff()));
+  VectorXd size = vertex_sizes(mesh, result.ratio).cwiseMax(smallest).cwiseMin(largest);
   result.size = graded_size(mesh, edges, std::move(size), settings.gradation);
   result.predicted_count = predicted_triangles(mesh, result.size);
   result.predicted_error = predicted_error(mesh, result.size, error, rates);
