@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 
 #include "ffcontact/contact/fixed_point.hpp"
@@ -21,7 +22,7 @@ constexpr ContactState all_states[] = {ContactState::open, ContactState::stick,
                                        ContactState::slip_backward};
 
 double violation(const NodalLaw& law, const ContactRows& rows) {
-  return law_violation(law, rows.P, rows.v, rows.v.cwiseAbs().maxCoeff());
+  return law_violation(law, rows.P, rows.v, {rows.v.cwiseAbs().maxCoeff(), 0});
 }
 
 /// The answers of all 4^p active sets that fulfil the law.
@@ -154,17 +155,37 @@ TEST(LawViolation, sees_every_spoiled_condition) {
     VectorXd P2 = P, v2 = v;
     P2[row] += p;
     v2[row] += w;
-    return law_violation(law, P2, v2, 1);
+    return law_violation(law, P2, v2, {1, 0});
   };
   EXPECT_EQ(with(0, 0, 0), 0);
-  // P_n > 0: 0.04 / 4, and P_n v_n = 3 times that
-  EXPECT_NEAR(with(0, 0.04, 0), 0.03, 1e-12);
+  EXPECT_NEAR(with(0, 0.04, 0), 0.01, 1e-12);   // P_n > 0: 0.04 / 4
   EXPECT_NEAR(with(2, 0, 0.01), 0.01, 1e-12);   // v_n > 0
   EXPECT_NEAR(with(2, 0, -0.01), 0.01, 1e-12);  // P_n v_n
   EXPECT_NEAR(with(3, 1.04, 0), 0.01, 1e-12);   // |P_t| > b
   EXPECT_NEAR(with(3, 0, 0.01), 0.01, 1e-12);   // sticks but moves
   EXPECT_NEAR(with(5, 0.04, 0), 0.01, 1e-12);   // slips below the bound
-  EXPECT_NEAR(with(5, 2, 0), 0.5, 1e-12);       // pushed along: P_t v_t > 0
+  EXPECT_NEAR(with(5, 2, 0), 0.25, 1e-12);      // pushed along: P_t v_t > 0
+}
+
+/// Neither is what must be 0 excused by the other one being small.
+TEST(LawViolation, is_the_smaller_one_of_two_that_may_not_both_differ_from_zero) {
+  const NodalLaw law{VectorXd::Constant(1, 0.5), {}, {}};
+  const Vector2d P(-1, 0.5);
+  EXPECT_NEAR(law_violation(law, P, Vector2d(-1e-6, 0), {1, 0}), 1e-6, 1e-15);
+  EXPECT_NEAR(law_violation(law, P, Vector2d(0, 1e-6), {1, 0}), 1e-6, 1e-15);
+  EXPECT_EQ(law_violation(law, P, Vector2d(0, -1e-6), {1, 0}), 0);
+}
+
+/// Forces that friction could hold without any load are no answer.
+TEST(LawViolation, is_infinite_where_the_loads_are_rounding_beside_the_multipliers) {
+  const Condensed small(example_1(Multiplier::force, 2));
+  ContactRows rows{VectorXd::Zero(10), VectorXd::Zero(10)};
+  const double load = small.contact.g.cwiseAbs().maxCoeff();
+  rows.P[0] = -1e9 * load;
+  EXPECT_EQ(law_violation(small.contact, small.law, rows), 0);
+  rows.P[0] = -1e11 * load;
+  EXPECT_EQ(law_violation(small.contact, small.law, rows),
+            std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

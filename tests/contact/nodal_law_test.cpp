@@ -48,9 +48,9 @@ TEST(NodalLaw, is_violated_by_what_is_not_finite) {
   for (const double spoilt : {std::nan(""), infinity, -infinity}) {
     VectorXd P = VectorXd::Zero(10), v = P;
     P[4] = spoilt;
-    EXPECT_EQ(law_violation(law, P, v, 1), infinity);
+    EXPECT_EQ(law_violation(law, P, v, {1, 0}), infinity);
     std::swap(P, v);
-    EXPECT_EQ(law_violation(law, P, v, 1), infinity);
+    EXPECT_EQ(law_violation(law, P, v, {1, 0}), infinity);
   }
 }
 

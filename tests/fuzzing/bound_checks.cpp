@@ -96,6 +96,42 @@ double bound_of_interpolation(const Assembled& fine, const VectorXd& w) {
   return 2 * sum;
 }
 
+/// A displacement of the coarse mesh at the vertices of the fine one, of which `ratio`
+/// triangles cut each coarse one.
+VectorXd on_fine_mesh(const Assembled& coarse, const Assembled& fine, const VectorXd& u,
+                      int ratio) {
+  const Mesh& mesh = fine.mesh();
+  VectorXd result(2 * mesh.vertex_count());
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const Corners parent = corners_at(coarse.mesh(), t / ratio);
+    for (const int v : mesh.cells.col(t)) {
+      const Vector3d weight = weights_at(parent, fine.point_in(coarse, v));
+      Vector2d sum = Vector2d::Zero();
+      for (int k = 0; k < 3; ++k)
+        sum += weight[k] * u.segment<2>(2 * coarse.mesh().cells(k, t / ratio));
+      result.segment<2>(2 * v) = sum;
+    }
+  }
+  return result;
+}
+
+/// 2 sum |r_i| |u_i - u_hat,i| over the free dofs, r = K u - b - contact forces. The
+/// reference has stresses in equilibrium with loads that are r off, which is rounding of
+/// K u: beside a soft part a stiff one makes it larger than (2.20) is sharp.
+double work_of_residual(const Assembled& fine, const ContactSolution& reference,
+                        const VectorXd& u_hat) {
+  const VectorXd& u = reference.displacement;
+  VectorXd r = fine.stiffness * u - fine.load;
+  for (int i = 0; i < fine.line.node_count(); ++i)
+    r.segment<2>(2 * fine.line.vertex[i]) -=
+        reference.force(0, i) * fine.line.normal.col(i) +
+        reference.force(1, i) * fine.line.tangent(i);
+  double sum = 0;
+  for (Index dof = 0; dof < u.size(); ++dof)
+    if (!fine.prescribed[dof]) sum += std::abs(r[dof] * (u[dof] - u_hat[dof]));
+  return 2 * sum;
+}
+
 /// A label that its neighbours' supports hold at all of its vertices is read as a support
 /// on the coarse mesh only.
 bool reads_the_same(const Case& problem, const Assembled& parts) {
@@ -144,12 +180,15 @@ Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& e
     return {finding(
         "reference", "the finer problem is not solved: ", in_words(reference.status),
         ", residual ", reference.residual, ", violation ", reference.complementarity)};
-  const double distance = squared_distance(parts, estimate, fine.parts,
-                                           reference.displacement, 1 << (2 * times));
+  const int ratio = 1 << (2 * times);
+  const double distance =
+      squared_distance(parts, estimate, fine.parts, reference.displacement, ratio);
   const double allowed =
       estimate.e * estimate.e +
       bound_of_interpolation(fine.parts,
-                             tangential_of(parts, fine.parts, estimate.displacement));
+                             tangential_of(parts, fine.parts, estimate.displacement)) +
+      work_of_residual(fine.parts, reference,
+                       on_fine_mesh(parts, fine.parts, estimate.displacement, ratio));
   const double sum =
       estimate.relative > 0 ? std::pow(estimate.e / estimate.relative, 2) : 0;
   const double zero = square_called_zero(parts, ground_of(parts, estimate), estimate);

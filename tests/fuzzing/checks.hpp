@@ -22,7 +22,8 @@ using Finds = std::vector<Find>;
 Finds line_finds(const Case& problem, const Assembled& parts);
 
 /// Where prescribed values push the line into the foundation whatever the free ones do;
-/// unknown also where the line cannot move, or where a vertex on rollers locks itself.
+/// unknown also where the line cannot move, where a vertex on rollers locks itself, or
+/// where friction wedges one between two lines.
 enum class Feasible { yes, no, unknown };
 Feasible feasible(const Case& problem, const Assembled& parts);
 
@@ -51,8 +52,8 @@ Finds estimate_finds(const Case& problem, const Assembled& parts,
 
 /// bound: |sigma - sigma_hat|^2 + |u - u_hat|^2 <= e^2 (2.20) for the nodal-force
 /// solution (u, sigma) on the mesh cut `times` times into four. For it the inequality is
-/// exact up to 2 (sum (M k)_i |w_i| - int k |w|) of u_hat on the fine line, which is
-/// added. For matching traces, Tresca's law and none.
+/// exact up to 2 (sum (M k)_i |w_i| - int k |w|) of u_hat on the fine line and what the
+/// rounding left of its residual works on u - u_hat, which are added. For matching traces, Tresca's law and none.
 Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& estimate,
                   int times);
 

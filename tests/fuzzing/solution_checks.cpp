@@ -333,6 +333,15 @@ bool locks_itself(const Assembled& parts, int node) {
   return across > 1e-9 && across <= parts.law.friction[node] * along;
 }
 
+/// Two nodes of one vertex that face each other so nearly that friction wedges it between
+/// them: forces of any size balance each other, and none need fulfil the law.
+bool jams(const Assembled& parts, int i, int j) {
+  if (parts.line.vertex[i] != parts.line.vertex[j]) return false;
+  const double opposed = -parts.line.normal.col(i).dot(parts.line.normal.col(j));
+  const VectorXd& mu = parts.law.friction;
+  return opposed >= std::cos(std::atan(mu[i]) + std::atan(mu[j]));
+}
+
 }  // namespace
 
 Finds line_finds(const Case& problem, const Assembled& parts) {
@@ -358,6 +367,9 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
   const Matrix2Xd w = against_foundation(line, gap, {}, parts.value);
   for (int i = 0; i < line.node_count(); ++i)
     if (problem.law == Law::coulomb && locks_itself(parts, i)) worsen(Feasible::unknown);
+  for (int i = 0; i < line.node_count() && problem.law == Law::coulomb; ++i)
+    for (int j = 0; j < i; ++j)
+      if (jams(parts, i, j)) worsen(Feasible::unknown);
   for (int i = 0; i < line.node_count(); ++i) {
     const int x = 2 * line.vertex[i];
     bool movable = false;

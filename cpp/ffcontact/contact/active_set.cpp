@@ -96,12 +96,43 @@ Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
           relative_motion * v_largest};
 }
 
+/// The sticking row that moves a dependent row most, -1 if none does.
+int strongest_stick(const CondensedContact& contact, const States& state, Index d) {
+  int strongest = -1;
+  double most = 0;
+  for (std::size_t k = 0; k < contact.primary.size(); ++k) {
+    const int row = contact.primary[k];
+    const double share = std::abs(contact.E(static_cast<Index>(k), d));
+    if (row % 2 == 0 || state[row / 2] != ContactState::stick || share <= most) continue;
+    strongest = static_cast<int>(k);
+    most = share;
+  }
+  return strongest;
+}
+
+/// Two nodes of one vertex that are closed hold it where their lines meet. Where one of
+/// them sticks elsewhere the other one penetrates, and nothing is left to move it: the
+/// first one has to slip.
+void release_sticks(const CondensedContact& contact, const States& state,
+                    const ContactRows& rows, const Rounding& rounding, States& next) {
+  for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
+    const int row = contact.dependent[d];
+    if (row % 2 != 0 || is_open(state[row / 2]) || rows.v[row] <= rounding.motion)
+      continue;
+    const auto column = static_cast<Index>(d);
+    const int k = strongest_stick(contact, state, column);
+    if (k >= 0)
+      next[contact.primary[k] / 2] = closed_state(contact.E(k, column) > 0 ? -1 : 1);
+  }
+}
+
 States next_states(const CondensedContact& contact, const NodalLaw& law,
                    const States& state, const ContactRows& rows) {
   const Rounding rounding = rounding_of(contact, rows);
   States next(state.size());
   for (std::size_t i = 0; i < state.size(); ++i)
     next[i] = next_state(law, static_cast<int>(i), state[i], rows, rounding);
+  release_sticks(contact, state, rows, rounding, next);
   return next;
 }
 
@@ -161,11 +192,20 @@ void close_touching_ends(const CondensedContact& contact, const NodalLaw& law,
 
 }  // namespace
 
+LawScales law_scales(const CondensedContact& contact, const VectorXd& v) {
+  constexpr double share_of_loads = 1e-4;
+  return {motion_scale(contact, v), share_of_loads * contact.g.cwiseAbs().maxCoeff()};
+}
+
 double law_violation(const CondensedContact& contact, const NodalLaw& law,
                      const ContactRows& rows) {
-  constexpr double share_of_loads = 1e-4;
-  return law_violation(law, rows.P, rows.v, motion_scale(contact, rows.v),
-                       share_of_loads * contact.g.cwiseAbs().maxCoeff());
+  constexpr double most_of_loads = 1e10;
+  const double loads = std::max(contact.g.cwiseAbs().maxCoeff(),
+                                contact.S.diagonal().maxCoeff() *
+                                    contact.dependent_offset.lpNorm<Eigen::Infinity>());
+  if (rows.P.cwiseAbs().maxCoeff() > most_of_loads * loads)
+    return std::numeric_limits<double>::infinity();
+  return law_violation(law, rows.P, rows.v, law_scales(contact, rows.v));
 }
 
 ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law,

@@ -53,9 +53,14 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
                                   std::vector<ContactState> state,
                                   const NewtonSettings& settings = {});
 
-/// law_violation of an answer, displacements relative to motion_scale and multipliers to
-/// the largest one, or to 1e-4 of the largest load on the line, g, which counts the gaps
-/// and prescribed motions by their stiffness: beside it rounding is rounding.
+/// Displacements are relative to motion_scale and multipliers to 1e-4 of the largest load
+/// on the line, g, which counts the gaps and prescribed motions by their stiffness:
+/// beside it rounding is rounding.
+LawScales law_scales(const CondensedContact& contact, const VectorXd& v);
+
+/// law_violation of an answer, relative to law_scales; infinite where the loads are
+/// rounding beside the multipliers (1e-10): forces that friction holds between two nodes
+/// of a vertex, whatever they are, answer another problem.
 double law_violation(const CondensedContact& contact, const NodalLaw& law,
                      const ContactRows& rows);
 

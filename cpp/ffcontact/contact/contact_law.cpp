@@ -142,8 +142,8 @@ Matrix2Xd displacement_against_foundation(const ContactLine& line, const Contact
 
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Ref<const VectorXd>& displacement,
-                              const Ref<const Matrix2Xd>& multiplier, double v_scale,
-                              const std::vector<char>& idle) {
+                              const Ref<const Matrix2Xd>& multiplier,
+                              const LawScales& least, const std::vector<char>& idle) {
   const SparseMatrix W = weight_of_rows(law.multiplier, line);
   VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
   const VectorXd weight =
@@ -152,10 +152,10 @@ double complementarity_defect(const ContactLine& line, const ContactLaw& law,
   if (law.gap.size() > 0) largest = std::max(largest, law.gap.cwiseAbs().maxCoeff());
   if (law.previous.size() > 0)
     largest = std::max(largest, law.previous.cwiseAbs().maxCoeff());
-  const double scale = std::max(v_scale, largest * weight.maxCoeff());
+  const double scale = std::max(least.v, largest * weight.maxCoeff());
   for (std::size_t row = 0; row < idle.size(); ++row)
     if (idle[row] && std::abs(v[row]) <= unsteered * scale) v[row] = 0;
-  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, scale);
+  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, {scale, least.P});
 }
 
 }  // namespace ffcontact

@@ -127,19 +127,25 @@ SparseMatrix weight_of_rows(Multiplier multiplier, const ContactLine& line);
 Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
                                           const Ref<const VectorXd>& displacement);
 
+/// What violations of the law are relative to.
+struct LawScales {
+  double v = 0, P = 0;
+};
+
 /// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the
-/// largest multiplier, the largest displacement of the body, gap or previous
-/// displacement, or the product.
+/// largest multiplier, or the largest displacement of the body, gap or previous
+/// displacement.
 /// @param displacement  on all dofs [mm]
 /// @param multiplier    (P_n, P_t) at each node [2 x p]
-/// @param v_scale       what v = W (u - gap) is relative to at least: where all nodes
-///                      stick, u is nothing but rounding
+/// @param least         what v = W (u - gap) and P are relative to at least: where all
+///                      nodes stick u is nothing but rounding, and P where none is loaded
 /// @param idle          1 for rows 2 i + c whose multiplier moves nothing: v is that of
 ///                      prescribed values there, to 1e-6 of the
 ///                      scale, and 0 where it is below that; empty for none
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Ref<const VectorXd>& displacement,
-                              const Ref<const Matrix2Xd>& multiplier, double v_scale = 0,
+                              const Ref<const Matrix2Xd>& multiplier,
+                              const LawScales& least = {},
                               const std::vector<char>& idle = {});
 
 }  // namespace ffcontact

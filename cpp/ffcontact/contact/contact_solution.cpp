@@ -33,32 +33,56 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact, const Nodal
   return better ? path : newton;
 }
 
-/// Displacement of the whole body, refined until rounding is all that is left of the
-/// residual.
-BodyAnswer body_answer(const ContactLine& line, const ContactLaw& law,
-                       const ElasticSystem& system, const CondensedStiffness& stiffness,
-                       const CondensedContact& contact, const ActiveSetResult& condensed,
-                       double& residual) {
-  constexpr double rounding = 1e-12;
+/// Residuals below this are rounding.
+constexpr double rounding = 1e-12;
+
+/// An answer and how well the body is in equilibrium.
+struct Judged {
+  BodyAnswer answer;
+  double residual;
+};
+
+/// Refined until rounding is all that is left of the residual.
+Judged refined_answer(const ContactLine& line, const ContactLaw& law,
+                      const ElasticSystem& system, const CondensedStiffness& stiffness,
+                      const CondensedContact& contact,
+                      const std::vector<ContactState>& state, Judged best) {
   constexpr int most_steps = 3;
   const NodalLaw nodal = nodal_law(law, line);
+  for (int k = 0; k < most_steps && best.residual > rounding; ++k) {
+    BodyAnswer next = refined(line, law, system, stiffness, contact, state, best.answer);
+    put_into_law(nodal, state, next.P);
+    const double residual = residual_defect(line, law, system, next);
+    if (!(residual < 0.5 * best.residual)) break;
+    best = {std::move(next), residual};
+  }
+  return best;
+}
+
+/// Multipliers that the residual does not notice are none with Coulomb's law: their
+/// friction would know no slip.
+Judged without_rounding(const ContactLine& line, const ContactLaw& law,
+                        const ElasticSystem& system, Judged judged) {
+  if (law.tresca()) return judged;
+  BodyAnswer none{judged.answer.displacement, VectorXd::Zero(judged.answer.P.size())};
+  const double residual = residual_defect(line, law, system, none);
+  return residual <= rounding ? Judged{std::move(none), residual} : judged;
+}
+
+/// The whole body of a condensed answer.
+Judged body_answer(const ContactLine& line, const ContactLaw& law,
+                   const ElasticSystem& system, const CondensedStiffness& stiffness,
+                   const CondensedContact& contact, const ActiveSetResult& condensed) {
   const VectorXd kept = kept_displacement(contact, condensed.v(contact.primary),
                                           condensed.P(contact.dependent));
   BodyAnswer answer{stiffness.extended(system.load, kept) + system.prescribed_value,
                     condensed.P};
-  residual = residual_defect(line, law, system, answer);
-  for (int k = 0; k < most_steps && residual > rounding &&
-                  condensed.status == ContactStatus::converged;
-       ++k) {
-    BodyAnswer next =
-        refined(line, law, system, stiffness, contact, condensed.state, answer);
-    put_into_law(nodal, condensed.state, next.P);
-    const double defect = residual_defect(line, law, system, next);
-    if (!(defect < 0.5 * residual)) break;
-    answer = std::move(next);
-    residual = defect;
-  }
-  return answer;
+  const double residual = residual_defect(line, law, system, answer);
+  Judged judged{std::move(answer), residual};
+  if (condensed.status != ContactStatus::converged) return judged;
+  judged = refined_answer(line, law, system, stiffness, contact, condensed.state,
+                          std::move(judged));
+  return without_rounding(line, law, system, std::move(judged));
 }
 
 /// A state as answers have it.
@@ -79,6 +103,39 @@ void put_multipliers(const ContactLine& line, const ContactLaw& law,
     solution.force = P;
     solution.pressure = consistent_pressures(line, prescribed, P);
   }
+}
+
+void require_sound(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
+                   const ElasticSystem& system, const ContactSettings& settings) {
+  require_valid(law, line);
+  require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
+  if (settings.max_iterations < 1)
+    refuse("maxit must be at least 1, got ", settings.max_iterations);
+  const auto given = static_cast<Index>(settings.initial_state.size());
+  if (given > 0) require_size("initial state", given, line.node_count());
+  require_feasible(mesh, line, law, system);
+  require_balance(mesh, line, law, system);
+}
+
+/// By the chosen solver, from the chosen states.
+FixedPointResult condensed_answer(const CondensedContact& contact, const NodalLaw& law,
+                                  const ContactSettings& settings) {
+  std::vector<ContactState> start = settings.initial_state;
+  if (start.empty()) start.assign(law.friction.size(), ContactState::stick);
+  const NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  return settings.solver == ContactSolver::newton
+             ? safeguarded_newton(contact, law, start, limits)
+             : fixed_point(contact, law, start, limits);
+}
+
+/// What the measures of a solution make of the status of its condensed answer.
+ContactStatus judged_status(ContactStatus condensed, const ContactSolution& solution,
+                            double tolerance) {
+  const bool fulfilled =
+      solution.complementarity <= tolerance && solution.residual <= tolerance;
+  if (fulfilled)
+    return condensed == ContactStatus::singular ? condensed : ContactStatus::converged;
+  return condensed == ContactStatus::converged ? ContactStatus::inaccurate : condensed;
 }
 
 }  // namespace
@@ -112,15 +169,7 @@ std::vector<ContactState> states_at(const ContactLine& line,
 ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
                               const ContactLaw& law, const ElasticSystem& system,
                               const ContactSettings& settings) {
-  require_valid(law, line);
-  require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
-  if (settings.max_iterations < 1)
-    refuse("maxit must be at least 1, got ", settings.max_iterations);
-  std::vector<ContactState> start = settings.initial_state;
-  if (start.empty()) start.assign(line.node_count(), ContactState::stick);
-  require_size("initial state", static_cast<Index>(start.size()), line.node_count());
-  require_feasible(mesh, line, law, system);
-  require_balance(mesh, line, law, system);
+  require_sound(mesh, line, law, system, settings);
 
   // 1. The body as the contact line sees it, P = S v - g.
   const auto stiffness = settings.stiffness ? settings.stiffness
@@ -129,36 +178,26 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   const CondensedContact contact = condensed_contact(line, law, system, *stiffness);
 
   // 2. The conditions of Prop. 3.4 / 3.5.
-  const NodalLaw nodal = nodal_law(law, line);
-  const NewtonSettings limits{settings.max_iterations, settings.tolerance};
-  FixedPointResult condensed = settings.solver == ContactSolver::newton
-                                   ? safeguarded_newton(contact, nodal, start, limits)
-                                   : fixed_point(contact, nodal, start, limits);
+  FixedPointResult condensed = condensed_answer(contact, nodal_law(law, line), settings);
   const ActiveSetResult& answer = condensed.answer;
 
   // 3. Back to the whole body.
+  Judged whole = body_answer(line, law, system, *stiffness, contact, answer);
+  const Matrix2Xd P = whole.answer.P.reshaped(2, line.node_count());
   ContactSolution solution;
   solution.stiffness = stiffness;
-  solution.status = answer.status;
-  for (ContactState state : answer.state) solution.state.push_back(answered(state));
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
-  BodyAnswer whole =
-      body_answer(line, law, system, *stiffness, contact, answer, solution.residual);
-  solution.displacement = std::move(whole.displacement);
-  const Matrix2Xd P = whole.P.reshaped(2, line.node_count());
+  solution.displacement = std::move(whole.answer.displacement);
+  for (ContactState state : answer.state) solution.state.push_back(answered(state));
   put_multipliers(line, law, system.prescribed, P, solution);
 
   // 4. What the theory promises, measured.
+  solution.residual = whole.residual;
   solution.complementarity =
       complementarity_defect(line, law, solution.displacement, P,
-                             motion_scale(contact, answer.v), idle_rows(contact));
-  const bool fulfilled = solution.complementarity <= settings.tolerance &&
-                         solution.residual <= settings.tolerance;
-  if (fulfilled && solution.status != ContactStatus::singular)
-    solution.status = ContactStatus::converged;
-  if (!fulfilled && solution.status == ContactStatus::converged)
-    solution.status = ContactStatus::inaccurate;
+                             law_scales(contact, answer.v), idle_rows(contact));
+  solution.status = judged_status(answer.status, solution, settings.tolerance);
   return solution;
 }
 

@@ -11,8 +11,10 @@ namespace ffcontact {
 
 namespace {
 
-/// r of the proximal terms: far above rounding, below what a body that is held has.
-constexpr double proximal = 1e-9;
+/// r of the proximal terms: far above rounding, below what a body that is held has. With
+/// the second one passes are slower, but C of a body that contact alone holds is small
+/// enough to tell where two nodes of one vertex meet.
+constexpr double proximal_terms[] = {1e-9, 1e-5};
 /// r of the dependent rows falls by this factor from pass to pass, down to what rounding
 /// allows: beside the compliance of a soft body it may be far above what moves their
 /// multipliers.
@@ -25,9 +27,11 @@ constexpr double settled = 1e-13;
 /// are measured in units that give C a diagonal of 1.
 class ProximalPasses {
  public:
-  ProximalPasses(const CondensedContact& contact, const NodalLaw& law)
+  ProximalPasses(const CondensedContact& contact, const NodalLaw& law, double proximal)
       : contact_(contact),
         law_(law),
+        proximal_(proximal),
+        dependent_proximal_(proximal),
         primary_(contact.S.rows()),
         dependent_(contact.E.cols()) {
     rows_ = contact.primary;
@@ -96,7 +100,7 @@ class ProximalPasses {
 
   void put_compliance() {
     MatrixXd S = contact_.S;
-    S.diagonal() *= 1 + proximal;
+    S.diagonal() *= 1 + proximal_;
     stiffness_ = Cholesky(S);
     MatrixXd& C = compliance_;
     C.resize(primary_ + dependent_, primary_ + dependent_);
@@ -158,6 +162,8 @@ class ProximalPasses {
 
   const CondensedContact& contact_;
   const NodalLaw& law_;
+  const double proximal_;
+  double dependent_proximal_;  ///< r of the dependent rows in the next pass
   const Index primary_, dependent_;
   std::vector<int> rows_;  ///< of each position
   Cholesky stiffness_;     ///< S + r diag(S)
@@ -165,7 +171,6 @@ class ProximalPasses {
   VectorXd unit_, low_, high_;
   VectorXd x_, v_;  ///< multipliers in their units; v of the primary rows
   double change_ = 0;
-  double dependent_proximal_ = proximal;  ///< r of the dependent rows in the next pass
 };
 
 void keep(std::vector<ContactState> state, ContactRows rows, double violation,
@@ -176,31 +181,45 @@ void keep(std::vector<ContactState> state, ContactRows rows, double violation,
   result.v = std::move(rows.v);
 }
 
-}  // namespace
+/// Whether the face that a pass ended on fulfils the law without the proximal terms.
+bool keep_face(const CondensedContact& contact, const NodalLaw& law,
+               const ProximalPasses& passes, double tolerance, ActiveSetResult& result) {
+  ContactRows rows;
+  const SystemKind kind = solve_active_set(contact, law, passes.states(), rows);
+  if (kind == SystemKind::inconsistent) return false;
+  const double violation = law_violation(contact, law, rows);
+  if (violation > tolerance) return false;
+  keep(passes.states(), std::move(rows), violation, result);
+  return true;
+}
 
-ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law,
-                               const NewtonSettings& settings) {
-  ActiveSetResult result;
-  result.violation = std::numeric_limits<double>::infinity();
-  ProximalPasses passes(contact, law);
+/// Passes with one r. @return whether they ended at a solution
+bool pass_to_the_minimum(const CondensedContact& contact, const NodalLaw& law,
+                         double proximal, const NewtonSettings& settings,
+                         ActiveSetResult& result) {
+  ProximalPasses passes(contact, law, proximal);
   for (int k = 0; k < most_passes && result.iterations < settings.max_iterations; ++k) {
-    result.iterations +=
-        std::max(1, passes.pass(settings.max_iterations - result.iterations));
+    const int left = settings.max_iterations - result.iterations;
+    result.iterations += std::max(1, passes.pass(left));
     ContactRows rows = passes.answer();
     const double violation = law_violation(contact, law, rows);
     const bool ends = violation <= settings.tolerance &&
                       passes.change() <= settled * motion_scale(contact, rows.v);
     if (violation < result.violation || ends)
       keep(passes.states(), std::move(rows), violation, result);
-    if (ends) break;
-    rows = {};
-    if (solve_active_set(contact, law, passes.states(), rows) == SystemKind::inconsistent)
-      continue;
-    const double without_terms = law_violation(contact, law, rows);
-    if (without_terms > settings.tolerance) continue;
-    keep(passes.states(), std::move(rows), without_terms, result);
-    break;
+    if (ends || keep_face(contact, law, passes, settings.tolerance, result)) return true;
   }
+  return false;
+}
+
+}  // namespace
+
+ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law,
+                               const NewtonSettings& settings) {
+  ActiveSetResult result;
+  result.violation = std::numeric_limits<double>::infinity();
+  for (const double proximal : proximal_terms)
+    if (pass_to_the_minimum(contact, law, proximal, settings, result)) break;
   if (result.violation <= settings.tolerance) {
     result.status = ContactStatus::converged;
     put_into_law(law, result.state, result.P);

@@ -23,23 +23,26 @@ NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& n
 }
 
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
-                     const Ref<const VectorXd>& v, double v_scale, double P_scale) {
+                     const Ref<const VectorXd>& v, const LawScales& scales) {
   if (!P.allFinite() || !v.allFinite()) return std::numeric_limits<double>::infinity();
-  const double p_scale = std::max(P_scale, P.cwiseAbs().maxCoeff());
+  const double p_scale = std::max(scales.P, P.cwiseAbs().maxCoeff());
   const auto relative = [](double value, double scale) {
     return scale > 0 ? value / scale : 0;
   };
   double largest = 0;
   for (int i = 0; 2 * i < P.size(); ++i) {
     const double Pn = relative(P[2 * i], p_scale), Pt = relative(P[2 * i + 1], p_scale);
-    const double vn = relative(v[2 * i], v_scale), vt = relative(v[2 * i + 1], v_scale);
+    const double vn = relative(v[2 * i], scales.v), vt = relative(v[2 * i + 1], scales.v);
     const double bound =
         law.tresca() ? relative(law.tresca_bound[i], p_scale)
                      : std::min(-law.friction[i] * Pn, relative(law.limit(i), p_scale));
-    largest = std::max({largest, Pn, vn, std::abs(Pn * vn),            // (3.17)-(3.19)
-                        std::abs(Pt) - bound,                          // (3.20)
-                        std::min(bound - std::abs(Pt), std::abs(vt)),  // (3.21)
-                        Pt * vt});                                     // (3.22)
+    const auto both = [](double P, double v) {
+      return std::min(std::abs(P), std::abs(v));
+    };
+    largest = std::max({largest, Pn, vn, both(Pn, vn),       // (3.17)-(3.19)
+                        std::abs(Pt) - bound,                // (3.20)
+                        both(bound - std::abs(Pt), vt),      // (3.21)
+                        Pt * vt > 0 ? both(Pt, vt) : 0.0});  // (3.22)
   }
   return largest;
 }

@@ -40,10 +40,12 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
 NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& normal);
 
 /// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: displacements
-/// relative to `v_scale`, multipliers to the largest of them, or to `P_scale` where they
-/// are but rounding beside it.
+/// relative to scales.v, multipliers to the largest of them, or to scales.P where they
+/// are but rounding beside it. Where one of two must be 0 (P_n or v_n, the distance to
+/// the bound or v_t, P_t or v_t if they have one sign) the smaller one is the violation:
+/// a product would let both be a hundred thousand roundings.
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
-                     const Ref<const VectorXd>& v, double v_scale, double P_scale = 0);
+                     const Ref<const VectorXd>& v, const LawScales& scales);
 
 /// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b,
 /// and P_t = -s b where a node slips.
