@@ -126,7 +126,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
                                const std::vector<pmesh>& meshes)
     : joined(joined_meshes(meshes)),
       fem_meshes(meshes.begin(), meshes.end()),
-      edges(edges_of(joined.mesh)) {
+      topology_{joined.mesh, edges_of(joined.mesh), {}} {
   const int bodies = body_count();
   require_names_of_bodies(named, of_bodies, bodies);
   require_law(named);
@@ -149,6 +149,12 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
              k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]});
   read_previous(stack, named);
   join_carriers();
+}
+
+const Topology& ContactProblem::topology() const {
+  if (topology_.stars.triangle_start.empty())
+    topology_.stars = stars_of(topology_.mesh, topology_.edges);
+  return topology_;
 }
 
 void ContactProblem::read_previous(Stack stack, const NamedArguments& named) {

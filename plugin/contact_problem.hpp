@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
+#include "ffcontact/mesh/topology.hpp"
 //
 #include "views.hpp"
 
@@ -48,7 +49,7 @@ struct ContactProblem {
   JoinedMesh joined;
   const Mesh& mesh = joined.mesh;
   std::vector<HeldMesh> fem_meshes;
-  Edges edges;
+  const Edges& edges = topology_.edges;
   ContactLine line;
   ContactLaw law;  ///< multiplier left at its default
   std::vector<long>
@@ -72,6 +73,10 @@ struct ContactProblem {
   /// Moves the multipliers of each pair whose side is not stated to the side that is to
   /// carry them.
   void choose_sides(const ElasticSystem& system);
+
+  /// The joined mesh with its edges and stars, made once.
+  /// @throws std::invalid_argument  if a body touches itself in a single vertex
+  const Topology& topology() const;
 
   int body_count() const { return joined.body_count(); }
   Index first_dof(int body) const { return 2 * joined.first_vertex[body]; }
@@ -115,6 +120,7 @@ struct ContactProblem {
   void read_previous(Stack stack, const NamedArguments& named);
   void join_carriers();
 
+  mutable Topology topology_;  ///< stars are made when an estimate asks for them
   std::vector<Pair> pairs_;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
 };

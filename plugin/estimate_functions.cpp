@@ -83,7 +83,6 @@ class ContactErrorFunction : public E_F0mps {
                                {"rt", &typeid(KN<double>*)},
                                {"rabscissa", &typeid(KN<double>*)},
                                {"corrected", &typeid(long*)},
-                               {"mended", &typeid(long*)},
                                {"unmended", &typeid(long*)},
                                {"oscillation", &typeid(double*)},
                                {"balance", &typeid(double*)},
@@ -103,8 +102,8 @@ class ContactErrorFunction : public E_F0mps {
         matrix_.empty() ? own_solution(contact) : given_solution(stack, problem);
     add_law_and_loads(stack, problem, judged);
     const auto& [system, body, oscillation] = judged;
-    const Estimate estimate = estimate_error(problem.mesh, problem.edges, problem.line,
-                                             *system, body, settings);
+    const Estimate estimate =
+        estimate_error(problem.topology(), problem.line, *system, body, settings);
     put(stack, problem, estimate);
     put_rates(stack, problem, *system, body);
     named_.put(stack, "oscillation", oscillation);
@@ -237,15 +236,14 @@ class ContactErrorFunction : public E_F0mps {
   void put_rates(Stack stack, const ContactProblem& problem, const ElasticSystem& system,
                  const SolvedBody& body) const {
     if (!is_wanted("rate", problem.body_count())) return;
-    const Stars stars = stars_of(problem.mesh, problem.edges);
+    const Topology& topology = problem.topology();
     const BoundaryTractions boundary =
-        boundary_tractions(problem.mesh, problem.edges, system.prescribed, body.neumann,
+        boundary_tractions(topology.mesh, topology.edges, system.prescribed, body.neumann,
                            problem.line, edge_densities(problem.line, body.pressure));
-    const std::vector<SingularVertex> singular =
-        singular_vertices(problem.mesh, problem.edges, stars, body.hooke,
-                          stresses(problem.mesh, body.hooke, body.displacement), boundary,
-                          contact_edge_numbers(problem.line, problem.edges));
-    put_by_triangles(stack, problem, "rate", local_rates(problem.mesh, stars, singular));
+    const std::vector<SingularVertex> singular = singular_vertices(
+        topology, body.hooke, stresses(topology.mesh, body.hooke, body.displacement),
+        boundary, contact_edge_numbers(problem.line, topology.edges));
+    put_by_triangles(stack, problem, "rate", local_rates(topology, singular));
   }
 
   void put_by_triangles(Stack stack, const ContactProblem& problem, const char* parameter,
@@ -327,7 +325,6 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "rn", estimate.tractions.normal.reshaped());
     named_.put(stack, "rt", estimate.tractions.tangential.reshaped());
     named_.put(stack, "corrected", static_cast<long>(estimate.corrected_count()));
-    named_.put(stack, "mended", static_cast<long>(estimate.mended.size()));
     named_.put(stack, "unmended", static_cast<long>(estimate.unmended.size()));
     named_.put(stack, "balance", estimate.equilibrium.largest());
     named_.put(stack, "cone", estimate.cone);
@@ -341,8 +338,7 @@ class ContactErrorFunction : public E_F0mps {
     if (level < 1 || mpirank != 0) return;
     cout << "contacterror: " << problem.mesh.cell_count() << " triangles, eps "
          << 100 * estimate.relative << " %, e " << estimate.e << ", "
-         << estimate.corrected_count() << " edges corrected, " << estimate.mended.size()
-         << " mended, " << seconds << " s" << endl;
+         << estimate.corrected_count() << " edges corrected, " << seconds << " s" << endl;
     if (!estimate.admissible)
       cout << "contacterror: not admissible: " << estimate.reason << endl;
     if (level > 1)

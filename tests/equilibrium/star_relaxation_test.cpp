@@ -25,9 +25,8 @@ FreeTractions free_tractions(const Problem& problem, const VectorXd& displacemen
 
 std::vector<double> relax(const Problem& problem, Equilibrated& fields, int sweeps,
                           FreeContact* contact = nullptr, double tightness = 0) {
-  return relax_stars(problem.mesh, problem.edges, fields.stars, problem.hooke,
-                     fields.boundary, fields.loads, {sweeps, tightness},
-                     fields.difference, contact);
+  return relax_stars(fields.topology, problem.hooke, fields.boundary, fields.loads,
+                     {sweeps, tightness}, fields.difference, contact);
 }
 
 /// A problem with tractions in the cone (example 2 with friction enough to stick, after

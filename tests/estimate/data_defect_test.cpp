@@ -20,7 +20,7 @@ std::string sentence_about(Multiplier multiplier, Spoil spoil) {
   SolvedBody body = solved_body(problem, solution);
   spoil(problem, body, solution);
   return refusal([&] {
-    estimate_error(problem.mesh, problem.edges, problem.line, problem.system(), body,
+    estimate_error(topology_of(problem.mesh), problem.line, problem.system(), body,
                    EstimateSettings{});
   });
 }
@@ -47,7 +47,7 @@ TEST(DataDefect, names_the_law_where_equilibrium_cannot) {
   ASSERT_EQ(body.pressure.cwiseAbs().maxCoeff(), 0);
   for (Matrix3d& C : body.hooke) C *= 2;
   EXPECT_TRUE(says(refusal([&] {
-                     estimate_error(problem.mesh, problem.edges, problem.line,
+                     estimate_error(topology_of(problem.mesh), problem.line,
                                     problem.system(), body, {});
                    }),
                    "A is 0.5 times the stiffness of the law"));

@@ -436,7 +436,7 @@ TEST(Estimate, refuses_what_does_not_fit) {
     EstimateSettings settings;
     spoil(body, settings);
     return refusal([&] {
-      estimate_error(problem.mesh, problem.edges, problem.line, problem.system(), body,
+      estimate_error(topology_of(problem.mesh), problem.line, problem.system(), body,
                      settings);
     });
   };

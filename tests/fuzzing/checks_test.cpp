@@ -71,9 +71,8 @@ Answer clean_answer(const std::function<bool(const Case&)>& wanted) {
     } catch (const std::invalid_argument&) {
       continue;
     }
-    answer.estimate =
-        estimate_error(answer.parts.mesh(), answer.parts.edges, answer.parts.line, system,
-                       answer.parts.solved(answer.solution));
+    answer.estimate = estimate_error(topology_of(answer.parts.mesh()), answer.parts.line,
+                                     system, answer.parts.solved(answer.solution));
     if (is_full(answer) && finds_of(answer).empty()) return answer;
   }
   throw std::runtime_error("no such problem");

@@ -63,7 +63,7 @@ void judge_estimate(const Case& problem, const Assembled& parts,
                                                               : Feasible::yes;
           },
           [&] {
-            estimate = estimate_error(parts.mesh(), parts.edges, parts.line, system,
+            estimate = estimate_error(topology_of(parts.mesh()), parts.line, system,
                                       parts.solved(solution), settings);
           },
           outcome))

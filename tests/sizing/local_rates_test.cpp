@@ -15,15 +15,12 @@ using namespace test;
 
 /// A square (0, 1) x (0, 1) all of whose boundary tractions are known.
 struct Square {
-  Mesh mesh;
-  Edges edges;
-  Stars stars;
+  Topology topology;
+  const Mesh& mesh = topology.mesh;
+  const Edges& edges = topology.edges;
   BoundaryTractions boundary;
   std::vector<int> contact_edge;
-  explicit Square(int cells)
-      : mesh(rectangle(cells, cells, 1, 1)),
-        edges(edges_of(mesh)),
-        stars(stars_of(mesh, edges)) {
+  explicit Square(int cells) : topology(topology_of(rectangle(cells, cells, 1, 1))) {
     boundary.known.setConstant(2, edges.count(), false);
     boundary.moments = EdgeMoments::Zero(4, edges.count());
     for (int e = 0; e < edges.count(); ++e) boundary.known.col(e) = edges.on_boundary(e);
@@ -37,9 +34,8 @@ struct Square {
       const Vector2d x = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
       stress.col(t) = std::pow(x.norm(), alpha - 1) * Vector3d(1, -0.5, 0.3);
     }
-    return singular_vertices(mesh, edges, stars,
-                             Hooke(mesh.cell_count(), isotropic(1, 1)), stress, boundary,
-                             contact_edge);
+    return singular_vertices(topology, Hooke(mesh.cell_count(), isotropic(1, 1)), stress,
+                             boundary, contact_edge);
   }
 };
 
@@ -79,8 +75,7 @@ TEST(SingularVertices, are_the_corners_and_where_the_boundary_condition_changes)
 
 TEST(LocalRates, are_the_exponents_around_the_vertices_and_one_elsewhere) {
   const Square square(4);
-  const VectorXd rates =
-      local_rates(square.mesh, square.stars, {{0, 0.5}, {1, 0.7}, {24, 1.0}});
+  const VectorXd rates = local_rates(square.topology, {{0, 0.5}, {1, 0.7}, {24, 1.0}});
   int half = 0, seventh = 0;
   for (int t = 0; t < square.mesh.cell_count(); ++t) {
     bool at_0 = false, at_1 = false;

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include "ffcontact/equilibrium/edge_moments.hpp"
+#include "ffcontact/equilibrium/nodal_residual.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "support/problems.hpp"
 
@@ -37,14 +38,14 @@ inline EstimateSettings sweeps(int count, Tractions tractions = Tractions::free)
 
 inline Estimate estimated(const Problem& problem, const ContactSolution& solution,
                           const EstimateSettings& settings = {}) {
-  return estimate_error(problem.mesh, problem.edges, problem.line, problem.system(),
+  return estimate_error(topology_of(problem.mesh), problem.line, problem.system(),
                         solved_body(problem, solution), settings);
 }
 
 /// What star relaxation starts from: edge tractions in equilibrium with the contact
 /// tractions of the solver.
 struct Equilibrated {
-  Stars stars;
+  Topology topology;
   Matrix3Xd stress;  ///< C eps(u_h)
   BoundaryTractions boundary;
   EdgeMoments moments;
@@ -55,14 +56,16 @@ struct Equilibrated {
 inline Equilibrated equilibrated(const Problem& problem, const VectorXd& displacement,
                                  const ContactDensities& densities) {
   Equilibrated result;
-  result.stars = stars_of(problem.mesh, problem.edges);
+  result.topology = topology_of(problem.mesh);
   result.stress = stresses(problem.mesh, problem.hooke, displacement);
   result.boundary =
       boundary_tractions(problem.mesh, problem.edges, prescribed_dofs(problem.A),
                          problem.neumann, problem.line, densities);
   result.loads = body_loads(problem);
-  result.moments = equilibrated_moments(problem.mesh, problem.edges, result.stars,
-                                        result.stress, result.loads, result.boundary);
+  require_balanced(problem.mesh, nodal_residual(result.topology, result.stress,
+                                                result.loads, result.boundary));
+  result.moments =
+      equilibrated_moments(result.topology, result.stress, result.loads, result.boundary);
   result.difference =
       difference_loads(problem.mesh, problem.edges, result.moments, result.stress);
   return result;

@@ -26,7 +26,51 @@ std::map<int, std::array<bool, 2>> prescribed_labels(
   return labels;
 }
 
+/// The given tractions, and which components are not prescribed.
+BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
+                                  const std::vector<char>& prescribed,
+                                  const Ref<const Matrix4Xd>& neumann) {
+  const std::map<int, std::array<bool, 2>> fixed = prescribed_labels(mesh, prescribed);
+  BoundaryTractions given;
+  given.known.setConstant(2, edges.count(), false);
+  given.moments = EdgeMoments::Zero(4, edges.count());
+  for (int e = 0; e < edges.count(); ++e) {
+    if (!edges.on_boundary(e)) continue;
+    const int b = edges.boundary_index[e];
+    const std::array<bool, 2>& prescribed_here = fixed.at(mesh.boundary_label[b]);
+    const bool same_direction = mesh.boundary(0, b) == edges.vertices(0, e);
+    for (int c = 0; c < 2; ++c) {
+      given.known(c, e) = !prescribed_here[c];
+      if (prescribed_here[c]) continue;
+      given.moments(c, e) = neumann((same_direction ? 0 : 2) + c, b);
+      given.moments(2 + c, e) = neumann((same_direction ? 2 : 0) + c, b);
+    }
+  }
+  return given;
+}
+
+void add(const Vector4d& moments, int edge, BoundaryTractions& boundary) {
+  boundary.known.col(edge).setConstant(true);
+  boundary.moments.col(edge) += moments;
+}
+
+/// On the edge that faces a contact edge, which runs the other way.
+Vector4d opposite(const Vector4d& moments) {
+  Vector4d turned;
+  turned << -moments.tail<2>(), -moments.head<2>();
+  return turned;
+}
+
 }  // namespace
+
+Vector4d contact_moments(const ContactLine& line, const ContactDensities& densities,
+                         int contact_edge) {
+  const Vector2d n = line.edge_normal(contact_edge), t = line.edge_tangent(contact_edge);
+  const Vector4d r = end_values(densities, contact_edge);
+  Vector4d density;
+  density << r[0] * n + r[1] * t, r[2] * n + r[3] * t;
+  return moments_of_density(density, line.length[contact_edge]);
+}
 
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
                                      const std::vector<char>& prescribed,
@@ -38,39 +82,14 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
   require_size("tractions", neumann.cols(), mesh.boundary.cols());
   require_finite("traction", neumann.reshaped());
 
-  const std::map<int, std::array<bool, 2>> fixed = prescribed_labels(mesh, prescribed);
-  BoundaryTractions result;
-  result.known.setConstant(2, edges.count(), false);
-  result.moments = EdgeMoments::Zero(4, edges.count());
-  for (int e = 0; e < edges.count(); ++e) {
-    if (!edges.on_boundary(e)) continue;
-    const int b = edges.boundary_index[e];
-    const std::array<bool, 2>& prescribed_here = fixed.at(mesh.boundary_label[b]);
-    const bool same_direction = mesh.boundary(0, b) == edges.vertices(0, e);
-    for (int c = 0; c < 2; ++c) {
-      result.known(c, e) = !prescribed_here[c];
-      if (prescribed_here[c]) continue;
-      result.moments(c, e) = neumann((same_direction ? 0 : 2) + c, b);
-      result.moments(2 + c, e) = neumann((same_direction ? 2 : 0) + c, b);
-    }
-  }
+  BoundaryTractions boundary = given_tractions(mesh, edges, prescribed, neumann);
   for (int k = 0; k < line.edge_count(); ++k) {
-    const Vector2d n = line.edge_normal(k), t = line.edge_tangent(k);
-    Vector4d density;
-    density << contact.normal(0, k) * n + contact.tangential(0, k) * t,
-        contact.normal(1, k) * n + contact.tangential(1, k) * t;
-    const Vector4d moments = moments_of_density(density, line.length[k]);
-    const auto load = [&](int edge, const Vector4d& contact_moments) {
-      result.known.col(edge).setConstant(true);
-      result.moments.col(edge) += contact_moments;
-    };
-    load(line.edge[k], moments);
-    if (!line.against_a_body() || line.opposite_edge[k] < 0) continue;
-    Vector4d opposite;
-    opposite << -moments.tail<2>(), -moments.head<2>();
-    load(line.opposite_edge[k], opposite);
+    const Vector4d moments = contact_moments(line, contact, k);
+    add(moments, line.edge[k], boundary);
+    if (line.against_a_body() && line.opposite_edge[k] >= 0)
+      add(opposite(moments), line.opposite_edge[k], boundary);
   }
-  return result;
+  return boundary;
 }
 
 }  // namespace ffcontact

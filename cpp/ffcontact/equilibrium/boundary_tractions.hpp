@@ -40,4 +40,8 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
                                      const ContactLine& line,
                                      const ContactDensities& contact);
 
+/// int r phi at the first and the second node of a contact edge, Cartesian [N/mm].
+Vector4d contact_moments(const ContactLine& line, const ContactDensities& densities,
+                         int contact_edge);
+
 }  // namespace ffcontact

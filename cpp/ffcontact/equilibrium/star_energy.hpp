@@ -8,6 +8,7 @@
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/airy_energy.hpp"
 #include "ffcontact/equilibrium/star_corrections.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -22,8 +23,8 @@ struct StarSetting {
 
 /// @param difference  edge loads of sigma_hat - C eps(u_hat) before the relaxation
 /// @param body_loads  int f phi_i per triangle
-StarSetting star_setting(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                         const Hooke& hooke, const BoundaryTractions& boundary,
+StarSetting star_setting(const Topology& topology, const Hooke& hooke,
+                         const BoundaryTractions& boundary,
                          const BodyLoadsOfAll& body_loads,
                          const EdgeLoadsOfAll& difference);
 

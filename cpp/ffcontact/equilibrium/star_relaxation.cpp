@@ -210,14 +210,14 @@ constexpr double rounding = 1e-15;
 
 }  // namespace
 
-std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                                const Hooke& hooke, const BoundaryTractions& boundary,
+std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
+                                const BoundaryTractions& boundary,
                                 const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings,
                                 EdgeLoadsOfAll& difference, FreeContact* contact) {
   if (settings.sweeps == 0) return {};
   const StarSetting setting =
-      star_setting(mesh, edges, stars, hooke, boundary, body_loads, difference);
+      star_setting(topology, hooke, boundary, body_loads, difference);
   const Colours<std::vector<int>> on_contact =
       contact ? coloured_groups(setting, contact->line) : Colours<std::vector<int>>{};
   const Colours<int> others = other_vertices(setting, on_contact);

@@ -6,7 +6,7 @@
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/free_tractions.hpp"
-#include "ffcontact/mesh/stars.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -41,8 +41,8 @@ struct RelaxationSettings {
 /// @param difference  edge loads of sigma_hat - C eps(u_hat), relaxed in place
 /// @param contact     r_hat, relaxed in place; null keeps it fixed
 /// @return what e^2 fell by in every sweep [N/mm per unit thickness times mm]
-std::vector<double> relax_stars(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                                const Hooke& hooke, const BoundaryTractions& boundary,
+std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
+                                const BoundaryTractions& boundary,
                                 const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings,
                                 EdgeLoadsOfAll& difference, FreeContact* contact);

@@ -7,7 +7,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
-#include "ffcontact/estimate/admissible_tractions.hpp"
+#include "ffcontact/estimate/nodal_forces.hpp"
 
 namespace ffcontact {
 

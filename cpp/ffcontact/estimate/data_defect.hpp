@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ffcontact/elastic/elastic_system.hpp"
-#include "ffcontact/equilibrium/edge_moments.hpp"
+#include "ffcontact/equilibrium/nodal_residual.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
 
 namespace ffcontact {

@@ -10,16 +10,16 @@
 #include "ffcontact/equilibrium/equilibrium_defect.hpp"
 #include "ffcontact/equilibrium/star_relaxation.hpp"
 #include "ffcontact/estimate/admissible_displacement.hpp"
-#include "ffcontact/estimate/admissible_tractions.hpp"
 #include "ffcontact/estimate/contact_error.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
 #include "ffcontact/interface/common_refinement.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
 /// Which contact tractions r_hat the estimate uses.
 enum class Tractions {
-  /// in the cone (AdmissibleTractions), and relaxed inside it together with the stress
+  /// in the cone, F_i / len_i at the nodes, and relaxed inside it together with the stress
   free,
   fixed,  ///< in the cone, not relaxed
   /// correction (4.1) alone, as in [CHH01]: edges it cannot mend stay outside the cone,
@@ -66,8 +66,6 @@ struct Estimate {
   std::vector<CompositeStress> stress;
   ContactDensities tractions;  ///< r_hat [MPa]
   VectorXd shift;              ///< d of (4.1) per contact edge [MPa], 0 where none
-  /// contact edges brought into the cone by another way than (4.1)
-  std::vector<int> mended;
   /// contact edges left outside the cone (Tractions::published only)
   std::vector<int> unmended;
   EquilibriumDefect equilibrium;
@@ -97,7 +95,7 @@ struct Estimate {
 ///                                where no tractions in the cone hold the body
 /// @throws std::runtime_error     if tractions had to be mended and a part of the body is
 ///                                held by nothing
-Estimate estimate_error(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+Estimate estimate_error(const Topology& topology, const ContactLine& line,
                         const ElasticSystem& system, const SolvedBody& body,
                         const EstimateSettings& settings = {});
 

@@ -21,9 +21,9 @@ int contact_or_not(int edge, const std::vector<int>& contact_edges) {
   return contact_edges[edge] >= 0 ? 1 : 0;
 }
 
-std::vector<int> candidates(const Mesh& mesh, const Edges& edges, const Stars& stars,
-                            const BoundaryTractions& boundary,
+std::vector<int> candidates(const Topology& topology, const BoundaryTractions& boundary,
                             const std::vector<int>& contact_edges) {
+  const auto& [mesh, edges, stars] = topology;
   std::vector<int> result;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (stars.triangle_count(v) == 0 || !stars.on_boundary(v)) continue;
@@ -77,13 +77,13 @@ double fitted_exponent(const std::vector<std::pair<double, double>>& distance_an
 
 }  // namespace
 
-std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edges,
-                                              const Stars& stars, const Hooke& hooke,
+std::vector<SingularVertex> singular_vertices(const Topology& topology,
+                                              const Hooke& hooke,
                                               const Ref<const Matrix3Xd>& stress,
                                               const BoundaryTractions& boundary,
                                               const std::vector<int>& contact_edges) {
-  const std::vector<int> vertices =
-      candidates(mesh, edges, stars, boundary, contact_edges);
+  const auto& [mesh, edges, stars] = topology;
+  const std::vector<int> vertices = candidates(topology, boundary, contact_edges);
   VectorXd energy(mesh.cells.cols());
   Matrix2Xd centroid(2, mesh.cells.cols());
   for (int t = 0; t < mesh.cell_count(); ++t) {
@@ -106,9 +106,10 @@ std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edg
   return result;
 }
 
-VectorXd local_rates(const Mesh& mesh, const Stars& stars,
+VectorXd local_rates(const Topology& topology,
                      const std::vector<SingularVertex>& singular) {
-  VectorXd rates = VectorXd::Ones(mesh.cells.cols());
+  const Stars& stars = topology.stars;
+  VectorXd rates = VectorXd::Ones(topology.mesh.cell_count());
   for (const SingularVertex& s : singular)
     for (int k = stars.triangle_start[s.vertex]; k < stars.triangle_start[s.vertex + 1];
          ++k)

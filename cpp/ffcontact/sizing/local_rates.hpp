@@ -6,7 +6,7 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
-#include "ffcontact/mesh/stars.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -25,8 +25,8 @@ struct SingularVertex {
 /// condition changes: other components known, contact or not.
 /// @param stress      sigma_h per triangle [MPa]
 /// @param compliance  C^-1 per triangle through `hooke`
-std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edges,
-                                              const Stars& stars, const Hooke& hooke,
+std::vector<SingularVertex> singular_vertices(const Topology& topology,
+                                              const Hooke& hooke,
                                               const Ref<const Matrix3Xd>& stress,
                                               const BoundaryTractions& boundary,
                                               const std::vector<int>& contact_edges);
@@ -34,7 +34,7 @@ std::vector<SingularVertex> singular_vertices(const Mesh& mesh, const Edges& edg
 /// Local rates q_E of the error, eps_E ~ h_E^q_E: alpha on the triangles at a singular
 /// vertex, where the singularity sets the error, 1 on all others [P. Coorevits, P.
 /// Ladeveze, J.-P. Pelle, Engrg. Comput. 11 (1994); CHH01, 5.1].
-VectorXd local_rates(const Mesh& mesh, const Stars& stars,
+VectorXd local_rates(const Topology& topology,
                      const std::vector<SingularVertex>& singular);
 
 }  // namespace ffcontact

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/nodal_residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "ffcontact/elastic/hooke.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Loads and stresses that differ by more than this part of the largest moment were not
+/// computed from each other.
+constexpr double unbalanced = 1e-6;
+
+/// The spokes that bound the star of a boundary vertex.
+struct EndSpokes {
+  int first, last;
+};
+
+EndSpokes end_spokes(const Stars& stars, int vertex) {
+  return {stars.spoke[stars.spoke_start[vertex]],
+          stars.spoke[stars.spoke_start[vertex + 1] - 1]};
+}
+
+/// Whether one of the edges beside a boundary vertex leaves a component free.
+bool is_supported(const Stars& stars, int vertex, int component,
+                  const BoundaryTractions& boundary) {
+  if (!stars.on_boundary(vertex)) return false;
+  const auto [first, last] = end_spokes(stars, vertex);
+  return !boundary.known(component, first) || !boundary.known(component, last);
+}
+
+/// Forces of the boundary tractions beside a vertex.
+Vector2d boundary_forces(const Topology& topology, int vertex,
+                         const BoundaryTractions& boundary) {
+  if (!topology.stars.on_boundary(vertex)) return Vector2d::Zero();
+  const auto [first, last] = end_spokes(topology.stars, vertex);
+  Vector2d forces;
+  for (int c = 0; c < 2; ++c)
+    forces[c] = moment_at(topology.edges, boundary.moments, first, vertex, c) -
+                moment_at(topology.edges, boundary.moments, last, vertex, c);
+  return forces;
+}
+
+}  // namespace
+
+double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke, int vertex,
+                 int component) {
+  const bool starts_here = edges.vertices(0, spoke) == vertex;
+  return starts_here ? moments(component, spoke) : -moments(2 + component, spoke);
+}
+
+Matrix2Xd star_loads(const Topology& topology, int vertex,
+                     const Ref<const Matrix3Xd>& stress,
+                     const BodyLoadsOfAll& body_loads) {
+  const auto& [mesh, edges, stars] = topology;
+  Matrix2Xd loads(2, stars.triangle_count(vertex));
+  for (int k = 0; k < loads.cols(); ++k) {
+    const int place = stars.triangle_start[vertex] + k;
+    const int t = stars.triangle[place], local = stars.local[place];
+    const Vector2d gradient = hat_gradients(mesh, t).col(local);
+    loads.col(k) = signed_area(mesh, t) * traction(stress.col(t), gradient) -
+                   body_loads.block<2, 1>(2 * local, t);
+  }
+  return loads;
+}
+
+NodalResidual nodal_residual(const Topology& topology, const Ref<const Matrix3Xd>& stress,
+                             const BodyLoadsOfAll& body_loads,
+                             const BoundaryTractions& boundary) {
+  const Stars& stars = topology.stars;
+  const int vertices = topology.mesh.vertex_count();
+  NodalResidual residual{Matrix2Xd::Zero(2, vertices), {}, 0};
+  residual.supported.setConstant(2, vertices, false);
+  double scale = boundary.moments.cwiseAbs().maxCoeff();
+#pragma omp parallel for reduction(max : scale)
+  for (int v = 0; v < vertices; ++v) {
+    if (stars.triangle_count(v) == 0) continue;
+    const Matrix2Xd loads = star_loads(topology, v, stress, body_loads);
+    const Vector2d missing =
+        boundary_forces(topology, v, boundary) - loads.rowwise().sum();
+    scale = std::max(scale, loads.cwiseAbs().maxCoeff());
+    for (int c = 0; c < 2; ++c) {
+      residual.supported(c, v) = is_supported(stars, v, c, boundary);
+      if (!residual.supported(c, v)) residual.missing(c, v) = missing[c];
+    }
+  }
+  residual.scale = scale;
+  return residual;
+}
+
+NodalResidual with_forces(NodalResidual residual, const VectorXd& forces) {
+  const Matrix2Xd added = forces.reshaped(2, residual.missing.cols());
+  residual.missing += residual.supported.select(0, added);
+  residual.scale = std::max(residual.scale, forces.cwiseAbs().maxCoeff());
+  return residual;
+}
+
+NodalResidual less_stress(const Topology& topology, NodalResidual residual,
+                          const Ref<const Matrix3Xd>& added) {
+  const BodyLoadsOfAll none = BodyLoadsOfAll::Zero(6, topology.mesh.cell_count());
+#pragma omp parallel for
+  for (int v = 0; v < topology.mesh.vertex_count(); ++v) {
+    if (topology.stars.triangle_count(v) == 0) continue;
+    const Vector2d sum = star_loads(topology, v, added, none).rowwise().sum();
+    for (int c = 0; c < 2; ++c)
+      if (!residual.supported(c, v)) residual.missing(c, v) -= sum[c];
+  }
+  return residual;
+}
+
+void require_balanced(const Mesh& mesh, const NodalResidual& residual,
+                      double least_scale) {
+  Index component, vertex;
+  const double worst = residual.missing.cwiseAbs().maxCoeff(&component, &vertex);
+  if (worst <= unbalanced * std::max(least_scale, residual.scale)) return;
+  const Vector2d x = mesh.place(static_cast<int>(vertex));
+  std::ostringstream sentence;
+  sentence.precision(10);
+  sentence << "the loads do not balance the stresses at vertex " << vertex << " ("
+           << x.x() << ", " << x.y() << "): " << worst << " N/mm are left over";
+  throw Imbalance(sentence.str(), static_cast<int>(vertex), static_cast<int>(component));
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/mesh/topology.hpp"
+
+namespace ffcontact {
+
+/// What the stresses of a finite element solution lack to be in equilibrium with the
+/// loads, vertex by vertex:
+///     missing_i = sum over the star of (int f phi_i - |E| sigma grad phi_i) + moments at i of the known boundary tractions.
+/// It is 0 where u_h was computed with these loads. Where a support answers, on a
+/// component that a boundary edge of the star leaves free, nothing is missing.
+struct NodalResidual {
+  Matrix2Xd missing;                         ///< [N/mm, 2 x vertices]
+  Eigen::Array<bool, 2, Dynamic> supported;  ///< where a support answers
+  double scale;                              ///< largest term [N/mm]
+};
+
+/// @param stress      per triangle, Voigt [MPa]
+/// @param body_loads  int_E f phi_i at the three vertices of each triangle [N/mm, 6 x
+///                    triangles]
+NodalResidual nodal_residual(const Topology& topology, const Ref<const Matrix3Xd>& stress,
+                             const BodyLoadsOfAll& body_loads,
+                             const BoundaryTractions& boundary);
+
+/// The same with forces on the vertices beside the boundary tractions.
+/// @param forces  on all dofs [N/mm]
+NodalResidual with_forces(NodalResidual residual, const VectorXd& forces);
+
+/// The same when a stress is added.
+/// @param added  per triangle, Voigt [MPa]
+NodalResidual less_stress(const Topology& topology, NodalResidual residual,
+                          const Ref<const Matrix3Xd>& added);
+
+/// |E| sigma grad phi_i - int_E f phi_i on each triangle of the star of vertex i, in its
+/// order [N/mm, 2 x triangles of the star].
+Matrix2Xd star_loads(const Topology& topology, int vertex,
+                     const Ref<const Matrix3Xd>& stress,
+                     const BodyLoadsOfAll& body_loads);
+
+/// The moment at a vertex of a component of a spoke's traction, seen along vertex ->
+/// neighbour with the normal to the right [N/mm].
+double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke, int vertex,
+                 int component);
+
+/// Given tractions that do not balance the stresses at a vertex.
+struct Imbalance : std::invalid_argument {
+  Imbalance(const std::string& sentence, int vertex, int component)
+      : std::invalid_argument(sentence), vertex(vertex), component(component) {}
+  int vertex, component;
+};
+
+/// @param least_scale  moments below this are rounding: what is left over is judged
+///                     against the largest moment, or this [N/mm]
+/// @throws Imbalance  if the given tractions do not balance the stresses at a vertex
+///                    (other loads than those u_h was computed with, or a point support
+///                    with a reaction), naming the vertex
+void require_balanced(const Mesh& mesh, const NodalResidual& residual,
+                      double least_scale = 0);
+
+}  // namespace ffcontact

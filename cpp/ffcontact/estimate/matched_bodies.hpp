@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "ffcontact/elastic/elastic_system.hpp"
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/estimate/solved_body.hpp"
+#include "ffcontact/interface/common_refinement.hpp"
+#include "ffcontact/mesh/topology.hpp"
+
+namespace ffcontact {
+
+/// What an estimate is asked of.
+struct SolvedProblem {
+  const Topology& topology;
+  const ContactLine& line;
+  const ElasticSystem& system;
+  const SolvedBody& body;
+};
+
+/// The solved bodies with facing traces that match, on which admissible fields are built:
+/// as they are where the traces match, and their common refinement where they do not.
+class MatchedBodies {
+ public:
+  /// @param solved  stays where it is
+  explicit MatchedBodies(const SolvedProblem& solved);
+
+  const Topology& topology() const { return cut_ ? cut_->topology : solved_.topology; }
+  const ContactLine& line() const { return cut_ ? refinement_->line : solved_.line; }
+  const SolvedBody& body() const { return cut_ ? cut_->body : solved_.body; }
+  const std::vector<char>& prescribed() const {
+    return cut_ ? cut_->prescribed : solved_.system.prescribed;
+  }
+
+  /// What the boundary carries with these contact tractions.
+  BoundaryTractions boundary_with(const ContactDensities& densities) const;
+
+  /// The same on the solved mesh.
+  BoundaryTractions solved_boundary(const BoundaryTractions& boundary) const;
+
+  /// Nodal forces of contact tractions on the dofs of the solved mesh [N/mm].
+  VectorXd solved_forces(const ContactDensities& densities) const;
+
+  /// Values at the nodes of the solved line at those of the matched one [2 x p].
+  Matrix2Xd nodal_values(const Matrix2Xd& solved) const;
+
+  /// Vertex fields, one a column, linear in between.
+  MatrixXd fields(const MatrixXd& solved) const;
+
+  /// Edge tractions in equilibrium with the boundary's from those on the solved mesh.
+  /// @param stress  that the latter balance, on the solved triangles
+  EdgeMoments moments(const EdgeMoments& solved, const Matrix3Xd& stress,
+                      const BoundaryTractions& boundary) const;
+
+  /// Sums over the parts of the solved triangles.
+  VectorXd sums_of_parts(const VectorXd& values) const;
+
+  std::optional<CommonRefinement> take_refinement() { return std::move(refinement_); }
+
+ private:
+  struct Cut {
+    Topology topology;
+    std::vector<char> prescribed;
+    SolvedBody body;
+  };
+  SolvedProblem solved_;
+  std::optional<CommonRefinement> refinement_;
+  std::optional<Cut> cut_;
+};
+
+}  // namespace ffcontact

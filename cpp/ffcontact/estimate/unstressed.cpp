@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/unstressed.hpp"
+
+#include <algorithm>
+
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Largest gap or displacement of the load step before [mm].
+double largest_given(const ContactLaw& law) {
+  double largest = 0;
+  for (const VectorXd* values : {&law.gap, &law.previous})
+    if (values->size() > 0) largest = std::max(largest, values->cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// What a displacement of the length `given` along each contact edge would stress.
+double terms_along_line(const Edges& edges, const ContactLine& line, const Hooke& hooke,
+                        double given) {
+  double largest = 0;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const double stiffness = hooke[edges.cells(0, line.edge[e])].cwiseAbs().maxCoeff();
+    largest = std::max(largest, stiffness * given / line.length[e]);
+  }
+  return largest;
+}
+
+/// |grad phi_k| |u_k| summed over the vertices of a triangle.
+double strain_terms(const Mesh& mesh, const VectorXd& displacement, int t) {
+  const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
+  double strain = 0;
+  for (int k = 0; k < 3; ++k)
+    strain +=
+        gradients.col(k).norm() * displacement.segment<2>(2 * mesh.cells(k, t)).norm();
+  return strain;
+}
+
+/// Does a node slide against Tresca's friction? Then stresses are not rounding, however
+/// small.
+bool slides(const ContactLine& line, const SolvedBody& body) {
+  if (!body.law.tresca()) return false;
+  const VectorXd& bound = body.law.slip_bound;
+  const VectorXd slip =
+      displacement_against_foundation(line, body.law, body.displacement).row(1);
+  const double largest =
+      std::max(body.displacement.cwiseAbs().maxCoeff(), largest_given(body.law));
+  const double least = rounding_of_terms * largest;
+  return (slip.cwiseProduct(bound).array().abs() > least * bound.array()).any();
+}
+
+/// Loads on supports are felt by nothing.
+bool has_loads(const Topology& topology, const std::vector<char>& prescribed,
+               const SolvedBody& body) {
+  const BoundaryTractions given = boundary_tractions(
+      topology.mesh, topology.edges, prescribed, body.neumann, ContactLine{}, {});
+  return !given.moments.isZero(0) || !body.body_loads.isZero(0);
+}
+
+}  // namespace
+
+double largest_stress_terms(const Topology& topology, const ContactLine& line,
+                            const SolvedBody& body, const VectorXd& displacement) {
+  const auto& [mesh, edges, stars] = topology;
+  const Hooke& hooke = body.hooke;
+  double largest = terms_along_line(edges, line, hooke, largest_given(body.law));
+#pragma omp parallel for reduction(max : largest)
+  for (int t = 0; t < topology.mesh.cell_count(); ++t) {
+    const double strain = strain_terms(topology.mesh, displacement, t);
+    largest = std::max(largest, hooke[t].cwiseAbs().maxCoeff() * strain);
+  }
+  return largest;
+}
+
+bool is_unstressed(const Topology& topology, const ContactLine& line,
+                   const std::vector<char>& prescribed, const SolvedBody& body,
+                   double stress_terms) {
+  if (has_loads(topology, prescribed, body)) return false;
+  const double stress =
+      stresses(topology.mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
+  const double traction = body.pressure.cwiseAbs().maxCoeff();
+  return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
+         !slides(line, body);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/estimate/solved_body.hpp"
+#include "ffcontact/mesh/topology.hpp"
+
+namespace ffcontact {
+
+/// Stresses and displacements below this part of the terms that they are summed from are
+/// the rounding of these.
+constexpr double rounding_of_terms = 1e-12;
+
+/// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle, or what the
+/// gap and the displacement of the load step before come to as strains along the line
+/// [MPa].
+double largest_stress_terms(const Topology& topology, const ContactLine& line,
+                            const SolvedBody& body, const VectorXd& displacement);
+
+/// Bodies without loads whose stresses and tractions are rounding, and that slide nowhere
+/// against Tresca's friction: rigid motions.
+/// @param prescribed    1 where the dof is prescribed [2 * vertices]
+/// @param stress_terms  largest_stress_terms of u_h
+bool is_unstressed(const Topology& topology, const ContactLine& line,
+                   const std::vector<char>& prescribed, const SolvedBody& body,
+                   double stress_terms);
+
+}  // namespace ffcontact
