@@ -1,48 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/mesh.hpp"
 
+#include <Eigen/Geometry>
+
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-Vector2d turned_left(const Vector2d& v) { return {-v.y(), v.x()}; }
+/// The facet opposite to local vertex k of a cell; outward.
+template <int dim>
+Matrix<double, dim, 1> outward_vector(const SimplexMesh<dim>& mesh, int cell, int k) {
+  Matrix<double, dim, dim> corners;
+  for (int i = 0; i < dim; ++i)
+    corners.col(i) = mesh.corner(cell, facet_corners<dim>[k][i]);
+  return facet_vector(corners);
+}
 
-void require_indices(const char* what, const Ref<const MatrixXi>& vertices, int count) {
+template <class Vertices>
+void require_indices(const char* what, const Vertices& vertices, int count) {
   for (Index c = 0; c < vertices.cols(); ++c)
-    for (Index k = 0; k < vertices.rows(); ++k)
-      if (vertices(k, c) < 0 || vertices(k, c) >= count)
-        refuse(what, " ", c, " names vertex ", vertices(k, c), " of a mesh with ", count,
-               " vertices");
+    for (const int v : vertices.col(c))
+      if (v < 0 || v >= count)
+        refuse(what, " ", c, " names vertex ", v, " of a mesh with ", count, " vertices");
+}
+
+template <int dim>
+void require_vertices(const SimplexMesh<dim>& mesh) {
+  using Words = MeshWords<dim>;
+  const std::string facet = std::string("boundary ") + Words::facet;
+  require_indices(Words::cell, mesh.cells, mesh.vertex_count());
+  require_indices(facet.c_str(), mesh.boundary, mesh.vertex_count());
+}
+
+template <int dim>
+void require_positive(const SimplexMesh<dim>& mesh) {
+  using Words = MeshWords<dim>;
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const double volume = signed_volume(mesh, t);
+    if (!(volume > 0))
+      refuse(Words::cell, " ", t, " has the ", Words::volume, " ", volume,
+             ", not positive");
+  }
 }
 
 }  // namespace
 
-double signed_area(const Mesh& mesh, int triangle) {
-  const Vector2d a = mesh.corner(triangle, 1) - mesh.corner(triangle, 0);
-  const Vector2d b = mesh.corner(triangle, 2) - mesh.corner(triangle, 0);
-  return 0.5 * (a.x() * b.y() - a.y() * b.x());
+Vector2d facet_vector(const Matrix2d& corners) {
+  const Vector2d along = corners.col(1) - corners.col(0);
+  return {along.y(), -along.x()};
 }
 
-Matrix<double, 2, 3> hat_gradients(const Mesh& mesh, int triangle) {
-  Matrix<double, 2, 3> gradients;
-  for (int k = 0; k < 3; ++k)
-    gradients.col(k) = turned_left(mesh.corner(triangle, (k + 2) % 3) -
-                                   mesh.corner(triangle, (k + 1) % 3));
-  return gradients / (2 * signed_area(mesh, triangle));
+Vector3d facet_vector(const Matrix3d& corners) {
+  const Vector3d a = corners.col(1) - corners.col(0);
+  const Vector3d b = corners.col(2) - corners.col(0);
+  return a.cross(b) / 2;
 }
 
-void require_valid(const Mesh& mesh) {
-  if (mesh.cell_count() == 0) refuse("the mesh has no triangles");
+template <int dim>
+double signed_volume(const SimplexMesh<dim>& mesh, int cell) {
+  // base times height / dim
+  const Matrix<double, dim, 1> height = mesh.corner(cell, 0) - mesh.corner(cell, dim);
+  return outward_vector(mesh, cell, dim).dot(height) / dim;
+}
+
+template <int dim>
+Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh, int cell) {
+  Matrix<double, dim, dim + 1> gradients;
+  for (int k = 0; k <= dim; ++k) gradients.col(k) = -outward_vector(mesh, cell, k);
+  return gradients / (dim * signed_volume(mesh, cell));
+}
+
+template <int dim>
+void require_valid(const SimplexMesh<dim>& mesh) {
+  if (mesh.cell_count() == 0) refuse("the mesh has no ", MeshWords<dim>::cells);
   if (!mesh.vertices.allFinite())
     refuse("the mesh has a vertex whose coordinates are not finite");
   require_size("boundary_label", mesh.boundary_label.size(), mesh.boundary.cols());
-  require_indices("triangle", mesh.cells, mesh.vertex_count());
-  require_indices("boundary edge", mesh.boundary, mesh.vertex_count());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    if (!(signed_area(mesh, t) > 0))
-      refuse("triangle ", t, " has the area ", signed_area(mesh, t), ", not positive");
+  require_vertices(mesh);
+  require_positive(mesh);
 }
+
+template double signed_volume(const Mesh&, int);
+template double signed_volume(const SolidMesh&, int);
+template Matrix<double, 2, 3> hat_gradients(const Mesh&, int);
+template Matrix<double, 3, 4> hat_gradients(const SolidMesh&, int);
+template void require_valid(const Mesh&);
+template void require_valid(const SolidMesh&);
 
 }  // namespace ffcontact

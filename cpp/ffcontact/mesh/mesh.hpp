@@ -1,37 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "ffcontact/base/eigen.hpp"
 
 namespace ffcontact {
 
-/// A conforming triangulation of a plane body, as FreeFEM keeps it.
-struct Mesh {
-  Matrix2Xd vertices;  ///< coordinates [mm]
-  Matrix3Xi cells;     ///< vertices of each triangle, counter-clockwise
-  /// vertex pairs of the labelled edges, either direction; inner ones are allowed
-  Matrix2Xi boundary;
+/// A conforming mesh of simplices as FreeFEM keeps it: triangles of a plane body (dim =
+/// 2), tetrahedra of a solid (dim = 3). What is said of facets is said of edges in the
+/// plane and of faces in space.
+template <int dim>
+struct SimplexMesh {
+  using Point = Matrix<double, dim, 1>;
+
+  Matrix<double, dim, Dynamic> vertices;  ///< coordinates [mm]
+  /// vertices of each cell, in an order of positive volume (counter-clockwise triangles)
+  Matrix<int, dim + 1, Dynamic> cells;
+  /// vertices of the labelled facets, in any order; inner facets are allowed
+  Matrix<int, dim, Dynamic> boundary;
   VectorXi boundary_label;  ///< one label per column of `boundary`
   /// Where the coordinates' zero lies for who reads messages; apart from those nothing
   /// depends on it.
-  Vector2d origin = Vector2d::Zero();
+  Point origin = Point::Zero();
 
   int vertex_count() const { return static_cast<int>(vertices.cols()); }
   int cell_count() const { return static_cast<int>(cells.cols()); }
   /// A vertex as who made the mesh knows it.
-  Vector2d place(int vertex) const { return origin + vertices.col(vertex); }
-  Vector2d corner(int triangle, int k) const { return vertices.col(cells(k, triangle)); }
+  Point place(int vertex) const { return origin + vertices.col(vertex); }
+  Point corner(int cell, int k) const { return vertices.col(cells(k, cell)); }
 };
 
-/// Area of one triangle [mm^2], positive when counter-clockwise.
-double signed_area(const Mesh& mesh, int triangle);
+using Mesh = SimplexMesh<2>;
+using SolidMesh = SimplexMesh<3>;
 
-/// Columns are the gradients [1/mm] of the three hat functions on one triangle.
-Matrix<double, 2, 3> hat_gradients(const Mesh& mesh, int triangle);
+/// What the parts of a mesh are called in messages.
+template <int dim>
+struct MeshWords;
+template <>
+struct MeshWords<2> {
+  static constexpr auto cell = "triangle", cells = "triangles", facet = "edge",
+                        volume = "area";
+};
+template <>
+struct MeshWords<3> {
+  static constexpr auto cell = "tetrahedron", cells = "tetrahedra", facet = "face",
+                        volume = "volume";
+};
+
+/// Local vertices of the facet opposite to each local vertex of a cell, in the order in
+/// which facet_vector points outward.
+template <int dim>
+constexpr std::array<std::array<int, dim>, dim + 1> facet_corners{};
+template <>
+inline constexpr std::array<std::array<int, 2>, 3> facet_corners<2>{
+    {{1, 2}, {2, 0}, {0, 1}}};
+template <>
+inline constexpr std::array<std::array<int, 3>, 4> facet_corners<3>{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// The normal of a facet, as long as the facet is large: the vector between two points
+/// turned clockwise [mm], or half the vector product of two sides of a triangle, which
+/// runs counter-clockwise where the normal points to [mm^2].
+/// @param corners  one column each
+Vector2d facet_vector(const Matrix2d& corners);
+Vector3d facet_vector(const Matrix3d& corners);
+
+/// Volume of one cell [mm^dim], positive in the order that SimplexMesh::cells asks for.
+template <int dim>
+double signed_volume(const SimplexMesh<dim>& mesh, int cell);
+
+/// Area of one triangle [mm^2], positive when counter-clockwise.
+inline double signed_area(const Mesh& mesh, int triangle) {
+  return signed_volume(mesh, triangle);
+}
+
+/// Columns are the gradients [1/mm] of the hat functions on one cell: with the outward
+/// vectors A_k n_k of its facets, grad phi_k = -A_k n_k / (dim |T|).
+template <int dim>
+Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh, int cell);
 
 /// @throws std::invalid_argument  if the mesh is empty, an index is out of range, a
-///                                coordinate is not finite,
-///                                or a triangle has no positive area
-void require_valid(const Mesh& mesh);
+///                                coordinate is not finite, or a cell has no positive
+///                                volume
+template <int dim>
+void require_valid(const SimplexMesh<dim>& mesh);
 
 }  // namespace ffcontact
