@@ -10,8 +10,10 @@
 ///
 /// Modules, each using only those before it:
 ///   base         refusals, small dense problems
-///   mesh         triangulation, edges, stars, several bodies as one joined mesh, boundary parts and curves
-///   elastic      Hooke's law, the linear system with its prescribed dofs, condensation on a few dofs
+///   mesh         triangles and tetrahedra, their facets (edges, faces) and hinges, stars, several bodies as one joined mesh,
+///                boundary parts and curves
+///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
+///                few dofs; as meshes and facets for plane bodies and solids
 ///   interface    the contact line, facing traces, their common refinement
 ///   contact      the laws of contact and friction, the solver, tractions brought into the cone
 ///   equilibrium  edge tractions in equilibrium, the composite stress, star relaxation

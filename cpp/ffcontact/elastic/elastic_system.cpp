@@ -2,9 +2,11 @@
 #include "ffcontact/elastic/elastic_system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
 
@@ -103,6 +105,74 @@ void require_columns(const RowMatrixView& A, const std::vector<char>& prescribed
          " but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
 }
 
+void require_shape(const RowMatrixView& A, const Ref<const VectorXd>& b, int dimension) {
+  if (A.rows() != A.cols())
+    refuse("A has ", A.rows(), " rows and ", A.cols(), " columns, it must be square");
+  require_size("b", b.size(), A.rows());
+  if (A.rows() % dimension != 0)
+    refuse("A has ", A.rows(), " rows, no multiple of the dimension ", dimension);
+}
+
+void read_prescribed_values(const RowMatrixView& A, const Ref<const VectorXd>& b,
+                            ElasticSystem& system) {
+  for (Index dof = 0; dof < A.rows(); ++dof)
+    if (system.prescribed[dof]) system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
+}
+
+/// B with eps(u_h) = B u for the dofs of one cell.
+template <int dim>
+Matrix<double, voigt_size<dim>, dim*(dim + 1)> strain_matrix(const SimplexMesh<dim>& mesh,
+                                                             int cell) {
+  const auto hats = hat_gradients(mesh, cell);
+  Matrix<double, voigt_size<dim>, dim*(dim + 1)> B;
+  B.setZero();
+  for (int k = 0; k <= dim; ++k)
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j)
+        B(voigt_place<dim>[i][j], dof_of<dim>(k, i)) = hats(j, k);
+  return B;
+}
+
+template <int dim>
+Matrix<double, dim*(dim + 1), dim*(dim + 1)> element_stiffness(
+    const SimplexMesh<dim>& mesh, const VoigtMatrix<dim>& C, int cell) {
+  const auto B = strain_matrix(mesh, cell);
+  return signed_volume(mesh, cell) * B.transpose() * C * B;
+}
+
+template <int dim>
+std::array<int, dim*(dim + 1)> dofs_of(const SimplexMesh<dim>& mesh, int cell) {
+  std::array<int, dim*(dim + 1)> dofs;
+  for (int k = 0; k <= dim; ++k)
+    for (int c = 0; c < dim; ++c)
+      dofs[dof_of<dim>(k, c)] = dof_of<dim>(mesh.cells(k, cell), c);
+  return dofs;
+}
+
+/// A system of the size of all bodies, without rows.
+ElasticSystem room_for(const std::vector<ElasticSystem>& bodies) {
+  Index dofs = 0, entries = 0;
+  for (const ElasticSystem& body : bodies) {
+    if (body.dimension != bodies.front().dimension)
+      refuse("a plane body and a solid in one system");
+    dofs += body.dof_count();
+    entries += body.stiffness.nonZeros();
+  }
+  ElasticSystem joined{RowMatrix(dofs, dofs), VectorXd(dofs), {}, VectorXd(dofs)};
+  if (!bodies.empty()) joined.dimension = bodies.front().dimension;
+  joined.stiffness.reserve(entries);
+  return joined;
+}
+
+/// Appends the rows of K from row and column `first` on.
+void append_block(const RowMatrix& K, Index first, RowMatrix& joined) {
+  for (Index row = 0; row < K.rows(); ++row) {
+    joined.startVec(first + row);
+    for (RowMatrix::InnerIterator e(K, row); e; ++e)
+      joined.insertBack(first + row, first + e.col()) = e.value();
+  }
+}
+
 }  // namespace
 
 std::vector<char> prescribed_dofs(const RowMatrixView& A) {
@@ -121,17 +191,15 @@ std::vector<char> prescribed_dofs(const RowMatrixView& A) {
   return prescribed;
 }
 
-ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b) {
-  if (A.rows() != A.cols())
-    refuse("A has ", A.rows(), " rows and ", A.cols(), " columns, it must be square");
-  require_size("b", b.size(), A.rows());
+ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b,
+                             int dimension) {
+  require_shape(A, b, dimension);
   require_finite("b", b);
   require_finite_entries(A);
 
-  ElasticSystem system{A, b, prescribed_dofs(A), VectorXd::Zero(A.rows())};
+  ElasticSystem system{A, b, prescribed_dofs(A), VectorXd::Zero(A.rows()), dimension};
   require_symmetric(A, system.prescribed);
-  for (Index dof = 0; dof < A.rows(); ++dof)
-    if (system.prescribed[dof]) system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
+  read_prescribed_values(A, b, system);
   if (!system.prescribed_value.isZero(0)) {
     require_columns(A, system.prescribed, system.prescribed_value);
     system.load -= A * system.prescribed_value;
@@ -141,35 +209,26 @@ ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& 
   return system;
 }
 
-RowMatrix stiffness(const Mesh& mesh, const Hooke& hooke) {
+template <int dim>
+RowMatrix stiffness(const SimplexMesh<dim>& mesh, const HookeTensors<dim>& hooke) {
+  constexpr int size = dim * (dim + 1);
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(36 * static_cast<std::size_t>(mesh.cell_count()));
+  entries.reserve(size * size * static_cast<std::size_t>(mesh.cell_count()));
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const Matrix<double, 2, 3> g = hat_gradients(mesh, t);
-    Matrix<double, 3, 6> B;  // strain of the six local dofs
-    for (int k = 0; k < 3; ++k)
-      B.middleCols<2>(2 * k) << g(0, k), 0, 0, g(1, k), g(1, k), g(0, k);
-    const Matrix<double, 6, 6> element =
-        signed_area(mesh, t) * B.transpose() * hooke[t] * B;
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        entries.emplace_back(2 * mesh.cells(i / 2, t) + i % 2,
-                             2 * mesh.cells(j / 2, t) + j % 2, element(i, j));
+    const auto element = element_stiffness(mesh, hooke[t], t);
+    const auto dofs = dofs_of(mesh, t);
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        entries.emplace_back(dofs[i], dofs[j], element(i, j));
   }
-  const Index n = 2 * mesh.vertices.cols();
+  const Index n = dim * mesh.vertices.cols();
   RowMatrix K(n, n);
   K.setFromTriplets(entries.begin(), entries.end());
   return K;
 }
 
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
-  Index dofs = 0, entries = 0;
-  for (const ElasticSystem& body : bodies) {
-    dofs += body.dof_count();
-    entries += body.stiffness.nonZeros();
-  }
-  ElasticSystem joined{RowMatrix(dofs, dofs), VectorXd(dofs), {}, VectorXd(dofs)};
-  joined.stiffness.reserve(entries);
+  ElasticSystem joined = room_for(bodies);
   Index first = 0;
   for (const ElasticSystem& body : bodies) {
     const Index size = body.dof_count();
@@ -177,15 +236,14 @@ ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
     joined.prescribed_value.segment(first, size) = body.prescribed_value;
     joined.prescribed.insert(joined.prescribed.end(), body.prescribed.begin(),
                              body.prescribed.end());
-    for (Index row = 0; row < size; ++row) {
-      joined.stiffness.startVec(first + row);
-      for (RowMatrix::InnerIterator e(body.stiffness, row); e; ++e)
-        joined.stiffness.insertBack(first + row, first + e.col()) = e.value();
-    }
+    append_block(body.stiffness, first, joined.stiffness);
     first += size;
   }
   joined.stiffness.finalize();
   return joined;
 }
+
+template RowMatrix stiffness(const Mesh&, const HookeTensors<2>&);
+template RowMatrix stiffness(const SolidMesh&, const HookeTensors<3>&);
 
 }  // namespace ffcontact

@@ -13,15 +13,15 @@ using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using RowMatrixView = Ref<const RowMatrix>;
 
 /// A linear elastic body before contact: K u = b on the free dofs, u = value on the
-/// prescribed ones. The dof of component c at vertex v is 2 v + c, FreeFEM's numbering of
-/// [P1, P1].
+/// prescribed ones; dofs are numbered as in dofs.hpp.
 struct ElasticSystem {
-  /// K [N/mm^2 per unit thickness]; rows and columns of prescribed dofs are not used
+  /// K [N/mm; per unit thickness in the plane]; rows and columns of prescribed dofs are not used
   RowMatrix stiffness;
   /// b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
   VectorXd load;
   std::vector<char> prescribed;  ///< 1 where the dof is prescribed
   VectorXd prescribed_value;     ///< [mm], 0 on free dofs
+  int dimension = 2;             ///< of the body: dofs of a vertex
 
   int dof_count() const { return static_cast<int>(load.size()); }
 };
@@ -31,13 +31,17 @@ struct ElasticSystem {
 /// nothing but a diagonal (tgv = -1 or -2, value = b / diagonal). With -2 a free dof
 /// whose neighbours are all prescribed has nothing but a diagonal either: its stiffness,
 /// where the others have 1.
-/// @throws std::invalid_argument  if sizes differ, a value of A or b is not finite, A is
-///                                not symmetric on the free dofs, a
-///                                prescribed value is not zero where the columns of A are gone (tgv = -2), or such a matrix was
+/// @param dimension  2 or 3, of the body
+/// @throws std::invalid_argument  if sizes differ or are no multiple of the dimension, a
+///                                value of A or b is not finite, A is not symmetric on
+///                                the free dofs, a prescribed value is not zero where the
+///                                columns of A are gone (tgv = -2), or such a matrix was
 ///                                scaled and has free dofs without free neighbours
-ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b);
+ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b,
+                             int dimension = 2);
 
 /// Several bodies as one system of separate blocks, in the order of joined_mesh.
+/// @throws std::invalid_argument  if their dimensions differ
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);
 
 /// 1 where the row of A prescribes its dof.
@@ -45,6 +49,7 @@ ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);
 std::vector<char> prescribed_dofs(const RowMatrixView& A);
 
 /// K without boundary conditions, K_ij = int C eps(phi_i) : eps(phi_j).
-RowMatrix stiffness(const Mesh& mesh, const Hooke& hooke);
+template <int dim>
+RowMatrix stiffness(const SimplexMesh<dim>& mesh, const HookeTensors<dim>& hooke);
 
 }  // namespace ffcontact

@@ -4,44 +4,90 @@
 #include <Eigen/Cholesky>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
 
-Matrix3d isotropic(double lambda, double G) {
-  Matrix3d C;
-  C << lambda + 2 * G, lambda, 0,  //
-      lambda, lambda + 2 * G, 0,   //
-      0, 0, G;
+namespace {
+
+template <class Tensor>
+bool is_elliptic(const Tensor& C) {
+  return C.allFinite() && C.isApprox(C.transpose(), 1e-12) &&
+         C.llt().info() == Eigen::Success;
+}
+
+template <int dim>
+void require_all_elliptic(const HookeTensors<dim>& hooke, int cell_count) {
+  require_size("Hooke's tensor", static_cast<Index>(hooke.size()), cell_count);
+  for (std::size_t t = 0; t < hooke.size(); ++t)
+    if (!is_elliptic(hooke[t]))
+      refuse("Hooke's tensor on ", MeshWords<dim>::cell, " ", t,
+             " is not symmetric and positive definite");
+}
+
+/// du_i / dx_j
+template <int dim>
+Matrix<double, dim, dim> gradient(const SimplexMesh<dim>& mesh,
+                                  const Ref<const VectorXd>& displacement, int cell) {
+  const auto hats = hat_gradients(mesh, cell);
+  Matrix<double, dim, dim> result = Matrix<double, dim, dim>::Zero();
+  for (int k = 0; k <= dim; ++k) {
+    const auto u = vector_at<dim>(displacement, mesh.cells(k, cell));
+    result += u * hats.col(k).transpose();
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+VoigtMatrix<dim> isotropic(double lambda, double G) {
+  VoigtMatrix<dim> C = VoigtMatrix<dim>::Zero();
+  C.template topLeftCorner<dim, dim>().setConstant(lambda);
+  C.diagonal().setConstant(G);
+  C.diagonal().template head<dim>().setConstant(lambda + 2 * G);
   return C;
 }
 
-void require_elliptic(const Hooke& hooke, int triangle_count) {
-  require_size("Hooke's tensor", static_cast<Index>(hooke.size()), triangle_count);
-  for (std::size_t t = 0; t < hooke.size(); ++t) {
-    const Matrix3d& C = hooke[t];
-    const bool good = C.allFinite() && C.isApprox(C.transpose(), 1e-12) &&
-                      C.llt().info() == Eigen::Success;
-    if (!good)
-      refuse("Hooke's tensor on triangle ", t, " is not symmetric and positive definite");
+void require_elliptic(const HookeTensors<2>& hooke, int cell_count) {
+  require_all_elliptic<2>(hooke, cell_count);
+}
+
+void require_elliptic(const HookeTensors<3>& hooke, int cell_count) {
+  require_all_elliptic<3>(hooke, cell_count);
+}
+
+template <int dim>
+VoigtVector<dim> strain(const SimplexMesh<dim>& mesh,
+                        const Ref<const VectorXd>& displacement, int cell) {
+  const Matrix<double, dim, dim> grad = gradient(mesh, displacement, cell);
+  VoigtVector<dim> result;
+  for (int i = 0; i < dim; ++i) {
+    result[i] = grad(i, i);
+    for (int j = i + 1; j < dim; ++j)
+      result[voigt_place<dim>[i][j]] = grad(i, j) + grad(j, i);
   }
+  return result;
 }
 
-Vector3d strain(const Mesh& mesh, const Ref<const VectorXd>& displacement, int triangle) {
-  const Matrix<double, 2, 3> gradients = hat_gradients(mesh, triangle);
-  Matrix2d grad = Matrix2d::Zero();  // du_i / dx_j
-  for (int k = 0; k < 3; ++k)
-    grad += displacement.segment<2>(2 * mesh.cells(k, triangle)) *
-            gradients.col(k).transpose();
-  return {grad(0, 0), grad(1, 1), grad(0, 1) + grad(1, 0)};
-}
-
-Matrix3Xd stresses(const Mesh& mesh, const Hooke& hooke,
-                   const Ref<const VectorXd>& displacement) {
-  Matrix3Xd result(3, mesh.cells.cols());
+template <int dim>
+Matrix<double, voigt_size<dim>, Dynamic> stresses(
+    const SimplexMesh<dim>& mesh, const HookeTensors<dim>& hooke,
+    const Ref<const VectorXd>& displacement) {
+  Matrix<double, voigt_size<dim>, Dynamic> result(voigt_size<dim>, mesh.cells.cols());
 #pragma omp parallel for
   for (int t = 0; t < mesh.cell_count(); ++t)
     result.col(t) = hooke[t] * strain(mesh, displacement, t);
   return result;
 }
+
+template VoigtMatrix<2> isotropic<2>(double, double);
+template VoigtMatrix<3> isotropic<3>(double, double);
+template VoigtVector<2> strain(const Mesh&, const Ref<const VectorXd>&, int);
+template VoigtVector<3> strain(const SolidMesh&, const Ref<const VectorXd>&, int);
+template Matrix<double, 3, Dynamic> stresses<2>(const Mesh&, const HookeTensors<2>&,
+                                                const Ref<const VectorXd>&);
+template Matrix<double, 6, Dynamic> stresses<3>(const SolidMesh&, const HookeTensors<3>&,
+                                                const Ref<const VectorXd>&);
 
 }  // namespace ffcontact

@@ -2,33 +2,48 @@
 #include "ffcontact/elastic/rigid_motions.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
+
+#include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
 
 namespace {
+
+using Vertices = std::vector<int>;
 
 int root(std::vector<int>& parent, int v) {
   while (parent[v] != v) v = parent[v] = parent[parent[v]];
   return v;
 }
 
-/// Vertices of each connected part that has triangles.
-std::vector<std::vector<int>> connected_parts(const Mesh& mesh) {
-  std::vector<int> parent(mesh.vertex_count()), part_of(mesh.vertex_count(), -1);
+/// For each vertex one of its part, the same for all of them; -1 where it has no cell.
+template <int dim>
+std::vector<int> roots_of(const SimplexMesh<dim>& mesh) {
+  std::vector<int> parent(mesh.vertex_count()), roots(mesh.vertex_count(), -1);
   std::iota(parent.begin(), parent.end(), 0);
   for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 2; ++k)
+    for (int k = 0; k < dim; ++k)
       parent[root(parent, mesh.cells(k, t))] = root(parent, mesh.cells(k + 1, t));
-  std::vector<char> used(mesh.vertex_count(), 0);
   for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 3; ++k) used[mesh.cells(k, t)] = 1;
+    for (const int v : mesh.cells.col(t)) roots[v] = root(parent, v);
+  return roots;
+}
 
-  std::vector<std::vector<int>> parts;
+/// Vertices of each connected part that has cells.
+template <int dim>
+std::vector<Vertices> connected_parts(const SimplexMesh<dim>& mesh) {
+  const std::vector<int> roots = roots_of(mesh);
+  std::vector<int> part_of(mesh.vertex_count(), -1);
+  std::vector<Vertices> parts;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (!used[v]) continue;
-    int& part = part_of[root(parent, v)];
+    if (roots[v] < 0) continue;
+    int& part = part_of[roots[v]];
     if (part < 0) {
       part = static_cast<int>(parts.size());
       parts.emplace_back();
@@ -38,99 +53,179 @@ std::vector<std::vector<int>> connected_parts(const Mesh& mesh) {
   return parts;
 }
 
+template <int dim>
+constexpr int motion_count = dim*(dim + 1) / 2;
+
+/// The rotations about the axes at r, one column each: e_z x r in the plane.
+Vector2d rotations(const Vector2d& r) { return {-r.y(), r.x()}; }
+Matrix3d rotations(const Vector3d& r) {
+  Matrix3d result;
+  for (int k = 0; k < 3; ++k) result.col(k) = Vector3d::Unit(k).cross(r);
+  return result;
+}
+
+template <int dim>
 struct Frame {
-  Vector2d centre;
+  using Point = Matrix<double, dim, 1>;
+  Point centre;
   double radius;
-  /// The three rigid motions at a point: along x, along y, around the centre.
-  Matrix<double, 2, 3> motions_at(const Vector2d& x) const {
-    const Vector2d r = (x - centre) / radius;
-    Matrix<double, 2, 3> motions;
-    motions << 1, 0, -r.y(), 0, 1, r.x();
+
+  /// The rigid motions at a point: along the axes, and around them through the centre.
+  Matrix<double, dim, motion_count<dim>> motions_at(const Point& x) const {
+    const Point r = (x - centre) / radius;
+    Matrix<double, dim, motion_count<dim>> motions;
+    motions << Matrix<double, dim, dim>::Identity(), rotations(r);
     return motions;
   }
 };
 
-Frame frame_of(const Mesh& mesh, const std::vector<int>& part) {
-  Vector2d centre = Vector2d::Zero();
+template <int dim>
+Frame<dim> frame_of(const SimplexMesh<dim>& mesh, const Vertices& part) {
+  Matrix<double, dim, 1> centre = Matrix<double, dim, 1>::Zero();
   for (int v : part) centre += mesh.vertices.col(v) / static_cast<double>(part.size());
   double radius = 0;
   for (int v : part) radius = std::max(radius, (mesh.vertices.col(v) - centre).norm());
   return {centre, radius};
 }
 
-/// Coefficients of the combinations of the three motions that vanish on the prescribed
-/// dofs.
-MatrixXd unstopped(const Mesh& mesh, const std::vector<int>& part, const Frame& frame,
-                   const std::vector<char>& prescribed) {
-  Matrix3d normal_matrix = Matrix3d::Zero();
+/// Sum of the squares of what the motions do to the prescribed dofs of a part.
+template <int dim>
+Matrix<double, motion_count<dim>, motion_count<dim>> stopped(
+    const SimplexMesh<dim>& mesh, const Vertices& part, const Frame<dim>& frame,
+    const std::vector<char>& prescribed) {
+  Matrix<double, motion_count<dim>, motion_count<dim>> sum;
+  sum.setZero();
   for (int v : part)
-    for (int c = 0; c < 2; ++c)
-      if (prescribed[2 * v + c]) {
-        const Vector3d row = frame.motions_at(mesh.vertices.col(v)).row(c);
-        normal_matrix += row * row.transpose();
-      }
+    for (int c = 0; c < dim; ++c) {
+      if (!prescribed[dof_of<dim>(v, c)]) continue;
+      const auto row = frame.motions_at(mesh.vertices.col(v)).row(c).eval();
+      sum += row.transpose() * row;
+    }
+  return sum;
+}
+
+/// Coefficients of the combinations of the motions that vanish on the prescribed dofs.
+template <int dim>
+MatrixXd unstopped(const SimplexMesh<dim>& mesh, const Vertices& part,
+                   const Frame<dim>& frame, const std::vector<char>& prescribed) {
+  const auto squares = stopped(mesh, part, frame, prescribed);
   // eigenvalues ascending
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(normal_matrix);
+  const Eigen::SelfAdjointEigenSolver<std::decay_t<decltype(squares)>> eigen(squares);
+  const auto& values = eigen.eigenvalues();
   // A motion is free when it is 1e-5 of the largest on all prescribed dofs; the
   // eigenvalues are sums of squares.
-  const double threshold = 1e-10 * std::max(eigen.eigenvalues()[2], 1.0);
+  const double threshold = 1e-10 * std::max(values[motion_count<dim> - 1], 1.0);
   int free = 0;
-  while (free < 3 && eigen.eigenvalues()[free] <= threshold) ++free;
+  while (free < motion_count<dim> && values[free] <= threshold) ++free;
   return eigen.eigenvectors().leftCols(free);
+}
+
+/// A rigid motion in space, or in the plane z = 0: u(x) = shift + turn x (x - centre).
+struct Motion {
+  Vector3d centre = Vector3d::Zero(), shift = Vector3d::Zero(), turn = Vector3d::Zero();
+  double radius = 0;  ///< of the body
+
+  bool turns() const { return turn.norm() * radius > 1e-6 * shift.norm(); }
+  Vector3d axis_point() const { return centre + turn.cross(shift) / turn.squaredNorm(); }
+  /// Along the axis, by a full turn.
+  double pitch() const { return 2 * M_PI * turn.dot(shift) / turn.squaredNorm(); }
+};
+
+template <class Vector>
+Vector3d in_space(const Vector& v) {
+  Vector3d result = Vector3d::Zero();
+  result.head(v.size()) = v;
+  return result;
+}
+
+template <int dim>
+bool moves(const Vertices& part, const Ref<const VectorXd>& motion) {
+  return std::any_of(part.begin(), part.end(),
+                     [&](int v) { return !vector_at<dim>(motion, v).isZero(0); });
+}
+
+/// By least squares, which for a rigid motion leave nothing: J turn = sum r x (u - shift)
+/// with J = sum |r|^2 I - r r', r = x - centre.
+template <int dim>
+Motion motion_of(const SimplexMesh<dim>& mesh, const Vertices& part,
+                 const Ref<const VectorXd>& field) {
+  Motion motion;
+  const Frame<dim> frame = frame_of(mesh, part);
+  motion.centre = in_space(frame.centre);
+  motion.radius = frame.radius;
+  for (int v : part)
+    motion.shift += in_space(vector_at<dim>(field, v)) / static_cast<double>(part.size());
+
+  Matrix3d J = Matrix3d::Zero();
+  Vector3d moment = Vector3d::Zero();
+  for (int v : part) {
+    const Vector3d r = in_space(mesh.vertices.col(v)) - motion.centre;
+    const Vector3d u = in_space(vector_at<dim>(field, v)) - motion.shift;
+    J += r.squaredNorm() * Matrix3d::Identity() - r * r.transpose();
+    moment += r.cross(u);
+  }
+  motion.turn = J.inverse() * moment;
+  return motion;
+}
+
+/// "(0, 1)": without the noise of rounding.
+template <int dim>
+std::string in_words(const Vector3d& v) {
+  std::ostringstream words;
+  words.precision(4);
+  for (int c = 0; c < dim; ++c)
+    words << (c == 0 ? "(" : ", ") << (std::abs(v[c]) < 1e-9 ? 0.0 : v[c]);
+  return words.str() + ")";
+}
+
+/// ", 3 mm a turn", or nothing where the axis stays where it is.
+std::string pitch_in_words(const Motion& motion) {
+  if (std::abs(motion.pitch()) < 1e-6 * motion.radius) return "";
+  std::ostringstream words;
+  words.precision(4);
+  words << ", " << motion.pitch() << " mm a turn";
+  return words.str();
 }
 
 }  // namespace
 
-MatrixXd free_rigid_motions(const Mesh& mesh, const std::vector<char>& prescribed) {
-  MatrixXd basis(2 * mesh.vertices.cols(), 0);
-  for (const std::vector<int>& part : connected_parts(mesh)) {
-    const Frame frame = frame_of(mesh, part);
+template <int dim>
+MatrixXd free_rigid_motions(const SimplexMesh<dim>& mesh,
+                            const std::vector<char>& prescribed) {
+  MatrixXd basis(dim * mesh.vertices.cols(), 0);
+  for (const Vertices& part : connected_parts(mesh)) {
+    const Frame<dim> frame = frame_of(mesh, part);
     const MatrixXd combinations = unstopped(mesh, part, frame, prescribed);
-    const Index first = basis.cols();
-    if (combinations.cols() == 0) continue;
-    basis.conservativeResize(Eigen::NoChange, first + combinations.cols());
-    basis.rightCols(combinations.cols()).setZero();
+    const Index first = basis.cols(), more = combinations.cols();
+    if (more == 0) continue;
+    basis.conservativeResize(Eigen::NoChange, first + more);
+    basis.rightCols(more).setZero();
     for (int v : part)
-      basis.block(2 * v, first, 2, combinations.cols()) =
+      basis.block(dof_of<dim>(v, 0), first, dim, more) =
           frame.motions_at(mesh.vertices.col(v)) * combinations;
   }
   return basis;
 }
 
-std::string motion_in_words(const Mesh& mesh, const Ref<const VectorXd>& motion) {
-  // A rigid motion is an affine field: two vertices that move differently tell the
-  // rotation, otherwise it is a translation.
-  const double largest = motion.cwiseAbs().maxCoeff();
-  std::vector<int> moving;
-  for (int v = 0; v < mesh.vertex_count(); ++v)
-    if (motion.segment<2>(2 * v).cwiseAbs().maxCoeff() > 0) moving.push_back(v);
-  const int a = moving.front();
-  int b = a;
-  for (int v : moving)
-    if ((mesh.vertices.col(v) - mesh.vertices.col(a)).norm() >
-        (mesh.vertices.col(b) - mesh.vertices.col(a)).norm())
-      b = v;
-
-  const Vector2d u_a = motion.segment<2>(2 * a),
-                 arm = mesh.vertices.col(b) - mesh.vertices.col(a);
-  const Vector2d difference = motion.segment<2>(2 * b) - u_a;
-  const double rotation =
-      arm.norm() > 0
-          ? (arm.x() * difference.y() - arm.y() * difference.x()) / arm.squaredNorm()
-          : 0;
-  const auto rounded = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; };
-  std::ostringstream words;
-  words.precision(4);
-  if (std::abs(rotation) * arm.norm() < 1e-6 * largest) {
-    const Vector2d direction = u_a.normalized();
-    words << "translation along (" << rounded(direction.x()) << ", "
-          << rounded(direction.y()) << ")";
-  } else {
-    const Vector2d centre = mesh.vertices.col(a) + Vector2d(-u_a.y(), u_a.x()) / rotation;
-    words << "rotation about (" << rounded(mesh.origin.x() + centre.x()) << ", "
-          << rounded(mesh.origin.y() + centre.y()) << ")";
-  }
-  return words.str();
+template <int dim>
+std::string motion_in_words(const SimplexMesh<dim>& mesh,
+                            const Ref<const VectorXd>& motion) {
+  const std::vector<Vertices> parts = connected_parts(mesh);
+  const auto part = std::find_if(parts.begin(), parts.end(), [&](const Vertices& each) {
+    return moves<dim>(each, motion);
+  });
+  const Motion rigid = motion_of(mesh, *part, motion);
+  if (!rigid.turns())
+    return "translation along " + in_words<dim>(rigid.shift.normalized());
+  const std::string point = in_words<dim>(in_space(mesh.origin) + rigid.axis_point());
+  if (dim == 2) return "rotation about " + point;
+  return "rotation about " + in_words<dim>(rigid.turn.normalized()) + " through " +
+         point + pitch_in_words(rigid);
 }
+
+template MatrixXd free_rigid_motions(const Mesh&, const std::vector<char>&);
+template MatrixXd free_rigid_motions(const SolidMesh&, const std::vector<char>&);
+template std::string motion_in_words(const Mesh&, const Ref<const VectorXd>&);
+template std::string motion_in_words(const SolidMesh&, const Ref<const VectorXd>&);
 
 }  // namespace ffcontact

@@ -9,14 +9,22 @@
 
 namespace ffcontact {
 
-/// Basis of the rigid motions that no prescribed dof stops, one column each [2 * vertices
-/// x k], k = 0 to 3 per connected part. A motion (a + w (c_y - y), b + w (x - c_x)) about
-/// the part's centre c is scaled to a largest displacement of about 1.
-/// @param prescribed  1 where the dof is prescribed [2 * vertices]
-MatrixXd free_rigid_motions(const Mesh& mesh, const std::vector<char>& prescribed);
+/// Basis of the rigid motions that no prescribed dof stops, one column each [dofs x k], k
+/// = 0 to 3 per connected part in the plane, 0 to 6 in space. A motion a + w x (x - c)
+/// about the part's centre c is scaled to a largest displacement of about 1.
+/// @param prescribed  1 where the dof is prescribed [dofs]
+template <int dim>
+MatrixXd free_rigid_motions(const SimplexMesh<dim>& mesh,
+                            const std::vector<char>& prescribed);
 
-/// "translation along (0, 1)" or "rotation about (10, 5)": a rigid motion in words.
-/// @param motion  a combination of columns of free_rigid_motions [2 * vertices]
-std::string motion_in_words(const Mesh& mesh, const Ref<const VectorXd>& motion);
+/// "translation along (0, 1)" or "rotation about (10, 5)": a rigid motion in words. In
+/// space "rotation about (0, 0, 1) through (10, 5, 0)", the axis by its direction, about
+/// which the motion turns right-handed, and its point nearest to the body's centre; a
+/// screw motion goes on with ", 3 mm a turn" along that direction.
+/// @param motion  a combination of columns of free_rigid_motions, not zero [dofs]; of
+///                several parts that move the first one is described
+template <int dim>
+std::string motion_in_words(const SimplexMesh<dim>& mesh,
+                            const Ref<const VectorXd>& motion);
 
 }  // namespace ffcontact
