@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/facets.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/sorted_parts.hpp"
 
 namespace ffcontact {
 
@@ -28,14 +28,6 @@ struct Side {
     return cell > other.cell;  // labelled facets come last among equals
   }
 };
-
-template <int dim>
-Corners<dim> ascending(Corners<dim> vertices) {
-  for (int i = 1; i < dim; ++i)
-    for (int k = i; k > 0 && vertices[k] < vertices[k - 1]; --k)
-      std::swap(vertices[k], vertices[k - 1]);
-  return vertices;
-}
 
 /// Whether an odd number of exchanges puts them in ascending order.
 template <class Vertices>
@@ -67,24 +59,10 @@ std::vector<Side<dim>> sides_of(const SimplexMesh<dim>& mesh) {
   sides.reserve((dim + 1) * mesh.cells.cols() + mesh.boundary.cols());
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k <= dim; ++k)
-      sides.push_back({ascending<dim>(outward_corners(mesh, t, k)), t, k});
+      sides.push_back({ascending(outward_corners(mesh, t, k)), t, k});
   for (int b = 0; b < mesh.boundary.cols(); ++b)
-    sides.push_back({ascending<dim>(labelled_corners(mesh, b)), -1, b});
+    sides.push_back({ascending(labelled_corners(mesh, b)), -1, b});
   return sides;
-}
-
-/// By their lowest vertices first, which is counting; few sides have the same.
-template <int dim>
-std::vector<Side<dim>> sorted(const std::vector<Side<dim>>& sides, int vertices) {
-  std::vector<std::size_t> start(vertices + 1, 0);
-  for (const Side<dim>& side : sides) ++start[side.vertices[0] + 1];
-  for (int v = 0; v < vertices; ++v) start[v + 1] += start[v];
-  std::vector<Side<dim>> result(sides.size());
-  std::vector<std::size_t> next(start.begin(), start.end() - 1);
-  for (const Side<dim>& side : sides) result[next[side.vertices[0]]++] = side;
-  for (int v = 0; v < vertices; ++v)
-    std::sort(result.begin() + start[v], result.begin() + start[v + 1]);
-  return result;
 }
 
 /// "edge between vertices 3 and 7", "face between vertices 3, 7 and 9".
@@ -177,7 +155,7 @@ Matrix<double, dim, 1> vector_of(const SimplexMesh<dim>& mesh, const Facets<dim>
 
 template <int dim>
 Facets<dim> facets_of(const SimplexMesh<dim>& mesh) {
-  const std::vector<Side<dim>> sides = sorted(sides_of(mesh), mesh.vertex_count());
+  const std::vector<Side<dim>> sides = sorted_parts(sides_of(mesh), mesh.vertex_count());
   Gathering<dim> gathering(mesh);
   for (auto side = sides.begin(); side != sides.end();) {
     const Side<dim>& first = *side;

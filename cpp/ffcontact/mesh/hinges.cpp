@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/mesh/hinges.hpp"
+
+#include <array>
+#include <string>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/sorted_parts.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// One hinge of one facet.
+template <int dim>
+struct HingeSide {
+  std::array<int, dim - 1> vertices;  ///< ascending
+  int facet;
+  int local;  ///< the vertex of the facet opposite to it
+
+  bool operator<(const HingeSide& other) const {
+    if (vertices != other.vertices) return vertices < other.vertices;
+    return facet < other.facet;
+  }
+};
+
+template <int dim>
+std::vector<HingeSide<dim>> sides_of(const Facets<dim>& facets) {
+  std::vector<HingeSide<dim>> sides;
+  sides.reserve(dim * facets.vertices.cols());
+  for (int f = 0; f < facets.count(); ++f)
+    for (int k = 0; k < dim; ++k) {
+      std::array<int, dim - 1> vertices;
+      for (int i = 1; i < dim; ++i) vertices[i - 1] = facets.vertices((k + i) % dim, f);
+      sides.push_back({ascending(vertices), f, k});
+    }
+  return sides;
+}
+
+/// The hinge that each of the sorted sides belongs to.
+template <int dim>
+std::vector<int> numbers_of(const std::vector<HingeSide<dim>>& sides) {
+  std::vector<int> numbers(sides.size(), 0);
+  for (std::size_t s = 1; s < sides.size(); ++s)
+    numbers[s] = numbers[s - 1] + (sides[s].vertices != sides[s - 1].vertices);
+  return numbers;
+}
+
+std::string in_words(const std::array<int, 1>& vertices) {
+  return "vertex " + std::to_string(vertices[0]);
+}
+std::string in_words(const std::array<int, 2>& vertices) {
+  return "edge between vertices " + std::to_string(vertices[0]) + " and " +
+         std::to_string(vertices[1]);
+}
+
+/// A body has two boundary facets at a hinge, or none.
+template <int dim>
+void require_one_fan(const std::vector<HingeSide<dim>>& sides,
+                     const std::vector<int>& numbers, const Facets<dim>& facets) {
+  int on_boundary = 0;
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    if (s > 0 && numbers[s] != numbers[s - 1]) on_boundary = 0;
+    on_boundary += facets.on_boundary(sides[s].facet);
+    if (on_boundary > 2)
+      refuse("the body touches itself in the single ", in_words(sides[s].vertices));
+  }
+}
+
+template <int dim>
+Hinges<dim> room_for(int hinges, int facets) {
+  Hinges<dim> result;
+  result.vertices.resize(dim - 1, hinges);
+  result.of_facet.resize(dim, facets);
+  result.facet_start.assign(hinges + 1, 0);
+  result.on_boundary.assign(hinges, 0);
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+Hinges<dim> hinges_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets) {
+  const auto sides = sorted_parts(sides_of(facets), mesh.vertex_count());
+  const std::vector<int> numbers = numbers_of(sides);
+  require_one_fan(sides, numbers, facets);
+  const int count = numbers.empty() ? 0 : numbers.back() + 1;
+  Hinges<dim> hinges = room_for<dim>(count, facets.count());
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    const HingeSide<dim>& side = sides[s];
+    const int hinge = numbers[s];
+    for (int i = 0; i < dim - 1; ++i) hinges.vertices(i, hinge) = side.vertices[i];
+    hinges.of_facet(side.local, side.facet) = hinge;
+    hinges.facet.push_back(side.facet);
+    hinges.facet_start[hinge + 1] = static_cast<int>(hinges.facet.size());
+    if (facets.on_boundary(side.facet)) hinges.on_boundary[hinge] = 1;
+  }
+  return hinges;
+}
+
+template Hinges<2> hinges_of(const Mesh&, const Facets<2>&);
+template Hinges<3> hinges_of(const SolidMesh&, const Facets<3>&);
+
+}  // namespace ffcontact

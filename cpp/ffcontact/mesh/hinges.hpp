@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/base/eigen.hpp"
+#include "ffcontact/mesh/facets.hpp"
+
+namespace ffcontact {
+
+/// What facets meet in: the vertices of a plane mesh, the edges of a solid one, with the
+/// facets around each.
+template <int dim>
+struct Hinges {
+  Matrix<int, dim - 1, Dynamic> vertices;  ///< ascending, and so are the hinges
+  /// facets of hinge h, ascending: facet[facet_start[h] .. facet_start[h + 1])
+  std::vector<int> facet_start, facet;
+  Matrix<int, dim, Dynamic> of_facet;  ///< hinge opposite to each vertex of a facet
+  std::vector<char> on_boundary;       ///< 1 where two of the facets are on the boundary
+
+  int count() const { return static_cast<int>(vertices.cols()); }
+  int facet_count(int hinge) const { return facet_start[hinge + 1] - facet_start[hinge]; }
+};
+
+/// @throws std::invalid_argument  if the body touches itself in a single hinge: more than
+///                                two boundary facets meet there
+template <int dim>
+Hinges<dim> hinges_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets);
+
+}  // namespace ffcontact
