@@ -39,35 +39,41 @@ Vector2d origin_near(const Matrix2Xd& vertices) {
   return {std::rint(middle.x() / step) * step, std::rint(middle.y() / step) * step};
 }
 
+/// Where each body begins, and room for all of them.
+JoinedMesh room_for(const std::vector<Mesh>& bodies) {
+  JoinedMesh joined;
+  joined.first_vertex = offsets(bodies, [](const Mesh& m) { return m.vertices.cols(); });
+  joined.first_triangle = offsets(bodies, [](const Mesh& m) { return m.cells.cols(); });
+  joined.first_boundary =
+      offsets(bodies, [](const Mesh& m) { return m.boundary.cols(); });
+  joined.label_stride = span_of_labels(bodies);
+  joined.mesh.vertices.resize(2, joined.first_vertex.back());
+  joined.mesh.cells.resize(3, joined.first_triangle.back());
+  joined.mesh.boundary.resize(2, joined.first_boundary.back());
+  joined.mesh.boundary_label.resize(joined.first_boundary.back());
+  return joined;
+}
+
+void put(const Mesh& body, int k, JoinedMesh& joined) {
+  const int v = joined.first_vertex[k];
+  const int t = joined.first_triangle[k];
+  const int b = joined.first_boundary[k];
+  const Index edges = body.boundary.cols();
+  Mesh& mesh = joined.mesh;
+  mesh.vertices.middleCols(v, body.vertices.cols()) = body.vertices;
+  mesh.cells.middleCols(t, body.cells.cols()) = body.cells.array() + v;
+  mesh.boundary.middleCols(b, edges) = body.boundary.array() + v;
+  mesh.boundary_label.segment(b, edges) =
+      body.boundary_label.array() + joined.label(k, 0);
+}
+
 }  // namespace
 
 JoinedMesh joined_mesh(const std::vector<Mesh>& bodies) {
-  JoinedMesh joined;
-  joined.first_vertex =
-      offsets(bodies, [](const Mesh& body) { return body.vertices.cols(); });
-  joined.first_triangle =
-      offsets(bodies, [](const Mesh& body) { return body.cells.cols(); });
-  joined.first_boundary =
-      offsets(bodies, [](const Mesh& body) { return body.boundary.cols(); });
-  joined.label_stride = span_of_labels(bodies);
-
-  Mesh& mesh = joined.mesh;
-  mesh.vertices.resize(2, joined.first_vertex.back());
-  mesh.cells.resize(3, joined.first_triangle.back());
-  mesh.boundary.resize(2, joined.first_boundary.back());
-  mesh.boundary_label.resize(joined.first_boundary.back());
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Mesh& body = bodies[k];
-    const int v = joined.first_vertex[k], t = joined.first_triangle[k],
-              b = joined.first_boundary[k];
-    mesh.vertices.middleCols(v, body.vertices.cols()) = body.vertices;
-    mesh.cells.middleCols(t, body.cells.cols()) = body.cells.array() + v;
-    mesh.boundary.middleCols(b, body.boundary.cols()) = body.boundary.array() + v;
-    mesh.boundary_label.segment(b, body.boundary.cols()) =
-        body.boundary_label.array() + static_cast<int>(k) * joined.label_stride;
-  }
-  mesh.origin = origin_near(mesh.vertices);
-  mesh.vertices.colwise() -= mesh.origin;
+  JoinedMesh joined = room_for(bodies);
+  for (int k = 0; k < joined.body_count(); ++k) put(bodies[k], k, joined);
+  joined.mesh.origin = origin_near(joined.mesh.vertices);
+  joined.mesh.vertices.colwise() -= joined.mesh.origin;
   return joined;
 }
 

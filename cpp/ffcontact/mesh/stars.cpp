@@ -40,35 +40,58 @@ int first_triangle(const Mesh& mesh, const Edges& edges, int vertex, int start) 
   }
 }
 
+/// How many triangles a vertex has, and the last one of them, or -1.
+struct Triangles {
+  std::vector<int> count, any;
+};
+
+Triangles triangles_of(const Mesh& mesh) {
+  const int n = mesh.vertex_count();
+  Triangles triangles{std::vector<int>(n, 0), std::vector<int>(n, -1)};
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    for (const int v : mesh.cells.col(t)) {
+      ++triangles.count[v];
+      triangles.any[v] = t;
+    }
+  return triangles;
+}
+
+/// Appends what lies around a vertex, turning counter-clockwise from a triangle on.
+void append_star(const Mesh& mesh, const Edges& edges, int vertex, int first,
+                 Stars& stars) {
+  for (int triangle = first; triangle >= 0;) {
+    const int k = local_number(mesh, triangle, vertex);
+    const int last = left_spoke(edges, triangle, k);
+    stars.triangle.push_back(triangle);
+    stars.local.push_back(k);
+    stars.spoke.push_back(right_spoke(edges, triangle, k));
+    triangle = neighbour(edges, last, triangle);
+    if (triangle < 0) stars.spoke.push_back(last);
+    if (triangle == first) break;
+  }
+}
+
+/// The lowest colour that no neighbour has; `taken_by` tells for each colour the last
+/// vertex that saw it.
+std::size_t free_colour(const std::vector<int>& taken_by, int vertex) {
+  std::size_t colour = 0;
+  while (colour < taken_by.size() && taken_by[colour] == vertex) ++colour;
+  return colour;
+}
+
 }  // namespace
 
 Stars stars_of(const Mesh& mesh, const Edges& edges) {
-  const int n = mesh.vertex_count();
-  std::vector<int> any(n, -1), valence(n, 0);
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      any[mesh.cells(k, t)] = t;
-      ++valence[mesh.cells(k, t)];
-    }
-
+  const Triangles triangles = triangles_of(mesh);
   Stars stars;
   stars.triangle_start.assign(1, 0);
   stars.spoke_start.assign(1, 0);
-  for (int v = 0; v < n; ++v) {
-    int triangle = any[v] < 0 ? -1 : first_triangle(mesh, edges, v, any[v]);
-    while (triangle >= 0) {
-      const int k = local_number(mesh, triangle, v);
-      stars.triangle.push_back(triangle);
-      stars.local.push_back(k);
-      stars.spoke.push_back(right_spoke(edges, triangle, k));
-      const int last = left_spoke(edges, triangle, k);
-      triangle = neighbour(edges, last, triangle);
-      if (triangle < 0) stars.spoke.push_back(last);
-      if (triangle == stars.triangle[stars.triangle_start[v]]) break;
-    }
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const int any = triangles.any[v];
+    if (any >= 0) append_star(mesh, edges, v, first_triangle(mesh, edges, v, any), stars);
     stars.triangle_start.push_back(static_cast<int>(stars.triangle.size()));
     stars.spoke_start.push_back(static_cast<int>(stars.spoke.size()));
-    if (stars.triangle_count(v) != valence[v])
+    if (stars.triangle_count(v) != triangles.count[v])
       refuse("the body touches itself in the single vertex ", v);
   }
   return stars;
@@ -80,12 +103,11 @@ std::vector<std::vector<int>> vertex_colours(const Mesh& mesh, const Stars& star
   std::vector<int> taken_by;  // per colour: the last vertex that saw it in its star
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
-      for (int k = 0; k < 3; ++k) {
-        const int used = colour[mesh.cells(k, stars.triangle[s])];
+      for (const int w : mesh.cells.col(stars.triangle[s])) {
+        const int used = colour[w];
         if (used >= 0) taken_by[used] = v;
       }
-    std::size_t c = 0;
-    while (c < groups.size() && taken_by[c] == v) ++c;
+    const std::size_t c = free_colour(taken_by, v);
     if (c == groups.size()) {
       groups.emplace_back();
       taken_by.push_back(-1);
