@@ -75,18 +75,21 @@ void require_finite_entries(const RowMatrixView& A) {
         refuse("A(", row, ",", entry.col(), ") is ", entry.value(), ", not finite");
 }
 
-/// |x' (K y) - y' (K x)| vanishes for a symmetric K; x and y are fixed, without
-/// structure, and zero on prescribed dofs.
+/// A fixed vector without structure, zero on prescribed dofs.
+VectorXd arbitrary(const std::vector<char>& prescribed, double start, double step,
+                   int period) {
+  VectorXd x = VectorXd::Zero(static_cast<Index>(prescribed.size()));
+  for (Index i = 0; i < x.size(); ++i)
+    if (!prescribed[i]) x[i] = std::sin(start + step * static_cast<double>(i % period));
+  return x;
+}
+
+/// |x' (K y) - y' (K x)| vanishes for a symmetric K.
 void require_symmetric(const RowMatrixView& A, const std::vector<char>& prescribed) {
-  const auto n = A.rows();
-  VectorXd x(n), y(n);
-  for (Index i = 0; i < n; ++i) {
-    x[i] = prescribed[i] ? 0 : std::sin(1.0 + 0.7 * static_cast<double>(i % 1009));
-    y[i] = prescribed[i] ? 0 : std::cos(2.0 + 1.3 * static_cast<double>(i % 1013));
-  }
+  const VectorXd x = arbitrary(prescribed, 1.0, 0.7, 1009);
+  const VectorXd y = arbitrary(prescribed, 3.5, 1.3, 1013);
   const VectorXd Ax = A * x, Ay = A * y;
-  double scale = 0;
-  for (Index i = 0; i < n; ++i) scale += std::abs(y[i] * Ax[i]);
+  const double scale = y.cwiseProduct(Ax).cwiseAbs().sum();
   if (std::abs(x.dot(Ay) - y.dot(Ax)) > symmetry_tolerance * scale)
     refuse("A is not symmetric on the free dofs");
 }

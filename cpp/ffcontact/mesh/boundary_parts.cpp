@@ -52,24 +52,34 @@ Matrix2Xd points_of(const Mesh& mesh, const std::vector<int>& vertices) {
   return mesh.vertices(Eigen::all, vertices);
 }
 
-/// A closed chain starts where it turns the most.
-void start_at_corner(const Mesh& mesh, Chain& chain) {
-  const Matrix2Xd x = points_of(mesh, chain.vertices);
+double turn_at(const Vector2d& before, const Vector2d& at, const Vector2d& after) {
+  return angle_between(at - before, after - at);
+}
+
+/// Where a closed chain of points turns the most.
+Index sharpest_point(const Matrix2Xd& x) {
   const Index n = x.cols() - 1;
   Index sharpest = 0;
   double most = 0;
   for (Index k = 0; k < n; ++k) {
-    const double turn =
-        angle_between(x.col(k) - x.col((k + n - 1) % n), x.col(k + 1) - x.col(k));
+    const double turn = turn_at(x.col((k + n - 1) % n), x.col(k), x.col(k + 1));
     if (turn <= most) continue;
     most = turn;
     sharpest = k;
   }
+  return sharpest;
+}
+
+void rotate_to(Index first, std::vector<int>& values) {
+  std::rotate(values.begin(), values.begin() + first, values.end());
+}
+
+/// A closed chain starts where it turns the most.
+void start_at_corner(const Mesh& mesh, Chain& chain) {
+  const Index sharpest = sharpest_point(points_of(mesh, chain.vertices));
   chain.vertices.pop_back();
-  std::rotate(chain.vertices.begin(), chain.vertices.begin() + sharpest,
-              chain.vertices.end());
-  std::rotate(chain.columns.begin(), chain.columns.begin() + sharpest,
-              chain.columns.end());
+  rotate_to(sharpest, chain.vertices);
+  rotate_to(sharpest, chain.columns);
   chain.vertices.push_back(chain.vertices.front());
 }
 
@@ -102,10 +112,10 @@ double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
   double largest = 0;
   for (const BoundaryPart& part : parts)
     for (std::size_t k = 1; k + 1 < part.curve.size(); ++k) {
-      const Vector2d at = mesh.vertices.col(part.curve[k]);
-      largest =
-          std::max(largest, angle_between(at - mesh.vertices.col(part.curve[k - 1]),
-                                          mesh.vertices.col(part.curve[k + 1]) - at));
+      const int* const v = &part.curve[k];
+      const double turn = turn_at(mesh.vertices.col(v[-1]), mesh.vertices.col(v[0]),
+                                  mesh.vertices.col(v[1]));
+      largest = std::max(largest, turn);
     }
   return largest;
 }
@@ -138,20 +148,27 @@ class Places {
   std::optional<SmoothCurve> curve_;
 };
 
+/// The parts that each vertex is on, by labels that count from `first_label`.
+std::map<int, std::set<int>> parts_at_vertices(const Mesh& fine, int first_label,
+                                               int part_count) {
+  std::map<int, std::set<int>> parts_at;
+  for (int b = 0; b < fine.boundary.cols(); ++b) {
+    const int part = fine.boundary_label[b] - first_label;
+    if (part < 0 || part >= part_count) continue;
+    for (int v : fine.boundary.col(b)) parts_at[v].insert(part);
+  }
+  return parts_at;
+}
+
 /// New places of the vertices on parts, by vertex.
 std::map<int, Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
                                       const std::vector<BoundaryPart>& parts) {
   std::vector<Places> places;
   for (const BoundaryPart& part : parts) places.emplace_back(mesh, part);
-  const int first_label = part_label(mesh, 0);
-  std::map<int, std::set<int>> parts_at;
-  for (int b = 0; b < fine.boundary.cols(); ++b) {
-    const int part = fine.boundary_label[b] - first_label;
-    if (part < 0 || part >= static_cast<int>(parts.size())) continue;
-    for (int v : fine.boundary.col(b)) parts_at[v].insert(part);
-  }
+  const int part_count = static_cast<int>(parts.size());
   std::map<int, Vector2d> wanted;
-  for (const auto& [vertex, at] : parts_at) {
+  for (const auto& [vertex, at] :
+       parts_at_vertices(fine, part_label(mesh, 0), part_count)) {
     const Vector2d x = fine.vertices.col(vertex);
     const Places& place = places[*at.begin()];
     wanted.emplace(vertex, at.size() > 1 ? place.nearest_end(x) : place.beside(x));
@@ -203,6 +220,32 @@ void add_parts(const Mesh& mesh, const Chain& chain, const LinePart& line,
   }
 }
 
+/// How a part leaves one of its ends.
+struct PartEnd {
+  Vector2d leaving;
+  bool straight;
+};
+
+std::map<int, std::vector<PartEnd>> ends_of(const Mesh& mesh,
+                                            const std::vector<BoundaryPart>& parts) {
+  std::map<int, std::vector<PartEnd>> ends;
+  for (const BoundaryPart& part : parts)
+    for (const bool backwards : {false, true}) {
+      const int end = backwards ? part.vertices.back() : part.vertices.front();
+      ends[end].push_back({leaving(mesh, part, backwards), part.straight()});
+    }
+  return ends;
+}
+
+void require_none_turned(const Mesh& before, const Mesh& after) {
+  const auto [triangle, kept] = worst_triangle(before, after);
+  if (kept > 0) return;
+  const Vector2d x = before.place(before.cells(0, triangle));
+  refuse("the triangle at (", x.x(), ", ", x.y(),
+         ") turns over when the boundary is put on its curve: the curve has too few "
+         "vertices for sizes that small");
+}
+
 }  // namespace
 
 std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
@@ -221,18 +264,9 @@ double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
                        double corner) {
   // what bends at less is straightened afterwards without harm
   constexpr double shallow = 3 * degree;
-  struct End {
-    Vector2d leaving;
-    bool straight;
-  };
   const double turn = std::max(largest_turn(mesh, parts), shallow / 6);
-  std::map<int, std::vector<End>> ends;
-  for (const BoundaryPart& part : parts)
-    for (const bool backwards : {false, true})
-      ends[backwards ? part.vertices.back() : part.vertices.front()].push_back(
-          {leaving(mesh, part, backwards), part.straight()});
   double smallest = corner;
-  for (const auto& [vertex, at] : ends) {
+  for (const auto& [vertex, at] : ends_of(mesh, parts)) {
     if (at.size() != 2) continue;
     const double angle = angle_between(at[0].leaving, -at[1].leaving);
     const bool between_lines = at[0].straight && at[1].straight;
@@ -272,13 +306,7 @@ Mesh moved_onto_parts(Mesh fine, const Mesh& mesh,
     spread(fine, given, moves);
     moved.vertices = fine.vertices + moves;
   }
-  const auto [triangle, kept] = worst_triangle(fine, moved);
-  if (!(kept > 0)) {
-    const Vector2d x = fine.place(fine.cells(0, triangle));
-    refuse("the triangle at (", x.x(), ", ", x.y(),
-           ") turns over when the boundary is put on its curve: the curve has too few "
-           "vertices for sizes that small");
-  }
+  require_none_turned(fine, moved);
   return moved;
 }
 
