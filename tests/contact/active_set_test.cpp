@@ -101,7 +101,7 @@ RC_GTEST_PROP(ActiveSet, converged_multipliers_are_in_the_law_exactly, (Random r
   for (std::size_t i = 0; i < result.state.size(); ++i) {
     const double Pn = result.P[2 * i], Pt = result.P[2 * i + 1];
     RC_ASSERT(Pn <= 0);
-    RC_ASSERT(std::abs(Pt) <= small.law.bound(static_cast<int>(i), Pn));
+    RC_ASSERT(std::abs(Pt) <= small.law.cone[i].bound(Pn));
     if (result.state[i] == ContactState::open) RC_ASSERT(Pn == 0);
   }
 }
@@ -147,7 +147,7 @@ TEST(ActiveSet, frictionless_nodes_never_stick) {
 }
 
 TEST(LawViolation, sees_every_spoiled_condition) {
-  const NodalLaw law{VectorXd::Constant(3, 0.5), {}, {}};
+  const NodalLaw law{std::vector<FrictionCone>(3, {0, 0.5})};
   VectorXd P(6), v(6);  // open, stick, slip forward
   P << 0, 0, -4, 1, -2, -1;
   v << -3, 1, 0, 0, 0, 2;
@@ -169,7 +169,7 @@ TEST(LawViolation, sees_every_spoiled_condition) {
 
 /// Neither is what must be 0 excused by the other one being small.
 TEST(LawViolation, is_the_smaller_one_of_two_that_may_not_both_differ_from_zero) {
-  const NodalLaw law{VectorXd::Constant(1, 0.5), {}, {}};
+  const NodalLaw law{{{0, 0.5}}};
   const Vector2d P(-1, 0.5);
   EXPECT_NEAR(law_violation(law, P, Vector2d(-1e-6, 0), {1, 0}), 1e-6, 1e-15);
   EXPECT_NEAR(law_violation(law, P, Vector2d(0, 1e-6), {1, 0}), 1e-6, 1e-15);

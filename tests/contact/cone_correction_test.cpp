@@ -154,12 +154,13 @@ TEST(ConeDefect, is_zero_inside_and_sees_one_spoiled_number) {
 /// Worst of r_n and |r_t| - c at many points of an edge, c by the lower bounds of the
 /// coefficient and of the shear limit.
 double worst_by_points(const EdgeProblem& edge, const ContactDensities& r) {
-  const Vector2d m = least_coefficient(edge.line, edge.law, 0);
+  const ConesAtEnds cones = least_cones(edge.line, edge.law, 0);
   double worst = r.normal.maxCoeff();
   for (int k = 0; k <= 1000; ++k) {
     const Vector2d at(1 - k / 1000., k / 1000.);
     const double p = std::max(0.0, -at.dot(r.normal.col(0)));
-    double c = at.dot(m) * (edge.law.tresca() ? 1 : p);
+    double c = at.dot(Vector2d(cones[0].cohesion, cones[1].cohesion)) +
+               p * at.dot(Vector2d(cones[0].friction, cones[1].friction));
     if (edge.law.limited()) c = std::min(c, at.dot(edge.law.shear_limit));
     worst = std::max(worst, std::abs(at.dot(r.tangential.col(0))) - c);
   }

@@ -27,8 +27,7 @@ RC_GTEST_PROP(ConvexContact,
   RC_ASSERT(result.violation <= 1e-11);
   for (std::size_t i = 0; i < result.state.size(); ++i) {
     RC_ASSERT(result.P[2 * i] <= 0);
-    RC_ASSERT(std::abs(result.P[2 * i + 1]) <=
-              c.law.bound(static_cast<int>(i), result.P[2 * i]));
+    RC_ASSERT(std::abs(result.P[2 * i + 1]) <= c.law.cone[i].bound(result.P[2 * i]));
   }
 }
 

@@ -16,18 +16,18 @@ using namespace test;
 TEST(NodalLaw, coulombs_bound_is_friction_times_compression) {
   const Problem problem = example_1(Multiplier::force, 2);
   const NodalLaw law = nodal_law(problem.law, problem.line);
-  EXPECT_EQ(law.bound(0, -4), 2);
-  EXPECT_EQ(law.bound(0, 4), 0);
-  EXPECT_FALSE(law.frictionless(0));
+  EXPECT_EQ(law.cone[0].bound(-4), 2);
+  EXPECT_EQ(law.cone[0].bound(4), 0);
+  EXPECT_FALSE(law.cone[0].frictionless());
 }
 
 TEST(NodalLaw, trescas_bound_is_in_the_units_of_the_multiplier) {
   Problem problem = example_1(Multiplier::pressure, 2);  // four edges of 20 mm
   problem.law.slip_bound = everywhere(problem.line, 3);
-  EXPECT_EQ(nodal_law(problem.law, problem.line).bound(1, -7), 3);
+  EXPECT_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-7), 3);
   problem.law.multiplier = Multiplier::force;
-  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).bound(0, -7), 30);
-  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).bound(1, -7), 60);
+  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).cone[0].bound(-7), 30);
+  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-7), 60);
 }
 
 TEST(NodalLaw, a_given_slip_limit_freezes_coulombs_bound) {
@@ -35,9 +35,9 @@ TEST(NodalLaw, a_given_slip_limit_freezes_coulombs_bound) {
   const NodalLaw law = nodal_law(problem.law, problem.line);
   const NodalLaw given =
       with_given_slip_limit(law, (VectorXd(5) << -2, -1, 0, 1, -4).finished());
-  EXPECT_TRUE(given.tresca());
+  EXPECT_TRUE(given.is_convex());
   const double expected[] = {1, 0.5, 0, 0, 2};
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(given.bound(i, -100), expected[i]);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(given.cone[i].bound(-100), expected[i]);
 }
 
 /// A defect of what is not a number is no small one.

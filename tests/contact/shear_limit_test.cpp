@@ -96,10 +96,10 @@ TEST(ShearLimit, far_below_friction_is_trescas_law_where_the_line_is_closed) {
 TEST(ShearLimit, of_a_node_is_in_the_units_of_the_multiplier) {
   Problem problem = example_1(Multiplier::pressure, 2);  // four edges of 20 mm, mu 0.5
   problem.law.shear_limit = everywhere(problem.line, 3);
-  EXPECT_EQ(nodal_law(problem.law, problem.line).bound(1, -4), 2);
-  EXPECT_EQ(nodal_law(problem.law, problem.line).bound(1, -7), 3);
+  EXPECT_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-4), 2);
+  EXPECT_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-7), 3);
   problem.law.multiplier = Multiplier::force;
-  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).bound(1, -700), 60);
+  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-700), 60);
 }
 
 TEST(ShearLimit, refuses_what_does_not_fit) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/friction_cone.hpp"
 #include "support/cut_bodies.hpp"
 #include "support/estimates.hpp"
 #include "support/random.hpp"
@@ -55,10 +56,10 @@ RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges,
   for (int e = 0; e < parts.edge_count(); ++e)
     for (int end = 0; end < 2; ++end) {
       const double expected = law.friction[parts.edge_node(end, e)];
-      RC_ASSERT(std::abs(least_coefficient(parts, law, e)[end] - expected) < 1e-13);
-      RC_ASSERT(std::abs(most_coefficient(parts, law, e)[end] - expected) < 1e-13);
-      RC_ASSERT(std::abs(least_shear_limit(parts, law, e)[end] - expected) < 1e-13);
-      RC_ASSERT(std::abs(most_shear_limit(parts, law, e)[end] - expected) < 1e-13);
+      for (const auto& cones : {least_cones(parts, law, e), most_cones(parts, law, e)}) {
+        RC_ASSERT(std::abs(cones[end].friction - expected) < 1e-13);
+        RC_ASSERT(std::abs(cones[end].limit - expected) < 1e-13);
+      }
     }
 }
 

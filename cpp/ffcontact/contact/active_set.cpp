@@ -65,27 +65,25 @@ ContactState next_state(const NodalLaw& law, int node, ContactState now,
   const double Pn = rows.P[2 * node], Pt = rows.P[2 * node + 1],
                vt = rows.v[2 * node + 1];
   const bool open = next_open(Pn, rows.v[2 * node], is_open(now), rounding);
-  if (law.frictionless(node))
-    return open ? ContactState::open : ContactState::slip_forward;
-  if (law.tresca()) {
-    const int slip = next_slip(Pt, vt, law.tresca_bound[node], slip_sign(now), rounding);
+  const FrictionCone& cone = law.cone[node];
+  if (cone.frictionless()) return open ? ContactState::open : ContactState::slip_forward;
+  if (!cone.depends_on_contact()) {
+    const int slip = next_slip(Pt, vt, cone.cohesion, slip_sign(now), rounding);
     return open ? open_state(slip) : closed_state(slip);
   }
   if (open) return ContactState::open;
   const int slip = now == ContactState::open
                        ? direction(vt, rounding)
-                       : next_slip(Pt, vt, law.bound(node, Pn), slip_sign(now), rounding);
-  return slip != 0 && -law.friction[node] * Pn > law.limit(node) ? limited_state(slip)
-                                                                 : closed_state(slip);
+                       : next_slip(Pt, vt, cone.bound(Pn), slip_sign(now), rounding);
+  return slip != 0 && cone.at_limit(Pn) ? limited_state(slip) : closed_state(slip);
 }
 
-/// The nearest state that the law has at a node.
-ContactState start_state(const NodalLaw& law, int node, ContactState state) {
-  if (law.frictionless(node))
+/// The nearest state that a node may have.
+ContactState start_state(const FrictionCone& cone, ContactState state) {
+  if (cone.frictionless())
     return is_open(state) ? ContactState::open : ContactState::slip_forward;
-  if (is_open(state))
-    return law.tresca() ? open_state(slip_sign(state)) : ContactState::open;
-  return state;
+  if (!is_open(state)) return state;
+  return cone.depends_on_contact() ? ContactState::open : open_state(slip_sign(state));
 }
 
 Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
@@ -166,10 +164,10 @@ States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw
         !touches(neighbour))
       continue;
     const int node = is_open(state[end]) ? end : neighbour;
-    const int slip =
-        law.tresca() ? slip_sign(state[node]) : direction(rows.v[2 * node + 1], rounding);
-    state[node] =
-        law.frictionless(node) ? ContactState::slip_forward : closed_state(slip);
+    const FrictionCone& cone = law.cone[node];
+    const int slip = cone.depends_on_contact() ? direction(rows.v[2 * node + 1], rounding)
+                                               : slip_sign(state[node]);
+    state[node] = cone.frictionless() ? ContactState::slip_forward : closed_state(slip);
   }
   return state;
 }
@@ -211,7 +209,7 @@ double law_violation(const CondensedContact& contact, const NodalLaw& law,
 ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law,
                                   States state, const NewtonSettings& settings) {
   for (std::size_t i = 0; i < state.size(); ++i)
-    state[i] = start_state(law, static_cast<int>(i), state[i]);
+    state[i] = start_state(law.cone[i], state[i]);
 
   ActiveSetResult result;
   result.violation = std::numeric_limits<double>::infinity();

@@ -31,9 +31,10 @@ RowCondition row_condition(const NodalLaw& law, int row, ContactState state) {
   const int node = row / 2, component = row % 2;
   if (holds(state, component)) return {true, 0, 0};
   if (component == 0 || state == ContactState::open) return {false, 0, 0};
-  if (law.tresca()) return {false, -slip_sign(state) * law.tresca_bound[node], 0};
-  if (is_limited(state)) return {false, -slip_sign(state) * law.shear_limit[node], 0};
-  return {false, 0, slip_sign(state) * law.friction[node]};
+  const FrictionCone& cone = law.cone[node];
+  const int slip = slip_sign(state);
+  if (is_limited(state)) return {false, -slip * cone.limit, 0};
+  return {false, -slip * cone.cohesion, slip * cone.friction};
 }
 
 /// Unknowns: v of the primary rows that are not given, then q, each divided by its scale.

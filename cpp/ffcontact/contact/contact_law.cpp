@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/nodal_law.hpp"
-#include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
 
@@ -15,22 +12,6 @@ namespace {
 
 /// Deviations from the chord below this part of the coefficient are rounding.
 constexpr double rounding = 1e-12;
-
-/// The end values of a bound along an edge, which is linear between the nodes where it is
-/// not given.
-Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound, const VectorXd& nodal,
-                 int edge) {
-  if (bound.size() > 0) return bound.col(edge);
-  return {nodal[line.edge_node(0, edge)], nodal[line.edge_node(1, edge)]};
-}
-
-const VectorXd& coefficient(const ContactLaw& law) {
-  return law.tresca() ? law.slip_bound : law.friction;
-}
-
-Vector2d unlimited() {
-  return Vector2d::Constant(std::numeric_limits<double>::infinity());
-}
 
 void require_valid(const char* name, const EdgeRange& range, const ContactLine& line) {
   for (const Matrix2Xd* bound : {&range.least, &range.most}) {
@@ -41,26 +22,6 @@ void require_valid(const char* name, const EdgeRange& range, const ContactLine& 
 }
 
 }  // namespace
-
-Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
-  return at_ends(line, law.between_nodes.least, coefficient(law), edge);
-}
-
-Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge) {
-  return at_ends(line, law.between_nodes.most, coefficient(law), edge);
-}
-
-Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
-  return law.limited()
-             ? at_ends(line, law.limit_between_nodes.least, law.shear_limit, edge)
-             : unlimited();
-}
-
-Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge) {
-  return law.limited()
-             ? at_ends(line, law.limit_between_nodes.most, law.shear_limit, edge)
-             : unlimited();
-}
 
 EdgeRange enclosing_range(const Ref<const MatrixXd>& samples) {
   const VectorXd s = VectorXd::LinSpaced(samples.rows(), 0, 1);
@@ -140,22 +101,16 @@ Matrix2Xd displacement_against_foundation(const ContactLine& line, const Contact
   return trace;
 }
 
-double complementarity_defect(const ContactLine& line, const ContactLaw& law,
-                              const Ref<const VectorXd>& displacement,
-                              const Ref<const Matrix2Xd>& multiplier,
-                              const LawScales& least, const std::vector<char>& idle) {
-  const SparseMatrix W = weight_of_rows(law.multiplier, line);
-  VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
-  const VectorXd weight =
-      weight_matrix(law.multiplier, line) * VectorXd::Ones(line.node_count());
-  double largest = displacement.cwiseAbs().maxCoeff();
-  if (law.gap.size() > 0) largest = std::max(largest, law.gap.cwiseAbs().maxCoeff());
-  if (law.previous.size() > 0)
-    largest = std::max(largest, law.previous.cwiseAbs().maxCoeff());
-  const double scale = std::max(least.v, largest * weight.maxCoeff());
-  for (std::size_t row = 0; row < idle.size(); ++row)
-    if (idle[row] && std::abs(v[row]) <= unsteered * scale) v[row] = 0;
-  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, {scale, least.P});
+double largest_given(const ContactLaw& law) {
+  double largest = 0;
+  for (const VectorXd* given : {&law.gap, &law.previous})
+    if (given->size() > 0) largest = std::max(largest, given->cwiseAbs().maxCoeff());
+  return largest;
+}
+
+double largest_displacement(const ContactLaw& law,
+                            const Ref<const VectorXd>& displacement) {
+  return std::max(displacement.cwiseAbs().maxCoeff(), largest_given(law));
 }
 
 }  // namespace ffcontact

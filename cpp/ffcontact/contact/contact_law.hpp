@@ -48,15 +48,6 @@ struct ContactLaw {
   bool limited() const { return shear_limit.size() > 0; }
 };
 
-/// Values of mu (Coulomb) or k (Tresca) at the ends of a contact edge: of a linear
-/// function that is nowhere above the coefficient, and of one that is nowhere below it.
-Vector2d least_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
-Vector2d most_coefficient(const ContactLine& line, const ContactLaw& law, int edge);
-
-/// The same of shear_limit; infinite where there is none.
-Vector2d least_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
-Vector2d most_shear_limit(const ContactLine& line, const ContactLaw& law, int edge);
-
 /// The two lines nearest to the chord that enclose a coefficient >= 0 sampled at evenly
 /// spaced points of each edge, ends included: the chord shifted by the largest deviation
 /// to either side, or the constant least value where the lower one would fall below 0.
@@ -127,25 +118,12 @@ SparseMatrix weight_of_rows(Multiplier multiplier, const ContactLine& line);
 Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
                                           const Ref<const VectorXd>& displacement);
 
-/// What violations of the law are relative to.
-struct LawScales {
-  double v = 0, P = 0;
-};
+/// The largest gap or displacement of the load step before [mm]; 0 without.
+double largest_given(const ContactLaw& law);
 
-/// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the
-/// largest multiplier, or the largest displacement of the body, gap or previous
-/// displacement.
-/// @param displacement  on all dofs [mm]
-/// @param multiplier    (P_n, P_t) at each node [2 x p]
-/// @param least         what v = W (u - gap) and P are relative to at least: where all
-///                      nodes stick u is nothing but rounding, and P where none is loaded
-/// @param idle          1 for rows 2 i + c whose multiplier moves nothing: v is that of
-///                      prescribed values there, to 1e-6 of the
-///                      scale, and 0 where it is below that; empty for none
-double complementarity_defect(const ContactLine& line, const ContactLaw& law,
-                              const Ref<const VectorXd>& displacement,
-                              const Ref<const Matrix2Xd>& multiplier,
-                              const LawScales& least = {},
-                              const std::vector<char>& idle = {});
+/// The largest component of a displacement, gap or displacement of the load step before
+/// [mm]: what displacements on the line are small against.
+double largest_displacement(const ContactLaw& law,
+                            const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

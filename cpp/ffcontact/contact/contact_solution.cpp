@@ -121,7 +121,7 @@ void require_sound(const Mesh& mesh, const ContactLine& line, const ContactLaw& 
 FixedPointResult condensed_answer(const CondensedContact& contact, const NodalLaw& law,
                                   const ContactSettings& settings) {
   std::vector<ContactState> start = settings.initial_state;
-  if (start.empty()) start.assign(law.friction.size(), ContactState::stick);
+  if (start.empty()) start.assign(law.node_count(), ContactState::stick);
   const NewtonSettings limits{settings.max_iterations, settings.tolerance};
   return settings.solver == ContactSolver::newton
              ? safeguarded_newton(contact, law, start, limits)

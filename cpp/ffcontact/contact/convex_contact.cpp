@@ -78,7 +78,7 @@ class ProximalPasses {
     for (int node = 0; node < x_.size() / 2; ++node) {
       const bool open = x_[place(2 * node)] == 0;
       const Index t = place(2 * node + 1);
-      if (law_.frictionless(node))
+      if (law_.cone[node].frictionless())
         states.push_back(open ? ContactState::open : ContactState::slip_forward);
       else if (x_[t] == -bound(t))
         states.push_back(open ? ContactState::open_slip_forward
@@ -118,10 +118,8 @@ class ProximalPasses {
     C = (unit_.asDiagonal() * C * unit_.asDiagonal()).eval();
   }
 
-  /// b of a tangential position in its unit.
-  double bound(Index k) const {
-    return law_.tresca() ? law_.tresca_bound[rows_[k] / 2] / unit_[k] : 0;
-  }
+  /// b of a tangential position in its unit; the law has no other friction.
+  double bound(Index k) const { return law_.cone[rows_[k] / 2].cohesion / unit_[k]; }
 
   void put_bounds() {
     low_.resize(unit_.size());

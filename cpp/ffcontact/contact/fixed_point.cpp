@@ -28,7 +28,8 @@ double relative_change(const VectorXd& g, const VectorXd& image) {
 void follow_slip(const NodalLaw& law, const NodalLaw& given, ActiveSetResult& answer) {
   for (std::size_t i = 0; i < answer.state.size(); ++i) {
     const int node = static_cast<int>(i);
-    if (law.frictionless(node) || !given.frictionless(node) || is_open(answer.state[i]))
+    if (law.cone[node].frictionless() || !given.cone[node].frictionless() ||
+        is_open(answer.state[i]))
       continue;
     const double vt = answer.v[2 * node + 1];
     answer.state[i] = vt > 0   ? ContactState::slip_forward
@@ -44,12 +45,13 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
                              const NewtonSettings& settings, bool with_newton) {
   FixedPointResult result;
   result.answer.violation = std::numeric_limits<double>::infinity();
-  VectorXd g = VectorXd::Zero(law.friction.size());
+  VectorXd g = VectorXd::Zero(law.node_count());
+  const bool convex = law.is_convex();
   double damping = 1;
   int systems = 0;
   const auto left = [&] { return settings.max_iterations - systems; };
   while (left() > 0) {
-    const NodalLaw given = law.tresca() ? law : with_given_slip_limit(law, g);
+    const NodalLaw given = with_given_slip_limit(law, g);
     ActiveSetResult step =
         solve_convex(contact, given, state, {left(), settings.tolerance});
     systems += step.iterations;
@@ -58,14 +60,14 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     state = step.state;
 
     const VectorXd image = normal_multipliers(step.P);
-    const double change = law.tresca() ? 0 : relative_change(g, image);
+    const double change = convex ? 0 : relative_change(g, image);
     if (!result.history.empty() && change > result.history.back())
       damping = std::max(damping / 2, smallest_damping);
     result.history.push_back(change);
     g += damping * (image - g);
 
     step.violation = law_violation(contact, law, {step.P, step.v});
-    const bool found = solved && (law.tresca() || step.violation <= settings.tolerance);
+    const bool found = solved && (convex || step.violation <= settings.tolerance);
     if (found || step.violation < result.answer.violation || result.history.size() == 1)
       result.answer = std::move(step);
     if (found) {  // the law at g is Coulomb's but for the last digits

@@ -21,7 +21,7 @@ VectorXd weights(const ContactLine& line, const ContactLaw& law) {
 NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law,
                      const VectorXd& given_pressure) {
   const NodalLaw nodal = nodal_law(law, line);
-  if (given_pressure.size() == 0 || law.tresca()) return nodal;
+  if (given_pressure.size() == 0) return nodal;
   return with_given_slip_limit(nodal, weights(line, law).cwiseProduct(given_pressure));
 }
 
@@ -44,7 +44,7 @@ MultiplierProjection projected_multipliers(const ContactLine& line, const Contac
   for (int i = 0; i < line.node_count(); ++i) {
     auto p = result.pressure.col(i);
     p[0] = std::min(p[0], 0.0);
-    const double bound = nodal.bound(i, weight[i] * p[0]) / weight[i];
+    const double bound = nodal.cone[i].bound(weight[i] * p[0]) / weight[i];
     p[1] = std::clamp(p[1], -bound, bound);
     if (p != pressure.col(i)) ++result.outside;
   }

@@ -5,7 +5,37 @@
 #include <cmath>
 #include <limits>
 
+#include "ffcontact/contact/nodal_pressures.hpp"
+
 namespace ffcontact {
+
+namespace {
+
+double relative(double value, double scale) { return scale > 0 ? value / scale : 0; }
+Vector2d relative(const Vector2d& values, double scale) {
+  return {relative(values[0], scale), relative(values[1], scale)};
+}
+
+/// The violation where one of two must be 0.
+double both(double P, double v) { return std::min(std::abs(P), std::abs(v)); }
+
+/// Violation by P and v at one node, all of them and the cone's c and k relative.
+double violation(const FrictionCone& cone, const Vector2d& P, const Vector2d& v) {
+  const double Pn = P[0], Pt = P[1], vn = v[0], vt = v[1];
+  const double bound = std::min(cone.cohesion - cone.friction * Pn, cone.limit);
+  const double along = Pt * vt > 0 ? both(Pt, vt) : 0.0;
+  return std::max({Pn, vn, both(Pn, vn),            // (3.17)-(3.19)
+                   std::abs(Pt) - bound,            // (3.20)
+                   both(bound - std::abs(Pt), vt),  // (3.21)
+                   along});                         // (3.22)
+}
+
+}  // namespace
+
+bool NodalLaw::is_convex() const {
+  return std::none_of(cone.begin(), cone.end(),
+                      [](const FrictionCone& c) { return c.depends_on_contact(); });
+}
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
   const auto in_units_of_P = [&](const VectorXd& pressure) -> VectorXd {
@@ -13,12 +43,22 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
                ? contact_mass(line) * pressure
                : pressure;
   };
-  return {law.friction, in_units_of_P(law.slip_bound), in_units_of_P(law.shear_limit)};
+  const VectorXd given = in_units_of_P(law.slip_bound),
+                 limit = in_units_of_P(law.shear_limit);
+  NodalLaw nodal{std::vector<FrictionCone>(line.node_count())};
+  for (int i = 0; i < line.node_count(); ++i) {
+    FrictionCone& cone = nodal.cone[i];
+    (law.tresca() ? cone.cohesion : cone.friction) =
+        law.tresca() ? given[i] : law.friction[i];
+    if (law.limited()) cone.limit = limit[i];
+  }
+  return nodal;
 }
 
 NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& normal) {
-  NodalLaw given{law.friction, VectorXd(normal.size()), {}};
-  for (int i = 0; i < normal.size(); ++i) given.tresca_bound[i] = law.bound(i, normal[i]);
+  NodalLaw given{std::vector<FrictionCone>(law.cone.size())};
+  for (int i = 0; i < law.node_count(); ++i)
+    given.cone[i].cohesion = law.cone[i].bound(normal[i]);
   return given;
 }
 
@@ -26,35 +66,40 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                      const Ref<const VectorXd>& v, const LawScales& scales) {
   if (!P.allFinite() || !v.allFinite()) return std::numeric_limits<double>::infinity();
   const double p_scale = std::max(scales.P, P.cwiseAbs().maxCoeff());
-  const auto relative = [](double value, double scale) {
-    return scale > 0 ? value / scale : 0;
-  };
   double largest = 0;
-  for (int i = 0; 2 * i < P.size(); ++i) {
-    const double Pn = relative(P[2 * i], p_scale), Pt = relative(P[2 * i + 1], p_scale);
-    const double vn = relative(v[2 * i], scales.v), vt = relative(v[2 * i + 1], scales.v);
-    const double bound =
-        law.tresca() ? relative(law.tresca_bound[i], p_scale)
-                     : std::min(-law.friction[i] * Pn, relative(law.limit(i), p_scale));
-    const auto both = [](double P, double v) {
-      return std::min(std::abs(P), std::abs(v));
-    };
-    largest = std::max({largest, Pn, vn, both(Pn, vn),       // (3.17)-(3.19)
-                        std::abs(Pt) - bound,                // (3.20)
-                        both(bound - std::abs(Pt), vt),      // (3.21)
-                        Pt * vt > 0 ? both(Pt, vt) : 0.0});  // (3.22)
+  for (int i = 0; i < law.node_count(); ++i) {
+    FrictionCone cone = law.cone[i];
+    cone.cohesion = relative(cone.cohesion, p_scale);
+    cone.limit = relative(cone.limit, p_scale);
+    const Vector2d P_i = P.segment<2>(2 * i), v_i = v.segment<2>(2 * i);
+    largest = std::max(largest,
+                       violation(cone, relative(P_i, p_scale), relative(v_i, scales.v)));
   }
   return largest;
 }
 
+double complementarity_defect(const ContactLine& line, const ContactLaw& law,
+                              const Ref<const VectorXd>& displacement,
+                              const Ref<const Matrix2Xd>& multiplier,
+                              const LawScales& least, const std::vector<char>& idle) {
+  const SparseMatrix W = weight_of_rows(law.multiplier, line);
+  VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
+  const VectorXd weight =
+      weight_matrix(law.multiplier, line) * VectorXd::Ones(line.node_count());
+  const double largest = largest_displacement(law, displacement);
+  const double scale = std::max(least.v, largest * weight.maxCoeff());
+  for (std::size_t row = 0; row < idle.size(); ++row)
+    if (idle[row] && std::abs(v[row]) <= unsteered * scale) v[row] = 0;
+  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, {scale, least.P});
+}
+
 void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state,
                   VectorXd& P) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    double &Pn = P[2 * i], &Pt = P[2 * i + 1];
-    Pn = std::min(Pn, 0.0);
-    const double bound = law.bound(static_cast<int>(i), Pn);
-    Pt = slip_sign(state[i]) != 0 ? -slip_sign(state[i]) * bound
-                                  : std::clamp(Pt, -bound, bound);
+  for (int i = 0; i < law.node_count(); ++i) {
+    Vector2d clamped = law.cone[i].clamped(P.segment<2>(2 * i));
+    const int slip = slip_sign(state[i]);
+    if (slip != 0) clamped[1] = -slip * law.cone[i].bound(clamped[0]);
+    P.segment<2>(2 * i) = clamped;
   }
 }
 

@@ -1,35 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-#include <limits>
+#include <vector>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/friction_cone.hpp"
 
 namespace ffcontact {
 
 /// The law at each node in the units of the multipliers P.
 struct NodalLaw {
-  VectorXd friction;      ///< mu [p]
-  VectorXd tresca_bound;  ///< in units of P [p]; empty for Coulomb
-  VectorXd shear_limit;   ///< of Coulomb's law in units of P [p]; empty for none
+  std::vector<FrictionCone> cone;  ///< [p]
 
-  bool tresca() const { return tresca_bound.size() > 0; }
-  double limit(int node) const {
-    return shear_limit.size() > 0 ? shear_limit[node]
-                                  : std::numeric_limits<double>::infinity();
-  }
-  double bound(int node, double normal_multiplier) const {
-    if (tresca()) return tresca_bound[node];
-    return std::min(friction[node] * std::max(0.0, -normal_multiplier), limit(node));
-  }
+  int node_count() const { return static_cast<int>(cone.size()); }
   /// Frictionless everywhere, or Tresca's: the solution is the minimum of a convex
   /// function.
-  bool is_convex() const { return tresca() || friction.isZero(0); }
-  bool frictionless(int node) const {
-    return tresca() ? tresca_bound[node] == 0 : friction[node] == 0 || limit(node) == 0;
-  }
+  bool is_convex() const;
 };
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
@@ -39,6 +26,11 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
 /// @param normal  g_n in units of P [p]; what is above 0 counts as 0
 NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& normal);
 
+/// What violations of the law are relative to.
+struct LawScales {
+  double v = 0, P = 0;
+};
+
 /// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: displacements
 /// relative to scales.v, multipliers to the largest of them, or to scales.P where they
 /// are but rounding beside it. Where one of two must be 0 (P_n or v_n, the distance to
@@ -46,6 +38,22 @@ NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& n
 /// a product would let both be a hundred thousand roundings.
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                      const Ref<const VectorXd>& v, const LawScales& scales);
+
+/// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the
+/// largest multiplier, or the largest displacement of the body, gap or previous
+/// displacement.
+/// @param displacement  on all dofs [mm]
+/// @param multiplier    (P_n, P_t) at each node [2 x p]
+/// @param least         what v = W (u - gap) and P are relative to at least: where all
+///                      nodes stick u is nothing but rounding, and P where none is loaded
+/// @param idle          1 for rows 2 i + c whose multiplier moves nothing: v is that of
+///                      prescribed values there, to 1e-6 of the
+///                      scale, and 0 where it is below that; empty for none
+double complementarity_defect(const ContactLine& line, const ContactLaw& law,
+                              const Ref<const VectorXd>& displacement,
+                              const Ref<const Matrix2Xd>& multiplier,
+                              const LawScales& least = {},
+                              const std::vector<char>& idle = {});
 
 /// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b,
 /// and P_t = -s b where a node slips.

@@ -36,10 +36,6 @@ VectorXd residual(const ElasticSystem& system, const VectorXd& u,
   return residual;
 }
 
-double largest(const VectorXd& values) {
-  return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
-}
-
 }  // namespace
 
 Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
@@ -53,7 +49,7 @@ double residual_defect(const ContactLine& line, const ContactLaw& law,
   const VectorXd contact =
       contact_load(line, nodal_forces_of(line, law, answer.P), u.size());
   const VectorXd r = residual(system, u, contact);
-  const double apart = std::max(largest(law.gap), largest(law.previous));
+  const double apart = largest_given(law);
   double forces = 0;
   for (Index dof = 0; dof < r.size(); ++dof)
     if (!system.prescribed[dof])
@@ -83,8 +79,7 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
     if (!holds(state[row / 2], static_cast<int>(row % 2))) v[row] = 0;
   const CondensedContact correction = with_loads(contact, stiffness, load, v);
   NodalLaw unbounded = nodal_law(law, line);
-  unbounded.tresca_bound.setZero();
-  unbounded.shear_limit.setZero();
+  for (FrictionCone& cone : unbounded.cone) cone.cohesion = cone.limit = 0;
   ContactRows rows;
   if (solve_active_set(correction, unbounded, state, rows) == SystemKind::inconsistent)
     return answer;

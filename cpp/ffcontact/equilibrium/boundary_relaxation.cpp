@@ -101,8 +101,8 @@ class Conditions {
 
 /// Where friction may vanish at an end of the edge, r_t is left as it is.
 bool frictionless(const FreeContact& contact, int e) {
-  return least_coefficient(contact.line, contact.law, e).minCoeff() == 0 ||
-         least_shear_limit(contact.line, contact.law, e).minCoeff() == 0;
+  const ConesAtEnds cones = least_cones(contact.line, contact.law, e);
+  return cones[0].frictionless() || cones[1].frictionless();
 }
 
 /// Basis of the corrections that leave known boundary tractions alone and load both

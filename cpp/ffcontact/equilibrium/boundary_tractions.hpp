@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/cone_correction.hpp"
+#include "ffcontact/contact/contact_densities.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {

@@ -75,12 +75,6 @@ class MovingVertices {
   std::vector<int> nodes_;
 };
 
-double displacement_scale(const ContactLaw& law,
-                          const Ref<const VectorXd>& displacement) {
-  const double largest = displacement.cwiseAbs().maxCoeff();
-  return law.gap.size() > 0 ? std::max(largest, law.gap.cwiseAbs().maxCoeff()) : largest;
-}
-
 }  // namespace
 
 VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
@@ -94,7 +88,7 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
   const auto penetration = [&] {
     return VectorXd(displacement_against_foundation(line, law, admissible).row(0));
   };
-  const double scale = displacement_scale(law, displacement);
+  const double scale = largest_displacement(law, displacement);
   const auto lower = [&](const std::vector<int>& vertices, const VectorXd& deep) {
     const auto change = MovingVertices(line, nodes_of_vertex, vertices)
                             .lowering(deep, prescribed, farthest * scale);
@@ -119,7 +113,7 @@ PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& 
   const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
   PenetrationDefect defect;
   const double deepest = w.row(0).maxCoeff(&defect.node);
-  if (deepest > 0) defect.value = deepest / displacement_scale(law, displacement);
+  if (deepest > 0) defect.value = deepest / largest_displacement(law, displacement);
   return defect;
 }
 

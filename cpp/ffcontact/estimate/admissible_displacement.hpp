@@ -22,8 +22,8 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
                                  const Ref<const VectorXd>& displacement,
                                  const std::vector<char>& prescribed = {});
 
-/// How far a displacement penetrates: the largest u_n - gap at the nodes, relative to the
-/// largest displacement or gap; 0 where it keeps clear. Between the nodes all of it is
+/// How far a displacement penetrates: the largest u_n - gap at the nodes, relative to
+/// largest_displacement; 0 where it keeps clear. Between the nodes all of it is
 /// linear.
 struct PenetrationDefect {
   double value = 0;

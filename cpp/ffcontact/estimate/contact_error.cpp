@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "ffcontact/contact/friction_cone.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -32,19 +34,19 @@ std::vector<double> zeros(Quadratic&& f) {
 
 struct EdgeFields {
   Linear rn, rt, wn, wt;  ///< wn: normal displacement less the gap
-  Linear coefficient;     ///< mu or k
-  bool tresca, limited;
+  Linear cohesion, friction;
+  bool limited;
   Linear limit;  ///< the shear limit of Coulomb's law, if it is limited
 
   double density(double x) const {
     return bound(x) * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) + rn.at(x) * wn.at(x);
   }
   double bound(double x) const {
-    if (tresca) return coefficient.at(x);
-    return at_limit(x) ? limit.at(x) : coefficient.at(x) * std::abs(rn.at(x));
+    if (at_limit(x)) return limit.at(x);
+    return cohesion.at(x) + friction.at(x) * std::abs(rn.at(x));
   }
   bool at_limit(double x) const {
-    return limited && coefficient.at(x) * std::abs(rn.at(x)) > limit.at(x);
+    return limited && friction.at(x) * std::abs(rn.at(x)) > limit.at(x);
   }
 
   /// Where the bound has a kink, or where w_t and with it |w_t| changes sign.
@@ -52,9 +54,8 @@ struct EdgeFields {
     std::vector<double> places{wt.zero(), rn.zero()};
     if (!limited) return places;
     for (const int sign : {1, -1})
-      for (double x : zeros([&](double s) {
-             return sign * coefficient.at(s) * rn.at(s) - limit.at(s);
-           }))
+      for (double x : zeros(
+               [&](double s) { return sign * friction.at(s) * rn.at(s) - limit.at(s); }))
         places.push_back(x);
     return places;
   }
@@ -84,12 +85,11 @@ EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
   edge.wt = {w(1, i), w(1, j)};
   edge.rn = {densities.normal(0, e), densities.normal(1, e)};
   edge.rt = {densities.tangential(0, e), densities.tangential(1, e)};
-  const Vector2d most = most_coefficient(line, law, e),
-                 limit = most_shear_limit(line, law, e);
-  edge.coefficient = {most[0], most[1]};
-  edge.tresca = law.tresca();
+  const ConesAtEnds most = most_cones(line, law, e);
+  edge.cohesion = {most[0].cohesion, most[1].cohesion};
+  edge.friction = {most[0].friction, most[1].friction};
+  edge.limit = {most[0].limit, most[1].limit};
   edge.limited = law.limited();
-  edge.limit = {limit[0], limit[1]};
   return edge;
 }
 
@@ -118,8 +118,8 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
     for (int end = 0; end < 2; ++end) {
       const Linear phi{end == 0 ? 1.0 : 0.0, end == 0 ? 0.0 : 1.0};
       const auto normal = [&](double x) {
-        const bool given = edge.tresca || edge.at_limit(x);
-        const double slip = given ? 0 : edge.coefficient.at(x) * std::abs(edge.wt.at(x));
+        const double slope = edge.at_limit(x) ? 0 : edge.friction.at(x);
+        const double slip = slope * std::abs(edge.wt.at(x));
         return phi.at(x) * (edge.wn.at(x) - slip);
       };
       costs.normal(end, e) = 2 * line.length[e] * integral(edge.breaks(), normal);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/cone_correction.hpp"
+#include "ffcontact/contact/friction_cone.hpp"
 
 namespace ffcontact {
 

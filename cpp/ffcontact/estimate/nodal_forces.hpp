@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/cone_correction.hpp"
+#include "ffcontact/contact/contact_densities.hpp"
 
 namespace ffcontact {
 

@@ -9,14 +9,6 @@ namespace ffcontact {
 
 namespace {
 
-/// Largest gap or displacement of the load step before [mm].
-double largest_given(const ContactLaw& law) {
-  double largest = 0;
-  for (const VectorXd* values : {&law.gap, &law.previous})
-    if (values->size() > 0) largest = std::max(largest, values->cwiseAbs().maxCoeff());
-  return largest;
-}
-
 /// What a displacement of the length `given` along each contact edge would stress.
 double terms_along_line(const Edges& edges, const ContactLine& line, const Hooke& hooke,
                         double given) {
@@ -45,9 +37,8 @@ bool slides(const ContactLine& line, const SolvedBody& body) {
   const VectorXd& bound = body.law.slip_bound;
   const VectorXd slip =
       displacement_against_foundation(line, body.law, body.displacement).row(1);
-  const double largest =
-      std::max(body.displacement.cwiseAbs().maxCoeff(), largest_given(body.law));
-  const double least = rounding_of_terms * largest;
+  const double least =
+      rounding_of_terms * largest_displacement(body.law, body.displacement);
   return (slip.cwiseProduct(bound).array().abs() > least * bound.array()).any();
 }
 

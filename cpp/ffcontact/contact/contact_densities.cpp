@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/contact_densities.hpp"
+
+#include <algorithm>
+
+namespace ffcontact {
+
+ContactDensities edge_densities(const ContactLine& line,
+                                const Ref<const Matrix2Xd>& pressure) {
+  ContactDensities densities{Matrix2Xd(2, line.edge_count()),
+                             Matrix2Xd(2, line.edge_count())};
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) {
+      densities.normal(end, e) = pressure(0, line.edge_node(end, e));
+      densities.tangential(end, e) = pressure(1, line.edge_node(end, e));
+    }
+  return densities;
+}
+
+double largest_traction(const ContactDensities& densities) {
+  if (densities.normal.size() == 0) return 0;
+  return std::max(densities.normal.cwiseAbs().maxCoeff(),
+                  densities.tangential.cwiseAbs().maxCoeff());
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/friction_cone.hpp"
+
+#include <cmath>
+
+namespace ffcontact {
+
+namespace {
+
+/// The end values of a bound along an edge, which is linear between the nodes where it is
+/// not given.
+Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound, const VectorXd& nodal,
+                 int edge) {
+  if (bound.size() > 0) return bound.col(edge);
+  return {nodal[line.edge_node(0, edge)], nodal[line.edge_node(1, edge)]};
+}
+
+using Bound = Matrix2Xd EdgeRange::*;
+
+/// The cones by the least or the most of what the law has along an edge.
+ConesAtEnds cones(const ContactLine& line, const ContactLaw& law, Bound bound, int edge) {
+  ConesAtEnds result;
+  const VectorXd& coefficient = law.tresca() ? law.slip_bound : law.friction;
+  const Vector2d values = at_ends(line, law.between_nodes.*bound, coefficient, edge);
+  for (int end = 0; end < 2; ++end)
+    (law.tresca() ? result[end].cohesion : result[end].friction) = values[end];
+  if (!law.limited()) return result;
+  const Vector2d limits =
+      at_ends(line, law.limit_between_nodes.*bound, law.shear_limit, edge);
+  for (int end = 0; end < 2; ++end) result[end].limit = limits[end];
+  return result;
+}
+
+/// A linear function of the place s on an edge.
+double between(double first, double second, double s) {
+  return first + s * (second - first);
+}
+
+/// The largest value >= 0 on (0, 1) of a quadratic: at an end or where its slope
+/// vanishes.
+template <class Quadratic>
+double largest_value(Quadratic&& f) {
+  const double start = f(0.0), middle = f(0.5), end = f(1.0);
+  const double ends = std::max({0.0, start, end});
+  const double bend = start - 2 * middle + end;
+  const double slope = -3 * start + 4 * middle - end;  // of 2 bend s^2 + slope s + start
+  const bool peak_inside = bend < 0 && slope > 0 && slope < -4 * bend;
+  return peak_inside ? std::max(ends, f(-slope / (4 * bend))) : ends;
+}
+
+/// Largest |r_t| - c - mu p on an edge.
+double excess_of_friction(const ConesAtEnds& cones, const Vector2d& normal,
+                          const Vector2d& tangential) {
+  const auto bound = [&](double s) {
+    const double p = std::max(-between(normal[0], normal[1], s), 0.0);
+    return between(cones[0].cohesion, cones[1].cohesion, s) +
+           between(cones[0].friction, cones[1].friction, s) * p;
+  };
+  double largest = 0;
+  for (const int sign : {1, -1})
+    largest =
+        std::max(largest, largest_value([&](double s) {
+                   return sign * between(tangential[0], tangential[1], s) - bound(s);
+                 }));
+  return largest;
+}
+
+/// Largest |r_t| - k on an edge.
+double excess_of_limit(const ConesAtEnds& cones, const Vector2d& tangential) {
+  return std::max(std::abs(tangential[0]) - cones[0].limit,
+                  std::abs(tangential[1]) - cones[1].limit);
+}
+
+/// The conditions of one end, from row `rows` on.
+void add_end(const FrictionCone& cone, int end, EdgeCone& edge, Index& rows) {
+  const int n = 2 * end, t = n + 1;
+  // For Coulomb's law |r_t| <= m p implies r_n <= 0, but in a thin cone their rounding
+  // divided by m is its.
+  edge.C(rows++, n) = -1;
+  if (edge.frictionless[end]) return;
+  for (const int sign : {1, -1}) {
+    edge.C(rows, t) = sign;
+    edge.C(rows, n) = -cone.friction;
+    edge.d[rows++] = -cone.cohesion;
+    if (std::isinf(cone.limit)) continue;
+    edge.C(rows, t) = sign;
+    edge.d[rows++] = -cone.limit;
+  }
+}
+
+/// The condition on the sum of r_t.
+void add_sum(const ConesAtEnds& cones, EdgeCone& edge, Index& rows) {
+  if (cones[0].friction == cones[1].friction) return;
+  for (const int sign : {1, -1}) {
+    edge.C.row(rows) << -cones[1].friction, sign, -cones[0].friction, sign;
+    edge.d[rows++] = -cones[0].cohesion - cones[1].cohesion;
+  }
+}
+
+}  // namespace
+
+ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law, int edge) {
+  return cones(line, law, &EdgeRange::least, edge);
+}
+
+ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law, int edge) {
+  return cones(line, law, &EdgeRange::most, edge);
+}
+
+EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
+  const ConesAtEnds cones = least_cones(line, law, edge);
+  EdgeCone result{{cones[0].frictionless(), cones[1].frictionless()},
+                  Matrix<double, Dynamic, 4>::Zero(EdgeCone::most_rows, 4),
+                  VectorXd::Zero(EdgeCone::most_rows)};
+  Index rows = 0;
+  for (int end = 0; end < 2; ++end) add_end(cones[end], end, result, rows);
+  add_sum(cones, result, rows);
+  result.C.conservativeResize(rows, Eigen::NoChange);
+  result.d.conservativeResize(rows);
+  return result;
+}
+
+double largest_sum(const ConesAtEnds& cones, const Vector2d& normal) {
+  const Vector2d p = (-normal).cwiseMax(0.0);
+  const double ends = cones[0].bound(normal[0]) + cones[1].bound(normal[1]);
+  if (cones[0].friction == cones[1].friction) return ends;
+  const double middle = cones[0].cohesion + cones[1].cohesion + cones[0].friction * p[1] +
+                        cones[1].friction * p[0];
+  return std::min(ends, middle);
+}
+
+Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edge,
+                         const Vector4d& r) {
+  const ConesAtEnds cones = least_cones(line, law, edge);
+  const Vector2d first = cones[0].clamped(r.head<2>()),
+                 second = cones[1].clamped(r.tail<2>());
+  Vector2d tangential(first[1], second[1]);
+  const Vector2d normal(first[0], second[0]);
+  const double sum = largest_sum(cones, normal);
+  // sum >= 2 min(bounds)
+  if (std::abs(tangential.sum()) > sum) tangential *= sum / std::abs(tangential.sum());
+  return interleaved(normal, tangential);
+}
+
+double cone_defect(const ContactLine& line, const ContactLaw& law,
+                   const ContactDensities& densities) {
+  const double scale = largest_traction(densities);
+  if (scale == 0) return 0;
+  double excess = std::max(0.0, densities.normal.maxCoeff());
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const ConesAtEnds cones = least_cones(line, law, e);
+    const Vector2d normal = densities.normal.col(e),
+                   tangential = densities.tangential.col(e);
+    excess = std::max({excess, excess_of_limit(cones, tangential),
+                       excess_of_friction(cones, normal, tangential)});
+  }
+  return excess / scale;
+}
+
+}  // namespace ffcontact
