@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include "ffcontact/contact/cone_correction.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/smooth_problem.hpp"
