@@ -177,26 +177,54 @@ VectorXd resultants_of_loads(const SolvedProblem& solved, const MatrixXd& motion
   return -motions.transpose() * loads.missing.reshaped();
 }
 
+/// Tractions and what of the loads' resultants they miss, relative to their own.
+struct Candidate {
+  ContactDensities densities;
+  double off;
+};
+
+/// The better one of two, if there is any, of tractions in the cone nearest to given
+/// ones: with the resultants of the loads, or, where these are on the boundary of what
+/// the cone allows and leave it by their rounding, of the contact forces.
+std::optional<Candidate> candidate(const SolvedProblem& solved,
+                                   const MatchedBodies& bodies, const MatrixXd& motions,
+                                   const ContactDensities& near) {
+  const ContactLine& line = bodies.line();
+  const MatrixXd fields = bodies.fields(motions);
+  const VectorXd of_loads = resultants_of_loads(solved, motions);
+  const VectorXd of_forces = motions.transpose() * computed_forces(solved);
+  for (const VectorXd& resultants : {of_loads, of_forces}) {
+    const auto r = nearest_in_cone(line, bodies.body().law, near, fields, resultants);
+    if (!r) continue;
+    const VectorXd missed = resultants_of(line, *r, fields) - of_loads;
+    const double scale = line.length.sum() * largest_traction(*r);
+    return Candidate{*r, scale > 0 ? missed.norm() / scale : 0};
+  }
+  return std::nullopt;
+}
+
 /// r_hat linear between the nodal pressures p_i = F_i / len_i: the forces obey the law,
 /// so that p is in the cone, and has their resultant. Where the law varies along an edge,
 /// or where rigid motions are held by contact alone and int z . r must be what balances
 /// the loads along them, it is the density in the cone nearest to that
-/// (nearest_in_cone). Resultants on the boundary of what the cone allows may leave it by
-/// their rounding; then those of the contact forces are taken.
+/// (nearest_in_cone). On the boundary of what the cone allows there may be but one, which
+/// is found from lambda_h rather than from p.
 ContactTractions tractions_in_cone(const SolvedProblem& solved,
                                    const MatchedBodies& bodies, const MatrixXd& motions) {
-  const ContactLine& line = bodies.line();
+  const SolvedBody& body = solved.body;
   const Matrix2Xd p = lumped_pressures(solved.line, solved.system.prescribed,
-                                       forces_of(solved.line, solved.body.pressure));
-  const ContactDensities near = edge_densities(line, bodies.nodal_values(p));
-  const MatrixXd fields = bodies.fields(motions);
-  const auto nearest = [&](const VectorXd& resultants) {
-    return nearest_in_cone(line, bodies.body().law, near, fields, resultants);
+                                       forces_of(solved.line, body.pressure));
+  const auto near = [&](const Matrix2Xd& nodal) {
+    return candidate(solved, bodies, motions,
+                     edge_densities(bodies.line(), bodies.nodal_values(nodal)));
   };
-  auto r = nearest(resultants_of_loads(solved, motions));
-  if (!r) r = nearest(motions.transpose() * computed_forces(solved));
-  if (!r) refuse_unheld(solved);
-  return {*r, *r, VectorXd::Zero(line.edge_count())};
+  auto best = near(p);
+  if (!best || best->off > rounding_of_terms) {
+    const auto other = near(body.pressure);
+    if (other && (!best || other->off < best->off)) best = other;
+  }
+  if (!best) refuse_unheld(solved);
+  return {best->densities, best->densities, VectorXd::Zero(bodies.line().edge_count())};
 }
 
 double largest_missing(const NodalResidual& residual) {
