@@ -60,9 +60,19 @@ class ProximalPasses {
   /// Largest change of v by the last pass.
   double change() const { return change_; }
 
+  /// By how much the multipliers do not balance v, relative to these or the loads: what
+  /// the proximal terms still carry.
+  double imbalance() const {
+    const VectorXd P = unit_.cwiseProduct(x_);
+    const double largest =
+        std::max(P.cwiseAbs().maxCoeff(), contact_.g.cwiseAbs().maxCoeff());
+    const double off = (P.head(primary_) - balanced()).cwiseAbs().maxCoeff();
+    return largest > 0 ? off / largest : 0;
+  }
+
   ContactRows answer() const {
     const VectorXd P = unit_.cwiseProduct(x_), q = P.tail(dependent_);
-    const VectorXd balanced = contact_.S * v_ - contact_.g - contact_.E * q;
+    const VectorXd balanced = this->balanced();
     const VectorXd moved = dependent_displacement(v_, q);
     ContactRows rows{VectorXd(P.size()), VectorXd(P.size())};
     for (Index k = 0; k < P.size(); ++k) {
@@ -93,6 +103,12 @@ class ProximalPasses {
   }
 
  private:
+  /// Multipliers of the primary rows that balance v.
+  VectorXd balanced() const {
+    const VectorXd q = unit_.cwiseProduct(x_).tail(dependent_);
+    return contact_.S * v_ - contact_.g - contact_.E * q;
+  }
+
   Index place(int row) const {
     const int k = contact_.position[row];
     return k >= 0 ? k : primary_ - 1 - k;
@@ -200,7 +216,8 @@ bool pass_to_the_minimum(const CondensedContact& contact, const NodalLaw& law,
     const int left = settings.max_iterations - result.iterations;
     result.iterations += std::max(1, passes.pass(left));
     ContactRows rows = passes.answer();
-    const double violation = law_violation(contact, law, rows);
+    const double violation =
+        std::max(law_violation(contact, law, rows), passes.imbalance());
     const bool ends = violation <= settings.tolerance &&
                       passes.change() <= settled * motion_scale(contact, rows.v);
     if (violation < result.violation || ends)

@@ -213,6 +213,19 @@ class Dual {
   std::vector<EdgeProjection> edges_;
 };
 
+/// On the faces of the cone to the last digit of the resultants: clamping to the cone
+/// takes back some of the first step where a face is thin.
+Dual::Point moved_to_resultants(const Dual& dual, Dual::Point point) {
+  constexpr int most_moves = 4;
+  for (int k = 0; k < most_moves; ++k) {
+    Dual::Point closer = dual.moved_on_faces(
+        point, -least_squares_of_columns(dual.slope(point), point.off));
+    if (!(closer.off.norm() < point.off.norm())) break;
+    point = std::move(closer);
+  }
+  return point;
+}
+
 }  // namespace
 
 std::optional<ContactDensities> nearest_in_cone(const ContactLine& line,
@@ -232,9 +245,7 @@ std::optional<ContactDensities> nearest_in_cone(const ContactLine& line,
         std::numeric_limits<double>::epsilon() * length * point.eta.norm();
     if (point.off.cwiseAbs().maxCoeff() <=
         std::max(resultant_tolerance * scale, 2 * rounding)) {
-      const Dual::Point closer = dual.moved_on_faces(
-          point, -least_squares_of_columns(dual.slope(point), point.off));
-      return closer.off.norm() < point.off.norm() ? closer.r : point.r;
+      return moved_to_resultants(dual, std::move(point)).r;
     }
     // Regularised by what is left to do: no step is longer than the tractions, and the
     // last ones are Newton's.
