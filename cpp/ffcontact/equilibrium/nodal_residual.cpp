@@ -15,6 +15,20 @@ namespace {
 /// computed from each other.
 constexpr double unbalanced = 1e-6;
 
+/// |E| sigma grad phi_i on each triangle of the star of vertex i.
+Matrix2Xd star_forces(const Topology& topology, int vertex,
+                      const Ref<const Matrix3Xd>& stress) {
+  const auto& [mesh, edges, stars] = topology;
+  Matrix2Xd forces(2, stars.triangle_count(vertex));
+  for (int k = 0; k < forces.cols(); ++k) {
+    const int place = stars.triangle_start[vertex] + k;
+    const int t = stars.triangle[place];
+    const Vector2d gradient = hat_gradients(mesh, t).col(stars.local[place]);
+    forces.col(k) = signed_area(mesh, t) * traction(stress.col(t), gradient);
+  }
+  return forces;
+}
+
 /// The spokes that bound the star of a boundary vertex.
 struct EndSpokes {
   int first, last;
@@ -56,14 +70,12 @@ double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke, int 
 Matrix2Xd star_loads(const Topology& topology, int vertex,
                      const Ref<const Matrix3Xd>& stress,
                      const BodyLoadsOfAll& body_loads) {
-  const auto& [mesh, edges, stars] = topology;
-  Matrix2Xd loads(2, stars.triangle_count(vertex));
+  const Stars& stars = topology.stars;
+  Matrix2Xd loads = star_forces(topology, vertex, stress);
   for (int k = 0; k < loads.cols(); ++k) {
     const int place = stars.triangle_start[vertex] + k;
     const int t = stars.triangle[place], local = stars.local[place];
-    const Vector2d gradient = hat_gradients(mesh, t).col(local);
-    loads.col(k) = signed_area(mesh, t) * traction(stress.col(t), gradient) -
-                   body_loads.block<2, 1>(2 * local, t);
+    loads.col(k) -= body_loads.block<2, 1>(2 * local, t);
   }
   return loads;
 }
@@ -101,11 +113,10 @@ NodalResidual with_forces(NodalResidual residual, const VectorXd& forces) {
 
 NodalResidual less_stress(const Topology& topology, NodalResidual residual,
                           const Ref<const Matrix3Xd>& added) {
-  const BodyLoadsOfAll none = BodyLoadsOfAll::Zero(6, topology.mesh.cell_count());
 #pragma omp parallel for
   for (int v = 0; v < topology.mesh.vertex_count(); ++v) {
     if (topology.stars.triangle_count(v) == 0) continue;
-    const Vector2d sum = star_loads(topology, v, added, none).rowwise().sum();
+    const Vector2d sum = star_forces(topology, v, added).rowwise().sum();
     for (int c = 0; c < 2; ++c)
       if (!residual.supported(c, v)) residual.missing(c, v) -= sum[c];
   }

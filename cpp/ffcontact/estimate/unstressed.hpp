@@ -10,6 +10,16 @@ namespace ffcontact {
 /// the rounding of these.
 constexpr double rounding_of_terms = 1e-12;
 
+/// Equilibrium is judged against stresses and moments, and against this part of the terms
+/// that stresses are summed from.
+constexpr double least_part_of_terms = 1e-4;
+
+/// The scale of the stresses' rounding.
+struct StressTerms {
+  double stress;    ///< largest_stress_terms of u_h [MPa]
+  bool unstressed;  ///< is_unstressed
+};
+
 /// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle, or what the
 /// gap and the displacement of the load step before come to as strains along the line
 /// [MPa].

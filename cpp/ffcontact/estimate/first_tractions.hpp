@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/estimate/estimate_settings.hpp"
+#include "ffcontact/estimate/matched_bodies.hpp"
+#include "ffcontact/estimate/unstressed.hpp"
+
+namespace ffcontact {
+
+/// Contact tractions r_hat, and those that stresses have to balance.
+struct ContactTractions {
+  ContactDensities densities, balanced;
+  VectorXd shift;               ///< d of (4.1) per edge [MPa]
+  std::vector<int> unmended{};  ///< edges that (4.1) leaves outside the cone
+};
+
+/// r_hat before the relaxation, and edge tractions in equilibrium with it on every
+/// triangle of the matched bodies.
+struct FirstTractions {
+  ContactTractions contact;
+  EdgeMoments moments;
+};
+
+/// Tractions of the kind that is asked for. Those in the cone are not those that u_h was
+/// computed with: one back-substitution gives the small displacement whose stresses make
+/// up for the difference, and one or two more its rounding (rebalancing_displacement).
+/// @throws std::invalid_argument  if loads and stresses do not balance each other, with
+///                                the cause, or where no tractions in the cone hold the
+///                                body
+FirstTractions first_tractions(const SolvedProblem& solved, const MatchedBodies& bodies,
+                               const StressTerms& terms, Tractions kind);
+
+}  // namespace ffcontact
