@@ -139,7 +139,7 @@ RC_GTEST_PROP(SeveralBodiesEstimate,
 }
 
 /// Friction alone holds the upper body sideways; its tangential resultant must survive
-/// the mending of tensile edges.
+/// the way of tensile edges into the cone.
 TEST(SeveralBodiesEstimate, tresca_keeps_the_resultants_of_a_body_held_by_friction) {
   for (const double slip_bound : {0.5, 1.0, 1.6, 2.5}) {
     Bodies two =

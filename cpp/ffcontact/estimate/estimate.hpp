@@ -69,8 +69,7 @@ struct Estimate {
 /// @param system  the stiffness and the prescribed dofs u_h was computed with
 /// @throws std::invalid_argument  for input that does not fit (see data_defect.hpp), or
 ///                                where no tractions in the cone hold the body
-/// @throws std::runtime_error     if tractions had to be mended and a part of the body is
-///                                held by nothing
+/// @throws std::runtime_error     if a part of the body is held by nothing
 Estimate estimate_error(const Topology& topology, const ContactLine& line,
                         const ElasticSystem& system, const SolvedBody& body,
                         const EstimateSettings& settings = {});
