@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 
 RC_GTEST_PROP(AiryEnergy, expands_the_energy_of_the_composite_stress, (Random random)) {
-  const Starred body(irregular(3, 3, 3, 3, random));
+  const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   const VectorXd airy = random_vector(space.unknowns(), random);
   EdgeLoadsOfAll change = EdgeLoadsOfAll::Zero(12, body.mesh.cell_count());
@@ -36,7 +36,7 @@ RC_GTEST_PROP(AiryEnergy, expands_the_energy_of_the_composite_stress, (Random ra
 }
 
 RC_GTEST_PROP(AiryEnergy, is_blind_to_linear_functions, (Random random)) {
-  const Starred body(irregular(3, 3, 3, 3, random));
+  const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   const Vector3d linear = random_vector(3, random);
   VectorXd airy(space.unknowns());

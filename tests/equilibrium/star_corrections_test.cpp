@@ -25,7 +25,7 @@ EdgeLoadsOfAll loads_of(const AirySpace& space, const Stars& stars, int vertex,
 }
 
 RC_GTEST_PROP(StarCorrections, keep_every_triangle_in_equilibrium, (Random random)) {
-  const Starred body(irregular(3, 3, 3, 3, random));
+  const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     const VectorXd unknowns = random_vector(star_unknowns(body.stars, v), random);
@@ -38,7 +38,7 @@ RC_GTEST_PROP(StarCorrections, keep_every_triangle_in_equilibrium, (Random rando
 
 RC_GTEST_PROP(StarCorrections, load_the_two_triangles_beside_a_spoke_oppositely,
               (Random random)) {
-  const Starred body(irregular(3, 3, 3, 3, random));
+  const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     const VectorXd unknowns = random_vector(star_unknowns(body.stars, v), random);
@@ -63,7 +63,7 @@ RC_GTEST_PROP(StarCorrections, load_the_two_triangles_beside_a_spoke_oppositely,
 
 RC_GTEST_PROP(StarCorrections, are_all_that_equilibrium_leaves_at_an_inner_vertex,
               (Random random)) {
-  const Starred body(irregular(3, 3, 3, 3, random));
+  const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     if (body.stars.on_boundary(v)) continue;
@@ -82,7 +82,7 @@ RC_GTEST_PROP(StarCorrections, are_all_that_equilibrium_leaves_at_an_inner_verte
 }
 
 RC_GTEST_PROP(StarCorrections, have_the_moments_of_their_spokes, (Random random)) {
-  const Starred body(irregular(3, 3, 3, 3, random));
+  const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     const StarCorrections star(space, body.stars, v);

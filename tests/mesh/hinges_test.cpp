@@ -71,7 +71,7 @@ RC_GTEST_PROP(Hinges, of_a_face_are_opposite_to_its_vertices, (Random random)) {
 
 RC_GTEST_PROP(Hinges, of_a_plane_body_are_its_vertices_with_their_spokes,
               (Random random)) {
-  const Starred body(irregular(3, 3, 3, 3, random));
+  const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const Hinges<2> hinges = hinges_of(body.mesh, body.edges);
   RC_ASSERT(hinges.count() == body.mesh.vertex_count());
   for (int v = 0; v < hinges.count(); ++v) {

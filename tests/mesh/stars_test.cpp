@@ -18,14 +18,14 @@ using namespace test;
 constexpr double pi = 3.14159265358979323846;
 
 /// Vector along spoke k of a vertex, away from it.
-Vector2d spoke_vector(const Starred& body, int vertex, int k) {
+Vector2d spoke_vector(const Topology& body, int vertex, int k) {
   const int e = body.stars.spoke[body.stars.spoke_start[vertex] + k];
   const double away = body.edges.vertices(0, e) == vertex ? 1 : -1;
   return away * edge_vector(body.mesh, body.edges, e);
 }
 
 /// Angle from spoke k to the next one, in (-pi, pi].
-double angle(const Starred& body, int vertex, int k) {
+double angle(const Topology& body, int vertex, int k) {
   const Vector2d a = spoke_vector(body, vertex, k);
   const Vector2d b = spoke_vector(body, vertex, (k + 1) % body.stars.spoke_count(vertex));
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
@@ -50,7 +50,7 @@ bool share_no_triangle(const Mesh& mesh, const std::vector<int>& vertices) {
 
 RC_GTEST_PROP(Stars, angles_are_positive_and_sum_to_the_angle_of_the_body,
               (Random random)) {
-  const Starred body(irregular(4, 3, 8, 6, random));
+  const Topology body = topology_of(irregular(4, 3, 8, 6, random));
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     double sum = 0;
     for (int k = 0; k < body.stars.triangle_count(v); ++k) {
@@ -63,7 +63,7 @@ RC_GTEST_PROP(Stars, angles_are_positive_and_sum_to_the_angle_of_the_body,
 }
 
 RC_GTEST_PROP(Stars, triangle_k_lies_between_spokes_k_and_k_plus_one, (Random random)) {
-  const Starred body(irregular(4, 3, 4, 3, random));
+  const Topology body = topology_of(irregular(4, 3, 4, 3, random));
   const Stars& stars = body.stars;
   for (int v = 0; v < body.mesh.vertex_count(); ++v)
     for (int k = 0; k < stars.triangle_count(v); ++k) {
@@ -78,7 +78,7 @@ RC_GTEST_PROP(Stars, triangle_k_lies_between_spokes_k_and_k_plus_one, (Random ra
 }
 
 RC_GTEST_PROP(Stars, a_boundary_star_begins_and_ends_at_boundary_edges, (Random random)) {
-  const Starred body(irregular(4, 3, 4, 3, random));
+  const Topology body = topology_of(irregular(4, 3, 4, 3, random));
   const Stars& stars = body.stars;
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     const int first = stars.spoke[stars.spoke_start[v]],

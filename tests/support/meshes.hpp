@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/mesh/stars.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 /// Meshes that the tests share.
 namespace ffcontact::test {
@@ -227,13 +227,14 @@ inline Mesh mirrored(Mesh mesh) {
 }
 
 /// Two meshes as one body of two parts; labels of the second are raised by ten.
-inline Mesh joined(const Mesh& a, const Mesh& b) {
-  Mesh both;
-  both.vertices.resize(2, a.vertices.cols() + b.vertices.cols());
+template <int dim>
+SimplexMesh<dim> joined(const SimplexMesh<dim>& a, const SimplexMesh<dim>& b) {
+  SimplexMesh<dim> both;
+  both.vertices.resize(dim, a.vertices.cols() + b.vertices.cols());
   both.vertices << a.vertices, b.vertices;
-  both.cells.resize(3, a.cells.cols() + b.cells.cols());
+  both.cells.resize(dim + 1, a.cells.cols() + b.cells.cols());
   both.cells << a.cells, b.cells.array() + a.vertex_count();
-  both.boundary.resize(2, a.boundary.cols() + b.boundary.cols());
+  both.boundary.resize(dim, a.boundary.cols() + b.boundary.cols());
   both.boundary << a.boundary, b.boundary.array() + a.vertex_count();
   both.boundary_label.resize(both.boundary.cols());
   both.boundary_label << a.boundary_label, b.boundary_label.array() + 10;
@@ -251,14 +252,5 @@ inline Mesh irregular(int nx, int ny, double width, double height, std::mt19937&
   }
   return renumbered(mesh, random).mesh;
 }
-
-/// A mesh with its edges and stars.
-struct Starred {
-  Mesh mesh;
-  Edges edges;
-  Stars stars;
-  explicit Starred(const Mesh& m)
-      : mesh(m), edges(edges_of(m)), stars(stars_of(m, edges)) {}
-};
 
 }  // namespace ffcontact::test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "ffcontact/mesh/mesh.hpp"
+#include "support/meshes.hpp"
 
 /// Solids that the tests share.
 namespace ffcontact::test {
@@ -134,20 +134,6 @@ inline VectorXd nodal_values(const SolidMesh& mesh, const SolidField& field) {
   for (int v = 0; v < mesh.vertex_count(); ++v)
     values.segment<3>(3 * v) = field(mesh.vertices.col(v));
   return values;
-}
-
-/// Two solids as one body of two parts.
-inline SolidMesh joined(const SolidMesh& a, const SolidMesh& b) {
-  SolidMesh both;
-  both.vertices.resize(3, a.vertices.cols() + b.vertices.cols());
-  both.vertices << a.vertices, b.vertices;
-  both.cells.resize(4, a.cells.cols() + b.cells.cols());
-  both.cells << a.cells, b.cells.array() + a.vertex_count();
-  both.boundary.resize(3, a.boundary.cols() + b.boundary.cols());
-  both.boundary << a.boundary, b.boundary.array() + a.vertex_count();
-  both.boundary_label.resize(both.boundary.cols());
-  both.boundary_label << a.boundary_label, b.boundary_label;
-  return both;
 }
 
 /// Vertices on the labelled faces of a solid, each once.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ffcontact/contact/active_set_system.hpp"
+#include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
 
@@ -18,10 +19,7 @@ VectorXd contact_load(const ContactLine& line, const Matrix2Xd& force, Index dof
   VectorXd load = VectorXd::Zero(dofs);
   for (int i = 0; i < line.node_count(); ++i) {
     const Vector2d F = force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
-    load.segment<2>(2 * line.vertex[i]) += F;
-    visit_opposite(line, i, [&](int vertex, double weight) {
-      load.segment<2>(2 * vertex) -= weight * F;
-    });
+    add_nodal_force(line, i, F, load);
   }
   return load;
 }

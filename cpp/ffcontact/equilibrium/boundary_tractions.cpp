@@ -26,10 +26,28 @@ std::map<int, std::array<bool, 2>> prescribed_labels(
   return labels;
 }
 
-/// The given tractions, and which components are not prescribed.
+void add(const Vector4d& moments, int edge, BoundaryTractions& boundary) {
+  boundary.known.col(edge).setConstant(true);
+  boundary.moments.col(edge) += moments;
+}
+
+/// On the edge that faces a contact edge, which runs the other way.
+Vector4d opposite(const Vector4d& moments) {
+  Vector4d turned;
+  turned << -moments.tail<2>(), -moments.head<2>();
+  return turned;
+}
+
+}  // namespace
+
 BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
                                   const std::vector<char>& prescribed,
                                   const Ref<const Matrix4Xd>& neumann) {
+  require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
+               2 * mesh.vertices.cols());
+  require_size("tractions", neumann.cols(), mesh.boundary.cols());
+  require_finite("traction", neumann.reshaped());
+
   const std::map<int, std::array<bool, 2>> fixed = prescribed_labels(mesh, prescribed);
   BoundaryTractions given;
   given.known.setConstant(2, edges.count(), false);
@@ -49,20 +67,6 @@ BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
   return given;
 }
 
-void add(const Vector4d& moments, int edge, BoundaryTractions& boundary) {
-  boundary.known.col(edge).setConstant(true);
-  boundary.moments.col(edge) += moments;
-}
-
-/// On the edge that faces a contact edge, which runs the other way.
-Vector4d opposite(const Vector4d& moments) {
-  Vector4d turned;
-  turned << -moments.tail<2>(), -moments.head<2>();
-  return turned;
-}
-
-}  // namespace
-
 Vector4d contact_moments(const ContactLine& line, const ContactDensities& densities,
                          int contact_edge) {
   const Vector2d n = line.edge_normal(contact_edge), t = line.edge_tangent(contact_edge);
@@ -77,11 +81,6 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
                                      const Ref<const Matrix4Xd>& neumann,
                                      const ContactLine& line,
                                      const ContactDensities& contact) {
-  require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
-               2 * mesh.vertices.cols());
-  require_size("tractions", neumann.cols(), mesh.boundary.cols());
-  require_finite("traction", neumann.reshaped());
-
   BoundaryTractions boundary = given_tractions(mesh, edges, prescribed, neumann);
   for (int k = 0; k < line.edge_count(); ++k) {
     const Vector4d moments = contact_moments(line, contact, k);

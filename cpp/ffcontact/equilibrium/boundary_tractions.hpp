@@ -27,13 +27,20 @@ struct BoundaryTractions {
   EdgeMoments moments;                   ///< of the known components, 0 elsewhere
 };
 
+/// The given tractions alone; contact edges are as any others.
 /// @param prescribed  1 where the dof is prescribed [2 * vertices]
 /// @param neumann     moments of the given tractions at the two vertices of each column
-///                    of Mesh::boundary [4 x boundary];
-///                    not read on prescribed components
-/// @param line        where it faces whole edges of another body, these carry the
-///                    opposite forces
-/// @param contact     densities on the contact edges
+///                    of Mesh::boundary [4 x boundary]; not read on prescribed components
+/// @throws std::invalid_argument  if sizes differ or a traction is not finite
+BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
+                                  const std::vector<char>& prescribed,
+                                  const Ref<const Matrix4Xd>& neumann);
+
+/// The given and the contact tractions.
+/// @param line     where it faces whole edges of another body, these carry the opposite
+///                 forces
+/// @param contact  densities on the contact edges
+/// @throws std::invalid_argument  as given_tractions
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
                                      const std::vector<char>& prescribed,
                                      const Ref<const Matrix4Xd>& neumann,

@@ -163,8 +163,7 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
 /// Contact tractions beside the largest stress: makes what is relative to the former
 /// relative to the latter, where an open contact line carries nothing but rounding.
 double share_of_contact(const ContactDensities& densities, const Matrix3Xd& stress) {
-  const double contact = std::max(densities.normal.cwiseAbs().maxCoeff(),
-                                  densities.tangential.cwiseAbs().maxCoeff());
+  const double contact = largest_traction(densities);
   return contact > 0 ? contact / std::max(contact, stress.cwiseAbs().maxCoeff()) : 0;
 }
 

@@ -13,7 +13,7 @@
 #include "ffcontact/estimate/nearest_in_cone.hpp"
 #include "ffcontact/estimate/nodal_forces.hpp"
 #include "ffcontact/estimate/published_tractions.hpp"
-#include "ffcontact/estimate/rebalancing_displacement.hpp"
+#include "ffcontact/estimate/rebalancing.hpp"
 
 namespace ffcontact {
 
@@ -35,8 +35,9 @@ double longest_edge(const Topology& topology) {
   return longest;
 }
 
-/// The script's tractions; none of contact, which are known on its line.
-BoundaryTractions given_tractions(const SolvedProblem& solved) {
+/// The script's tractions; on the contact line, where all components count as known, those
+/// of contact are left out.
+BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   const Matrix2Xd zero = Matrix2Xd::Zero(2, line.edge_count());
   return boundary_tractions(topology.mesh, topology.edges, system.prescribed,
@@ -57,8 +58,8 @@ NodalResidual residual_without_contact(const SolvedProblem& solved,
                                        const StressTerms& terms,
                                        const Matrix3Xd& stress) {
   const auto& [topology, line, system, body] = solved;
-  const NodalResidual residual =
-      nodal_residual(topology, stress, body.body_loads, given_tractions(solved));
+  const NodalResidual residual = nodal_residual(topology, stress, body.body_loads,
+                                                tractions_without_contact(solved));
   try {
     require_balanced(topology.mesh, with_forces(residual, computed_forces(solved)),
                      least_part_of_terms * terms.stress * longest_edge(topology));
@@ -96,12 +97,25 @@ ContactTractions tractions_as_published(const MatchedBodies& bodies) {
 
 /// What contact forces must do along rigid motions to balance the loads [k].
 VectorXd resultants_of_loads(const SolvedProblem& solved, const MatrixXd& motions) {
-  if (motions.cols() == 0) return VectorXd(0);
   const auto& [topology, line, system, body] = solved;
   const Matrix3Xd no_stress = Matrix3Xd::Zero(3, topology.mesh.cell_count());
-  const NodalResidual loads =
-      nodal_residual(topology, no_stress, body.body_loads, given_tractions(solved));
+  const NodalResidual loads = nodal_residual(topology, no_stress, body.body_loads,
+                                             tractions_without_contact(solved));
   return -motions.transpose() * loads.missing.reshaped();
+}
+
+/// The rigid motions that contact alone holds, and what it must do along them [k].
+struct HeldMotions {
+  MatrixXd fields;     ///< on the matched bodies
+  VectorXd of_loads;   ///< that balances the loads
+  VectorXd of_forces;  ///< that the contact forces of u_h do
+};
+
+HeldMotions held_motions(const SolvedProblem& solved, const MatchedBodies& bodies,
+                         const MatrixXd& motions) {
+  if (motions.cols() == 0) return {bodies.fields(motions), VectorXd(0), VectorXd(0)};
+  return {bodies.fields(motions), resultants_of_loads(solved, motions),
+          motions.transpose() * computed_forces(solved)};
 }
 
 /// Tractions and what of the loads' resultants they miss, relative to their own.
@@ -110,20 +124,16 @@ struct Candidate {
   double off;
 };
 
-/// The better one of two, if there is any, of tractions in the cone nearest to given
-/// ones: with the resultants of the loads, or, where these are on the boundary of what
-/// the cone allows and leave it by their rounding, of the contact forces.
-std::optional<Candidate> candidate(const SolvedProblem& solved,
-                                   const MatchedBodies& bodies, const MatrixXd& motions,
+/// Tractions in the cone nearest to given ones, if there are any: with the resultants of
+/// the loads, or, where these are on the boundary of what the cone allows and leave it by
+/// their rounding, of the contact forces.
+std::optional<Candidate> candidate(const ContactLine& line, const ContactLaw& law,
+                                   const HeldMotions& held,
                                    const ContactDensities& near) {
-  const ContactLine& line = bodies.line();
-  const MatrixXd fields = bodies.fields(motions);
-  const VectorXd of_loads = resultants_of_loads(solved, motions);
-  const VectorXd of_forces = motions.transpose() * computed_forces(solved);
-  for (const VectorXd& resultants : {of_loads, of_forces}) {
-    const auto r = nearest_in_cone(line, bodies.body().law, near, fields, resultants);
+  for (const VectorXd& resultants : {held.of_loads, held.of_forces}) {
+    const auto r = nearest_in_cone(line, law, near, held.fields, resultants);
     if (!r) continue;
-    const VectorXd missed = resultants_of(line, *r, fields) - of_loads;
+    const VectorXd missed = resultants_of(line, *r, held.fields) - held.of_loads;
     const double scale = line.length.sum() * largest_traction(*r);
     return Candidate{*r, scale > 0 ? missed.norm() / scale : 0};
   }
@@ -141,8 +151,9 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
   const SolvedBody& body = solved.body;
   const Matrix2Xd p = lumped_pressures(solved.line, solved.system.prescribed,
                                        forces_of(solved.line, body.pressure));
+  const HeldMotions held = held_motions(solved, bodies, motions);
   const auto near = [&](const Matrix2Xd& nodal) {
-    return candidate(solved, bodies, motions,
+    return candidate(bodies.line(), bodies.body().law, held,
                      edge_densities(bodies.line(), bodies.nodal_values(nodal)));
   };
   auto best = near(p);
@@ -158,16 +169,8 @@ double largest_missing(const NodalResidual& residual) {
   return residual.missing.cwiseAbs().maxCoeff();
 }
 
-/// Stresses of the displacement that makes up for a residual.
-Matrix3Xd balancing_stresses(const SolvedProblem& solved, const MatrixXd& motions,
-                             const NodalResidual& residual) {
-  const auto& [topology, line, system, body] = solved;
-  const VectorXd forces = residual.missing.reshaped();
-  const VectorXd u =
-      body.stiffness
-          ? rebalancing_displacement(*body.stiffness, system, line, forces, motions)
-          : rebalancing_displacement(system, line, forces, motions);
-  return stresses(topology.mesh, body.hooke, u);
+bool is_rounding(const NodalResidual& residual) {
+  return largest_missing(residual) <= rounding_of_terms * residual.scale;
 }
 
 /// Stresses in equilibrium with the loads and with contact tractions: those of u_h, and
@@ -177,12 +180,15 @@ Matrix3Xd balancing_stresses(const SolvedProblem& solved, const MatrixXd& motion
 Matrix3Xd balanced_stresses(const SolvedProblem& solved, const MatrixXd& motions,
                             const NodalResidual& without_contact, const VectorXd& forces,
                             Matrix3Xd stress) {
+  const auto& [topology, line, system, body] = solved;
   NodalResidual residual = with_forces(without_contact, forces);
-  for (int step = 0; step < most_refinements; ++step) {
+  if (is_rounding(residual)) return stress;
+  const Rebalancing rebalancing(system, line, motions, body.stiffness);
+  for (int step = 0; step < most_refinements && !is_rounding(residual); ++step) {
     const double missing = largest_missing(residual);
-    if (missing <= rounding_of_terms * residual.scale) break;
-    const Matrix3Xd added = balancing_stresses(solved, motions, residual);
-    residual = less_stress(solved.topology, residual, added);
+    const VectorXd u = rebalancing.displacement(residual.missing.reshaped());
+    const Matrix3Xd added = stresses(topology.mesh, body.hooke, u);
+    residual = less_stress(topology, std::move(residual), added);
     if (step > 0 && largest_missing(residual) >= missing) break;
     stress += added;
   }

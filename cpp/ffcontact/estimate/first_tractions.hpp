@@ -25,7 +25,7 @@ struct FirstTractions {
 
 /// Tractions of the kind that is asked for. Those in the cone are not those that u_h was
 /// computed with: one back-substitution gives the small displacement whose stresses make
-/// up for the difference, and one or two more its rounding (rebalancing_displacement).
+/// up for the difference, and one or two more its rounding (Rebalancing).
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with
 ///                                the cause, or where no tractions in the cone hold the
 ///                                body

@@ -27,8 +27,7 @@ BoundaryTractions MatchedBodies::solved_boundary(
   if (!cut_) return boundary;
   const auto& [mesh, edges, stars] = solved_.topology;
   const BoundaryTractions given =
-      boundary_tractions(mesh, edges, solved_.system.prescribed, solved_.body.neumann,
-                         ContactLine{}, ContactDensities{});
+      given_tractions(mesh, edges, solved_.system.prescribed, solved_.body.neumann);
   return tractions_of_parts(edges, *refinement_, boundary, given);
 }
 

@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/nodal_forces.hpp"
 
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
 
@@ -10,14 +11,8 @@ VectorXd nodal_forces(const Mesh& mesh, const ContactLine& line,
   VectorXd forces = VectorXd::Zero(2 * mesh.vertices.cols());
   for (int e = 0; e < line.edge_count(); ++e) {
     const Vector4d moments = contact_moments(line, densities, e);
-    for (int end = 0; end < 2; ++end) {
-      const int node = line.edge_node(end, e);
-      const Vector2d moment = moments.segment<2>(2 * end);
-      forces.segment<2>(2 * line.vertex[node]) += moment;
-      visit_opposite(line, node, [&](int vertex, double weight) {
-        forces.segment<2>(2 * vertex) -= weight * moment;
-      });
-    }
+    for (int end = 0; end < 2; ++end)
+      add_nodal_force(line, line.edge_node(end, e), moments.segment<2>(2 * end), forces);
   }
   return forces;
 }

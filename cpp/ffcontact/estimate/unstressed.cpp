@@ -45,8 +45,8 @@ bool slides(const ContactLine& line, const SolvedBody& body) {
 /// Loads on supports are felt by nothing.
 bool has_loads(const Topology& topology, const std::vector<char>& prescribed,
                const SolvedBody& body) {
-  const BoundaryTractions given = boundary_tractions(
-      topology.mesh, topology.edges, prescribed, body.neumann, ContactLine{}, {});
+  const BoundaryTractions given =
+      given_tractions(topology.mesh, topology.edges, prescribed, body.neumann);
   return !given.moments.isZero(0) || !body.body_loads.isZero(0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/estimate/rebalancing_displacement.hpp"
+#include "ffcontact/estimate/rebalancing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,12 +26,12 @@ VectorXd balanced_forces(const Problem& problem, const MatrixXd& motions,
   return forces;
 }
 
-RC_GTEST_PROP(RebalancingDisplacement, balances_the_change_of_forces, (Random random)) {
+RC_GTEST_PROP(Rebalancing, balances_the_change_of_forces, (Random random)) {
   const Problem problem = problem_of(*random_case(0.5));
   const ElasticSystem system = problem.system();
   const MatrixXd motions = free_rigid_motions(problem.mesh, system.prescribed);
   const VectorXd forces = balanced_forces(problem, motions, random);
-  const VectorXd u = rebalancing_displacement(system, problem.line, forces, motions);
+  const VectorXd u = Rebalancing(system, problem.line, motions).displacement(forces);
   const VectorXd residual = system.stiffness * u - forces;
   for (int dof = 0; dof < system.dof_count(); ++dof)
     RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof]) : std::abs(residual[dof])) <

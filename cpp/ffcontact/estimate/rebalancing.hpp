@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/interface/contact_line.hpp"
+
+namespace ffcontact {
+
+/// u* - u_h where K u* = b + (nodal forces of r_hat) and K u_h = b + (nodal forces of
+/// lambda_h): the displacement whose stresses are in equilibrium with r_hat.
+///
+/// Where K is singular (rigid motions Z that contact alone holds) the change of forces
+/// does no work on Z, and the solution without rigid motion on the contact dofs is taken:
+/// S + Z_c Z_c' in place of S, factored once. The same balances any other small change of
+/// the nodal forces, as the rounding of u_h leaves.
+class Rebalancing {
+ public:
+  /// @param motions    free_rigid_motions of the body [dofs x k]
+  /// @param stiffness  K condensed to contact_dofs(line, system); null: factorised here
+  /// @throws std::runtime_error  if a part of the body is held by nothing
+  Rebalancing(const ElasticSystem& system, const ContactLine& line,
+              const MatrixXd& motions,
+              std::shared_ptr<const CondensedStiffness> stiffness = nullptr);
+
+  /// u* - u_h on all dofs [mm], by one back-substitution.
+  /// @param force_change  on all dofs [N/mm]
+  VectorXd displacement(const VectorXd& force_change) const;
+
+ private:
+  std::shared_ptr<const CondensedStiffness> stiffness_;
+  Cholesky schur_;  ///< S + Z_c Z_c'
+};
+
+}  // namespace ffcontact
