@@ -215,6 +215,18 @@ RC_GTEST_PROP(EdgeCone, is_the_cone_all_along_the_edge, (Random random)) {
   if (constant) RC_ASSERT(allowed == (worst_by_points(edge, r) <= 0));
 }
 
+RC_GTEST_PROP(EdgeCone, is_hardly_narrower_than_the_exact_one, (Random random)) {
+  const EdgeProblem edge = random_edge(random);
+  const double p[] = {*real(0.01, 1), *real(0.01, 1)};
+  const Vector4d r(-p[0], *real(-1, 1), -p[1], *real(-1, 1));
+  ContactDensities in_cone = random_densities(1, random), larger = in_cone;
+  set_end_values(in_cone, 0, clamped_to_cone(edge.line, edge.law, 0, r));
+  larger = in_cone;
+  larger.tangential *= 1.04;
+  const bool clamped = (in_cone.tangential.col(0) - Vector2d(r[1], r[3])).norm() > 1e-12;
+  if (clamped) RC_ASSERT(worst_by_points(edge, larger) > -1e-12);
+}
+
 TEST(EdgeCone, of_friction_that_varies_is_narrower_than_at_its_ends) {
   EdgeProblem edge = one_edge(0);
   edge.law.friction << 0.2, 1;

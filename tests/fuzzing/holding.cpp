@@ -85,9 +85,15 @@ double distance_to_cone(const Dense& columns, const VectorXd& wanted) {
   return (wanted - columns * x).norm();
 }
 
-/// Places on each edge. What is beside its ends bounds the slope of r_t where friction
-/// starts from 0 there.
-constexpr double places[] = {0, 1e-5, 0.1, 0.25, 0.5, 0.75, 0.9, 1 - 1e-5, 1};
+/// Places on each edge, denser towards its ends: what is beside them bounds the slope of
+/// r_t where friction starts from 0 there.
+std::vector<double> places() {
+  constexpr int steps = 32;
+  std::vector<double> result{1e-5, 1 - 1e-5};
+  for (int k = 0; k <= steps; ++k)
+    result.push_back(std::pow(std::sin(k * std::acos(-1.) / (2 * steps)), 2));
+  return result;
+}
 
 /// Work of the end values (r_n,i, r_t,i, r_n,j, r_t,j) of each contact edge along the
 /// motions [motions x 4 edges], for edges of length 1: a factor on the density of an edge
@@ -111,11 +117,12 @@ Dense work_of_densities(const Assembled& parts, const Dense& motions) {
 /// there [conditions x 4 edges].
 Dense cone_conditions(const Assembled& parts) {
   const ContactLine& line = parts.line;
-  Dense conditions =
-      Dense::Zero(3 * std::size(places) * line.edge_count(), 4 * line.edge_count());
+  const std::vector<double> all = places();
+  Dense conditions = Dense::Zero(3 * static_cast<Index>(all.size()) * line.edge_count(),
+                                 4 * line.edge_count());
   Index row = 0;
   for (int e = 0; e < line.edge_count(); ++e)
-    for (const double s : places)
+    for (const double s : all)
       for (int sign : {-1, 0, 1}) {
         const double hat[2] = {1 - s, s};
         const double mu = hat[0] * parts.law.friction[line.edge_node(0, e)] +

@@ -29,6 +29,16 @@ void require_fixed_direction(const ContactLine& line) {
              ": its tractions need a fixed normal=");
 }
 
+/// The largest |r_t,i + r_t,j| that any shift brings into the cone.
+double largest_sum(const ConesAtEnds& cones, const Vector2d& normal) {
+  const Vector2d p = (-normal).cwiseMax(0.0);
+  const double ends = cones[0].bound(normal[0]) + cones[1].bound(normal[1]);
+  if (cones[0].friction == cones[1].friction) return ends;
+  const double middle = cones[0].cohesion + cones[1].cohesion + cones[0].friction * p[1] +
+                        cones[1].friction * p[0];
+  return std::min(ends, middle);
+}
+
 /// d of (4.1) [MPa]: 0 where none is needed, nothing where there is none.
 std::optional<double> smallest_shift(const ConesAtEnds& cones, const Vector2d& normal,
                                      const Vector2d& tangential, double tolerance) {

@@ -17,8 +17,9 @@ namespace ffcontact {
 ///     |r_t,i - d| <= c_i,   |r_t,j + d| <= c_j.
 /// The added density has no resultant and, being tangential, no moment, so the triangle
 /// stays in equilibrium. A shift exists if and only if r_n <= 0 at both ends and |r_t,i +
-/// r_t,j| <= c_i + c_j; where mu varies the sum, which no shift changes, must be within
-/// EdgeCone's last condition, too. Otherwise the edge is left alone and listed.
+/// r_t,j| <= c_i + c_j; where mu varies the sum, which no shift changes, must also be at
+/// most c_i + c_j of the exchanged mu, mu_j p_i + mu_i p_j: enough for the cone between
+/// the ends (b_1 >= 0 of EdgeCone). Otherwise the edge is left alone and listed.
 struct ConeCorrection {
   ContactDensities densities;  ///< normal part unchanged
   /// d, one per edge [MPa]; 0 where none is needed or none exists

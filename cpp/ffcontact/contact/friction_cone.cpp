@@ -88,12 +88,37 @@ void add_end(const FrictionCone& cone, int end, EdgeCone& edge, Index& rows) {
   }
 }
 
-/// The condition on the sum of r_t.
-void add_sum(const ConesAtEnds& cones, EdgeCone& edge, Index& rows) {
+/// One sign's Bernstein coefficients of c + mu p -+ r_t as functions of the end values:
+/// their rows, and what is added to these.
+struct Bernstein {
+  Matrix<double, 3, 4> rows;
+  Vector3d constant;
+};
+
+Bernstein bernstein(const ConesAtEnds& cones, int sign) {
+  const double mi = cones[0].friction, mj = cones[1].friction;
+  const double ci = cones[0].cohesion, cj = cones[1].cohesion;
+  const double half = 0.5 * sign;
+  Bernstein b{{}, {ci, 0.5 * (ci + cj), cj}};
+  b.rows << -mi, -sign, 0, 0, -0.5 * mj, -half, -0.5 * mi, -half, 0, 0, -mj, -sign;
+  return b;
+}
+
+/// The conditions between the ends.
+void add_between(const ConesAtEnds& cones, EdgeCone& edge, Index& rows) {
   if (cones[0].friction == cones[1].friction) return;
   for (const int sign : {1, -1}) {
-    edge.C.row(rows) << -cones[1].friction, sign, -cones[0].friction, sign;
-    edge.d[rows++] = -cones[0].cohesion - cones[1].cohesion;
+    const Bernstein b = bernstein(cones, sign);
+    for (int k = -EdgeCone::rays; k <= EdgeCone::rays + 1; ++k) {
+      // infinitely far rays are the ends themselves
+      const double low = k == -EdgeCone::rays ? 0 : std::exp2(0.5 * (k - 1));
+      const double high = std::exp2(0.5 * k);
+      Vector3d weights(low, 1, 0);
+      if (k <= EdgeCone::rays)
+        weights = Vector3d(low * high, low + high, 1) / (low + high);
+      edge.C.row(rows) = weights.transpose() * b.rows;
+      edge.d[rows++] = -weights.dot(b.constant);
+    }
   }
 }
 
@@ -114,19 +139,10 @@ EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
                   VectorXd::Zero(EdgeCone::most_rows)};
   Index rows = 0;
   for (int end = 0; end < 2; ++end) add_end(cones[end], end, result, rows);
-  add_sum(cones, result, rows);
+  add_between(cones, result, rows);
   result.C.conservativeResize(rows, Eigen::NoChange);
   result.d.conservativeResize(rows);
   return result;
-}
-
-double largest_sum(const ConesAtEnds& cones, const Vector2d& normal) {
-  const Vector2d p = (-normal).cwiseMax(0.0);
-  const double ends = cones[0].bound(normal[0]) + cones[1].bound(normal[1]);
-  if (cones[0].friction == cones[1].friction) return ends;
-  const double middle = cones[0].cohesion + cones[1].cohesion + cones[0].friction * p[1] +
-                        cones[1].friction * p[0];
-  return std::min(ends, middle);
 }
 
 Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edge,
@@ -134,12 +150,15 @@ Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edg
   const ConesAtEnds cones = least_cones(line, law, edge);
   const Vector2d first = cones[0].clamped(r.head<2>()),
                  second = cones[1].clamped(r.tail<2>());
-  Vector2d tangential(first[1], second[1]);
-  const Vector2d normal(first[0], second[0]);
-  const double sum = largest_sum(cones, normal);
-  // sum >= 2 min(bounds)
-  if (std::abs(tangential.sum()) > sum) tangential *= sum / std::abs(tangential.sum());
-  return interleaved(normal, tangential);
+  const Vector2d normal(first[0], second[0]), tangential(first[1], second[1]);
+  if (cones[0].friction == cones[1].friction) return interleaved(normal, tangential);
+  const EdgeCone cone = edge_cone(line, law, edge);
+  const VectorXd without = cone.C * interleaved(normal, Vector2d::Zero()) - cone.d;
+  const VectorXd with = cone.C * interleaved(normal, tangential) - cone.d;
+  double part = 1;
+  for (Index row = 0; row < with.size(); ++row)
+    if (with[row] < 0) part = std::min(part, without[row] / (without[row] - with[row]));
+  return interleaved(normal, part * tangential);
 }
 
 double cone_defect(const ContactLine& line, const ContactLaw& law,

@@ -44,13 +44,19 @@ ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law, int edge)
 /// (r_n,i, r_t,i, r_n,j, r_t,j).
 ///
 /// With its least_cones and p = -r_n:
-///     r_n <= 0,   |r_t| <= c + mu p,   |r_t| <= k                   at both ends,
-///     |r_t,i + r_t,j| <= c_i + c_j + mu_i p_j + mu_j p_i            where mu_i and mu_j differ.
-/// The last one is the middle Bernstein coefficient of the quadratics c + mu p -+ r_t:
-/// with it the edge is in the cone all along. Without friction at an end r_t = 0 there is
-/// no inequality: it is not in C.
+///     r_n <= 0,   |r_t| <= c + mu p,   |r_t| <= k                   at both ends.
+/// Where mu_i and mu_j differ, the edge is in the cone all along if and only if the
+/// quadratics c + mu p -+ r_t with the Bernstein coefficients
+///     b_0 = (c + mu p -+ r_t)_i,   b_2 = (c + mu p -+ r_t)_j,
+///     2 b_1 = c_i + c_j + mu_i p_j + mu_j p_i -+ (r_t,i + r_t,j)
+/// have b_1 >= -sqrt(b_0 b_2). Chords between the rays b_2 = rho^2 b_0 with rho = 0,
+/// 2^(-rays/2), ..., 2^(rays/2), infinity take the place of the root,
+///     (rho_k + rho_l) b_1 + rho_k rho_l b_0 + b_2 >= 0              for neighbours k, l,
+/// at most 1.5 % inside it for ratios b_2 / b_0 up to 2^rays. Without friction at an end
+/// r_t = 0 there is no inequality: it is not in C.
 struct EdgeCone {
-  static constexpr Index most_rows = 12;
+  static constexpr int rays = 16;
+  static constexpr Index most_rows = 2 * (1 + 2 * 2 + 2 * rays + 2);
   Eigen::Array2<bool> frictionless;  ///< per end
   Matrix<double, Dynamic, 4> C;
   VectorXd d;
@@ -60,9 +66,6 @@ EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge);
 /// Cuts off the rounding of end values r that are in the cone of their edge but for it.
 Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edge,
                          const Vector4d& r);
-
-/// The largest sum of r_t at both ends that the cone of an edge allows for these r_n.
-double largest_sum(const ConesAtEnds& cones, const Vector2d& normal);
 
 /// Largest of r_n and |r_t| - c along all edges, with c from the lower bound of the
 /// coefficient, relative to the largest traction; 0 inside the cone.
