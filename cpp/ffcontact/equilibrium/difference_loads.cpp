@@ -11,23 +11,45 @@ TriangleCorners corners_of(const Mesh& mesh, int triangle) {
   return corners;
 }
 
+namespace {
+
+/// The loads of one side of a triangle, from vertex k+1 to k+2.
+Vector4d loads_of_side(const Mesh& mesh, const Edges& edges, int t, int k,
+                       const Vector4d& moments, const Vector3d& stress) {
+  const double eta = edges.eta(k, t);
+  const Vector4d b = eta * moments;
+  const Vector2d side = eta * edge_vector(mesh, edges, edges.of_cell(k, t));
+  const Vector2d half = 0.5 * traction(stress, turned_right(side));
+  const Vector4d seen = eta > 0 ? b : Vector4d(b[2], b[3], b[0], b[1]);
+  return seen - half.replicate<2, 1>();
+}
+
+}  // namespace
+
 EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
                                 const EdgeMoments& moments,
                                 const Ref<const Matrix3Xd>& stress) {
   EdgeLoadsOfAll loads(12, mesh.cells.cols());
 #pragma omp parallel for
   for (int t = 0; t < mesh.cell_count(); ++t)
+    for (int k = 0; k < 3; ++k)
+      loads.block<4, 1>(4 * k, t) = loads_of_side(
+          mesh, edges, t, k, moments.col(edges.of_cell(k, t)), stress.col(t));
+  return loads;
+}
+
+void put_boundary_loads(const Mesh& mesh, const Edges& edges,
+                        const BoundaryTractions& boundary,
+                        const Ref<const Matrix3Xd>& stress, EdgeLoadsOfAll& loads) {
+  for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int edge = edges.of_cell(k, t);
-      const double eta = edges.eta(k, t);
-      const Vector4d b = eta * moments.col(edge);
-      // from vertex k+1 to k+2
-      const Vector2d side = eta * edge_vector(mesh, edges, edge);
-      const Vector2d half = 0.5 * traction(stress.col(t), Vector2d(side.y(), -side.x()));
-      loads.block<2, 1>(4 * k, t) = (eta > 0 ? b.head<2>() : b.tail<2>()) - half;
-      loads.block<2, 1>(4 * k + 2, t) = (eta > 0 ? b.tail<2>() : b.head<2>()) - half;
+      if (!edges.on_boundary(edge)) continue;
+      const Vector4d known =
+          loads_of_side(mesh, edges, t, k, boundary.moments.col(edge), stress.col(t));
+      for (int c = 0; c < 4; ++c)
+        if (boundary.known(c % 2, edge)) loads(4 * k + c, t) = known[c];
     }
-  return loads;
 }
 
 }  // namespace ffcontact

@@ -16,6 +16,13 @@ EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
                                 const EdgeMoments& moments,
                                 const Ref<const Matrix3Xd>& stress);
 
+/// Known boundary tractions to the last digit in loads that have them but for rounding:
+/// the moments that an Airy function has on an edge are rounded like those on the longest
+/// edge beside it, which is too much for a short one.
+void put_boundary_loads(const Mesh& mesh, const Edges& edges,
+                        const BoundaryTractions& boundary,
+                        const Ref<const Matrix3Xd>& stress, EdgeLoadsOfAll& loads);
+
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 
 }  // namespace ffcontact

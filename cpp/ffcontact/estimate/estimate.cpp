@@ -108,6 +108,8 @@ RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
   result.contact = std::move(tractions.densities);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
+  put_boundary_loads(mesh, edges, bodies.boundary_with(result.contact), compared.stress,
+                     result.difference);
   return result;
 }
 
