@@ -85,14 +85,6 @@ class EdgeProjection {
     return moving().transpose() * moving_on_face(r, outside);
   }
 
-  /// r moved by what its face of the cone lets through of the motions.
-  Vector4d moved_on_face(const Vector4d& r, const Vector4d& outside,
-                         const VectorXd& eta) const {
-    const VectorXd step = moving_on_face(r, outside) * eta;
-    const VectorXd change = half_.transpose().triangularView<Eigen::Upper>().solve(step);
-    return clamped_to_cone(line_, law_, edge_, r + basis_ * change);
-  }
-
  private:
   /// The motions in the coordinates y = half' x of the free end values x [b x k].
   MatrixXd moving() const { return lower().solve(basis_.transpose() * mass_ * motions_); }
@@ -151,25 +143,14 @@ class Dual {
     return point;
   }
 
+  Point start() const { return at(VectorXd::Zero(resultants_.size())); }
+
   MatrixXd slope(const Point& point) const {
     MatrixXd sum = MatrixXd::Zero(resultants_.size(), resultants_.size());
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
       sum += edges_[e].slope(end_values(point.r, e),
                              edges_[e].moved(end_values(densities_, e), point.eta));
     return sum;
-  }
-
-  /// The tractions moved on their faces of the cone, eta beside what they are: where eta
-  /// itself is large its rounding is not that of the tractions.
-  Point moved_on_faces(const Point& point, const VectorXd& eta) const {
-    Point next{point.eta, point.r, -resultants_};
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      const Vector4d outside = edges_[e].moved(end_values(densities_, e), point.eta);
-      const Vector4d r = edges_[e].moved_on_face(end_values(point.r, e), outside, eta);
-      set_end_values(next.r, e, r);
-      next.off += edges_[e].resultants(r);
-    }
-    return next;
   }
 
   /// Sum of the sizes of the terms of the resultants.
@@ -213,17 +194,27 @@ class Dual {
   std::vector<EdgeProjection> edges_;
 };
 
-/// On the faces of the cone to the last digit of the resultants: clamping to the cone
-/// takes back some of the first step where a face is thin.
-Dual::Point moved_to_resultants(const Dual& dual, Dual::Point point) {
-  constexpr int most_moves = 4;
-  for (int k = 0; k < most_moves; ++k) {
-    Dual::Point closer = dual.moved_on_faces(
-        point, -least_squares_of_columns(dual.slope(point), point.off));
-    if (!(closer.off.norm() < point.off.norm())) break;
-    point = std::move(closer);
+/// Newton's method; nothing if it runs away. Where the dual is all but flat its last steps
+/// are long and lose digits: the point that was closest to the resultants.
+std::optional<Dual::Point> minimum(const Dual& dual, double length) {
+  Dual::Point point = dual.start(), closest = point;
+  const Index k = point.eta.size();
+  const double scale = dual.scale();
+  for (int step = 0; step < most_steps; ++step) {
+    const double rounding =
+        std::numeric_limits<double>::epsilon() * length * point.eta.norm();
+    if (point.off.cwiseAbs().maxCoeff() <=
+        std::max(resultant_tolerance * scale, 2 * rounding))
+      return closest;
+    // Regularised by what is left to do: no step is longer than the tractions, and the
+    // last ones are Newton's. [z] is of size 1: `length` is what the slope is where
+    // nothing is held.
+    const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
+    const MatrixXd slope = dual.slope(point) + regular * MatrixXd::Identity(k, k);
+    point = dual.moved(point, -slope.ldlt().solve(point.off));
+    if (point.off.norm() < closest.off.norm()) closest = point;
   }
-  return point;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -233,27 +224,15 @@ std::optional<ContactDensities> nearest_in_cone(const ContactLine& line,
                                                 const ContactDensities& densities,
                                                 const MatrixXd& motions,
                                                 const VectorXd& resultants) {
-  const Dual dual(line, law, densities, motions, resultants);
-  Dual::Point point = dual.at(VectorXd::Zero(motions.cols()));
-  if (motions.cols() == 0) return point.r;
-  const double scale = dual.scale();
-  const MatrixXd identity = MatrixXd::Identity(motions.cols(), motions.cols());
-  // [z] is of size 1: what the slope is where nothing is held
   const double length = line.length.sum();
-  for (int step = 0; step < most_steps; ++step) {
-    const double rounding =
-        std::numeric_limits<double>::epsilon() * length * point.eta.norm();
-    if (point.off.cwiseAbs().maxCoeff() <=
-        std::max(resultant_tolerance * scale, 2 * rounding)) {
-      return moved_to_resultants(dual, std::move(point)).r;
-    }
-    // Regularised by what is left to do: no step is longer than the tractions, and the
-    // last ones are Newton's.
-    const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
-    const MatrixXd slope = dual.slope(point) + regular * identity;
-    point = dual.moved(point, -slope.ldlt().solve(point.off));
-  }
-  return std::nullopt;
+  const Dual dual(line, law, densities, motions, resultants);
+  if (motions.cols() == 0) return dual.start().r;
+  const auto nearest = minimum(dual, length);
+  if (!nearest) return std::nullopt;
+  // Where eta is large the resultants have its rounding, from r itself they have not.
+  const auto closer =
+      minimum(Dual(line, law, nearest->r, motions, resultants), length);
+  return closer && closer->off.norm() < nearest->off.norm() ? closer->r : nearest->r;
 }
 
 VectorXd resultants_of(const ContactLine& line, const ContactDensities& densities,
