@@ -50,5 +50,31 @@ TEST(ComplianceRatio, of_traces_that_cannot_yield) {
   EXPECT_EQ(ratio_of(sideways.problem), before);
 }
 
+/// Two squares on each other, turned by half a radian.
+Bodies inclined_pair() {
+  return bodies({rotated(shifted(rectangle(1, 1, 2, 2), {0, 2}), 0.5),
+                 rotated(rectangle(1, 1, 2, 2), 0.5)},
+                {material(3, 0.3), material(1, 0.1)}, {{0, bottom, 1, top}});
+}
+
+TEST(ComplianceRatio, of_rollers_counts_the_components_that_are_free) {
+  Bodies two = inclined_pair();
+  Problem& problem = two.problem;
+  prescribe(problem, two.label(0, bottom), 0);
+  prescribe(problem, two.label(1, top), 0);
+  const ElasticSystem system = problem.system();
+  const auto compliance = [&](int edge) {
+    double sum = 0;
+    for (const int v : problem.edges.vertices.col(edge))
+      sum += 1 / system.stiffness.coeff(2 * v + 1, 2 * v + 1);
+    return sum;
+  };
+  const FacingPiece& piece = problem.line.pieces[0];
+  EXPECT_NEAR(
+      ratio_of(problem),
+      compliance(piece.opposite_edge) / compliance(problem.line.edge[piece.contact_edge]),
+      1e-12);
+}
+
 }  // namespace
 }  // namespace ffcontact

@@ -13,12 +13,12 @@ constexpr double along_the_line = 1e-3;
 /// Ratios beyond this, as that to a rigid trace, count as this.
 constexpr double largest_ratio = 1e12;
 
-/// 1 / (n' K_vv n), or 0 at a vertex that is prescribed along n.
+/// 1 / (n' K_vv n) on the free components, or 0 at a vertex that none moves along n.
 double nodal_compliance(const ElasticSystem& system, int vertex, const Vector2d& n) {
   double stiffness = 0;
   for (int i = 0; i < 2; ++i) {
     if (std::abs(n[i]) < along_the_line) continue;
-    if (system.prescribed[2 * vertex + i]) return 0;
+    if (system.prescribed[2 * vertex + i]) continue;
     for (int j = 0; j < 2; ++j)
       if (!system.prescribed[2 * vertex + j])
         stiffness += n[i] * system.stiffness.coeff(2 * vertex + i, 2 * vertex + j) * n[j];

@@ -12,7 +12,8 @@ namespace ffcontact {
 ///     log (c_opposite / c_own),    c = h / k,    1/k = mean of 1 / (n' K_vv n) over the ends v of the edge,
 /// as its exponential [-]. h is the length of the mesh edge and K_vv the 2 x 2 block of
 /// the stiffness at a vertex, n' K_vv n / h the modulus times a number of the mesh's
-/// angles; a vertex that is prescribed along n does not yield.
+/// angles; prescribed components count as rigid, and a vertex whose free ones do not
+/// move it along n does not yield.
 ///
 /// A multiplier a node of a trace that yields much less than the other one asks the other
 /// trace for more than it can do between its own nodes: contact opens and closes from
