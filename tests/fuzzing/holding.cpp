@@ -66,7 +66,8 @@ double distance_to_cone(const Dense& columns, const VectorXd& wanted) {
         best = j;
     if (best < 0 || slope[best] <= 1e-14 * wanted.norm()) break;
     used.push_back(static_cast<int>(best));
-    for (VectorXd y = least(); !used.empty(); y = least()) {
+    while (!used.empty()) {
+      const VectorXd y = least();
       double step = 1;
       for (std::size_t k = 0; k < used.size(); ++k)
         if (y[k] <= 0) step = std::min(step, x[used[k]] / (x[used[k]] - y[k]));
