@@ -75,7 +75,7 @@ RC_GTEST_PROP(CondensedContact, v_is_the_weighted_trace_of_the_extended_displace
   const VectorXd v = random_vector(c.contact.S.rows(), random),
                  q = random_vector(c.contact.E.cols(), random);
   const VectorXd u =
-      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, q)) +
+      c.stiffness.extended(c.contact.load, kept_displacement(c.contact, v, q)) +
       c.system.prescribed_value;
   const VectorXd trace = weighted_trace(c.problem, u);
   const VectorXd dependent =
@@ -100,7 +100,7 @@ RC_GTEST_PROP(CondensedContact, multipliers_hold_the_displacement_in_equilibrium
     P[row] = k >= 0 ? P_primary[k] : q[-1 - k];
   }
   const VectorXd u =
-      c.stiffness.extended(c.system.load, kept_displacement(c.contact, v, q));
+      c.stiffness.extended(c.contact.load, kept_displacement(c.contact, v, q));
   const VectorXd load = load_of(c.problem, P),
                  residual = c.system.stiffness * u - c.system.load - load;
   const double scale =

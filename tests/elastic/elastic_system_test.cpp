@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "support/free_displacement.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
@@ -58,11 +59,6 @@ Assembled pulled_square(double tgv, double value) {
 }
 
 ElasticSystem read(const Assembled& system) { return elastic_system(system.A, system.b); }
-
-VectorXd displacement(const ElasticSystem& system) {
-  return CondensedStiffness(system, {}).extended(system.load, VectorXd()) +
-         system.prescribed_value;
-}
 
 std::string refusal_of(const Assembled& system) {
   return refusal([&] { read(system); });

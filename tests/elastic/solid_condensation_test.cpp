@@ -7,6 +7,7 @@
 
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
+#include "support/free_displacement.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"
 
@@ -75,19 +76,18 @@ RC_GTEST_PROP(SolidCondensation, is_the_inverse_of_the_dense_inverse_at_the_kept
             1e-10);
   // S u_c = g for the u_c of the whole solution
   const VectorXd u = inverse * body.system.load(dofs);
-  const VectorXd g = condensed.condensed_load(body.system.load);
+  const VectorXd g = condensed.condensed(body.system.load).on_kept;
   RC_ASSERT(largest(condensed.schur() * u(places) - g) < 1e-10 * largest(g));
 }
 
 RC_GTEST_PROP(SolidCondensation, solves_as_the_whole_system_does, (Random random)) {
   const Body body = random_body(true, random);
   const std::vector<int> kept = random_kept(body, random);
-  const VectorXd whole =
-      CondensedStiffness(body.system, {}).extended(body.system.load, VectorXd());
+  const VectorXd whole = displacement(body.system) - body.system.prescribed_value;
   const CondensedStiffness condensed(body.system, kept);
-  const VectorXd u_c =
-      condensed.schur().partialPivLu().solve(condensed.condensed_load(body.system.load));
-  const VectorXd u = condensed.extended(body.system.load, u_c);
+  const CondensedStiffness::Load load = condensed.condensed(body.system.load);
+  const VectorXd u_c = condensed.schur().partialPivLu().solve(load.on_kept);
+  const VectorXd u = condensed.extended(load, u_c);
   RC_ASSERT(largest(u - whole) < 1e-11 * largest(whole));
   const std::vector<int> dofs = free_dofs(body.system);
   const VectorXd residual = body.system.stiffness * whole - body.system.load;

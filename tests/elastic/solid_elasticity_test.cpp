@@ -7,6 +7,7 @@
 
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
+#include "support/free_displacement.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 #include "support/solids.hpp"
@@ -37,11 +38,6 @@ VoigtMatrix<3> random_tensor(Random& random) {
 Matrix3d random_rotation(Random& random) {
   return Eigen::AngleAxisd(1.2, Vector3d(random_vector(3, random)).normalized())
       .toRotationMatrix();
-}
-
-VectorXd displacement(const ElasticSystem& system) {
-  return CondensedStiffness(system, {}).extended(system.load, VectorXd()) +
-         system.prescribed_value;
 }
 
 /// A body as FreeFEM assembles it.

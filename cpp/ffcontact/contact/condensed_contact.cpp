@@ -224,8 +224,9 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
   contact.v_prescribed = v_prescribed;
   VectorXd w_prescribed = VectorXd::Zero(f + o);
   w_prescribed.head(f) = factor.solve(v_prescribed(contact.primary));
-  const VectorXd forces = stiffness.condensed_load(load) +
-                          stiffness.schur() * VectorXd(contact.to_kept * w_prescribed);
+  contact.load = stiffness.condensed(load);
+  const VectorXd forces =
+      contact.load.on_kept + stiffness.schur() * VectorXd(contact.to_kept * w_prescribed);
   const VectorXd g_w = contact.to_kept.transpose() * forces;
   contact.g = factor.solve_transposed(g_w.head(f));
   contact.dependent_offset = v_prescribed(contact.dependent) -

@@ -40,11 +40,12 @@ struct CondensedContact {
   std::vector<int> continued;  ///< continued_rows of the dependent ones [d]
   /// of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
   VectorXi position;
-  MatrixXd S;                 ///< [f x f]
-  VectorXd g;                 ///< [f]
-  MatrixXd E;                 ///< [f x d]
-  MatrixXd F;                 ///< [d x d], zero on a rigid foundation
-  VectorXd dependent_offset;  ///< [d]
+  CondensedStiffness::Load load;  ///< on all dofs, as the body's factor sees it
+  MatrixXd S;                     ///< [f x f]
+  VectorXd g;                     ///< [f]
+  MatrixXd E;                     ///< [f x d]
+  MatrixXd F;                     ///< [d x d], zero on a rigid foundation
+  VectorXd dependent_offset;      ///< [d]
   /// free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
   std::vector<int> kept_dofs;
   /// displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]

@@ -75,7 +75,7 @@ Judged body_answer(const ContactLine& line, const ContactLaw& law,
                    const CondensedContact& contact, const ActiveSetResult& condensed) {
   const VectorXd kept = kept_displacement(contact, condensed.v(contact.primary),
                                           condensed.P(contact.dependent));
-  BodyAnswer answer{stiffness.extended(system.load, kept) + system.prescribed_value,
+  BodyAnswer answer{stiffness.extended(contact.load, kept) + system.prescribed_value,
                     condensed.P};
   const double residual = residual_defect(line, law, system, answer);
   Judged judged{std::move(answer), residual};

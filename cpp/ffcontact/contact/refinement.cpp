@@ -83,7 +83,8 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
     return answer;
   const VectorXd kept =
       kept_displacement(correction, rows.v(contact.primary), rows.P(contact.dependent));
-  return {answer.displacement + stiffness.extended(load, kept), answer.P + rows.P};
+  return {answer.displacement + stiffness.extended(correction.load, kept),
+          answer.P + rows.P};
 }
 
 }  // namespace ffcontact

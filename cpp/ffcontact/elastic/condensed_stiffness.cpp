@@ -256,22 +256,24 @@ CondensedStiffness& CondensedStiffness::operator=(CondensedStiffness&&) noexcept
 
 const MatrixXd& CondensedStiffness::schur() const { return factor_->schur; }
 
-VectorXd CondensedStiffness::condensed_load(const Ref<const VectorXd>& load) const {
+CondensedStiffness::Load CondensedStiffness::condensed(
+    const Ref<const VectorXd>& load) const {
   const Factor& f = *factor_;
-  const VectorXd y = f.forward(load).tail(f.kept_count());
-  return f.unscaled(f.trailing_factor.triangularView<Eigen::Lower>() * y);
+  VectorXd y = f.forward(load);
+  const auto L_cc = f.trailing_factor.triangularView<Eigen::Lower>();
+  VectorXd g = f.unscaled(L_cc * y.tail(f.kept_count()));
+  return {std::move(y), std::move(g)};
 }
 
 VectorXd CondensedStiffness::extended(
-    const Ref<const VectorXd>& load, const Ref<const VectorXd>& kept_displacement) const {
+    Load load, const Ref<const VectorXd>& kept_displacement) const {
   const Factor& f = *factor_;
   require_size("kept displacement", kept_displacement.size(), f.kept_count());
   const VectorXd u_c = f.unscaled(kept_displacement);
   // L' x = y has the trailing part L_cc' u_c = y_c: overwriting y_c prescribes u_c.
-  VectorXd y = f.forward(load);
-  y.tail(f.kept_count()) =
+  load.eliminated.tail(f.kept_count()) =
       f.trailing_factor.transpose().triangularView<Eigen::Upper>() * u_c;
-  return f.backward(y);
+  return f.backward(load.eliminated);
 }
 
 }  // namespace ffcontact

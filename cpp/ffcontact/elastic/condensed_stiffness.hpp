@@ -22,6 +22,12 @@ namespace ffcontact {
 /// of dofs.
 class CondensedStiffness {
  public:
+  /// A load after elimination of the interior, for one use of the factor's first half.
+  struct Load {
+    VectorXd eliminated;  ///< L^-1 R b [free dofs, as they are eliminated]
+    VectorXd on_kept;     ///< g = b_c - K_ci K_ii^-1 b_i [kept]
+  };
+
   /// @param kept  free dofs to keep, without repetition; the order is that of all vectors
   ///              and matrices of kept dofs
   /// @throws std::invalid_argument  if a kept dof is prescribed or out of range
@@ -35,14 +41,12 @@ class CondensedStiffness {
   /// S [kept x kept].
   const MatrixXd& schur() const;
 
-  /// g = b_c - K_ci K_ii^-1 b_i for a load on all dofs [kept]. The solution obeys S u_c =
-  /// g + contact forces.
-  VectorXd condensed_load(const Ref<const VectorXd>& load) const;
+  /// For a load on all dofs. The solution obeys S u_c = g + contact forces.
+  Load condensed(const Ref<const VectorXd>& load) const;
 
   /// The displacement on all dofs (0 on prescribed ones) that has u_c on the kept dofs
   /// and balances the load on the others.
-  VectorXd extended(const Ref<const VectorXd>& load,
-                    const Ref<const VectorXd>& kept_displacement) const;
+  VectorXd extended(Load load, const Ref<const VectorXd>& kept_displacement) const;
 
  private:
   struct Factor;

@@ -18,8 +18,9 @@ Rebalancing::Rebalancing(const ElasticSystem& system, const ContactLine& line,
 }
 
 VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
-  return stiffness_->extended(force_change,
-                              schur_.solve(stiffness_->condensed_load(force_change)));
+  CondensedStiffness::Load load = stiffness_->condensed(force_change);
+  const VectorXd kept = schur_.solve(load.on_kept);
+  return stiffness_->extended(std::move(load), kept);
 }
 
 }  // namespace ffcontact

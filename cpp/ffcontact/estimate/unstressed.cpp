@@ -9,14 +9,18 @@ namespace ffcontact {
 
 namespace {
 
-/// What a displacement of the length `given` along each contact edge would stress.
+/// What a displacement of the length `given` along each contact edge would stress on
+/// either side.
 double terms_along_line(const Edges& edges, const ContactLine& line, const Hooke& hooke,
                         double given) {
   double largest = 0;
-  for (int e = 0; e < line.edge_count(); ++e) {
-    const double stiffness = hooke[edges.cells(0, line.edge[e])].cwiseAbs().maxCoeff();
+  const auto count = [&](int edge, int e) {
+    const double stiffness = hooke[edges.cells(0, edge)].cwiseAbs().maxCoeff();
     largest = std::max(largest, stiffness * given / line.length[e]);
-  }
+  };
+  for (int e = 0; e < line.edge_count(); ++e) count(line.edge[e], e);
+  for (const FacingPiece& piece : line.pieces)
+    count(piece.opposite_edge, piece.contact_edge);
   return largest;
 }
 

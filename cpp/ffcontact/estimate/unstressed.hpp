@@ -11,8 +11,9 @@ namespace ffcontact {
 constexpr double rounding_of_terms = 1e-12;
 
 /// Equilibrium is judged against stresses and moments, and against this part of the terms
-/// that stresses are summed from.
-constexpr double least_part_of_terms = 1e-4;
+/// that stresses are summed from: 1e-10 of it is some five hundred units in their last
+/// place.
+constexpr double least_part_of_terms = 1e-3;
 
 /// The scale of the stresses' rounding.
 struct StressTerms {
