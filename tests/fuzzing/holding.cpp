@@ -90,7 +90,7 @@ double distance_to_cone(const Dense& columns, const VectorXd& wanted) {
 /// r_t where friction starts from 0 there.
 std::vector<double> places() {
   constexpr int steps = 32;
-  std::vector<double> result{1e-5, 1 - 1e-5};
+  std::vector<double> result{1e-6, 1 - 1e-6};
   for (int k = 0; k <= steps; ++k)
     result.push_back(std::pow(std::sin(k * std::acos(-1.) / (2 * steps)), 2));
   return result;
@@ -115,7 +115,7 @@ Dense work_of_densities(const Assembled& parts, const Dense& motions) {
 }
 
 /// -r_n >= 0 and -mu r_n +- r_t >= 0 at some places of each edge: what the cone asks for
-/// there [conditions x 4 edges].
+/// there, by the distance to the ends, where both may vanish [conditions x 4 edges].
 Dense cone_conditions(const Assembled& parts) {
   const ContactLine& line = parts.line;
   const std::vector<double> all = places();
@@ -126,12 +126,13 @@ Dense cone_conditions(const Assembled& parts) {
     for (const double s : all)
       for (int sign : {-1, 0, 1}) {
         const double hat[2] = {1 - s, s};
+        const double unit = s > 0 && s < 1 ? 1 / (4 * s * (1 - s)) : 1;
         const double mu = hat[0] * parts.law.friction[line.edge_node(0, e)] +
                           hat[1] * parts.law.friction[line.edge_node(1, e)];
         for (int end = 0; end < 2; ++end)
           conditions.row(row).segment<2>(4 * e + 2 * end)
-              << (sign == 0 ? -1 : -mu) * hat[end],
-              sign * hat[end];
+              << (sign == 0 ? -1 : -mu) * unit * hat[end],
+              sign * unit * hat[end];
         ++row;
       }
   return conditions;
