@@ -80,6 +80,10 @@ class EdgeProjection {
     return motions_.transpose() * (mass_ * r);
   }
 
+  VectorXd terms_of_resultants(const Vector4d& r) const {
+    return motions_.cwiseAbs().transpose() * (mass_ * r.cwiseAbs());
+  }
+
   /// d resultants / d eta where r is the projection of `outside`.
   MatrixXd slope(const Vector4d& r, const Vector4d& outside) const {
     return moving().transpose() * moving_on_face(r, outside);
@@ -157,7 +161,7 @@ class Dual {
   double scale() const {
     double sum = resultants_.cwiseAbs().maxCoeff();
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
-      sum += edges_[e].resultants(end_values(densities_, e)).cwiseAbs().maxCoeff();
+      sum += edges_[e].terms_of_resultants(end_values(densities_, e)).maxCoeff();
     return sum;
   }
 
