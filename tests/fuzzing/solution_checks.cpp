@@ -372,10 +372,12 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
       if (jams(parts, i, j)) worsen(Feasible::unknown);
   for (int i = 0; i < line.node_count(); ++i) {
     const int x = 2 * line.vertex[i];
-    bool movable = false;
+    double along = 0;
     for (int c = 0; c < 2; ++c)
-      movable =
-          movable || (!parts.prescribed[x + c] && std::abs(line.normal(c, i)) > 1e-6);
+      if (!parts.prescribed[x + c]) along = std::max(along, std::abs(line.normal(c, i)));
+    const bool movable = along > 1e-6;
+    // a motion out of the foundation a thousand times as long as its depth is none
+    if (movable && along < 2e-3 && w(0, i) > 0) worsen(Feasible::unknown);
     if (!movable && w(0, i) > 0)
       worsen(w(0, i) > 1e-6 * scale && problem.bodies.size() == 1 ? Feasible::no
                                                                   : Feasible::unknown);
