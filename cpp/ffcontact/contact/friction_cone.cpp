@@ -104,18 +104,23 @@ Bernstein bernstein(const ConesAtEnds& cones, int sign) {
   return b;
 }
 
+/// rho_k of EdgeCone.
+double ray(int k) { return k < -EdgeCone::rays ? 0 : std::exp2(0.5 * k); }
+
+/// Weights of b_0, b_1, b_2 in the condition between the rays k and k + 1.
+Vector3d chord(int k) {
+  const double low = ray(k), high = ray(k + 1);
+  if (k == EdgeCone::rays) return {low, 1, 0};  // high is infinite
+  return Vector3d(low * high, low + high, 1) / (low + high);
+}
+
 /// The conditions between the ends.
 void add_between(const ConesAtEnds& cones, EdgeCone& edge, Index& rows) {
   if (cones[0].friction == cones[1].friction) return;
   for (const int sign : {1, -1}) {
     const Bernstein b = bernstein(cones, sign);
-    for (int k = -EdgeCone::rays; k <= EdgeCone::rays + 1; ++k) {
-      // infinitely far rays are the ends themselves
-      const double low = k == -EdgeCone::rays ? 0 : std::exp2(0.5 * (k - 1));
-      const double high = std::exp2(0.5 * k);
-      Vector3d weights(low, 1, 0);
-      if (k <= EdgeCone::rays)
-        weights = Vector3d(low * high, low + high, 1) / (low + high);
+    for (int k = -EdgeCone::rays - 1; k <= EdgeCone::rays; ++k) {
+      const Vector3d weights = chord(k);
       edge.C.row(rows) = weights.transpose() * b.rows;
       edge.d[rows++] = -weights.dot(b.constant);
     }
@@ -152,6 +157,7 @@ Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edg
                  second = cones[1].clamped(r.tail<2>());
   const Vector2d normal(first[0], second[0]), tangential(first[1], second[1]);
   if (cones[0].friction == cones[1].friction) return interleaved(normal, tangential);
+  // r_n alone is in the cone, which is convex
   const EdgeCone cone = edge_cone(line, law, edge);
   const VectorXd without = cone.C * interleaved(normal, Vector2d::Zero()) - cone.d;
   const VectorXd with = cone.C * interleaved(normal, tangential) - cone.d;
