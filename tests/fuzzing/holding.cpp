@@ -86,11 +86,10 @@ double distance_to_cone(const Dense& columns, const VectorXd& wanted) {
   return (wanted - columns * x).norm();
 }
 
-/// Places on each edge, denser towards its ends: what is beside them bounds the slope of
-/// r_t where friction starts from 0 there.
+/// Places on each edge, denser towards its ends.
 std::vector<double> places() {
   constexpr int steps = 32;
-  std::vector<double> result{1e-6, 1 - 1e-6};
+  std::vector<double> result;
   for (int k = 0; k <= steps; ++k)
     result.push_back(std::pow(std::sin(k * std::acos(-1.) / (2 * steps)), 2));
   return result;
@@ -115,27 +114,37 @@ Dense work_of_densities(const Assembled& parts, const Dense& motions) {
 }
 
 /// -r_n >= 0 and -mu r_n +- r_t >= 0 at some places of each edge: what the cone asks for
-/// there, by the distance to the ends, where both may vanish [conditions x 4 edges].
+/// there; and the slope of the latter at ends without friction, where it vanishes
+/// [conditions x 4 edges].
 Dense cone_conditions(const Assembled& parts) {
   const ContactLine& line = parts.line;
   const std::vector<double> all = places();
-  Dense conditions = Dense::Zero(3 * static_cast<Index>(all.size()) * line.edge_count(),
-                                 4 * line.edge_count());
+  const auto rows = static_cast<Index>(3 * all.size() + 4);
+  Dense conditions = Dense::Zero(rows * line.edge_count(), 4 * line.edge_count());
   Index row = 0;
-  for (int e = 0; e < line.edge_count(); ++e)
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const double mu[2] = {parts.law.friction[line.edge_node(0, e)],
+                          parts.law.friction[line.edge_node(1, e)]};
+    const auto condition = [&](int end) {
+      return conditions.row(row).segment<2>(4 * e + 2 * end);
+    };
     for (const double s : all)
       for (int sign : {-1, 0, 1}) {
         const double hat[2] = {1 - s, s};
-        const double unit = s > 0 && s < 1 ? 1 / (4 * s * (1 - s)) : 1;
-        const double mu = hat[0] * parts.law.friction[line.edge_node(0, e)] +
-                          hat[1] * parts.law.friction[line.edge_node(1, e)];
+        const double factor = sign == 0 ? 1 : hat[0] * mu[0] + hat[1] * mu[1];
         for (int end = 0; end < 2; ++end)
-          conditions.row(row).segment<2>(4 * e + 2 * end)
-              << (sign == 0 ? -1 : -mu) * unit * hat[end],
-              sign * unit * hat[end];
+          condition(end) << -factor * hat[end], sign * hat[end];
         ++row;
       }
-  return conditions;
+    for (int end = 0; end < 2; ++end)
+      for (int sign : {-1, 1}) {
+        if (mu[end] > 0) continue;
+        condition(end) << -mu[1 - end], sign;
+        condition(1 - end) << 0, sign;
+        ++row;
+      }
+  }
+  return conditions.topRows(row);
 }
 
 }  // namespace

@@ -234,8 +234,7 @@ std::optional<ContactDensities> nearest_in_cone(const ContactLine& line,
   const auto nearest = minimum(dual, length);
   if (!nearest) return std::nullopt;
   // Where eta is large the resultants have its rounding, from r itself they have not.
-  const auto closer =
-      minimum(Dual(line, law, nearest->r, motions, resultants), length);
+  const auto closer = minimum(Dual(line, law, nearest->r, motions, resultants), length);
   return closer && closer->off.norm() < nearest->off.norm() ? closer->r : nearest->r;
 }
 
