@@ -17,8 +17,7 @@ constexpr double largest_ratio = 1e12;
 double nodal_compliance(const ElasticSystem& system, int vertex, const Vector2d& n) {
   double stiffness = 0;
   for (int i = 0; i < 2; ++i) {
-    if (std::abs(n[i]) < along_the_line) continue;
-    if (system.prescribed[2 * vertex + i]) continue;
+    if (system.prescribed[2 * vertex + i] || std::abs(n[i]) < along_the_line) continue;
     for (int j = 0; j < 2; ++j)
       if (!system.prescribed[2 * vertex + j])
         stiffness += n[i] * system.stiffness.coeff(2 * vertex + i, 2 * vertex + j) * n[j];
