@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "ffcontact/contact/nodal_law.hpp"
 #include "support/cases.hpp"
@@ -31,7 +32,9 @@ const Matrix2Xd& multiplier_of(const Solved& s) {
 }
 
 double defect(const Solved& s, const VectorXd& u, const Matrix2Xd& P) {
-  return complementarity_defect(s.problem.line, s.problem.law, u, P);
+  const auto& [line, law] = std::tie(s.problem.line, s.problem.law);
+  const HeldRows held = held_rows(line, law, s.problem.system());
+  return complementarity_defect(line, law, held, u, P);
 }
 
 /// The defect when one number of the multipliers is changed by a part of the largest.

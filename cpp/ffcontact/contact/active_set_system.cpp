@@ -6,7 +6,6 @@
 
 #include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/least_squares.hpp"
-#include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
 
@@ -17,6 +16,8 @@ constexpr double singular = 1e-13;
 /// Residual, relative to the right-hand side, up to which a singular system counts as
 /// solved.
 constexpr double solved = 1e-10;
+/// A row that the unknowns move by less than this part is none of theirs.
+constexpr double unsteered = 1e-6;
 /// Stiffness, relative to the diagonal, that holds a body which nothing else holds.
 constexpr double leash = 1e-8;
 

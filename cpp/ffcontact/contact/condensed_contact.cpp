@@ -91,18 +91,18 @@ int number_opposite(const ContactLine& line, const std::vector<char>& prescribed
   return unknowns;
 }
 
-/// Trace operator of all rows, [u]_rows = T w.
-SparseMatrix trace_operator(const ContactLine& line,
+/// Trace operator of all rows, [u]_rows = T w; 0 on held rows.
+SparseMatrix trace_operator(const ContactLine& line, const std::vector<char>& held,
                             const std::map<int, VertexMotion>& motions, Index unknowns) {
   Triplets entries;
   const auto add_motion = [&](int node, int vertex, double factor) {
     const VertexMotion& motion = motions.at(vertex);
-    for (Index k = 0; k < motion.directions.cols(); ++k) {
-      entries.emplace_back(2 * node, motion.column + k,
-                           factor * line.normal.col(node).dot(motion.directions.col(k)));
-      entries.emplace_back(2 * node + 1, motion.column + k,
-                           factor * line.tangent(node).dot(motion.directions.col(k)));
-    }
+    const Vector2d direction[2] = {line.normal.col(node), line.tangent(node)};
+    for (Index k = 0; k < motion.directions.cols(); ++k)
+      for (int c = 0; c < 2; ++c)
+        if (!held[2 * node + c])
+          entries.emplace_back(2 * node + c, motion.column + k,
+                               factor * direction[c].dot(motion.directions.col(k)));
   };
   for (int i = 0; i < line.node_count(); ++i) {
     add_motion(i, line.vertex[i], 1);
@@ -136,18 +136,6 @@ SparseMatrix kept_operator(const std::map<int, VertexMotion>& motions,
   SparseMatrix Q(static_cast<Index>(kept.size()), unknowns);
   Q.setFromTriplets(entries.begin(), entries.end());
   return Q;
-}
-
-/// Rows of dependent multipliers that free dofs steer by less than `unsteered` are those
-/// of prescribed values alone: a force that had to act through what is left would be
-/// larger than all others by as much.
-void forget_unsteered_rows(const SparseMatrix& W, CondensedContact& contact) {
-  const VectorXd steered = contact.A.cwiseAbs() * VectorXd::Ones(contact.A.cols());
-  const VectorXd whole = W.cwiseAbs() * VectorXd::Ones(W.cols());
-  contact.A.prune([&](Index row, Index, double) {
-    return contact.is_primary(static_cast<int>(row)) ||
-           steered[row] > unsteered * whole[row];
-  });
 }
 
 /// Of A on the primary rows.
@@ -257,13 +245,6 @@ std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& syst
   return dofs;
 }
 
-std::vector<char> idle_rows(const CondensedContact& contact) {
-  std::vector<char> idle(contact.position.size(), 0);
-  for (std::size_t d = 0; d < contact.dependent.size(); ++d)
-    idle[contact.dependent[d]] = !contact.loads_the_body(static_cast<Index>(d));
-  return idle;
-}
-
 double motion_scale(const CondensedContact& contact, const VectorXd& v) {
   double scale = v.cwiseAbs().maxCoeff();
   for (Index i = 0; i < contact.g.size(); ++i) {
@@ -279,6 +260,7 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness) {
   CondensedContact contact;
+  contact.held = held_rows(line, law, system);
   contact.kept_dofs = contact_dofs(line, system);
   std::map<int, VertexMotion> motions = number_rows(line, system.prescribed, contact);
   if (contact.primary.empty()) refuse("every dof of the contact line is prescribed");
@@ -288,13 +270,13 @@ CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& la
                                        static_cast<int>(contact.primary.size()), motions);
 
   const SparseMatrix W = weight_of_rows(law.multiplier, line);
-  contact.A = W * trace_operator(line, motions, unknowns);
-  forget_unsteered_rows(W, contact);
+  contact.A = W * trace_operator(line, contact.held.row, motions, unknowns);
   contact.to_kept = kept_operator(motions, contact.kept_dofs, unknowns);
   const SparseLu factor = primary_factor(contact);
   condense_opposite(relation_with_opposite(stiffness, factor, contact), contact);
   const VectorXd v_prescribed =
-      W * displacement_against_foundation(line, law, system.prescribed_value).reshaped();
+      W *
+      steered_displacement(line, law, contact.held, system.prescribed_value).reshaped();
   put_loads(stiffness, system.load, v_prescribed, factor, contact);
   return contact;
 }

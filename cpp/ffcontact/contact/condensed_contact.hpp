@@ -6,7 +6,7 @@
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
 namespace ffcontact {
@@ -31,10 +31,9 @@ namespace ffcontact {
 /// contact can hold the bodies at all.
 ///
 /// At a vertex with one free dof the primary row is the normal one unless the dof is
-/// tangential. A dependent row that free dofs move by less than 1e-6 of its weights, as
-/// where a prescribed vertex all but faces a prescribed one, is taken for one that they
-/// do not move.
+/// tangential.
 struct CondensedContact {
+  HeldRows held;
   std::vector<int> primary;    ///< row of each primary unknown [f]
   std::vector<int> dependent;  ///< row of each dependent unknown [d]
   std::vector<int> continued;  ///< continued_rows of the dependent ones [d]
@@ -67,9 +66,6 @@ struct CondensedContact {
     return !E.col(d).isZero(0) || !F.col(d).isZero(0);
   }
 };
-
-/// 1 for the rows whose multiplier does not load the body [2 p].
-std::vector<char> idle_rows(const CondensedContact& contact);
 
 /// The free dofs of the vertices on the line, in the order of its nodes, then those of
 /// the opposite vertices.

@@ -52,7 +52,7 @@ Judged refined_answer(const ContactLine& line, const ContactLaw& law,
   for (int k = 0; k < most_steps && best.residual > rounding; ++k) {
     BodyAnswer next = refined(line, law, system, stiffness, contact, state, best.answer);
     put_into_law(nodal, state, next.P);
-    const double residual = residual_defect(line, law, system, next);
+    const double residual = residual_defect(line, law, system, contact.held, next);
     if (!(residual < 0.5 * best.residual)) break;
     best = {std::move(next), residual};
   }
@@ -62,10 +62,11 @@ Judged refined_answer(const ContactLine& line, const ContactLaw& law,
 /// Multipliers that the residual does not notice are none with Coulomb's law: their
 /// friction would know no slip.
 Judged without_rounding(const ContactLine& line, const ContactLaw& law,
-                        const ElasticSystem& system, Judged judged) {
+                        const ElasticSystem& system, const HeldRows& held,
+                        Judged judged) {
   if (law.tresca()) return judged;
   BodyAnswer none{judged.answer.displacement, VectorXd::Zero(judged.answer.P.size())};
-  const double residual = residual_defect(line, law, system, none);
+  const double residual = residual_defect(line, law, system, held, none);
   return residual <= rounding ? Judged{std::move(none), residual} : judged;
 }
 
@@ -77,12 +78,12 @@ Judged body_answer(const ContactLine& line, const ContactLaw& law,
                                           condensed.P(contact.dependent));
   BodyAnswer answer{stiffness.extended(contact.load, kept) + system.prescribed_value,
                     condensed.P};
-  const double residual = residual_defect(line, law, system, answer);
+  const double residual = residual_defect(line, law, system, contact.held, answer);
   Judged judged{std::move(answer), residual};
   if (condensed.status != ContactStatus::converged) return judged;
   judged = refined_answer(line, law, system, stiffness, contact, condensed.state,
                           std::move(judged));
-  return without_rounding(line, law, system, std::move(judged));
+  return without_rounding(line, law, system, contact.held, std::move(judged));
 }
 
 /// A state as answers have it.
@@ -194,9 +195,8 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
 
   // 4. What the theory promises, measured.
   solution.residual = whole.residual;
-  solution.complementarity =
-      complementarity_defect(line, law, solution.displacement, P,
-                             law_scales(contact, answer.v), idle_rows(contact));
+  solution.complementarity = complementarity_defect(
+      line, law, contact.held, solution.displacement, P, law_scales(contact, answer.v));
   solution.status = judged_status(answer.status, solution, settings.tolerance);
   return solution;
 }

@@ -79,17 +79,16 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
 }
 
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
+                              const HeldRows& held,
                               const Ref<const VectorXd>& displacement,
                               const Ref<const Matrix2Xd>& multiplier,
-                              const LawScales& least, const std::vector<char>& idle) {
+                              const LawScales& least) {
   const SparseMatrix W = weight_of_rows(law.multiplier, line);
-  VectorXd v = W * displacement_against_foundation(line, law, displacement).reshaped();
+  const VectorXd v = W * steered_displacement(line, law, held, displacement).reshaped();
   const VectorXd weight =
       weight_matrix(law.multiplier, line) * VectorXd::Ones(line.node_count());
   const double largest = largest_displacement(law, displacement);
   const double scale = std::max(least.v, largest * weight.maxCoeff());
-  for (std::size_t row = 0; row < idle.size(); ++row)
-    if (idle[row] && std::abs(v[row]) <= unsteered * scale) v[row] = 0;
   return law_violation(nodal_law(law, line), multiplier.reshaped(), v, {scale, least.P});
 }
 

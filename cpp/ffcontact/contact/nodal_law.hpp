@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
 
 namespace ffcontact {
@@ -43,17 +43,15 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
 /// largest multiplier, or the largest displacement of the body, gap or previous
 /// displacement.
 /// @param displacement  on all dofs [mm]
+/// @param held          of steered_displacement
 /// @param multiplier    (P_n, P_t) at each node [2 x p]
 /// @param least         what v = W (u - gap) and P are relative to at least: where all
 ///                      nodes stick u is nothing but rounding, and P where none is loaded
-/// @param idle          1 for rows 2 i + c whose multiplier moves nothing: v is that of
-///                      prescribed values there, to 1e-6 of the
-///                      scale, and 0 where it is below that; empty for none
 double complementarity_defect(const ContactLine& line, const ContactLaw& law,
+                              const HeldRows& held,
                               const Ref<const VectorXd>& displacement,
                               const Ref<const Matrix2Xd>& multiplier,
-                              const LawScales& least = {},
-                              const std::vector<char>& idle = {});
+                              const LawScales& least = {});
 
 /// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b,
 /// and P_t = -s b where a node slips.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/nodal_pressures.hpp"
 
-#include <cmath>
-
 #include "ffcontact/base/sparse_lu.hpp"
+#include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/interface/facing_traces.hpp"
 
 namespace ffcontact {
@@ -20,34 +19,15 @@ VectorXi neighbours(const ContactLine& line) {
   return neighbour;
 }
 
-/// 1 for the rows 2 i + c whose direction moves no free dof, on either body.
-std::vector<char> rows_without_work(const ContactLine& line,
-                                    const std::vector<char>& prescribed) {
-  std::vector<char> without(2 * line.node_count(), 1);
-  for (int i = 0; i < line.node_count(); ++i) {
-    const Vector2d direction[2] = {line.normal.col(i), line.tangent(i)};
-    const auto works_at = [&](int vertex, double weight) {
-      for (int c = 0; c < 2; ++c)
-        for (int k = 0; k < 2; ++k)
-          if (!prescribed[2 * vertex + k] &&
-              std::abs(weight * direction[c][k]) > unsteered)
-            without[2 * i + c] = 0;
-    };
-    works_at(line.vertex[i], 1);
-    visit_opposite(line, i, works_at);
-  }
-  return without;
-}
-
 /// The row whose equation gives the value of each row: its own, that it is continued
 /// from, or -1 for a value of 0 [2 p].
 std::vector<int> sources(const ContactLine& line, const std::vector<char>& prescribed) {
-  const std::vector<char> without = rows_without_work(line, prescribed);
+  const std::vector<char> held = held_rows(line, prescribed);
   const std::vector<int> continued = continued_rows(line, prescribed);
-  std::vector<int> source(without.size());
+  std::vector<int> source(held.size());
   for (int row = 0; row < static_cast<int>(source.size()); ++row) {
     const int next = continued[row];
-    source[row] = !without[row] ? row : next >= 0 && !without[next] ? next : -1;
+    source[row] = !held[row] ? row : next >= 0 && !held[next] ? next : -1;
   }
   return source;
 }

@@ -13,10 +13,6 @@ namespace ffcontact {
 ///     p_i = F_i / len_i,  len_i = int psi_i:   in the cone where F is, with the same resultant; what a contact pressure looks like
 ///     lambda_h = M^-1 F [CHH01, 3.1]:          the density with the loads F; alternates, and is tensile at open nodes
 
-/// A row that free dofs move by less than this part of its weights is one that they do
-/// not move.
-constexpr double unsteered = 1e-6;
-
 /// len_i = int psi_i, the length of the line that belongs to each node [mm, p].
 VectorXd nodal_lengths(const ContactLine& line);
 
@@ -26,9 +22,8 @@ Matrix2Xd lumped_pressures(const ContactLine& line, const Ref<const Matrix2Xd>& 
 /// The forces F_i = int lambda_h psi_i of a density with these nodal values [2 x p].
 Matrix2Xd forces_of(const ContactLine& line, const Ref<const Matrix2Xd>& density);
 
-/// lambda_h with M lambda_h = F on the rows whose forces load a body [2 x p].
-///
-/// A force on a prescribed dof, of either body, loads none, and F is not read there:
+/// lambda_h with M lambda_h = F on the rows whose forces load a body [2 x p]. On
+/// held_rows F is not read:
 /// lambda_t = 0 at a vertex that may move along n (symmetry demands it); lambda_n, and
 /// both at a clamped vertex, are continued from the next node of the line.
 /// @param prescribed  1 where the dof is prescribed [2 * vertices]

@@ -13,15 +13,11 @@ namespace {
 
 constexpr double share_of_terms = 1e-4;
 
-/// Contact forces on all dofs: F_n n + F_t t at every node, and against it on the
-/// opposite body.
-VectorXd contact_load(const ContactLine& line, const Matrix2Xd& force, Index dofs) {
-  VectorXd load = VectorXd::Zero(dofs);
-  for (int i = 0; i < line.node_count(); ++i) {
-    const Vector2d F = force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i);
-    add_nodal_force(line, i, F, load);
-  }
-  return load;
+/// Of the contact forces W P on all dofs.
+VectorXd contact_load(const ContactLine& line, const ContactLaw& law,
+                      const HeldRows& held, const BodyAnswer& answer) {
+  return nodal_load(line, loading_forces(held.row, nodal_forces_of(line, law, answer.P)),
+                    answer.displacement.size());
 }
 
 /// b + contact forces - K u on the free dofs.
@@ -42,10 +38,10 @@ Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
 }
 
 double residual_defect(const ContactLine& line, const ContactLaw& law,
-                       const ElasticSystem& system, const BodyAnswer& answer) {
+                       const ElasticSystem& system, const HeldRows& held,
+                       const BodyAnswer& answer) {
   const VectorXd& u = answer.displacement;
-  const VectorXd contact =
-      contact_load(line, nodal_forces_of(line, law, answer.P), u.size());
+  const VectorXd contact = contact_load(line, law, held, answer);
   const VectorXd r = residual(system, u, contact);
   const double apart = largest_given(law);
   double forces = 0;
@@ -68,11 +64,11 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
                    const ElasticSystem& system, const CondensedStiffness& stiffness,
                    const CondensedContact& contact,
                    const std::vector<ContactState>& state, const BodyAnswer& answer) {
-  const VectorXd forces = contact_load(line, nodal_forces_of(line, law, answer.P),
-                                       answer.displacement.size());
+  const VectorXd forces = contact_load(line, law, contact.held, answer);
   const VectorXd load = residual(system, answer.displacement, forces);
-  VectorXd v = weight_of_rows(law.multiplier, line) *
-               displacement_against_foundation(line, law, answer.displacement).reshaped();
+  VectorXd v =
+      weight_of_rows(law.multiplier, line) *
+      steered_displacement(line, law, contact.held, answer.displacement).reshaped();
   for (Index row = 0; row < v.size(); ++row)
     if (!holds(state[row / 2], static_cast<int>(row % 2))) v[row] = 0;
   const CondensedContact correction = with_loads(contact, stiffness, load, v);

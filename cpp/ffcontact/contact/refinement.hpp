@@ -24,7 +24,8 @@ Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
 /// stiff body moves much more than it strains, and where nothing but gaps and prescribed
 /// motions load the body.
 double residual_defect(const ContactLine& line, const ContactLaw& law,
-                       const ElasticSystem& system, const BodyAnswer& answer);
+                       const ElasticSystem& system, const HeldRows& held,
+                       const BodyAnswer& answer);
 
 /// One step of iterative refinement with the states kept: the residual and the
 /// displacements that the states forbid are taken for the loads of a correction

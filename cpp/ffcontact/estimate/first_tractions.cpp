@@ -5,15 +5,16 @@
 #include <optional>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/nearest_in_cone.hpp"
-#include "ffcontact/estimate/nodal_forces.hpp"
 #include "ffcontact/estimate/published_tractions.hpp"
 #include "ffcontact/estimate/rebalancing.hpp"
+#include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
 
@@ -50,9 +51,11 @@ BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
 
 /// Forces of lambda_h on all dofs.
 VectorXd computed_forces(const SolvedProblem& solved) {
-  const ContactLine& line = solved.line;
-  return nodal_forces(solved.topology.mesh, line,
-                      edge_densities(line, solved.body.pressure));
+  const auto& [topology, line, system, body] = solved;
+  return nodal_load(
+      line,
+      loading_forces(held_rows(line, system.prescribed), forces_of(line, body.pressure)),
+      system.dof_count());
 }
 
 /// What the stresses of u_h lack beside the given loads; contact tractions are not among

@@ -10,4 +10,8 @@ namespace ffcontact {
 void add_nodal_force(const ContactLine& line, int node, const Vector2d& force,
                      VectorXd& forces);
 
+/// Nodal forces (F_n, F_t) as a load on all dofs [N/mm].
+VectorXd nodal_load(const ContactLine& line, const Ref<const Matrix2Xd>& force,
+                    Index dofs);
+
 }  // namespace ffcontact
