@@ -67,7 +67,8 @@ Expression NamedArguments::expression(const std::string& name) const {
   return k == nowhere ? nullptr : values_[k];
 }
 
-Expression NamedArguments::component(const std::string& name, int k, int size) const {
+Expression NamedArguments::component(const std::string& name, int k,
+                                     int size) const {
   if (!given(name)) return nullptr;
   const std::vector<Expression>& components = components_[place(name)];
   if (static_cast<int>(components.size()) != size)
@@ -89,7 +90,8 @@ double NamedArguments::number(Stack stack, const std::string& name,
   return value ? GetAny<double>((*value)(stack)) : otherwise;
 }
 
-long NamedArguments::integer(Stack stack, const std::string& name, long otherwise) const {
+long NamedArguments::integer(Stack stack, const std::string& name,
+                             long otherwise) const {
   const Expression value = expression(name);
   return value ? GetAny<long>((*value)(stack)) : otherwise;
 }
@@ -105,7 +107,8 @@ bool NamedArguments::flag(Stack stack, const std::string& name) const {
   return value && GetAny<bool>((*value)(stack));
 }
 
-std::vector<int> NamedArguments::integers(Stack stack, const std::string& name) const {
+std::vector<int> NamedArguments::integers(Stack stack,
+                                          const std::string& name) const {
   const std::size_t k = place(name);
   std::vector<int> result;
   if (!given(name)) return result;
@@ -119,7 +122,8 @@ std::vector<int> NamedArguments::integers(Stack stack, const std::string& name) 
           static_cast<int>(GetAny<long>((*CastTo<long>((*list)[i]))(stack))));
   } else {
     const KN_<long> array = GetAny<KN_<long>>((*value)(stack));
-    for (int i = 0; i < array.N(); ++i) result.push_back(static_cast<int>(array[i]));
+    for (int i = 0; i < array.N(); ++i)
+      result.push_back(static_cast<int>(array[i]));
   }
   return result;
 }
@@ -142,17 +146,20 @@ void NamedArguments::put_integers(Stack stack, const std::string& name,
   for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
 }
 
-void NamedArguments::put(Stack stack, const std::string& name, double value) const {
+void NamedArguments::put(Stack stack, const std::string& name,
+                         double value) const {
   if (const Expression target = expression(name))
     *GetAny<double*>((*target)(stack)) = value;
 }
 
-void NamedArguments::put(Stack stack, const std::string& name, long value) const {
+void NamedArguments::put(Stack stack, const std::string& name,
+                         long value) const {
   if (const Expression target = expression(name))
     *GetAny<long*>((*target)(stack)) = value;
 }
 
-void NamedArguments::put(Stack stack, const std::string& name, bool value) const {
+void NamedArguments::put(Stack stack, const std::string& name,
+                         bool value) const {
   if (const Expression target = expression(name))
     *GetAny<bool*>((*target)(stack)) = value;
 }
@@ -171,23 +178,27 @@ NamedArguments::Table for_bodies(const NamedArguments::Table& parameters,
         largest = std::max(largest, number_after(parameter.name, given.first));
     table.push_back(parameter);
     for (int k = 0; k < largest; ++k)
-      table.push_back({kept(name_of_body(parameter.name, k, 2)), parameter.type});
+      table.push_back(
+          {kept(name_of_body(parameter.name, k, 2)), parameter.type});
   }
   return table;
 }
 
 void require_names_of_bodies(const NamedArguments& named,
-                             const NamedArguments::Table& parameters, int bodies) {
+                             const NamedArguments::Table& parameters,
+                             int bodies) {
   for (const auto& parameter : parameters) {
     const std::string own = parameter.name;
     if (bodies > 1 && named.given(own))
-      refuse(own, "= is given, but the contact has ", bodies, " bodies: give ", own,
-             "1=, ", own, "2=, ...");
+      refuse(own, "= is given, but the contact has ", bodies, " bodies: give ",
+             own, "1=, ", own, "2=, ...");
     for (int number : named.numbers_after(parameter.name))
       if (bodies == 1)
-        refuse(own, number, "= is given, but the contact has one body: give ", own, "=");
+        refuse(own, number, "= is given, but the contact has one body: give ",
+               own, "=");
       else if (number < 1 || number > bodies)
-        refuse(own, number, "= is given, but the contact has ", bodies, " bodies");
+        refuse(own, number, "= is given, but the contact has ", bodies,
+               " bodies");
   }
 }
 

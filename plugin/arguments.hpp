@@ -17,7 +17,8 @@ T value_of(Stack stack, Expression expression) {
 
 /// The values of several expressions.
 template <class T>
-std::vector<T> values_of(Stack stack, const std::vector<Expression>& expressions) {
+std::vector<T> values_of(Stack stack,
+                         const std::vector<Expression>& expressions) {
   std::vector<T> values;
   for (Expression expression : expressions)
     values.push_back(value_of<T>(stack, expression));
@@ -36,7 +37,9 @@ class NamedArguments {
   /// Runs when the script is parsed.
   NamedArguments(const basicAC_F0& arguments, Table table);
 
-  bool given(const std::string& name) const { return expression(name) != nullptr; }
+  bool given(const std::string& name) const {
+    return expression(name) != nullptr;
+  }
   /// Null where the parameter is not given.
   Expression expression(const std::string& name) const;
   /// Component of a literal list like [fx, fy], or null where the parameter is not given.
@@ -48,7 +51,8 @@ class NamedArguments {
 
   double number(Stack stack, const std::string& name, double otherwise) const;
   long integer(Stack stack, const std::string& name, long otherwise) const;
-  std::string text(Stack stack, const std::string& name, const char* otherwise) const;
+  std::string text(Stack stack, const std::string& name,
+                   const char* otherwise) const;
   std::vector<int> integers(Stack stack, const std::string& name) const;
   bool flag(Stack stack, const std::string& name) const;
   long verbosity_level(Stack stack) const {
@@ -57,7 +61,8 @@ class NamedArguments {
 
   /// Outputs: written where the script asked for them, otherwise dropped. Arrays are
   /// resized.
-  void put(Stack stack, const std::string& name, const Ref<const VectorXd>& values) const;
+  void put(Stack stack, const std::string& name,
+           const Ref<const VectorXd>& values) const;
   void put_integers(Stack stack, const std::string& name,
                     const std::vector<long>& values) const;
   void put(Stack stack, const std::string& name, double value) const;
@@ -70,7 +75,8 @@ class NamedArguments {
 
   Table table_;
   std::vector<Expression> values_;
-  std::vector<std::vector<Expression>> components_;  ///< of literal lists of expressions
+  std::vector<std::vector<Expression>>
+      components_;  ///< of literal lists of expressions
   /// 'a' array, 'l' literal list, 'i' one integer, for parameters of type KN_<long>
   std::vector<char> list_kind_;
 };
@@ -87,6 +93,7 @@ NamedArguments::Table for_bodies(const NamedArguments::Table& parameters,
 /// @throws std::invalid_argument  if such a parameter is given without its number, or
 ///                                with the number of no body
 void require_names_of_bodies(const NamedArguments& named,
-                             const NamedArguments::Table& parameters, int bodies);
+                             const NamedArguments::Table& parameters,
+                             int bodies);
 
 }  // namespace ffcontact::plugin

@@ -49,8 +49,9 @@ ContactState state_of_number(long number) {
     case 2: return ContactState::slip_forward;
     case -2: return ContactState::slip_backward;
     default:
-      refuse("an initial state must be 0 (open), 1 (stick), 2 or -2 (slip), got ",
-             number);
+      refuse(
+          "an initial state must be 0 (open), 1 (stick), 2 or -2 (slip), got ",
+          number);
   }
 }
 
@@ -78,13 +79,15 @@ bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system,
 }
 
 int number_in_its_mesh(const JoinedMesh& joined, int vertex) {
-  return vertex - *std::prev(std::upper_bound(joined.first_vertex.begin(),
-                                              joined.first_vertex.end() - 1, vertex));
+  return vertex -
+         *std::prev(std::upper_bound(joined.first_vertex.begin(),
+                                     joined.first_vertex.end() - 1, vertex));
 }
 
 /// Part of a sentence that names the vertices of the line whose normal dof is prescribed,
 /// the first ones of many.
-std::string held_vertices(const ContactProblem& problem, const ElasticSystem& system) {
+std::string held_vertices(const ContactProblem& problem,
+                          const ElasticSystem& system) {
   constexpr int most = 8;
   std::ostringstream names;
   int count = 0;
@@ -93,7 +96,8 @@ std::string held_vertices(const ContactProblem& problem, const ElasticSystem& sy
       names << (count > 1 ? ", " : "")
             << number_in_its_mesh(problem.joined, problem.line.vertex[i]);
   if (count == 0) return "";
-  return "; on() prescribes the normal displacement on the contact line at vertex " +
+  return "; on() prescribes the normal displacement on the contact line at "
+         "vertex " +
          names.str() + (count > most ? ", ..." : "") +
          ": leave it free there, or take these edges out of label=";
 }
@@ -103,9 +107,10 @@ std::string held_vertices(const ContactProblem& problem, const ElasticSystem& sy
 NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
                            const std::vector<char>& prescribed,
                            const ContactSolution& solution) {
-  const Matrix2Xd pressure = law.multiplier == Multiplier::pressure
-                                 ? solution.pressure
-                                 : lumped_pressures(line, prescribed, solution.force);
+  const Matrix2Xd pressure =
+      law.multiplier == Multiplier::pressure
+          ? solution.pressure
+          : lumped_pressures(line, prescribed, solution.force);
   const Matrix2Xd moved =
       displacement_against_foundation(line, law, solution.displacement);
   NodalResults results;
@@ -133,19 +138,22 @@ bool is_same(const ElasticSystem& a, const ElasticSystem& b) {
 
 /// Are b and u exchanged? Loads on the boundary alone are 0 inside, displacements are
 /// not.
-void require_order(const Mesh& mesh, const VectorXd& load, const VectorXd& displacement) {
+void require_order(const Mesh& mesh, const VectorXd& load,
+                   const VectorXd& displacement) {
   if (!load.isZero(0) || displacement.isZero(0)) return;
   std::vector<char> inside(mesh.vertices.cols(), 1);
   for (int v : mesh.boundary.reshaped()) inside[v] = 0;
   bool any_inside = false;
   for (std::size_t v = 0; v < inside.size(); ++v) {
     any_inside = any_inside || inside[v];
-    if (inside[v] && !displacement.segment<2>(2 * static_cast<Index>(v)).isZero(0))
+    if (inside[v] &&
+        !displacement.segment<2>(2 * static_cast<Index>(v)).isZero(0))
       return;
   }
   if (any_inside)
     refuse(
-        "b is 0 and u is 0 inside the body, but not on its boundary: they are exchanged, "
+        "b is 0 and u is 0 inside the body, but not on its boundary: they are "
+        "exchanged, "
         "give A, b, u");
 }
 
@@ -156,21 +164,32 @@ class ContactSolve : public E_F0mps {
   using Result = long;
 
   explicit ContactSolve(const basicAC_F0& arguments)
-      : named_(arguments,
-               {{"multiplier", &typeid(string*)},   {"solver", &typeid(string*)},
-                {"maxit", &typeid(long)},           {"tol", &typeid(double)},
-                {"initial", &typeid(KN_<long>)},    {"loadstep", &typeid(bool)},
-                {"verbosity", &typeid(long)},       {"pn", &typeid(KN<double>*)},
-                {"pt", &typeid(KN<double>*)},       {"fn", &typeid(KN<double>*)},
-                {"ft", &typeid(KN<double>*)},       {"gap", &typeid(KN<double>*)},
-                {"slip", &typeid(KN<double>*)},     {"node", &typeid(KN<long>*)},
-                {"abscissa", &typeid(KN<double>*)}, {"state", &typeid(KN<long>*)},
-                {"violation", &typeid(double*)},    {"status", &typeid(long*)},
-                {"history", &typeid(KN<double>*)},  {"opennodes", &typeid(long*)},
-                {"sticknodes", &typeid(long*)},     {"slipnodes", &typeid(long*)}}),
+      : named_(arguments, {{"multiplier", &typeid(string*)},
+                           {"solver", &typeid(string*)},
+                           {"maxit", &typeid(long)},
+                           {"tol", &typeid(double)},
+                           {"initial", &typeid(KN_<long>)},
+                           {"loadstep", &typeid(bool)},
+                           {"verbosity", &typeid(long)},
+                           {"pn", &typeid(KN<double>*)},
+                           {"pt", &typeid(KN<double>*)},
+                           {"fn", &typeid(KN<double>*)},
+                           {"ft", &typeid(KN<double>*)},
+                           {"gap", &typeid(KN<double>*)},
+                           {"slip", &typeid(KN<double>*)},
+                           {"node", &typeid(KN<long>*)},
+                           {"abscissa", &typeid(KN<double>*)},
+                           {"state", &typeid(KN<long>*)},
+                           {"violation", &typeid(double*)},
+                           {"status", &typeid(long*)},
+                           {"history", &typeid(KN<double>*)},
+                           {"opennodes", &typeid(long*)},
+                           {"sticknodes", &typeid(long*)},
+                           {"slipnodes", &typeid(long*)}}),
         contact_(to<ContactVariable*>(arguments[0])) {
     if (arguments.size() < 4 || arguments.size() % 3 != 1)
-      CompileError("contactsolve: after the contact come A, b and u of each body");
+      CompileError(
+          "contactsolve: after the contact come A, b and u of each body");
     for (int k = 1; k < arguments.size(); k += 3) {
       matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[k]));
       load_.push_back(to<KN<double>*>(arguments[k + 1]));
@@ -178,8 +197,12 @@ class ContactSolve : public E_F0mps {
     }
   }
 
-  static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), true); }
-  static E_F0* f(const basicAC_F0& arguments) { return new ContactSolve(arguments); }
+  static ArrayOfaType typeargs() {
+    return ArrayOfaType(atype<ContactVariable*>(), true);
+  }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new ContactSolve(arguments);
+  }
 
   AnyType operator()(Stack stack) const override {
     return guarded("contactsolve", [&] { return SetAny<long>(run(stack)); });
@@ -191,10 +214,12 @@ class ContactSolve : public E_F0mps {
     Contact& contact = stated_contact(stack, contact_);
     ContactProblem& problem = *contact.problem;
     problem.require_bodies("A, b, u", matrix_.size());
-    const std::vector<KN<double>*> u = values_of<KN<double>*>(stack, displacement_);
+    const std::vector<KN<double>*> u =
+        values_of<KN<double>*>(stack, displacement_);
 
     SolvedContact solved;
-    solved.system = std::make_shared<const ElasticSystem>(system_of(stack, problem, u));
+    solved.system =
+        std::make_shared<const ElasticSystem>(system_of(stack, problem, u));
     const ElasticSystem& system = *solved.system;
     // and stays: what a solution left belongs to its line
     if (!contact.solved) problem.choose_sides(system);
@@ -205,15 +230,17 @@ class ContactSolve : public E_F0mps {
     const ContactSolution& solution = solved.solution;
     if (!solution.accepted(settings) && !named_.given("status"))
       refuse("no solution after ", solution.iterations, " iterations (",
-             in_words(solution.status), "), largest violation ", solution.complementarity,
-             ", residual ", solution.residual, remedy(solution.status),
+             in_words(solution.status), "), largest violation ",
+             solution.complementarity, ", residual ", solution.residual,
+             remedy(solution.status),
              "; status= returns the best iterate instead",
              held_vertices(problem, system));
 
     for (int k = 0; k < problem.body_count(); ++k)
-      vector_of(u[k]) =
-          solution.displacement.segment(problem.first_dof(k), problem.dof_count(k));
-    solved.nodes = nodal_results(problem.line, solved.law, system.prescribed, solution);
+      vector_of(u[k]) = solution.displacement.segment(problem.first_dof(k),
+                                                      problem.dof_count(k));
+    solved.nodes =
+        nodal_results(problem.line, solved.law, system.prescribed, solution);
     put(stack, problem, solved);
     report(stack, problem, solution, CPUtime() - start);
     contact.last_states = solution.state;
@@ -225,19 +252,23 @@ class ContactSolve : public E_F0mps {
   ElasticSystem system_of(Stack stack, const ContactProblem& problem,
                           const std::vector<KN<double>*>& u) const {
     std::vector<ElasticSystem> systems;
-    VectorXd load(problem.first_dof(problem.body_count())), displacement(load.size());
+    VectorXd load(problem.first_dof(problem.body_count())),
+        displacement(load.size());
     for (int k = 0; k < problem.body_count(); ++k) {
-      const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
+      const RowMatrix A =
+          matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
       const VectorXd b = vector_of(value_of<KN<double>*>(stack, load_[k]));
       problem.require_dofs("A", k, A.rows());
       problem.require_dofs("b", k, b.size());
       problem.require_dofs("u", k, u[k]->N());
       load.segment(problem.first_dof(k), problem.dof_count(k)) = b;
-      displacement.segment(problem.first_dof(k), problem.dof_count(k)) = vector_of(u[k]);
+      displacement.segment(problem.first_dof(k), problem.dof_count(k)) =
+          vector_of(u[k]);
       systems.push_back(elastic_system(A, b));
     }
     require_order(problem.mesh, load, displacement);
-    return systems.size() == 1 ? std::move(systems.front()) : joined_systems(systems);
+    return systems.size() == 1 ? std::move(systems.front())
+                               : joined_systems(systems);
   }
 
   ContactLaw law_of(Stack stack, const Contact& contact) const {
@@ -245,12 +276,13 @@ class ContactSolve : public E_F0mps {
     law.multiplier = multiplier_of(stack, named_);
     if (!named_.flag(stack, "loadstep")) return law;
     if (contact.solved)
-      law.previous =
-          contact_components(contact.problem->line, contact.solved->solution.displacement)
-              .row(1);
+      law.previous = contact_components(contact.problem->line,
+                                        contact.solved->solution.displacement)
+                         .row(1);
     else if (!contact.last_states.empty() && law.previous.size() == 0)
       refuse(
-          "loadstep=true, but the contact was stated anew since its last solution: state "
+          "loadstep=true, but the contact was stated anew since its last "
+          "solution: state "
           "it with previous=");
     return law;
   }
@@ -259,8 +291,8 @@ class ContactSolve : public E_F0mps {
                               const ElasticSystem& system) const {
     ContactSettings settings;
     settings.solver = solver_named(named_.text(stack, "solver", "newton"));
-    settings.max_iterations =
-        static_cast<int>(named_.integer(stack, "maxit", settings.max_iterations));
+    settings.max_iterations = static_cast<int>(
+        named_.integer(stack, "maxit", settings.max_iterations));
     settings.tolerance = named_.number(stack, "tol", settings.tolerance);
     if (!(settings.tolerance > 0))
       refuse("tol must be positive, got ", settings.tolerance);
@@ -292,30 +324,32 @@ class ContactSolve : public E_F0mps {
     named_.put_integers(stack, "state", nodes.state);
     named_.put(stack, "violation", solution.complementarity);
     named_.put(stack, "status", static_cast<long>(solution.status));
-    named_.put(stack, "history",
-               Map<const VectorXd>(solution.history.data(), solution.history.size()));
+    named_.put(
+        stack, "history",
+        Map<const VectorXd>(solution.history.data(), solution.history.size()));
     named_.put(stack, "opennodes", counts.open);
     named_.put(stack, "sticknodes", counts.stick);
     named_.put(stack, "slipnodes", counts.slip);
   }
 
-  void report(Stack stack, const ContactProblem& problem, const ContactSolution& solution,
-              double seconds) const {
+  void report(Stack stack, const ContactProblem& problem,
+              const ContactSolution& solution, double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
     const Counts counts = counted(solution.state);
     cout << "contactsolve: " << 2 * problem.mesh.vertex_count() << " dofs, "
-         << problem.line.node_count() << " contact nodes" << sides(problem) << ", "
-         << solution.iterations << " iterations, " << counts.open << " open, "
-         << counts.stick << " stick, " << counts.slip << " slip, "
+         << problem.line.node_count() << " contact nodes" << sides(problem)
+         << ", " << solution.iterations << " iterations, " << counts.open
+         << " open, " << counts.stick << " stick, " << counts.slip << " slip, "
          << in_words(solution.status) << ", " << seconds << " s" << endl;
     if (level > 1 && !solution.history.empty())
-      cout << "contactsolve: " << solution.history.size()
-           << " steps of the fixed point, last change of the normal multipliers "
-           << solution.history.back() << endl;
+      cout
+          << "contactsolve: " << solution.history.size()
+          << " steps of the fixed point, last change of the normal multipliers "
+          << solution.history.back() << endl;
     if (level > 1)
-      cout << "contactsolve: violation " << solution.complementarity << ", residual "
-           << solution.residual << endl;
+      cout << "contactsolve: violation " << solution.complementarity
+           << ", residual " << solution.residual << endl;
   }
 
   /// Part of a sentence that says which side of each pair of bodies carries the

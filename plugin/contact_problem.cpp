@@ -15,15 +15,15 @@ namespace ffcontact::plugin {
 namespace {
 
 /// The line by its own normals, or along the directions of normal=.
-ContactLine line_of(Stack stack, const NamedArguments& named, const BodyPart& part,
-                    const Mesh& mesh, const Edges& edges,
+ContactLine line_of(Stack stack, const NamedArguments& named,
+                    const BodyPart& part, const Mesh& mesh, const Edges& edges,
                     const std::vector<int>& labels) {
   if (!named.given("normal")) return curved_contact_line(mesh, edges, labels);
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Matrix2Xd direction(2, line.node_count());
   for (int c = 0; c < 2; ++c)
-    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part, edges, line,
-                                stated_places(line, false), 0)
+    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part,
+                                edges, line, stated_places(line, false), 0)
                            .transpose();
   return along_directions(mesh, edges, line, direction);
 }
@@ -40,28 +40,33 @@ const NamedArguments::Table of_bodies = {{"label", &typeid(KN_<long>)},
 
 /// The labels of one body in the joined mesh's numbering.
 std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
-                               const std::string& name, const JoinedMesh& joined,
-                               int body) {
+                               const std::string& name,
+                               const JoinedMesh& joined, int body) {
   std::vector<int> labels = named.integers(stack, name);
   if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
-  const int first = joined.first_boundary[body], end = joined.first_boundary[body + 1];
+  const int first = joined.first_boundary[body],
+            end = joined.first_boundary[body + 1];
   for (int& label : labels) {
     const int own = std::exchange(label, joined.label(body, label));
     const auto* all = joined.mesh.boundary_label.data();
-    if (joined.body_count() > 1 && std::find(all + first, all + end, label) == all + end)
-      refuse(name, " is ", own, ", which is on no boundary edge of mesh ", body + 1);
+    if (joined.body_count() > 1 &&
+        std::find(all + first, all + end, label) == all + end)
+      refuse(name, " is ", own, ", which is on no boundary edge of mesh ",
+             body + 1);
   }
   return labels;
 }
 
 /// Bodies may overlap a little, as polygons of curves do and interference fits, but not
 /// by more than their contact edges.
-void require_apart(const Mesh& mesh, const ContactLine& line, const VectorXd& gap) {
+void require_apart(const Mesh& mesh, const ContactLine& line,
+                   const VectorXd& gap) {
   for (int i = 0; i < gap.size(); ++i) {
     const Vector2d x = mesh.place(line.vertex[i]);
     if (gap[i] < -line.length.maxCoeff())
       refuse("the bodies overlap by ", -gap[i], " at (", x.x(), ", ", x.y(),
-             "), more than a contact edge: is the facing edge behind the contact line? "
+             "), more than a contact edge: is the facing edge behind the "
+             "contact line? "
              "Give gap= if it is meant");
   }
 }
@@ -81,7 +86,8 @@ void append(const Matrix2Xd& values, Matrix2Xd& all) {
 void require_law(const NamedArguments& named) {
   if (!named.given("friction") && !named.given("slipbound"))
     refuse(
-        "no law is given: friction= (Coulomb's coefficient, 0 for none), slipbound= "
+        "no law is given: friction= (Coulomb's coefficient, 0 for none), "
+        "slipbound= "
         "(Tresca's bound), or both");
 }
 
@@ -90,12 +96,14 @@ int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
   if (!named.given("side")) return 0;
   const std::vector<int> sides = named.integers(stack, "side");
   if (sides.size() != 1 && static_cast<int>(sides.size()) != pairs)
-    refuse("side has ", sides.size(), " values: give one, or one for each of the ", pairs,
+    refuse("side has ", sides.size(),
+           " values: give one, or one for each of the ", pairs,
            " pairs of bodies");
   const int side = sides.size() == 1 ? sides[0] : sides[pair];
   if (side != 1 && side != 2)
     refuse(
-        "side must be 1 (the body that comes first carries the multipliers) or 2 (the "
+        "side must be 1 (the body that comes first carries the multipliers) or "
+        "2 (the "
         "other one), got ",
         side);
   return side;
@@ -134,19 +142,22 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
     refuse("opposite= is given, but the contact has ", bodies, " meshes");
   std::vector<std::vector<int>> labels;
   for (int k = 0; k < bodies; ++k) {
-    labels.push_back(
-        joined_labels(stack, named, name_of_body("label", k, bodies), joined, k));
+    labels.push_back(joined_labels(
+        stack, named, name_of_body("label", k, bodies), joined, k));
     if (k > 0 && k + 1 < bodies && labels[k].size() != 2)
       refuse("label", k + 1, " must be two labels: the first faces body ", k,
              ", the second body ", k + 2);
   }
   if (bodies == 1) {
-    const std::vector<int> opposite = joined_labels(stack, named, "opposite", joined, 0);
+    const std::vector<int> opposite =
+        joined_labels(stack, named, "opposite", joined, 0);
     add_pair(stack, named, 0, labels[0], 0, opposite);
   }
   for (int k = 0; k + 1 < bodies; ++k)
-    add_pair(stack, named, k, k == 0 ? labels[k] : std::vector<int>{labels[k][1]}, k + 1,
-             k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]});
+    add_pair(
+        stack, named, k, k == 0 ? labels[k] : std::vector<int>{labels[k][1]},
+        k + 1,
+        k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]});
   read_previous(stack, named);
   join_carriers();
 }
@@ -163,7 +174,8 @@ void ContactProblem::read_previous(Stack stack, const NamedArguments& named) {
   for (int k = 0; k < body_count(); ++k) {
     const std::string name = name_of_body("previous", k, body_count());
     const Expression expression = named.expression(name);
-    KN<double>* u = expression ? GetAny<KN<double>*>((*expression)(stack)) : nullptr;
+    KN<double>* u =
+        expression ? GetAny<KN<double>*>((*expression)(stack)) : nullptr;
     if (!u || u->N() == 0) continue;
     require_dofs(name.c_str(), k, u->N());
     previous.segment(first_dof(k), dof_count(k)) = vector_of(u);
@@ -172,8 +184,9 @@ void ContactProblem::read_previous(Stack stack, const NamedArguments& named) {
   if (incremental) previous_ = previous;
 }
 
-void ContactProblem::add_pair(Stack stack, const NamedArguments& named, int body,
-                              const std::vector<int>& labels, int opposite_body,
+void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
+                              int body, const std::vector<int>& labels,
+                              int opposite_body,
                               const std::vector<int>& opposite_labels) {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body],
                       joined.first_boundary[body]};
@@ -182,38 +195,43 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named, int body
   if (!named.given("normal") && turns(own)) {
     const Expression gap = named.expression("gap");
     const VectorXd distance =
-        gap || rigid
-            ? at_nodes(stack, gap, part, edges, own, stated_places(own, false), 0)
-            : facing_traces(mesh, edges, own, opposite_labels).gap;
+        gap || rigid ? at_nodes(stack, gap, part, edges, own,
+                                stated_places(own, false), 0)
+                     : facing_traces(mesh, edges, own, opposite_labels).gap;
     own = with_one_direction_a_curve(mesh, edges, std::move(own), distance);
   }
   if (rigid) {
     if (named.given("side"))
-      refuse("side= is for bodies that face each other, not for a rigid foundation");
+      refuse(
+          "side= is for bodies that face each other, not for a rigid "
+          "foundation");
     pairs_.push_back(
         {true, 1, carrier(stack, named, body, own, own, false), std::nullopt});
     return;
   }
   const int wanted = wanted_side(stack, named, static_cast<int>(pairs_.size()),
                                  std::max(1, body_count() - 1));
-  const ContactLine facing =
-      facing_line(mesh, edges, own, facing_traces(mesh, edges, own, opposite_labels));
+  const ContactLine facing = facing_line(
+      mesh, edges, own, facing_traces(mesh, edges, own, opposite_labels));
   std::optional<ContactLine> exchanged;
-  if (wanted != 1) exchanged = exchanged_line(mesh, edges, facing, opposite_labels);
+  if (wanted != 1)
+    exchanged = exchanged_line(mesh, edges, facing, opposite_labels);
   if (!exchanged && wanted == 2)
     refuse(
-        "side=2: the other body cannot carry the multipliers, as two parts of the first "
+        "side=2: the other body cannot carry the multipliers, as two parts of "
+        "the first "
         "one's line face the same part "
         "of it; give one contact direction with normal=[nx, ny], or side=1");
-  Pair pair{false, wanted, carrier(stack, named, body, own, facing, false), std::nullopt};
-  if (exchanged) pair.other = carrier(stack, named, body, own, *exchanged, true);
+  Pair pair{false, wanted, carrier(stack, named, body, own, facing, false),
+            std::nullopt};
+  if (exchanged)
+    pair.other = carrier(stack, named, body, own, *exchanged, true);
   pairs_.push_back(std::move(pair));
 }
 
-ContactProblem::Carrier ContactProblem::carrier(Stack stack, const NamedArguments& named,
-                                                int body, const ContactLine& stated,
-                                                ContactLine line,
-                                                bool on_opposite) const {
+ContactProblem::Carrier ContactProblem::carrier(
+    Stack stack, const NamedArguments& named, int body,
+    const ContactLine& stated, ContactLine line, bool on_opposite) const {
   const BodyPart part{*fem_meshes[body], joined.first_vertex[body],
                       joined.first_boundary[body]};
   const StatedPlaces places = stated_places(line, on_opposite);
@@ -225,8 +243,10 @@ ContactProblem::Carrier ContactProblem::carrier(Stack stack, const NamedArgument
   result.edge_abscissa.resize(2, line.edge_count());
   for (int e = line.edge_count() - 1; e >= 0; --e)
     for (int end = 1; end >= 0; --end) {
-      const auto [edge, place] = end == 0 ? places[e].front() : places[e].back();
-      result.edge_abscissa(end, e) = abscissa_at(stated, number.at(edge), place);
+      const auto [edge, place] =
+          end == 0 ? places[e].front() : places[e].back();
+      result.edge_abscissa(end, e) =
+          abscissa_at(stated, number.at(edge), place);
       if (!ends_at_its_node(line, end, e)) continue;
       const int node = line.edge_node(end, e);
       result.own_vertex[node] =
@@ -238,8 +258,10 @@ ContactProblem::Carrier ContactProblem::carrier(Stack stack, const NamedArgument
   return result;
 }
 
-ContactLaw ContactProblem::coefficients(Stack stack, const NamedArguments& named,
-                                        const BodyPart& part, const ContactLine& line,
+ContactLaw ContactProblem::coefficients(Stack stack,
+                                        const NamedArguments& named,
+                                        const BodyPart& part,
+                                        const ContactLine& line,
                                         const StatedPlaces& places) const {
   ContactLaw law;
   const Expression friction = named.expression("friction"),
@@ -268,8 +290,10 @@ ContactLaw ContactProblem::coefficients(Stack stack, const NamedArguments& named
 void ContactProblem::choose_sides(const ElasticSystem& system) {
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     if (!pairs_[k].rigid && pairs_[k].wanted == 0 && pairs_[k].other)
-      side[k] =
-          compliance_ratio(mesh, edges, pairs_[k].own.line, system) > much_softer ? 2 : 1;
+      side[k] = compliance_ratio(mesh, edges, pairs_[k].own.line, system) >
+                        much_softer
+                    ? 2
+                    : 1;
   join_carriers();
 }
 
@@ -301,26 +325,31 @@ void ContactProblem::join_carriers() {
     }
   }
   line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
-  if (previous_.size() > 0) law.previous = contact_components(line, previous_).row(1);
+  if (previous_.size() > 0)
+    law.previous = contact_components(line, previous_).row(1);
   require_valid(law, line);
 }
 
-void ContactProblem::require_dofs(const char* name, int body, Index count) const {
+void ContactProblem::require_dofs(const char* name, int body,
+                                  Index count) const {
   if (count != dof_count(body))
     refuse(name, " has size ", count, " but [P1, P1] has ", dof_count(body),
            " dofs on this mesh");
 }
 
-void ContactProblem::require_bodies(const char* names, std::size_t count) const {
+void ContactProblem::require_bodies(const char* names,
+                                    std::size_t count) const {
   if (static_cast<int>(count) != body_count())
     refuse(names, " are given for ", count, " bodies, but the contact has ",
            body_count());
 }
 
-Matrix2Xd ContactProblem::pressures(KN<double>* normal, KN<double>* tangential) const {
+Matrix2Xd ContactProblem::pressures(KN<double>* normal,
+                                    KN<double>* tangential) const {
   if (!side.empty() && normal->N() != line.node_count())
-    refuse("pn has size ", normal->N(), " but the line that carries the multipliers has ",
-           line.node_count(), " nodes: state the side= that pn belongs to");
+    refuse("pn has size ", normal->N(),
+           " but the line that carries the multipliers has ", line.node_count(),
+           " nodes: state the side= that pn belongs to");
   require_size("pn", normal->N(), line.node_count());
   require_size("pt", tangential->N(), line.node_count());
   Matrix2Xd pressure(2, line.node_count());

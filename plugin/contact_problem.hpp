@@ -58,7 +58,8 @@ struct ContactProblem {
       own_vertex;
   /// of each node, or of what it faces, on the line of the body that comes first [mm]
   VectorXd abscissa;
-  Matrix2Xd edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
+  Matrix2Xd
+      edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
 
@@ -80,7 +81,9 @@ struct ContactProblem {
 
   int body_count() const { return joined.body_count(); }
   Index first_dof(int body) const { return 2 * joined.first_vertex[body]; }
-  Index dof_count(int body) const { return first_dof(body + 1) - first_dof(body); }
+  Index dof_count(int body) const {
+    return first_dof(body + 1) - first_dof(body);
+  }
 
   /// @throws std::invalid_argument  if `count` is not the number of dofs of [P1, P1] on
   ///                                the mesh of a body
@@ -114,13 +117,16 @@ struct ContactProblem {
                 const std::vector<int>& labels, int opposite_body,
                 const std::vector<int>& opposite_labels);
   Carrier carrier(Stack stack, const NamedArguments& named, int body,
-                  const ContactLine& stated, ContactLine line, bool on_opposite) const;
-  ContactLaw coefficients(Stack stack, const NamedArguments& named, const BodyPart& part,
-                          const ContactLine& line, const StatedPlaces& places) const;
+                  const ContactLine& stated, ContactLine line,
+                  bool on_opposite) const;
+  ContactLaw coefficients(Stack stack, const NamedArguments& named,
+                          const BodyPart& part, const ContactLine& line,
+                          const StatedPlaces& places) const;
   void read_previous(Stack stack, const NamedArguments& named);
   void join_carriers();
 
-  mutable Topology topology_;  ///< stars are made when an estimate asks for them
+  mutable Topology
+      topology_;  ///< stars are made when an estimate asks for them
   std::vector<Pair> pairs_;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
 };

@@ -56,11 +56,14 @@ class StateContact : public E_F0mps {
   using Result = ContactVariable*;
 
   explicit StateContact(const basicAC_F0& arguments)
-      : variable_(to<ContactVariable*>(arguments[0])), arguments_(arguments, 1) {}
+      : variable_(to<ContactVariable*>(arguments[0])),
+        arguments_(arguments, 1) {}
   static ArrayOfaType typeargs() {
     return ArrayOfaType(atype<ContactVariable*>(), atype<pmesh>(), true);
   }
-  static E_F0* f(const basicAC_F0& arguments) { return new StateContact(arguments); }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new StateContact(arguments);
+  }
 
   AnyType operator()(Stack stack) const override {
     return guarded("contact", [&] {
@@ -81,14 +84,17 @@ class MakeStatement : public E_F0mps {
  public:
   using Result = ContactStatement*;
 
-  explicit MakeStatement(const basicAC_F0& arguments) : arguments_(arguments, 0) {}
+  explicit MakeStatement(const basicAC_F0& arguments)
+      : arguments_(arguments, 0) {}
   static ArrayOfaType typeargs() { return ArrayOfaType(atype<pmesh>(), true); }
-  static E_F0* f(const basicAC_F0& arguments) { return new MakeStatement(arguments); }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new MakeStatement(arguments);
+  }
 
   AnyType operator()(Stack stack) const override {
     return guarded("contact", [&] {
-      return SetAny<ContactStatement*>(
-          Add2StackOfPtr2Free(stack, new ContactStatement{arguments_.problem(stack)}));
+      return SetAny<ContactStatement*>(Add2StackOfPtr2Free(
+          stack, new ContactStatement{arguments_.problem(stack)}));
     });
   }
 
@@ -154,13 +160,16 @@ KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
 }
 
 KN<long>* sides(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact",
-                 [&] { return array_of(stack, problem_of(contact_of(*variable)).side); });
+  return guarded("contact", [&] {
+    return array_of(stack, problem_of(contact_of(*variable)).side);
+  });
 }
 
 template <class Result>
-void add_member(const char* name, Result (*value)(Stack, ContactVariable* const&)) {
-  Add<ContactVariable*>(name, ".", new OneOperator1s_<Result, ContactVariable*>(value));
+void add_member(const char* name,
+                Result (*value)(Stack, ContactVariable* const&)) {
+  Add<ContactVariable*>(name, ".",
+                        new OneOperator1s_<Result, ContactVariable*>(value));
 }
 
 }  // namespace
@@ -176,7 +185,8 @@ void ContactVariable::destroy() const { contacts().erase(number); }
 Contact& contact_of(const ContactVariable& variable) {
   const auto found = contacts().find(variable.number);
   if (found == contacts().end())
-    refuse("the contact is gone: a function that takes one must take contact & C");
+    refuse(
+        "the contact is gone: a function that takes one must take contact & C");
   return found->second;
 }
 
@@ -187,7 +197,8 @@ Contact& stated_contact(Stack stack, Expression variable) {
 }
 
 const SolvedContact& solved_contact(const Contact& contact) {
-  if (!contact.solved) refuse("the contact is not solved: call contactsolve first");
+  if (!contact.solved)
+    refuse("the contact is not solved: call contactsolve first");
   return *contact.solved;
 }
 
@@ -201,8 +212,10 @@ void register_contact_type() {
           initialize));
   TheOperators->Add(
       "=",
-      new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(assign));
-  atype<ContactVariable*>()->Add("<--", "(", new OneOperatorCode<MakeStatement>());
+      new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(
+          assign));
+  atype<ContactVariable*>()->Add("<--", "(",
+                                 new OneOperatorCode<MakeStatement>());
   add_member("pn", nodal_values<&NodalResults::pn>);
   add_member("pt", nodal_values<&NodalResults::pt>);
   add_member("fn", nodal_values<&NodalResults::fn>);

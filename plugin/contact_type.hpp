@@ -13,11 +13,12 @@ namespace ffcontact::plugin {
 
 /// What a solve leaves at the contact nodes; the script reads them as C.pn, C.pt, ...
 struct NodalResults {
-  VectorXd pn, pt;          ///< pressures [MPa]
-  VectorXd fn, ft;          ///< forces [N/mm]
-  VectorXd gap;             ///< opening, gap - u_n [mm]
-  VectorXd slip;            ///< u_t - u_t of the load step before [mm]
-  std::vector<long> state;  ///< 0 open, 1 stick, 2 slip along t, -2 slip against t
+  VectorXd pn, pt;  ///< pressures [MPa]
+  VectorXd fn, ft;  ///< forces [N/mm]
+  VectorXd gap;     ///< opening, gap - u_n [mm]
+  VectorXd slip;    ///< u_t - u_t of the load step before [mm]
+  std::vector<long>
+      state;  ///< 0 open, 1 stick, 2 slip along t, -2 slip against t
 };
 
 /// A solution with the system it belongs to.

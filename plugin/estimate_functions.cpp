@@ -46,7 +46,8 @@ class ContactErrorFunction : public E_F0mps {
     if (arguments.size() == 1) return;
     if (arguments.size() % 2 == 0 || arguments.size() < 5)
       CompileError(
-          "contacterror: after the contact come A and u of each body, then pn and pt, or "
+          "contacterror: after the contact come A and u of each body, then pn "
+          "and pt, or "
           "nothing at all");
     const int last = arguments.size() - 2;
     for (int k = 1; k < last; k += 2) {
@@ -57,7 +58,9 @@ class ContactErrorFunction : public E_F0mps {
     tangential_ = to<KN<double>*>(arguments[last + 1]);
   }
 
-  static ArrayOfaType typeargs() { return ArrayOfaType(atype<ContactVariable*>(), true); }
+  static ArrayOfaType typeargs() {
+    return ArrayOfaType(atype<ContactVariable*>(), true);
+  }
   static E_F0* f(const basicAC_F0& arguments) {
     return new ContactErrorFunction(arguments);
   }
@@ -98,12 +101,12 @@ class ContactErrorFunction : public E_F0mps {
     const ContactProblem& problem = *contact.problem;
     require_names_of_bodies(named_, of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
-    Judged judged =
-        matrix_.empty() ? own_solution(contact) : given_solution(stack, problem);
+    Judged judged = matrix_.empty() ? own_solution(contact)
+                                    : given_solution(stack, problem);
     add_law_and_loads(stack, problem, judged);
     const auto& [system, body, oscillation] = judged;
-    const Estimate estimate =
-        estimate_error(problem.topology(), problem.line, *system, body, settings);
+    const Estimate estimate = estimate_error(problem.topology(), problem.line,
+                                             *system, body, settings);
     put(stack, problem, estimate);
     put_rates(stack, problem, *system, body);
     named_.put(stack, "oscillation", oscillation);
@@ -114,7 +117,8 @@ class ContactErrorFunction : public E_F0mps {
   Judged own_solution(const Contact& contact) const {
     if (named_.given("multiplier"))
       refuse(
-          "multiplier= is given, but pn and pt are not: it is known from contactsolve");
+          "multiplier= is given, but pn and pt are not: it is known from "
+          "contactsolve");
     const SolvedContact& solved = solved_contact(contact);
     Judged judged{solved.system, {}};
     judged.body.displacement = solved.solution.displacement;
@@ -131,7 +135,8 @@ class ContactErrorFunction : public E_F0mps {
     SolvedBody& body = judged.body;
     body.displacement.resize(problem.first_dof(problem.body_count()));
     for (int k = 0; k < problem.body_count(); ++k) {
-      const RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
+      const RowMatrix A =
+          matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
       KN<double>* u = value_of<KN<double>*>(stack, displacement_[k]);
       problem.require_dofs("A", k, A.rows());
       problem.require_dofs("u", k, u->N());
@@ -140,11 +145,13 @@ class ContactErrorFunction : public E_F0mps {
       systems.push_back(elastic_system(A, VectorXd::Zero(A.rows())));
     }
     judged.system = std::make_shared<const ElasticSystem>(
-        systems.size() == 1 ? std::move(systems.front()) : joined_systems(systems));
+        systems.size() == 1 ? std::move(systems.front())
+                            : joined_systems(systems));
     body.law = problem.law;
     body.law.multiplier = multiplier_of(stack, named_);
-    const Matrix2Xd given = problem.pressures(value_of<KN<double>*>(stack, normal_),
-                                              value_of<KN<double>*>(stack, tangential_));
+    const Matrix2Xd given =
+        problem.pressures(value_of<KN<double>*>(stack, normal_),
+                          value_of<KN<double>*>(stack, tangential_));
     body.pressure = multiplier_density(problem.line, body.law.multiplier,
                                        judged.system->prescribed, given);
     return judged;
@@ -158,18 +165,22 @@ class ContactErrorFunction : public E_F0mps {
     else if (tractions == "published")
       settings.tractions = Tractions::published;
     else if (tractions != "free")
-      refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"", tractions,
-             "\"");
-    const std::string construction = named_.text(stack, "construction", "composite");
+      refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"",
+             tractions, "\"");
+    const std::string construction =
+        named_.text(stack, "construction", "composite");
     if (construction == "polynomial")
       settings.construction = Construction::polynomial;
     else if (construction != "composite")
-      refuse("construction must be \"composite\" or \"polynomial\", got \"", construction,
-             "\"");
+      refuse("construction must be \"composite\" or \"polynomial\", got \"",
+             construction, "\"");
     RelaxationSettings& relaxation = settings.relaxation;
-    relaxation.tightness = named_.number(stack, "tightness", relaxation.tightness);
-    const int sweeps = relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;
-    relaxation.sweeps = static_cast<int>(named_.integer(stack, "sweeps", sweeps));
+    relaxation.tightness =
+        named_.number(stack, "tightness", relaxation.tightness);
+    const int sweeps =
+        relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;
+    relaxation.sweeps =
+        static_cast<int>(named_.integer(stack, "sweeps", sweeps));
     return settings;
   }
 
@@ -189,8 +200,9 @@ class ContactErrorFunction : public E_F0mps {
       body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
           traction_moments(stack, named_.component(traction, 0, 2),
                            named_.component(traction, 1, 2), fem_mesh, mesh);
-      const BodyForce force = body_force_loads(stack, named_.component(f, 0, 2),
-                                               named_.component(f, 1, 2), fem_mesh, mesh);
+      const BodyForce force =
+          body_force_loads(stack, named_.component(f, 0, 2),
+                           named_.component(f, 1, 2), fem_mesh, mesh);
       body.body_loads.middleCols(joined.first_triangle[k], mesh.cells.cols()) =
           force.loads;
       judged.oscillation = std::hypot(judged.oscillation, force.oscillation);
@@ -198,7 +210,8 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   /// Appends the tensors of one body's triangles.
-  void add_hooke(Stack stack, const ContactProblem& problem, int body, Hooke& all) const {
+  void add_hooke(Stack stack, const ContactProblem& problem, int body,
+                 Hooke& all) const {
     const int bodies = problem.body_count();
     const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[body];
     const std::string name = name_of_body("hooke", body, bodies),
@@ -208,13 +221,15 @@ class ContactErrorFunction : public E_F0mps {
                      G = named_.expression(G_name);
     const bool lame = lambda && G;
     if (lame == named_.given(name))
-      refuse("give either ", lambda_name, "= and ", G_name, "= (Lame's constants) or ",
-             name, "=[C11, C12, C13, C22, C23, C33]");
+      refuse("give either ", lambda_name, "= and ", G_name,
+             "= (Lame's constants) or ", name,
+             "=[C11, C12, C13, C22, C23, C33]");
     Hooke hooke(fem_mesh.nt);
     if (lame) {
       const VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0);
       const VectorXd Gs = at_triangles(stack, G, fem_mesh, 0);
-      for (Index t = 0; t < Gs.size(); ++t) hooke[t] = isotropic(lambdas[t], Gs[t]);
+      for (Index t = 0; t < Gs.size(); ++t)
+        hooke[t] = isotropic(lambdas[t], Gs[t]);
     } else {
       constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
       for (int c = 0; c < 6; ++c) {
@@ -233,21 +248,22 @@ class ContactErrorFunction : public E_F0mps {
     return false;
   }
 
-  void put_rates(Stack stack, const ContactProblem& problem, const ElasticSystem& system,
-                 const SolvedBody& body) const {
+  void put_rates(Stack stack, const ContactProblem& problem,
+                 const ElasticSystem& system, const SolvedBody& body) const {
     if (!is_wanted("rate", problem.body_count())) return;
     const Topology& topology = problem.topology();
-    const BoundaryTractions boundary =
-        boundary_tractions(topology.mesh, topology.edges, system.prescribed, body.neumann,
-                           problem.line, edge_densities(problem.line, body.pressure));
+    const BoundaryTractions boundary = boundary_tractions(
+        topology.mesh, topology.edges, system.prescribed, body.neumann,
+        problem.line, edge_densities(problem.line, body.pressure));
     const std::vector<SingularVertex> singular = singular_vertices(
-        topology, body.hooke, stresses(topology.mesh, body.hooke, body.displacement),
-        boundary, contact_edge_numbers(problem.line, topology.edges));
+        topology, body.hooke,
+        stresses(topology.mesh, body.hooke, body.displacement), boundary,
+        contact_edge_numbers(problem.line, topology.edges));
     put_by_triangles(stack, problem, "rate", local_rates(topology, singular));
   }
 
-  void put_by_triangles(Stack stack, const ContactProblem& problem, const char* parameter,
-                        const VectorXd& values) const {
+  void put_by_triangles(Stack stack, const ContactProblem& problem,
+                        const char* parameter, const VectorXd& values) const {
     const std::vector<int>& first = problem.joined.first_triangle;
     const int bodies = problem.body_count();
     for (int k = 0; k < bodies; ++k)
@@ -265,7 +281,8 @@ class ContactErrorFunction : public E_F0mps {
     for (std::size_t t = 0; t < stress.size(); ++t)
       for (int k = 0; k < 3; ++k) {
         // k+1, k+2, centroid
-        const Vector3d corners = stress[t].block<1, 3>(component, 3 * k).transpose();
+        const Vector3d corners =
+            stress[t].block<1, 3>(component, 3 * k).transpose();
         for (int c = 0; c < 3; ++c) {
           const int vertex = (k + 1 + c) % 3;
           values[9 * static_cast<Index>(t) + 3 * k + vertex] =
@@ -295,7 +312,8 @@ class ContactErrorFunction : public E_F0mps {
 
   /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the
   /// line that coefficients are stated on.
-  static VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
+  static VectorXd abscissae(const ContactProblem& problem,
+                            const Estimate& estimate) {
     if (!estimate.refinement) return problem.edge_abscissa.reshaped();
     const ContactLine& line = estimate.refinement->line;
     VectorXd values(2 * line.edge_count());
@@ -304,8 +322,8 @@ class ContactErrorFunction : public E_F0mps {
       const Vector2d ends = problem.edge_abscissa.col(k);
       for (int end = 0; end < 2; ++end) {
         const int vertex = line.vertex[line.edge_node(end, e)];
-        const double place =
-            estimate.refinement->place(problem.edges, vertex, problem.line.edge[k]);
+        const double place = estimate.refinement->place(problem.edges, vertex,
+                                                        problem.line.edge[k]);
         values[2 * e + end] =
             ends[0] + problem.line.share(k, place) * (ends[1] - ends[0]);
       }
@@ -313,18 +331,21 @@ class ContactErrorFunction : public E_F0mps {
     return values;
   }
 
-  void put(Stack stack, const ContactProblem& problem, const Estimate& estimate) const {
+  void put(Stack stack, const ContactProblem& problem,
+           const Estimate& estimate) const {
     put_by_triangles(stack, problem, "eps", estimate.local);
     put_stress(stack, problem, estimate);
     named_.put(stack, "rabscissa", abscissae(problem, estimate));
     named_.put(stack, "e", estimate.e);
     named_.put(stack, "elasticpart", estimate.elastic);
     named_.put(stack, "contactpart", estimate.contact);
-    named_.put(stack, "history",
-               Map<const VectorXd>(estimate.history.data(), estimate.history.size()));
+    named_.put(
+        stack, "history",
+        Map<const VectorXd>(estimate.history.data(), estimate.history.size()));
     named_.put(stack, "rn", estimate.tractions.normal.reshaped());
     named_.put(stack, "rt", estimate.tractions.tangential.reshaped());
-    named_.put(stack, "corrected", static_cast<long>(estimate.corrected_count()));
+    named_.put(stack, "corrected",
+               static_cast<long>(estimate.corrected_count()));
     named_.put(stack, "unmended", static_cast<long>(estimate.unmended.size()));
     named_.put(stack, "balance", estimate.equilibrium.largest());
     named_.put(stack, "cone", estimate.cone);
@@ -332,25 +353,28 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "admissible", estimate.admissible);
   }
 
-  void report(Stack stack, const ContactProblem& problem, const Estimate& estimate,
-              double seconds) const {
+  void report(Stack stack, const ContactProblem& problem,
+              const Estimate& estimate, double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
     cout << "contacterror: " << problem.mesh.cell_count() << " triangles, eps "
          << 100 * estimate.relative << " %, e " << estimate.e << ", "
-         << estimate.corrected_count() << " edges corrected, " << seconds << " s" << endl;
+         << estimate.corrected_count() << " edges corrected, " << seconds
+         << " s" << endl;
     if (!estimate.admissible)
       cout << "contacterror: not admissible: " << estimate.reason << endl;
     if (level > 1)
       cout << "contacterror: elastic part " << estimate.elastic
-           << ", contact part of e^2 " << estimate.contact << ", equilibrium defect "
-           << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
-           << ", penetration " << estimate.penetration << endl;
+           << ", contact part of e^2 " << estimate.contact
+           << ", equilibrium defect " << estimate.equilibrium.largest()
+           << ", cone defect " << estimate.cone << ", penetration "
+           << estimate.penetration << endl;
   }
 
   NamedArguments named_;
   Expression contact_;
-  std::vector<Expression> matrix_, displacement_;  ///< empty: what contactsolve found
+  std::vector<Expression> matrix_,
+      displacement_;  ///< empty: what contactsolve found
   Expression normal_ = nullptr, tangential_ = nullptr;
 };
 

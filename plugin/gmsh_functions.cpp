@@ -13,8 +13,8 @@ namespace {
 
 void report(const string& file, const GmshMesh& gmsh) {
   if (verbosity > 0 && mpirank == 0)
-    cout << "gmshmesh: " << file << ", " << gmsh.mesh.cell_count() << " triangles, "
-         << gmsh.mesh.vertex_count() << " vertices" << endl;
+    cout << "gmshmesh: " << file << ", " << gmsh.mesh.cell_count()
+         << " triangles, " << gmsh.mesh.vertex_count() << " vertices" << endl;
 }
 
 /// Th = gmshmesh("part.geo"), or gmshmesh("part.msh")
@@ -28,10 +28,11 @@ pmesh gmshmesh(Stack stack, string* const& file) {
 
 /// Th = gmshmesh("part.geo", Th, size): edges of the lengths `size`, one value a vertex
 /// of Th
-pmesh gmshmesh_sized(Stack stack, string* const& geometry, pmesh const& background,
-                     KN<double>* const& size) {
+pmesh gmshmesh_sized(Stack stack, string* const& geometry,
+                     pmesh const& background, KN<double>* const& size) {
   return GetAny<pmesh>(guarded("gmshmesh", [&] {
-    const GmshMesh gmsh = gmsh_mesh(*geometry, mesh_of(background), vector_of(size));
+    const GmshMesh gmsh =
+        gmsh_mesh(*geometry, mesh_of(background), vector_of(size));
     report(*geometry, gmsh);
     return SetAny<pmesh>(fem_mesh_of(stack, gmsh.mesh, gmsh.regions));
   }));
@@ -39,17 +40,19 @@ pmesh gmshmesh_sized(Stack stack, string* const& geometry, pmesh const& backgrou
 
 /// label = gmshlabel("part.geo", "contact")
 long gmshlabel(Stack, string* const& file, string* const& name) {
-  return GetAny<long>(
-      guarded("gmshlabel", [&] { return SetAny<long>(gmsh_label(*file, *name)); }));
+  return GetAny<long>(guarded(
+      "gmshlabel", [&] { return SetAny<long>(gmsh_label(*file, *name)); }));
 }
 
 }  // namespace
 
 void register_gmsh_functions() {
   Global.Add("gmshmesh", "(", new OneOperator1s_<pmesh, string*>(gmshmesh));
-  Global.Add("gmshmesh", "(",
-             new OneOperator3s_<pmesh, string*, pmesh, KN<double>*>(gmshmesh_sized));
-  Global.Add("gmshlabel", "(", new OneOperator2s_<long, string*, string*>(gmshlabel));
+  Global.Add(
+      "gmshmesh", "(",
+      new OneOperator3s_<pmesh, string*, pmesh, KN<double>*>(gmshmesh_sized));
+  Global.Add("gmshlabel", "(",
+             new OneOperator2s_<long, string*, string*>(gmshlabel));
 }
 
 }  // namespace ffcontact::plugin

@@ -64,17 +64,19 @@ std::string first_line(const path& file) {
 
 /// Runs gmsh on `input`; its mesh (MSH 2.2, text) goes to `output`. `what` is the user's
 /// file.
-void run_gmsh(const std::string& dimension, const path& input, const path& output,
-              const path& what, const path& log) {
+void run_gmsh(const std::string& dimension, const path& input,
+              const path& output, const path& what, const path& log) {
   constexpr int shell_found_nothing = 127;
   const std::string command =
       "gmsh " + dimension + " -v 1 " + quoted_for_shell(input.string()) +
-      " -setnumber Mesh.Binary 0 -format msh22 -o " + quoted_for_shell(output.string()) +
-      " </dev/null >" + quoted_for_shell(log.string()) + " 2>&1";
+      " -setnumber Mesh.Binary 0 -format msh22 -o " +
+      quoted_for_shell(output.string()) + " </dev/null >" +
+      quoted_for_shell(log.string()) + " 2>&1";
   const int status = std::system(command.c_str());
   if (WIFEXITED(status) && WEXITSTATUS(status) == shell_found_nothing)
     refuse(
-        "the program gmsh was not found; install it (Debian: apt-get install gmsh) or "
+        "the program gmsh was not found; install it (Debian: apt-get install "
+        "gmsh) or "
         "add its folder to PATH");
   if (status != 0 || !std::filesystem::exists(output))
     refuse("gmsh could not use ", what.string(), ": ", first_line(log));
@@ -88,8 +90,8 @@ void require_readable(const path& file) {
 bool is_mesh_file(const path& file) { return file.extension() == ".msh"; }
 
 /// What gmsh makes of `input`, read back.
-GmshMesh made_by_gmsh(const char* dimension, const path& input, const path& what,
-                      const TemporaryFolder& folder) {
+GmshMesh made_by_gmsh(const char* dimension, const path& input,
+                      const path& what, const TemporaryFolder& folder) {
   const path output = folder / "mesh.msh";
   run_gmsh(dimension, input, output, what, folder / "log");
   return read_gmsh_mesh(output, what.string());
@@ -115,7 +117,8 @@ void write_size_view(const path& file, const Mesh& mesh,
   constexpr double strip_width = 0.3;
   std::ofstream stream(file);
   stream.precision(17);
-  const auto put = [&](const std::array<Vector2d, 3>& x, const std::array<double, 3>& h) {
+  const auto put = [&](const std::array<Vector2d, 3>& x,
+                       const std::array<double, 3>& h) {
     stream << "ST(";
     for (int k = 0; k < 3; ++k)
       stream << (k > 0 ? "," : "") << x[k].x() << ',' << x[k].y() << ",0";
@@ -134,21 +137,24 @@ void write_size_view(const path& file, const Mesh& mesh,
     const int i = edges.vertices(0, e), j = edges.vertices(1, e);
     const double width = strip_width * edge_vector(mesh, edges, e).norm();
     const Vector2d a = mesh.vertices.col(i), b = mesh.vertices.col(j);
-    const Vector2d c = a + width * outward.col(i), d = b + width * outward.col(j);
+    const Vector2d c = a + width * outward.col(i),
+                   d = b + width * outward.col(j);
     put({a, c, b}, {size[i], size[i], size[j]});
     put({b, c, d}, {size[j], size[i], size[j]});
   }
   stream << "};\n";
-  if (!stream.flush()) refuse("the size field cannot be written to ", file.string());
+  if (!stream.flush())
+    refuse("the size field cannot be written to ", file.string());
 }
 
 /// The geometry with the view as the only source of sizes. gmsh's edges are 4 % shorter
 /// than asked on average (measured), so sizes are raised by as much; with that the number
 /// of triangles is as predicted within 5 %.
-void write_sized_geometry(const path& file, const path& geometry, const path& view) {
+void write_sized_geometry(const path& file, const path& geometry,
+                          const path& view) {
   std::ofstream stream(file);
-  stream << "Merge " << quoted_for_gmsh(geometry) << ";\nMerge " << quoted_for_gmsh(view)
-         << R"(;
+  stream << "Merge " << quoted_for_gmsh(geometry) << ";\nMerge "
+         << quoted_for_gmsh(view) << R"(;
 ffcontact_sizes = newf;
 Field[ffcontact_sizes] = PostView;
 Field[ffcontact_sizes].ViewIndex = PostProcessing.NbViews - 1;
@@ -167,7 +173,8 @@ Mesh.MeshSizeMax = 1e22;
 GmshMesh gmsh_mesh(const path& file) {
   require_readable(file);
   const bool mesh_file = is_mesh_file(file);
-  if (mesh_file && is_readable_format(file)) return read_gmsh_mesh(file, file.string());
+  if (mesh_file && is_readable_format(file))
+    return read_gmsh_mesh(file, file.string());
   return made_by_gmsh(mesh_file ? "-0" : "-2", file, file, TemporaryFolder());
 }
 
@@ -175,8 +182,9 @@ GmshMesh gmsh_mesh(const path& geometry, const Mesh& background,
                    const Ref<const VectorXd>& size) {
   require_readable(geometry);
   if (is_mesh_file(geometry))
-    refuse(geometry.string(),
-           " is a mesh; to mesh anew gmsh needs the geometry (.geo, .step, ...)");
+    refuse(
+        geometry.string(),
+        " is a mesh; to mesh anew gmsh needs the geometry (.geo, .step, ...)");
   require_size("size", size.size(), background.vertex_count());
   require_finite("size", size);
   if (size.minCoeff() <= 0)

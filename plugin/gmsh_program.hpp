@@ -17,8 +17,8 @@ GmshMesh gmsh_mesh(const std::filesystem::path& file);
 /// [mm] at the vertices of `background`, a mesh of the same body.
 /// @throws std::invalid_argument  as above, or if a size is not positive or the file is
 ///                                no geometry
-GmshMesh gmsh_mesh(const std::filesystem::path& geometry, const Mesh& background,
-                   const Ref<const VectorXd>& size);
+GmshMesh gmsh_mesh(const std::filesystem::path& geometry,
+                   const Mesh& background, const Ref<const VectorXd>& size);
 
 /// Tag of the physical curve, or else of the physical surface, of that name in a geometry
 /// or a .msh file.

@@ -30,9 +30,9 @@ class Version2Reader {
     }
     if (triangles_.empty())
       refuse(shown_, " has no triangles",
-             lines_.empty()
-                 ? ""
-                 : ": does the geometry have physical curves but no physical surface?");
+             lines_.empty() ? ""
+                            : ": does the geometry have physical curves but no "
+                              "physical surface?");
   }
 
   GmshMesh mesh() {
@@ -48,7 +48,8 @@ class Version2Reader {
     mesh.cells.resize(3, static_cast<Index>(triangles_.size()));
     result.regions.resize(static_cast<Index>(triangles_.size()));
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      for (int k = 0; k < 3; ++k) mesh.cells(k, t) = vertex_[triangles_[t].nodes[k]];
+      for (int k = 0; k < 3; ++k)
+        mesh.cells(k, t) = vertex_[triangles_[t].nodes[k]];
       if (signed_area(mesh, static_cast<int>(t)) < 0)
         std::swap(mesh.cells(1, t), mesh.cells(2, t));
       result.regions[t] = triangles_[t].tags[surface_tag];
@@ -93,7 +94,8 @@ class Version2Reader {
       int type, tag_count;
       stream_ >> number >> type >> tag_count;
       std::array<int, 2> tags{0, 0};
-      for (int k = 0, ignored; k < tag_count; ++k) stream_ >> (k < 2 ? tags[k] : ignored);
+      for (int k = 0, ignored; k < tag_count; ++k)
+        stream_ >> (k < 2 ? tags[k] : ignored);
       if (type == point) {
         read_element_nodes<1>(number);
       } else if (type == line) {
@@ -102,10 +104,12 @@ class Version2Reader {
         const std::array<int, 3> nodes = read_element_nodes<3>(number);
         std::array<int, 3> sorted = nodes;
         std::sort(sorted.begin(), sorted.end());
-        if (seen_triangles.insert(sorted).second) triangles_.push_back({tags, nodes});
+        if (seen_triangles.insert(sorted).second)
+          triangles_.push_back({tags, nodes});
       } else {
-        refuse("element ", number, " of ", shown_, " has gmsh's type ", type,
-               "; only lines of two and triangles of three nodes are understood");
+        refuse(
+            "element ", number, " of ", shown_, " has gmsh's type ", type,
+            "; only lines of two and triangles of three nodes are understood");
       }
     }
     require_read("elements");
@@ -150,7 +154,8 @@ class Version2Reader {
   void require_plane() const {
     double extent = 0;
     for (const int node : used_)
-      extent = std::max(extent, nodes_[node].head<2>().lpNorm<Eigen::Infinity>());
+      extent =
+          std::max(extent, nodes_[node].head<2>().lpNorm<Eigen::Infinity>());
     for (const int node : used_)
       if (std::abs(nodes_[node].z() - nodes_[used_[0]].z()) > 1e-9 * extent)
         refuse(shown_, " is not plane: z is ", nodes_[used_[0]].z(), " and ",
@@ -175,11 +180,12 @@ class Version2Reader {
     std::vector<std::array<int, 3>> boundary;
     const int curve_tag = tag_to_use(lines_);
     for (const auto& line : lines_) {
-      const auto edge =
-          edges.find(std::minmax(vertex_[line.nodes[0]], vertex_[line.nodes[1]]));
+      const auto edge = edges.find(
+          std::minmax(vertex_[line.nodes[0]], vertex_[line.nodes[1]]));
       if (edge == edges.end() || edge->second.labelled) continue;
       edge->second.labelled = true;
-      boundary.push_back({edge->second.first, edge->second.second, line.tags[curve_tag]});
+      boundary.push_back(
+          {edge->second.first, edge->second.second, line.tags[curve_tag]});
     }
     for (const auto& [ends, use] : edges)
       if (use.triangles == 1 && !use.labelled)
@@ -199,7 +205,8 @@ class Version2Reader {
   std::unordered_map<long, int> index_;  ///< of a node's number
   std::vector<Element<2>> lines_;
   std::vector<Element<3>> triangles_;
-  std::vector<int> used_, vertex_;  ///< nodes that triangles use; the vertex of a node
+  std::vector<int> used_,
+      vertex_;  ///< nodes that triangles use; the vertex of a node
 };
 
 }  // namespace
@@ -214,11 +221,13 @@ bool is_readable_format(const path& file) {
   double version = 0;
   int binary = 0;
   if (!(stream >> section >> version >> binary) || section != "$MeshFormat")
-    refuse(file.string(), " is not a mesh of gmsh: it does not start with $MeshFormat");
+    refuse(file.string(),
+           " is not a mesh of gmsh: it does not start with $MeshFormat");
   return version >= 2 && version < 3 && binary == 0;
 }
 
-int physical_tag(const path& file, const std::string& name, const std::string& shown) {
+int physical_tag(const path& file, const std::string& name,
+                 const std::string& shown) {
   std::ifstream stream(file);
   std::string word, names;
   while (stream >> word && word != "$PhysicalNames") {

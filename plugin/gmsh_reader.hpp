@@ -10,7 +10,7 @@
 namespace ffcontact::plugin {
 
 struct GmshMesh {
-  Mesh mesh;         ///< triangles turned counter-clockwise, unused nodes left out
+  Mesh mesh;  ///< triangles turned counter-clockwise, unused nodes left out
   VectorXi regions;  ///< one per triangle
 };
 
@@ -24,7 +24,8 @@ struct GmshMesh {
 /// @throws std::invalid_argument  if the file is spoilt, has no triangles, is not plane,
 ///                                or has an element that is neither a
 ///                                point, nor a line of two, nor a triangle of three nodes
-GmshMesh read_gmsh_mesh(const std::filesystem::path& file, const std::string& shown);
+GmshMesh read_gmsh_mesh(const std::filesystem::path& file,
+                        const std::string& shown);
 
 /// Whether read_gmsh_mesh understands the format of a .msh file.
 /// @throws std::invalid_argument  if it is no mesh of gmsh at all

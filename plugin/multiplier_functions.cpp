@@ -32,7 +32,9 @@ class ContactProject : public E_F0mps {
         tangential_(to<KN<double>*>(arguments[2])) {}
 
   static ArrayOfaType typeargs() { return contact_and_pressures(); }
-  static E_F0* f(const basicAC_F0& arguments) { return new ContactProject(arguments); }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new ContactProject(arguments);
+  }
 
   AnyType operator()(Stack stack) const override {
     return guarded("contactproject", [&] { return SetAny<long>(run(stack)); });
@@ -100,18 +102,22 @@ class ConeCorrectionFunction : public E_F0mps {
   long run(Stack stack) const {
     const Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
-    const Matrix2Xd given = problem.pressures(value_of<KN<double>*>(stack, normal_),
-                                              value_of<KN<double>*>(stack, tangential_));
-    const Matrix2Xd density = multiplier_density(
-        problem.line, multiplier_of(stack, named_), prescribed(stack, contact), given);
-    const ConeCorrection correction =
-        correct_to_cone(problem.line, problem.law, edge_densities(problem.line, density));
-    const double cone = cone_defect(problem.line, problem.law, correction.densities);
+    const Matrix2Xd given =
+        problem.pressures(value_of<KN<double>*>(stack, normal_),
+                          value_of<KN<double>*>(stack, tangential_));
+    const Matrix2Xd density =
+        multiplier_density(problem.line, multiplier_of(stack, named_),
+                           prescribed(stack, contact), given);
+    const ConeCorrection correction = correct_to_cone(
+        problem.line, problem.law, edge_densities(problem.line, density));
+    const double cone =
+        cone_defect(problem.line, problem.law, correction.densities);
     const auto unmended = static_cast<long>(correction.uncorrected.size());
     named_.put(stack, "rn", correction.densities.normal.reshaped());
     named_.put(stack, "rt", correction.densities.tangential.reshaped());
     named_.put(stack, "shift", correction.shift);
-    named_.put(stack, "corrected", static_cast<long>(correction.corrected_count()));
+    named_.put(stack, "corrected",
+               static_cast<long>(correction.corrected_count()));
     named_.put(stack, "cone", cone);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
       cout << "conecorrection: " << problem.line.edge_count() << " edges, "
@@ -125,9 +131,11 @@ class ConeCorrectionFunction : public E_F0mps {
     const ContactProblem& problem = *contact.problem;
     const Expression A = named_.expression("A");
     if (!A && contact.solved) return contact.solved->system->prescribed;
-    if (!A) return std::vector<char>(problem.first_dof(problem.body_count()), 0);
+    if (!A)
+      return std::vector<char>(problem.first_dof(problem.body_count()), 0);
     problem.require_bodies("A", 1);
-    const RowMatrix matrix = matrix_of(value_of<Matrice_Creuse<double>*>(stack, A));
+    const RowMatrix matrix =
+        matrix_of(value_of<Matrice_Creuse<double>*>(stack, A));
     problem.require_dofs("A", 0, matrix.rows());
     return prescribed_dofs(matrix);
   }
@@ -140,7 +148,8 @@ class ConeCorrectionFunction : public E_F0mps {
 
 void register_multiplier_functions() {
   Global.Add("contactproject", "(", new OneOperatorCode<ContactProject>());
-  Global.Add("conecorrection", "(", new OneOperatorCode<ConeCorrectionFunction>());
+  Global.Add("conecorrection", "(",
+             new OneOperatorCode<ConeCorrectionFunction>());
 }
 
 }  // namespace ffcontact::plugin

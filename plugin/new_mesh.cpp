@@ -14,11 +14,12 @@ pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const VectorXi& regions) {
     vertices[v].y = mesh.vertices(1, v);
   }
   for (int t = 0; t < nt; ++t)
-    triangles[t].set(vertices, mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t),
-                     regions[t]);
+    triangles[t].set(vertices, mesh.cells(0, t), mesh.cells(1, t),
+                     mesh.cells(2, t), regions[t]);
   for (int e = 0; e < neb; ++e) {
-    boundary[e] = Fem2D::BoundaryEdge(vertices, mesh.boundary(0, e), mesh.boundary(1, e),
-                                      mesh.boundary_label[e]);
+    boundary[e] =
+        Fem2D::BoundaryEdge(vertices, mesh.boundary(0, e), mesh.boundary(1, e),
+                            mesh.boundary_label[e]);
     for (int end = 0; end < 2; ++end) {
       Fem2D::Vertex& vertex = vertices[mesh.boundary(end, e)];
       if (vertex.lab == 0) vertex.lab = mesh.boundary_label[e];

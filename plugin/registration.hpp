@@ -9,7 +9,7 @@ void register_multiplier_functions();  ///< contactproject, conecorrection
 void register_estimate_functions();    ///< contacterror
 void register_sizing_functions();      ///< optimalsize
 void register_gmsh_functions();        ///< gmshmesh, gmshlabel
-void register_remesh_functions();      ///< contactmeshparts, -angle, -moved, -labelled
-void register_script_functions();      ///< contactstop, wallclock
+void register_remesh_functions();  ///< contactmeshparts, -angle, -moved, -labelled
+void register_script_functions();  ///< contactstop, wallclock
 
 }  // namespace ffcontact::plugin

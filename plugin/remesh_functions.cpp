@@ -44,8 +44,8 @@ pmesh contactmeshparts(Stack stack, pmesh const& Th, const double& corner) {
 double contactmeshangle(Stack, pmesh const& Th, const double& corner) {
   return GetAny<double>(guarded("contactmesh", [&] {
     const Parted parted(Th, corner);
-    return SetAny<double>(smallest_corner(parted.mesh, parted.parts, corner * degree) /
-                          degree);
+    return SetAny<double>(
+        smallest_corner(parted.mesh, parted.parts, corner * degree) / degree);
   }));
 }
 
@@ -55,9 +55,9 @@ pmesh contactmeshmoved(Stack stack, pmesh const& fine, pmesh const& Th,
                        const double& corner) {
   return GetAny<pmesh>(guarded("contactmesh", [&] {
     const Parted parted(Th, corner);
-    return SetAny<pmesh>(
-        fem_mesh_of(stack, moved_onto_parts(mesh_of(fine), parted.mesh, parted.parts),
-                    regions_of(*fine)));
+    return SetAny<pmesh>(fem_mesh_of(
+        stack, moved_onto_parts(mesh_of(fine), parted.mesh, parted.parts),
+        regions_of(*fine)));
   }));
 }
 
@@ -85,8 +85,9 @@ void register_remesh_functions() {
              new OneOperator2s_<double, pmesh, double>(contactmeshangle));
   Global.Add("contactmeshmoved", "(",
              new OneOperator3s_<pmesh, pmesh, pmesh, double>(contactmeshmoved));
-  Global.Add("contactmeshlabelled", "(",
-             new OneOperator3s_<pmesh, pmesh, pmesh, double>(contactmeshlabelled));
+  Global.Add(
+      "contactmeshlabelled", "(",
+      new OneOperator3s_<pmesh, pmesh, pmesh, double>(contactmeshlabelled));
 }
 
 }  // namespace ffcontact::plugin

@@ -83,7 +83,8 @@ class OptimalSizeFunction : public E_F0mps {
     settings.smallest = named_.number(stack, "hmin", settings.smallest);
     settings.largest = named_.number(stack, "hmax", settings.largest);
     settings.gradation = named_.number(stack, "gradation", settings.gradation);
-    settings.largest_step = named_.number(stack, "largeststep", settings.largest_step);
+    settings.largest_step =
+        named_.number(stack, "largeststep", settings.largest_step);
     const OptimalSize optimal =
         optimal_size(all.mesh, problem.edges, joined(stack, local_error_),
                      joined(stack, rates), settings);

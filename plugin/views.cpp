@@ -16,7 +16,10 @@ constexpr int samples_of_an_edge = 9;
 class PointEvaluator {
  public:
   PointEvaluator(Stack stack, const Fem2D::Mesh& mesh)
-      : stack_(stack), mesh_(mesh), point_(MeshPointStack(stack)), saved_(*point_) {}
+      : stack_(stack),
+        mesh_(mesh),
+        point_(MeshPointStack(stack)),
+        saved_(*point_) {}
   ~PointEvaluator() { *point_ = saved_; }
   PointEvaluator(const PointEvaluator&) = delete;
   PointEvaluator& operator=(const PointEvaluator&) = delete;
@@ -29,14 +32,17 @@ class PointEvaluator {
     const Fem2D::Triangle& triangle = mesh_[k];
     const R2 along = triangle.Edge(side);
     const R2 normal = along.perp() / -std::sqrt((along, along));
-    const R2 first(Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][0]]);
-    const R2 second(Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][1]]);
+    const R2 first(
+        Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][0]]);
+    const R2 second(
+        Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][1]]);
     const R2 hat = first * s + second * (1 - s);
-    point_->set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab, normal,
-                side);
+    point_->set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab,
+                normal, side);
   }
   /// Goes to a place on a boundary edge of a part of the joined mesh.
-  void go_to_edge(const BodyPart& part, const Edges& edges, const EdgePlace& at) {
+  void go_to_edge(const BodyPart& part, const Edges& edges,
+                  const EdgePlace& at) {
     const int element = edges.boundary_index[at.edge] - part.first_boundary;
     const bool first =
         first_vertex(element) == edges.vertices(0, at.edge) - part.first_vertex;
@@ -75,8 +81,8 @@ class PointEvaluator {
 /// constant on the subtriangles, and subtriangle k holds the points where phi_k is the
 /// smallest.
 double oscillation_square(const Matrix2Xd& f, const Matrix3Xd& phi,
-                          const VectorXd& weight, const Matrix<double, 2, 3>& constant,
-                          double area) {
+                          const VectorXd& weight,
+                          const Matrix<double, 2, 3>& constant, double area) {
   double square = 0;
   for (Index q = 0; q < weight.size(); ++q) {
     Index k;
@@ -97,7 +103,8 @@ Mesh mesh_of(const Fem2D::Mesh* fem_mesh) {
   mesh.boundary.resize(2, Th.neb);
   mesh.boundary_label.resize(Th.neb);
   for (int v = 0; v < Th.nv; ++v) mesh.vertices.col(v) << Th(v).x, Th(v).y;
-  for (int t = 0; t < Th.nt; ++t) mesh.cells.col(t) << Th(t, 0), Th(t, 1), Th(t, 2);
+  for (int t = 0; t < Th.nt; ++t)
+    mesh.cells.col(t) << Th(t, 0), Th(t, 1), Th(t, 2);
   for (int e = 0; e < Th.neb; ++e) {
     mesh.boundary.col(e) << Th(Th.bedges[e][0]), Th(Th.bedges[e][1]);
     mesh.boundary_label[e] = Th.bedges[e].lab;
@@ -125,9 +132,11 @@ Map<VectorXd> vector_of(KN<double>* array) {
 }
 
 StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
-  StatedPlaces places(line.edge_count(), std::vector<EdgePlace>(samples_of_an_edge));
+  StatedPlaces places(line.edge_count(),
+                      std::vector<EdgePlace>(samples_of_an_edge));
   const auto at = [&](int k, double begin, double end) {
-    return begin + static_cast<double>(k) / (samples_of_an_edge - 1) * (end - begin);
+    return begin +
+           static_cast<double>(k) / (samples_of_an_edge - 1) * (end - begin);
   };
   for (int e = 0; e < line.edge_count(); ++e)
     for (int k = 0; k < samples_of_an_edge; ++k)
@@ -139,24 +148,26 @@ StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
       const double x = at(k, line.place(0, e), line.place(1, e));
       if (x < piece->begin || x > piece->end) continue;
       const double share = (x - piece->begin) / (piece->end - piece->begin);
-      places[e][k] = {
-          piece->opposite_edge,
-          piece->opposite_begin + share * (piece->opposite_end - piece->opposite_begin)};
+      places[e][k] = {piece->opposite_edge,
+                      piece->opposite_begin + share * (piece->opposite_end -
+                                                       piece->opposite_begin)};
     }
   return places;
 }
 
 VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
-                  const Edges& edges, const ContactLine& line, const StatedPlaces& places,
-                  double otherwise) {
+                  const Edges& edges, const ContactLine& line,
+                  const StatedPlaces& places, double otherwise) {
   VectorXd values = VectorXd::Constant(line.node_count(), otherwise);
   if (!expression) return values;
   PointEvaluator point(stack, part.fem_mesh);
-  for (int e = line.edge_count() - 1; e >= 0;
-       --e)  // backwards: a node between two edges ends with the value of the first
+  for (
+      int e = line.edge_count() - 1; e >= 0;
+      --e)  // backwards: a node between two edges ends with the value of the first
     for (int end = 1; end >= 0; --end) {
       if (!ends_at_its_node(line, end, e)) continue;
-      point.go_to_edge(part, edges, end == 0 ? places[e].front() : places[e].back());
+      point.go_to_edge(part, edges,
+                       end == 0 ? places[e].front() : places[e].back());
       values[line.edge_node(end, e)] = point.value(expression);
     }
   return values;
@@ -174,8 +185,8 @@ MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
   return values;
 }
 
-VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh,
-                      double otherwise) {
+VectorXd at_triangles(Stack stack, Expression expression,
+                      const Fem2D::Mesh& fem_mesh, double otherwise) {
   VectorXd values = VectorXd::Constant(fem_mesh.nt, otherwise);
   if (!expression) return values;
   PointEvaluator point(stack, fem_mesh);
@@ -193,9 +204,9 @@ Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
   const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;
   PointEvaluator point(stack, fem_mesh);
   for (int e = 0; e < mesh.boundary.cols(); ++e) {
-    const double length =
-        (mesh.vertices.col(mesh.boundary(1, e)) - mesh.vertices.col(mesh.boundary(0, e)))
-            .norm();
+    const double length = (mesh.vertices.col(mesh.boundary(1, e)) -
+                           mesh.vertices.col(mesh.boundary(0, e)))
+                              .norm();
     const int first_row = point.first_vertex(e) == mesh.boundary(0, e) ? 0 : 2;
     for (int q = 0; q < quadrature.n; ++q) {
       const double s = quadrature[q].x, weight = length * quadrature[q].a;
@@ -228,8 +239,8 @@ BodyForce body_force_loads(Stack stack, Expression fx, Expression fy,
     }
     Map<Matrix<double, 2, 3>> loads(force.loads.col(t).data());
     loads = f * weight.asDiagonal() * phi.transpose();
-    force.oscillation +=
-        oscillation_square(f, phi, weight, body_force_of(force.loads.col(t), area), area);
+    force.oscillation += oscillation_square(
+        f, phi, weight, body_force_of(force.loads.col(t), area), area);
   }
   force.oscillation = std::sqrt(force.oscillation);
   return force;

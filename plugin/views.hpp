@@ -43,16 +43,16 @@ StatedPlaces stated_places(const ContactLine& line, bool on_opposite);
 /// boundary) [p].
 /// @return an array of `otherwise` where the expression is null
 VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
-                  const Edges& edges, const ContactLine& line, const StatedPlaces& places,
-                  double otherwise);
+                  const Edges& edges, const ContactLine& line,
+                  const StatedPlaces& places, double otherwise);
 
 /// An expression at the places of each edge, with the label of the edge [points x edges].
 MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
                      const Edges& edges, const StatedPlaces& places);
 
 /// An expression at the centroid of each triangle (x, y, region) [triangles].
-VectorXd at_triangles(Stack stack, Expression expression, const Fem2D::Mesh& fem_mesh,
-                      double otherwise);
+VectorXd at_triangles(Stack stack, Expression expression,
+                      const Fem2D::Mesh& fem_mesh, double otherwise);
 
 /// Moments int F phi of a traction at the two vertices of every boundary element [4 x
 /// boundary], by the quadrature that FreeFEM's int1d uses by default (three Gauss

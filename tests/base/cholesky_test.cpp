@@ -28,8 +28,9 @@ RC_GTEST_PROP(Cholesky, solves, (Random random)) {
 
 TEST(Cholesky, knows_what_is_not_positive_definite_and_how_close_others_are) {
   EXPECT_FALSE(Cholesky(Vector2d(1, -1).asDiagonal()).is_positive_definite());
-  EXPECT_NEAR(Cholesky(Vector3d(1, 4, 1e-3).asDiagonal()).reciprocal_condition(),
-              1e-3 / 4, 1e-15);
+  EXPECT_NEAR(
+      Cholesky(Vector3d(1, 4, 1e-3).asDiagonal()).reciprocal_condition(),
+      1e-3 / 4, 1e-15);
 }
 
 }  // namespace

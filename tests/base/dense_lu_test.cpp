@@ -14,14 +14,16 @@ using namespace test;
 
 RC_GTEST_PROP(DenseLu, solves, (Random random)) {
   const int n = *rc::gen::inRange(1, 20);
-  const MatrixXd A = random_matrix(n, n, random) + 2 * n * MatrixXd::Identity(n, n);
+  const MatrixXd A =
+      random_matrix(n, n, random) + 2 * n * MatrixXd::Identity(n, n);
   const VectorXd x = random_vector(n, random);
   RC_ASSERT((DenseLu(A).solve(A * x) - x).norm() < 1e-13 * x.norm());
 }
 
 TEST(DenseLu, reciprocal_condition_of_a_diagonal_is_the_ratio_of_its_ends) {
   const Vector3d diagonal(1, -4, 1e-3);
-  EXPECT_NEAR(DenseLu(diagonal.asDiagonal()).reciprocal_condition(), 1e-3 / 4, 1e-15);
+  EXPECT_NEAR(DenseLu(diagonal.asDiagonal()).reciprocal_condition(), 1e-3 / 4,
+              1e-15);
 }
 
 TEST(DenseLu, reciprocal_condition_of_a_singular_matrix_is_zero) {
@@ -33,7 +35,8 @@ TEST(DenseLu, reciprocal_condition_of_what_is_no_number_is_zero) {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(DenseLu(Matrix2d::Constant(nan)).reciprocal_condition(), 0);
-  EXPECT_EQ(DenseLu(Vector2d(infinity, 1).asDiagonal()).reciprocal_condition(), 0);
+  EXPECT_EQ(DenseLu(Vector2d(infinity, 1).asDiagonal()).reciprocal_condition(),
+            0);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ using namespace test;
 
 /// A matrix of the given rank.
 MatrixXd of_rank(int rows, int columns, int rank, Random& random) {
-  return random_matrix(rows, rank, random) * random_matrix(rank, columns, random);
+  return random_matrix(rows, rank, random) *
+         random_matrix(rank, columns, random);
 }
 
 RC_GTEST_PROP(LeastSquares,
@@ -27,8 +28,10 @@ RC_GTEST_PROP(LeastSquares,
   RC_ASSERT((kernel.transpose() * x).norm() < 1e-9 * kernel.norm() * x.norm());
 }
 
-RC_GTEST_PROP(LeastSquares, of_columns_are_those_of_each_column, (Random random)) {
-  const MatrixXd A = random_matrix(7, 4, random), B = random_matrix(7, 2, random);
+RC_GTEST_PROP(LeastSquares, of_columns_are_those_of_each_column,
+              (Random random)) {
+  const MatrixXd A = random_matrix(7, 4, random),
+                 B = random_matrix(7, 2, random);
   const MatrixXd X = least_squares_of_columns(A, B);
   for (int c = 0; c < 2; ++c)
     RC_ASSERT((X.col(c) - least_squares(A, B.col(c))).norm() < 1e-9 * X.norm());
@@ -42,7 +45,8 @@ TEST(LeastSquares, count_pivots_below_the_threshold_as_zero) {
 }
 
 RC_GTEST_PROP(KernelBasis, spans_what_the_matrix_makes_zero, (Random random)) {
-  const MatrixXd A = of_rank(4, 6, 3, random), kernel = kernel_basis(A, {1e-10});
+  const MatrixXd A = of_rank(4, 6, 3, random),
+                 kernel = kernel_basis(A, {1e-10});
   RC_ASSERT(kernel.cols() == 3);
   RC_ASSERT((A * kernel).norm() < 1e-11 * A.norm() * kernel.norm());
 }

@@ -33,7 +33,8 @@ double smallest_residual(const MatrixXd& G, const VectorXd& b) {
 
 /// Largest violation of  x >= 0,  G'r <= 0,  x . G'r = 0  with r = b - G x, relative to
 /// |b| and |G|.
-double optimality_defect(const MatrixXd& G, const VectorXd& b, const VectorXd& x) {
+double optimality_defect(const MatrixXd& G, const VectorXd& b,
+                         const VectorXd& x) {
   const VectorXd descent = G.transpose() * (b - G * x) / (G.norm() * b.norm());
   const double x_scale =
       std::max(x.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
@@ -41,13 +42,15 @@ double optimality_defect(const MatrixXd& G, const VectorXd& b, const VectorXd& x
                    (x / x_scale).cwiseProduct(descent).cwiseAbs().maxCoeff()});
 }
 
-RC_GTEST_PROP(NonnegativeLeastSquares, residual_is_the_smallest_over_all_active_sets,
-              (Random random)) {
+RC_GTEST_PROP(NonnegativeLeastSquares,
+              residual_is_the_smallest_over_all_active_sets, (Random random)) {
   const int m = *rc::gen::inRange(1, 6), n = *rc::gen::inRange(1, 7);
   const MatrixXd G = random_matrix(m, n, random);
-  const VectorXd b = random_vector(m, random), x = nonnegative_least_squares(G, b);
+  const VectorXd b = random_vector(m, random),
+                 x = nonnegative_least_squares(G, b);
   RC_ASSERT(x.minCoeff() >= 0);
-  RC_ASSERT(std::abs((G * x - b).norm() - smallest_residual(G, b)) < 1e-10 * b.norm());
+  RC_ASSERT(std::abs((G * x - b).norm() - smallest_residual(G, b)) <
+            1e-10 * b.norm());
 }
 
 RC_GTEST_PROP(NonnegativeLeastSquares, residual_descends_along_no_column,
@@ -58,18 +61,21 @@ RC_GTEST_PROP(NonnegativeLeastSquares, residual_descends_along_no_column,
   RC_ASSERT(optimality_defect(G, b, nonnegative_least_squares(G, b)) < 1e-11);
 }
 
-RC_GTEST_PROP(NonnegativeLeastSquares, repeated_columns_do_no_harm, (Random random)) {
+RC_GTEST_PROP(NonnegativeLeastSquares, repeated_columns_do_no_harm,
+              (Random random)) {
   const MatrixXd once = random_matrix(4, 3, random);
   const MatrixXd twice = once.replicate(1, 2);
   const VectorXd b = random_vector(4, random);
-  RC_ASSERT(optimality_defect(twice, b, nonnegative_least_squares(twice, b)) < 1e-11);
+  RC_ASSERT(optimality_defect(twice, b, nonnegative_least_squares(twice, b)) <
+            1e-11);
 }
 
 RC_GTEST_PROP(NonnegativeLeastSquares, a_right_side_inside_the_cone_is_reached,
               (Random random)) {
   const MatrixXd G = random_matrix(3, 6, random);
   const VectorXd b = G * random_vector(6, random).cwiseAbs();
-  RC_ASSERT((G * nonnegative_least_squares(G, b) - b).norm() < 1e-11 * b.norm());
+  RC_ASSERT((G * nonnegative_least_squares(G, b) - b).norm() <
+            1e-11 * b.norm());
 }
 
 /// A step that is not cut off where the first column reaches 0 ends at (0, 0, 3.19,
@@ -84,7 +90,8 @@ TEST(NonnegativeLeastSquares, columns_leave_one_after_the_other) {
 }
 
 TEST(NonnegativeLeastSquares, a_right_side_opposite_to_all_columns_gives_zero) {
-  const VectorXd x = nonnegative_least_squares(Matrix3d::Identity(), Vector3d(-1, -2, 0));
+  const VectorXd x =
+      nonnegative_least_squares(Matrix3d::Identity(), Vector3d(-1, -2, 0));
   EXPECT_EQ(x, Vector3d::Zero());
 }
 

@@ -18,7 +18,9 @@ using namespace test;
 struct Quadratic {
   MatrixXd H, C;
   VectorXd g, d;
-  double value(const VectorXd& y) const { return 0.5 * y.dot(H * y) + g.dot(y); }
+  double value(const VectorXd& y) const {
+    return 0.5 * y.dot(H * y) + g.dot(y);
+  }
   double violation(const VectorXd& y) const {
     return d.size() > 0 ? std::max(0.0, (d - C * y).maxCoeff()) : 0;
   }
@@ -59,10 +61,11 @@ double smallest_value(const Quadratic& q) {
   return best;
 }
 
-RC_GTEST_PROP(QuadraticMinimum, is_the_smallest_over_all_sets_of_active_conditions,
+RC_GTEST_PROP(QuadraticMinimum,
+              is_the_smallest_over_all_sets_of_active_conditions,
               (Random random)) {
-  const Quadratic q =
-      random_quadratic(*rc::gen::inRange(1, 6), *rc::gen::inRange(1, 7), random);
+  const Quadratic q = random_quadratic(*rc::gen::inRange(1, 6),
+                                       *rc::gen::inRange(1, 7), random);
   const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
   RC_ASSERT(y.has_value());
   RC_ASSERT(q.violation(*y) < 1e-9);
@@ -83,8 +86,8 @@ RC_GTEST_PROP(QuadraticMinimum, does_not_depend_on_the_scale_of_its_conditions,
   const Quadratic q = random_quadratic(4, 5, random);
   const VectorXd factor = (5 * random_vector(5, random)).array().exp();
   const auto y = quadratic_minimum(q.H, q.g, q.C, q.d);
-  const auto z =
-      quadratic_minimum(q.H, q.g, factor.asDiagonal() * q.C, factor.asDiagonal() * q.d);
+  const auto z = quadratic_minimum(q.H, q.g, factor.asDiagonal() * q.C,
+                                   factor.asDiagonal() * q.d);
   RC_ASSERT((y && z && (*y - *z).norm() < 1e-8 * (1 + y->norm())));
 }
 
@@ -112,7 +115,8 @@ RC_GTEST_PROP(QuadraticMinimum, meets_the_conditions_of_a_thin_cone_to_rounding,
     }
   VectorXd left_over = gradient;
   if (active.cols() > 0) {
-    const VectorXd multipliers = active.completeOrthogonalDecomposition().solve(gradient);
+    const VectorXd multipliers =
+        active.completeOrthogonalDecomposition().solve(gradient);
     RC_ASSERT(multipliers.minCoeff() >= -1e-7 * (1 + multipliers.maxCoeff()));
     left_over -= active * multipliers;
   }
@@ -128,14 +132,16 @@ TEST(QuadraticMinimum, without_conditions_solves_the_linear_system) {
 
 TEST(QuadraticMinimum, is_nothing_where_the_conditions_contradict_each_other) {
   const Vector2d up(1, -1), limits(1, 1);  // y >= 1 and y <= -1
-  EXPECT_FALSE(quadratic_minimum(MatrixXd::Identity(1, 1), VectorXd::Zero(1), up, limits)
-                   .has_value());
+  EXPECT_FALSE(
+      quadratic_minimum(MatrixXd::Identity(1, 1), VectorXd::Zero(1), up, limits)
+          .has_value());
 }
 
 TEST(QuadraticMinimum, is_nothing_where_the_form_is_not_positive_definite) {
   const Matrix2d H = Vector2d(1, -1).asDiagonal();
   EXPECT_FALSE(
-      quadratic_minimum(H, Vector2d::Zero(), MatrixXd(0, 2), VectorXd()).has_value());
+      quadratic_minimum(H, Vector2d::Zero(), MatrixXd(0, 2), VectorXd())
+          .has_value());
 }
 
 /// A condition that y hardly changes has terms that are large against what y does to it;
@@ -143,7 +149,8 @@ TEST(QuadraticMinimum, is_nothing_where_the_form_is_not_positive_definite) {
 TEST(QuadraticMinimum, meets_conditions_beside_one_that_hardly_changes) {
   const MatrixXd H = MatrixXd::Identity(1, 1),
                  C = (MatrixXd(2, 1) << -1, 1e-15).finished();
-  const auto y = quadratic_minimum(H, VectorXd::Constant(1, -2), C, Vector2d(-1, -1));
+  const auto y =
+      quadratic_minimum(H, VectorXd::Constant(1, -2), C, Vector2d(-1, -1));
   ASSERT_TRUE(y.has_value());
   EXPECT_NEAR((*y)[0], 1, 1e-14);
 }

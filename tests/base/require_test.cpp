@@ -27,11 +27,13 @@ TEST(Require, a_wrong_size_is_named_with_the_right_one) {
 }
 
 TEST(Require, the_first_value_that_is_not_finite_is_named) {
-  EXPECT_EQ(refusal([] { require_finite("b", Vector3d(1, infinite, -infinite)); }),
-            "b[1] is inf, not a finite number");
+  EXPECT_EQ(
+      refusal([] { require_finite("b", Vector3d(1, infinite, -infinite)); }),
+      "b[1] is inf, not a finite number");
   EXPECT_EQ(refusal([] { require_finite("b", Vector3d(1, 2, std::nan(""))); }),
             "b[2] is nan, not a finite number");
-  EXPECT_EQ(refusal([] { require_finite("b", Vector3d(1, 2, -3)); }), "accepted");
+  EXPECT_EQ(refusal([] { require_finite("b", Vector3d(1, 2, -3)); }),
+            "accepted");
 }
 
 TEST(Require, the_first_value_that_is_negative_or_not_finite_is_named) {

@@ -10,8 +10,10 @@ namespace {
 
 using namespace test;
 
-RC_GTEST_PROP(SparseLu, solves_with_the_matrix_and_its_transpose, (Random random)) {
-  const MatrixXd A = random_matrix(6, 6, random) + 12 * MatrixXd::Identity(6, 6);
+RC_GTEST_PROP(SparseLu, solves_with_the_matrix_and_its_transpose,
+              (Random random)) {
+  const MatrixXd A =
+      random_matrix(6, 6, random) + 12 * MatrixXd::Identity(6, 6);
   const VectorXd x = random_vector(6, random);
   const MatrixXd X = random_matrix(6, 2, random);
   const SparseLu lu(A.sparseView());
@@ -19,7 +21,8 @@ RC_GTEST_PROP(SparseLu, solves_with_the_matrix_and_its_transpose, (Random random
   RC_ASSERT((lu.solve(A * x) - x).norm() < 1e-13 * 12);
   RC_ASSERT((lu.solve_columns(A * X) - X).norm() < 1e-13 * 12);
   RC_ASSERT((lu.solve_transposed(A.transpose() * x) - x).norm() < 1e-13 * 12);
-  RC_ASSERT((lu.solve_transposed_columns(A.transpose() * X) - X).norm() < 1e-13 * 12);
+  RC_ASSERT((lu.solve_transposed_columns(A.transpose() * X) - X).norm() <
+            1e-13 * 12);
 }
 
 TEST(SparseLu, takes_no_columns_and_knows_a_singular_matrix) {

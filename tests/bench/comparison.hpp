@@ -39,14 +39,16 @@ inline const test::Problem& problem(int n) {
   const auto found = problems.find(n);
   return found != problems.end()
              ? found->second
-             : problems.emplace(n, test::example_1(Multiplier::force, n)).first->second;
+             : problems.emplace(n, test::example_1(Multiplier::force, n))
+                   .first->second;
 }
 
 inline const ElasticSystem& elastic_system_of(int n) {
   static std::map<int, ElasticSystem> systems;
   const auto found = systems.find(n);
-  return found != systems.end() ? found->second
-                                : systems.emplace(n, problem(n).system()).first->second;
+  return found != systems.end()
+             ? found->second
+             : systems.emplace(n, problem(n).system()).first->second;
 }
 
 /// A line of /proc/self/status [MB].
@@ -80,8 +82,8 @@ class ShortestTimes : public benchmark::ConsoleReporter {
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const auto key =
-          std::make_pair(std::stoi(run.run_name.args), run.run_name.function_name);
+      const auto key = std::make_pair(std::stoi(run.run_name.args),
+                                      run.run_name.function_name);
       const double seconds =
           run.real_accumulated_time / static_cast<double>(run.iterations);
       const auto [place, is_new] = shortest.emplace(key, seconds);
@@ -91,11 +93,13 @@ class ShortestTimes : public benchmark::ConsoleReporter {
   std::map<std::pair<int, std::string>, double> shortest;
 };
 
-inline void print_table(const ShortestTimes& times, const std::vector<NamedCase>& cases,
+inline void print_table(const ShortestTimes& times,
+                        const std::vector<NamedCase>& cases,
                         const std::vector<int>& sizes,
                         const std::function<double(std::size_t, int)>& memory) {
   std::printf(
-      "| dofs | problem | seconds | / linear solve | peak memory [MB] | / linear solve "
+      "| dofs | problem | seconds | / linear solve | peak memory [MB] | / "
+      "linear solve "
       "|\n|---|---|---|---|---|---|\n");
   for (int n : sizes) {
     double first_seconds = 0, first_memory = 0;
@@ -108,8 +112,9 @@ inline void print_table(const ShortestTimes& times, const std::vector<NamedCase>
         first_memory = megabytes;
       }
       std::printf("| %d | %s | %.3f | %.2f | %.0f | %.2f |\n", dof_count(n),
-                  cases[k].name.c_str(), seconds->second, seconds->second / first_seconds,
-                  megabytes, megabytes / first_memory);
+                  cases[k].name.c_str(), seconds->second,
+                  seconds->second / first_seconds, megabytes,
+                  megabytes / first_memory);
     }
   }
 }
@@ -121,13 +126,14 @@ inline void print_table(const ShortestTimes& times, const std::vector<NamedCase>
 inline int compare(int argc, char** argv, const std::vector<NamedCase>& cases,
                    const std::vector<int>& sizes) {
   if (argc == 4 && std::string(argv[1]) == "--peak") {
-    std::printf("%g\n",
-                peak_memory(cases.at(std::stoul(argv[2])).prepare, std::stoi(argv[3])));
+    std::printf("%g\n", peak_memory(cases.at(std::stoul(argv[2])).prepare,
+                                    std::stoi(argv[3])));
     return 0;
   }
   std::vector<std::string> arguments(argv, argv + argc);
-  arguments.insert(arguments.begin() + 1, {"--benchmark_enable_random_interleaving=true",
-                                           "--benchmark_repetitions=5"});
+  arguments.insert(arguments.begin() + 1,
+                   {"--benchmark_enable_random_interleaving=true",
+                    "--benchmark_repetitions=5"});
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   int count = static_cast<int>(pointers.size());
@@ -136,12 +142,13 @@ inline int compare(int argc, char** argv, const std::vector<NamedCase>& cases,
 
   for (const NamedCase& named : cases)
     for (int n : sizes)
-      benchmark::RegisterBenchmark(named.name.c_str(),
-                                   [&named](benchmark::State& state) {
-                                     const std::function<void()> run =
-                                         named.prepare(static_cast<int>(state.range(0)));
-                                     for (auto _ : state) run();
-                                   })
+      benchmark::RegisterBenchmark(
+          named.name.c_str(),
+          [&named](benchmark::State& state) {
+            const std::function<void()> run =
+                named.prepare(static_cast<int>(state.range(0)));
+            for (auto _ : state) run();
+          })
           ->Arg(n)
           ->Iterations(1)
           ->UseRealTime()

@@ -21,7 +21,8 @@ Case contact(Multiplier multiplier) {
     law.multiplier = multiplier;
     return [&body, &system, law] {
       const ContactSettings settings;
-      if (!solve_contact(body.mesh, body.line, law, system, settings).accepted(settings))
+      if (!solve_contact(body.mesh, body.line, law, system, settings)
+               .accepted(settings))
         throw std::runtime_error("the contact problem is not solved");
     };
   };

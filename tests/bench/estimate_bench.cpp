@@ -13,7 +13,8 @@ std::function<void()> linear_solve(int n) {
   return [solve] { solve->run(); };
 }
 
-SolvedBody solved_body(const test::Problem& problem, const ElasticSystem& system) {
+SolvedBody solved_body(const test::Problem& problem,
+                       const ElasticSystem& system) {
   const ContactSolution solution =
       solve_contact(problem.mesh, problem.line, problem.law, system);
   SolvedBody body;
@@ -36,19 +37,22 @@ std::function<void()> estimate(int n) {
     bodies.emplace(n, solved_body(body, system));
     topologies.emplace(n, topology_of(body.mesh));
   }
-  return [&body, &system, &solved = bodies.at(n), &topology = topologies.at(n)] {
-    EstimateSettings settings;
-    settings.relaxation.sweeps = 2;
-    const Estimate result = estimate_error(topology, body.line, system, solved, settings);
-    benchmark::DoNotOptimize(result.e);
-  };
+  return
+      [&body, &system, &solved = bodies.at(n), &topology = topologies.at(n)] {
+        EstimateSettings settings;
+        settings.relaxation.sweeps = 2;
+        const Estimate result =
+            estimate_error(topology, body.line, system, solved, settings);
+        benchmark::DoNotOptimize(result.e);
+      };
 }
 
 }  // namespace ffcontact::bench
 
 int main(int argc, char** argv) {
   using namespace ffcontact::bench;
-  return compare(argc, argv,
-                 {{"linear solve", linear_solve}, {"estimate, 2 sweeps", estimate}},
-                 {122, 250, 500});
+  return compare(
+      argc, argv,
+      {{"linear solve", linear_solve}, {"estimate, 2 sweeps", estimate}},
+      {122, 250, 500});
 }

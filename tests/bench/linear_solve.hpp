@@ -26,11 +26,11 @@ class LinearSolve {
     int n = 0;
     for (std::size_t dof = 0; dof < number.size(); ++dof)
       if (!system.prescribed[dof]) number[dof] = n++;
-    matrix_ = cholmod_allocate_sparse(n, n, system.stiffness.nonZeros(), true, true, 1,
-                                      CHOLMOD_REAL, &common_);
+    matrix_ = cholmod_allocate_sparse(n, n, system.stiffness.nonZeros(), true,
+                                      true, 1, CHOLMOD_REAL, &common_);
     load_ = cholmod_allocate_dense(n, 1, n, CHOLMOD_REAL, &common_);
-    int *start = static_cast<int*>(matrix_->p), *index = static_cast<int*>(matrix_->i),
-        next = 0;
+    int *start = static_cast<int*>(matrix_->p),
+        *index = static_cast<int*>(matrix_->i), next = 0;
     double *value = static_cast<double*>(matrix_->x),
            *load = static_cast<double*>(load_->x);
     for (int row = 0; row < system.dof_count(); ++row) {
@@ -57,7 +57,8 @@ class LinearSolve {
     cholmod_factor* factor = cholmod_analyze(matrix_, &common_);
     cholmod_factorize(matrix_, factor, &common_);
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, factor, load_, &common_);
-    if (common_.status != CHOLMOD_OK) throw std::runtime_error("CHOLMOD failed");
+    if (common_.status != CHOLMOD_OK)
+      throw std::runtime_error("CHOLMOD failed");
     cholmod_free_dense(&x, &common_);
     cholmod_free_factor(&factor, &common_);
   }

@@ -33,7 +33,8 @@ std::vector<ContactRows> all_solutions(const Condensed& small) {
     States state(nodes);
     for (int i = 0; i < nodes; ++i) state[i] = all_states[code >> (2 * i) & 3];
     ContactRows rows;
-    const SystemKind kind = solve_active_set(small.contact, small.law, state, rows);
+    const SystemKind kind =
+        solve_active_set(small.contact, small.law, state, rows);
     if (kind == SystemKind::regular && violation(small.law, rows) < 1e-11)
       found.push_back(rows);
   }
@@ -42,8 +43,8 @@ std::vector<ContactRows> all_solutions(const Condensed& small) {
 
 /// A block of few cells, clamped at the top, with random loads.
 Problem small_problem(int cells, double mu, Random& random) {
-  Problem problem =
-      body(moved(rectangle(cells, 2, 3, 2), 0.5, 0.2, random), material(1000, 0.3));
+  Problem problem = body(moved(rectangle(cells, 2, 3, 2), 0.5, 0.2, random),
+                         material(1000, 0.3));
   add_traction(problem, left, random_vector(2, random));
   add_traction(problem, right, random_vector(2, random));
   clamp(problem, top,
@@ -51,7 +52,8 @@ Problem small_problem(int cells, double mu, Random& random) {
           return motion;
         });
   set_friction(problem, mu);
-  problem.law.multiplier = random() % 2 == 0 ? Multiplier::force : Multiplier::pressure;
+  problem.law.multiplier =
+      random() % 2 == 0 ? Multiplier::force : Multiplier::pressure;
   return problem;
 }
 
@@ -63,18 +65,23 @@ States random_states(int nodes, Random& random) {
 
 /// Newton, and the fixed point helped by it where its states do not settle.
 ActiveSetResult solved_from(const Condensed& small, const States& start) {
-  const ActiveSetResult newton = active_set_newton(small.contact, small.law, start);
+  const ActiveSetResult newton =
+      active_set_newton(small.contact, small.law, start);
   if (newton.status != ContactStatus::cycled) return newton;
-  return fixed_point(small.contact, small.law, start, {500, 1e-10}, true).answer;
+  return fixed_point(small.contact, small.law, start, {500, 1e-10}, true)
+      .answer;
 }
 
-RC_GTEST_PROP(ActiveSet, finds_the_solution_that_brute_force_finds, (Random random)) {
-  const Condensed small(small_problem(*rc::gen::inRange(1, 4), *real(0, 0.5), random));
+RC_GTEST_PROP(ActiveSet, finds_the_solution_that_brute_force_finds,
+              (Random random)) {
+  const Condensed small(
+      small_problem(*rc::gen::inRange(1, 4), *real(0, 0.5), random));
   const std::vector<ContactRows> solutions = all_solutions(small);
   const ActiveSetResult result = solved_from(small, small.sticking);
   RC_ASSERT(result.status == ContactStatus::converged);
   RC_ASSERT(!solutions.empty());
-  for (const ContactRows& rows : solutions) {  // several active sets may have one answer
+  for (const ContactRows& rows :
+       solutions) {  // several active sets may have one answer
     RC_ASSERT((result.v - rows.v).cwiseAbs().maxCoeff() <=
               1e-10 * rows.v.cwiseAbs().maxCoeff());
     RC_ASSERT((result.P - rows.P).cwiseAbs().maxCoeff() <=
@@ -82,19 +89,24 @@ RC_GTEST_PROP(ActiveSet, finds_the_solution_that_brute_force_finds, (Random rand
   }
 }
 
-RC_GTEST_PROP(ActiveSet, answer_does_not_depend_on_the_first_guess, (Random random)) {
-  const Condensed small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.3), random));
+RC_GTEST_PROP(ActiveSet, answer_does_not_depend_on_the_first_guess,
+              (Random random)) {
+  const Condensed small(
+      small_problem(*rc::gen::inRange(1, 7), *real(0, 0.3), random));
   const int nodes = small.problem.line.node_count();
   const ActiveSetResult reference = solved_from(small, small.sticking);
-  const ActiveSetResult result = solved_from(small, random_states(nodes, random));
+  const ActiveSetResult result =
+      solved_from(small, random_states(nodes, random));
   RC_ASSERT(reference.status == ContactStatus::converged);
   RC_ASSERT(result.status == ContactStatus::converged);
   RC_ASSERT((result.v - reference.v).cwiseAbs().maxCoeff() <=
             1e-10 * reference.v.cwiseAbs().maxCoeff());
 }
 
-RC_GTEST_PROP(ActiveSet, converged_multipliers_are_in_the_law_exactly, (Random random)) {
-  const Condensed small(small_problem(*rc::gen::inRange(1, 7), *real(0, 1), random));
+RC_GTEST_PROP(ActiveSet, converged_multipliers_are_in_the_law_exactly,
+              (Random random)) {
+  const Condensed small(
+      small_problem(*rc::gen::inRange(1, 7), *real(0, 1), random));
   const ActiveSetResult result =
       active_set_newton(small.contact, small.law, small.sticking);
   RC_PRE(result.status == ContactStatus::converged);
@@ -106,12 +118,15 @@ RC_GTEST_PROP(ActiveSet, converged_multipliers_are_in_the_law_exactly, (Random r
   }
 }
 
-RC_GTEST_PROP(ActiveSet, a_solution_is_found_again_in_one_step, (Random random)) {
-  const Condensed small(small_problem(*rc::gen::inRange(1, 7), *real(0, 0.5), random));
+RC_GTEST_PROP(ActiveSet, a_solution_is_found_again_in_one_step,
+              (Random random)) {
+  const Condensed small(
+      small_problem(*rc::gen::inRange(1, 7), *real(0, 0.5), random));
   const ActiveSetResult first =
       active_set_newton(small.contact, small.law, small.sticking);
   RC_PRE(first.status == ContactStatus::converged);
-  const ActiveSetResult again = active_set_newton(small.contact, small.law, first.state);
+  const ActiveSetResult again =
+      active_set_newton(small.contact, small.law, first.state);
   RC_ASSERT(again.iterations == 1);
   RC_ASSERT(again.v == first.v);
 }
@@ -168,7 +183,8 @@ TEST(LawViolation, sees_every_spoiled_condition) {
 }
 
 /// Neither is what must be 0 excused by the other one being small.
-TEST(LawViolation, is_the_smaller_one_of_two_that_may_not_both_differ_from_zero) {
+TEST(LawViolation,
+     is_the_smaller_one_of_two_that_may_not_both_differ_from_zero) {
   const NodalLaw law{{{0, 0.5}}};
   const Vector2d P(-1, 0.5);
   EXPECT_NEAR(law_violation(law, P, Vector2d(-1e-6, 0), {1, 0}), 1e-6, 1e-15);
@@ -177,7 +193,8 @@ TEST(LawViolation, is_the_smaller_one_of_two_that_may_not_both_differ_from_zero)
 }
 
 /// Forces that friction could hold without any load are no answer.
-TEST(LawViolation, is_infinite_where_the_loads_are_rounding_beside_the_multipliers) {
+TEST(LawViolation,
+     is_infinite_where_the_loads_are_rounding_beside_the_multipliers) {
   const Condensed small(example_1(Multiplier::force, 2));
   ContactRows rows{VectorXd::Zero(10), VectorXd::Zero(10)};
   const double load = small.contact.g.cwiseAbs().maxCoeff();

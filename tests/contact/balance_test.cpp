@@ -41,12 +41,15 @@ TEST(Balance, a_lifted_block_is_refused) {
   EXPECT_EQ(refusal_of(problem), no_equilibrium("translation along (0, 1)"));
 }
 
-TEST(Balance, pushed_sideways_a_block_is_held_up_to_the_friction_of_its_weight) {
-  Problem problem = standing_block(0.5);  // 4 N/mm down, 2 N/mm of friction at most
+TEST(Balance,
+     pushed_sideways_a_block_is_held_up_to_the_friction_of_its_weight) {
+  Problem problem =
+      standing_block(0.5);  // 4 N/mm down, 2 N/mm of friction at most
   add_body_force(problem, {1.99 / 8, 0});
   EXPECT_EQ(refusal_of(problem), "accepted");
   add_body_force(problem, {0.02 / 8, 0});
-  EXPECT_TRUE(says(refusal_of(problem), "no equilibrium: the loads push the body in a "));
+  EXPECT_TRUE(says(refusal_of(problem),
+                   "no equilibrium: the loads push the body in a "));
 }
 
 TEST(Balance, without_friction_a_push_sideways_is_refused) {

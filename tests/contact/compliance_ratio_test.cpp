@@ -15,24 +15,29 @@ using namespace test;
 /// Of a block 4 x 2 with cells x cells / 2 squares and modulus E on one with 8 x 4
 /// squares and modulus 1.
 Bodies pair_of(int cells, double E) {
-  return bodies(
-      {shifted(rectangle(cells, cells / 2, 4, 2), {0, 2}), rectangle(8, 4, 4, 2)},
-      {material(E, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}});
+  return bodies({shifted(rectangle(cells, cells / 2, 4, 2), {0, 2}),
+                 rectangle(8, 4, 4, 2)},
+                {material(E, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}});
 }
 
 double ratio_of(const Problem& problem) {
-  return compliance_ratio(problem.mesh, problem.edges, problem.line, problem.system());
+  return compliance_ratio(problem.mesh, problem.edges, problem.line,
+                          problem.system());
 }
 
 TEST(ComplianceRatio, is_that_of_the_moduli_on_equal_meshes) {
-  EXPECT_NEAR(ratio_of(pair_of(8, 10).problem) / ratio_of(pair_of(8, 1).problem), 10,
-              1e-9);
-  EXPECT_NEAR(ratio_of(pair_of(8, 1).problem), 1,
-              0.2);  // the corners of top and bottom belong to other numbers of triangles
+  EXPECT_NEAR(
+      ratio_of(pair_of(8, 10).problem) / ratio_of(pair_of(8, 1).problem), 10,
+      1e-9);
+  EXPECT_NEAR(
+      ratio_of(pair_of(8, 1).problem), 1,
+      0.2);  // the corners of top and bottom belong to other numbers of triangles
 }
 
 TEST(ComplianceRatio, is_that_of_the_sizes_of_equal_bodies) {
-  EXPECT_NEAR(ratio_of(pair_of(32, 1).problem) / ratio_of(pair_of(8, 1).problem), 4, 0.4);
+  EXPECT_NEAR(
+      ratio_of(pair_of(32, 1).problem) / ratio_of(pair_of(8, 1).problem), 4,
+      0.4);
 }
 
 TEST(ComplianceRatio, of_traces_that_cannot_yield) {
@@ -70,10 +75,10 @@ TEST(ComplianceRatio, of_rollers_counts_the_components_that_are_free) {
     return sum;
   };
   const FacingPiece& piece = problem.line.pieces[0];
-  EXPECT_NEAR(
-      ratio_of(problem),
-      compliance(piece.opposite_edge) / compliance(problem.line.edge[piece.contact_edge]),
-      1e-12);
+  EXPECT_NEAR(ratio_of(problem),
+              compliance(piece.opposite_edge) /
+                  compliance(problem.line.edge[piece.contact_edge]),
+              1e-12);
 }
 
 }  // namespace

@@ -19,19 +19,22 @@ Problem cornered(Random& random, Multiplier multiplier) {
   Problem problem =
       body(irregular(4, 3, 4, 3, random), material(100, 0.3), {bottom, left});
   add_traction(problem, top, {-1, -2});
-  clamp(problem, right, [](const Vector2d& x) { return Vector2d(-0.01, 0.01 * x.y()); });
+  clamp(problem, right,
+        [](const Vector2d& x) { return Vector2d(-0.01, 0.01 * x.y()); });
   problem.law.multiplier = multiplier;
   problem.law.gap = 0.01 * random_vector(problem.line.node_count(), random);
-  problem.law.previous = 0.01 * random_vector(problem.line.node_count(), random);
+  problem.law.previous =
+      0.01 * random_vector(problem.line.node_count(), random);
   return problem;
 }
 
 /// Two bodies whose nodes do not match, the first one held along the line at its end,
 /// where the second one may move.
 Problem facing(Random& random, Multiplier multiplier) {
-  Bodies two = bodies({shifted(with_random_rows(3, 2, 4, 2, random), {0, 3}),
-                       with_random_rows(4, 2, 4, 3, random)},
-                      {material(100, 0.3), material(300, 0.2)}, {{0, bottom, 1, top}});
+  Bodies two =
+      bodies({shifted(with_random_rows(3, 2, 4, 2, random), {0, 3}),
+              with_random_rows(4, 2, 4, 3, random)},
+             {material(100, 0.3), material(300, 0.2)}, {{0, bottom, 1, top}});
   prescribe(two.problem, two.label(0, left), 0);
   clamp(two.problem, two.label(1, bottom));
   add_traction(two.problem, two.label(0, top), {1, -2});
@@ -41,20 +44,24 @@ Problem facing(Random& random, Multiplier multiplier) {
 }
 
 VectorXd weighted_trace(const Problem& problem, const VectorXd& u) {
-  const Matrix2Xd trace = displacement_against_foundation(problem.line, problem.law, u);
-  return weight_of_rows(problem.law.multiplier, problem.line) * trace.reshaped();
+  const Matrix2Xd trace =
+      displacement_against_foundation(problem.line, problem.law, u);
+  return weight_of_rows(problem.law.multiplier, problem.line) *
+         trace.reshaped();
 }
 
 /// Loads on all dofs of multipliers on all rows.
 VectorXd load_of(const Problem& problem, const VectorXd& P) {
-  const VectorXd force = weight_of_rows(problem.law.multiplier, problem.line) * P;
+  const VectorXd force =
+      weight_of_rows(problem.law.multiplier, problem.line) * P;
   VectorXd load = VectorXd::Zero(problem.b.size());
   for (int i = 0; i < problem.line.node_count(); ++i) {
     const Vector2d F = force[2 * i] * problem.line.normal.col(i) +
                        force[2 * i + 1] * problem.line.tangent(i);
     load.segment<2>(2 * problem.line.vertex[i]) += F;
-    visit_opposite(problem.line, i,
-                   [&](int v, double weight) { load.segment<2>(2 * v) -= weight * F; });
+    visit_opposite(problem.line, i, [&](int v, double weight) {
+      load.segment<2>(2 * v) -= weight * F;
+    });
   }
   return load;
 }
@@ -69,7 +76,8 @@ Problem random_problem(Random& random) {
   }
 }
 
-RC_GTEST_PROP(CondensedContact, v_is_the_weighted_trace_of_the_extended_displacement,
+RC_GTEST_PROP(CondensedContact,
+              v_is_the_weighted_trace_of_the_extended_displacement,
               (Random random)) {
   const Condensed c(random_problem(random));
   const VectorXd v = random_vector(c.contact.S.rows(), random),
@@ -78,17 +86,19 @@ RC_GTEST_PROP(CondensedContact, v_is_the_weighted_trace_of_the_extended_displace
       c.stiffness.extended(c.contact.load, kept_displacement(c.contact, v, q)) +
       c.system.prescribed_value;
   const VectorXd trace = weighted_trace(c.problem, u);
-  const VectorXd dependent =
-      c.contact.E.transpose() * v + c.contact.F * q + c.contact.dependent_offset;
+  const VectorXd dependent = c.contact.E.transpose() * v + c.contact.F * q +
+                             c.contact.dependent_offset;
   const double scale =
       1e-11 * std::max(trace.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff());
   for (int row = 0; row < trace.size(); ++row) {
     const int k = c.contact.position[row];
-    RC_ASSERT(std::abs(trace[row] - (k >= 0 ? v[k] : dependent[-1 - k])) < scale);
+    RC_ASSERT(std::abs(trace[row] - (k >= 0 ? v[k] : dependent[-1 - k])) <
+              scale);
   }
 }
 
-RC_GTEST_PROP(CondensedContact, multipliers_hold_the_displacement_in_equilibrium,
+RC_GTEST_PROP(CondensedContact,
+              multipliers_hold_the_displacement_in_equilibrium,
               (Random random)) {
   const Condensed c(random_problem(random));
   const VectorXd v = random_vector(c.contact.S.rows(), random);
@@ -103,8 +113,8 @@ RC_GTEST_PROP(CondensedContact, multipliers_hold_the_displacement_in_equilibrium
       c.stiffness.extended(c.contact.load, kept_displacement(c.contact, v, q));
   const VectorXd load = load_of(c.problem, P),
                  residual = c.system.stiffness * u - c.system.load - load;
-  const double scale =
-      1e-10 * std::max(load.cwiseAbs().maxCoeff(), c.system.load.cwiseAbs().maxCoeff());
+  const double scale = 1e-10 * std::max(load.cwiseAbs().maxCoeff(),
+                                        c.system.load.cwiseAbs().maxCoeff());
   for (int dof = 0; dof < c.system.dof_count(); ++dof)
     RC_ASSERT((c.system.prescribed[dof] || std::abs(residual[dof]) < scale));
 }
@@ -125,17 +135,20 @@ TEST(CondensedContact, second_node_of_a_corner_is_dependent) {
   const Condensed c(cornered(random, Multiplier::force));
   // the corner's second node; both rows of the vertex on the clamped side
   const int corners = 1, prescribed = 2;
-  EXPECT_EQ(static_cast<int>(c.contact.dependent.size()), 2 * corners + prescribed);
+  EXPECT_EQ(static_cast<int>(c.contact.dependent.size()),
+            2 * corners + prescribed);
 }
 
 TEST(CondensedContact, refuses_a_line_without_free_dofs) {
   Problem problem = body(rectangle(2, 2, 2, 2), material(1, 0));
   clamp(problem, bottom);
   const ElasticSystem system = problem.system();
-  const CondensedStiffness stiffness(system, contact_dofs(problem.line, system));
-  EXPECT_EQ(
-      refusal([&] { condensed_contact(problem.line, problem.law, system, stiffness); }),
-      "every dof of the contact line is prescribed");
+  const CondensedStiffness stiffness(system,
+                                     contact_dofs(problem.line, system));
+  EXPECT_EQ(refusal([&] {
+              condensed_contact(problem.line, problem.law, system, stiffness);
+            }),
+            "every dof of the contact line is prescribed");
 }
 
 }  // namespace

@@ -32,12 +32,14 @@ EdgeProblem one_edge_of_tresca(double bound) {
   return edge;
 }
 
-ContactDensities densities_of(const Vector2d& normal, const Vector2d& tangential) {
+ContactDensities densities_of(const Vector2d& normal,
+                              const Vector2d& tangential) {
   return {normal, tangential};
 }
 
 ContactDensities random_densities(Index edges, Random& random) {
-  return {random_matrix(2, edges, random).array() - 0.7, random_matrix(2, edges, random)};
+  return {random_matrix(2, edges, random).array() - 0.7,
+          random_matrix(2, edges, random)};
 }
 
 bool inside(const Vector2d& limits, const Vector2d& tangential, double d) {
@@ -46,14 +48,16 @@ bool inside(const Vector2d& limits, const Vector2d& tangential, double d) {
 }
 
 /// Smallest |d| on a grid of steps 0.01 that brings both ends inside, or infinity.
-double smallest_shift_on_grid(const Vector2d& limits, const Vector2d& tangential) {
+double smallest_shift_on_grid(const Vector2d& limits,
+                              const Vector2d& tangential) {
   for (int step = 0; step <= 400; ++step)
     for (double d : {0.01 * step, -0.01 * step})
       if (inside(limits, tangential, d)) return std::abs(d);
   return std::numeric_limits<double>::infinity();
 }
 
-RC_GTEST_PROP(ConeCorrection, shift_is_the_smallest_one_on_a_grid, (Random random)) {
+RC_GTEST_PROP(ConeCorrection, shift_is_the_smallest_one_on_a_grid,
+              (Random random)) {
   // Values on the grid itself, so that the smallest shift is one of its points.
   const auto on_grid = [&]() -> Vector2d {
     return 0.01 * (100 * random_vector(2, random).array()).round();
@@ -68,29 +72,34 @@ RC_GTEST_PROP(ConeCorrection, shift_is_the_smallest_one_on_a_grid, (Random rando
     RC_ASSERT(std::abs(std::abs(correction.shift[0]) - smallest) < 1e-12);
 }
 
-RC_GTEST_PROP(ConeCorrection, shift_exists_if_and_only_if_the_resultant_is_in_the_cone,
+RC_GTEST_PROP(ConeCorrection,
+              shift_exists_if_and_only_if_the_resultant_is_in_the_cone,
               (Random random)) {
   const double mu = *real(0, 2);
   const EdgeProblem edge = one_edge(mu);
   const ContactDensities densities = random_densities(1, random);
-  const ConeCorrection correction = correct_to_cone(edge.line, edge.law, densities);
+  const ConeCorrection correction =
+      correct_to_cone(edge.line, edge.law, densities);
   const bool exists =
       densities.normal.maxCoeff() <= 0 &&
       std::abs(densities.tangential.sum()) <= -mu * densities.normal.sum();
   RC_ASSERT(correction.uncorrected.empty() == exists);
 }
 
-RC_GTEST_PROP(ConeCorrection, brings_corrected_edges_inside_and_leaves_the_others_alone,
+RC_GTEST_PROP(ConeCorrection,
+              brings_corrected_edges_inside_and_leaves_the_others_alone,
               (Random random)) {
   const Problem problem =
       body(irregular(6, 2, 6, 2, random), material(1, 0), {bottom, left});
   ContactLaw law = problem.law;
   law.friction = random_vector(problem.line.node_count(), random).cwiseAbs();
-  const ContactDensities densities = random_densities(problem.line.edge_count(), random);
+  const ContactDensities densities =
+      random_densities(problem.line.edge_count(), random);
   ConeCorrection correction = correct_to_cone(problem.line, law, densities);
   RC_ASSERT(correction.densities.normal == densities.normal);
   for (int e : correction.uncorrected) {
-    RC_ASSERT(correction.densities.tangential.col(e) == densities.tangential.col(e));
+    RC_ASSERT(correction.densities.tangential.col(e) ==
+              densities.tangential.col(e));
     RC_ASSERT(correction.shift[e] == 0);
     correction.densities.normal.col(e).setZero();
     correction.densities.tangential.col(e).setZero();
@@ -98,16 +107,21 @@ RC_GTEST_PROP(ConeCorrection, brings_corrected_edges_inside_and_leaves_the_other
   RC_ASSERT(cone_defect(problem.line, law, correction.densities) < 1e-12);
 }
 
-RC_GTEST_PROP(ConeCorrection, resultant_of_every_edge_is_unchanged, (Random random)) {
+RC_GTEST_PROP(ConeCorrection, resultant_of_every_edge_is_unchanged,
+              (Random random)) {
   const Problem problem = body(irregular(6, 2, 6, 2, random), material(1, 0));
   ContactLaw law = problem.law;
   law.friction = everywhere(problem.line, *real(0, 2));
-  const ContactDensities densities = random_densities(problem.line.edge_count(), random);
-  const ConeCorrection correction = correct_to_cone(problem.line, law, densities);
-  const Eigen::RowVectorXd change = correction.densities.tangential.colwise().sum() -
-                                    densities.tangential.colwise().sum();
+  const ContactDensities densities =
+      random_densities(problem.line.edge_count(), random);
+  const ConeCorrection correction =
+      correct_to_cone(problem.line, law, densities);
+  const Eigen::RowVectorXd change =
+      correction.densities.tangential.colwise().sum() -
+      densities.tangential.colwise().sum();
   RC_ASSERT(change.cwiseAbs().maxCoeff() < 1e-15);
-  RC_ASSERT(correction.corrected_count() == (correction.shift.array() != 0).count());
+  RC_ASSERT(correction.corrected_count() ==
+            (correction.shift.array() != 0).count());
 }
 
 RC_GTEST_PROP(ConeCorrection, a_corrected_density_is_not_corrected_again,
@@ -115,7 +129,8 @@ RC_GTEST_PROP(ConeCorrection, a_corrected_density_is_not_corrected_again,
   const EdgeProblem edge = one_edge(*real(0, 2));
   const ConeCorrection once =
       correct_to_cone(edge.line, edge.law, random_densities(1, random));
-  const ConeCorrection twice = correct_to_cone(edge.line, edge.law, once.densities);
+  const ConeCorrection twice =
+      correct_to_cone(edge.line, edge.law, once.densities);
   RC_ASSERT(twice.shift[0] == 0);
 }
 
@@ -124,15 +139,17 @@ TEST(ConeCorrection, with_tresca_compares_with_the_slip_bound) {
   const ConeCorrection correction =
       correct_to_cone(edge.line, edge.law, densities_of({-1, -1}, {1.5, 0.25}));
   EXPECT_DOUBLE_EQ(correction.shift[0], 0.5);
-  EXPECT_EQ(correct_to_cone(edge.line, edge.law, densities_of({-9, -9}, {1.5, 0.75}))
-                .uncorrected,
-            std::vector<int>{0});
+  EXPECT_EQ(
+      correct_to_cone(edge.line, edge.law, densities_of({-9, -9}, {1.5, 0.75}))
+          .uncorrected,
+      std::vector<int>{0});
 }
 
 TEST(ConeCorrection, tension_at_one_end_is_left_alone) {
   const EdgeProblem edge = one_edge(1);
   EXPECT_EQ(
-      correct_to_cone(edge.line, edge.law, densities_of({-5, 0.1}, {0, 0})).uncorrected,
+      correct_to_cone(edge.line, edge.law, densities_of({-5, 0.1}, {0, 0}))
+          .uncorrected,
       std::vector<int>{0});
 }
 
@@ -170,7 +187,8 @@ double worst_by_points(const EdgeProblem& edge, const ContactDensities& r) {
 EdgeProblem random_edge(Random& random) {
   EdgeProblem edge = one_edge(0);
   edge.law.friction = random_vector(2, random).cwiseAbs();
-  if (*rc::gen::inRange(0, 4) == 0) edge.law.friction[*rc::gen::inRange(0, 2)] = 0;
+  if (*rc::gen::inRange(0, 4) == 0)
+    edge.law.friction[*rc::gen::inRange(0, 2)] = 0;
   switch (*rc::gen::inRange(0, 3)) {
     case 0: break;
     case 1: edge.law.slip_bound = edge.law.friction; break;
@@ -179,17 +197,19 @@ EdgeProblem random_edge(Random& random) {
   return edge;
 }
 
-RC_GTEST_PROP(ConeDefect, is_the_largest_violation_along_the_edge, (Random random)) {
+RC_GTEST_PROP(ConeDefect, is_the_largest_violation_along_the_edge,
+              (Random random)) {
   const EdgeProblem edge = random_edge(random);
   const ContactDensities r = random_densities(1, random);
-  const double scale =
-      std::max(r.normal.cwiseAbs().maxCoeff(), r.tangential.cwiseAbs().maxCoeff());
+  const double scale = std::max(r.normal.cwiseAbs().maxCoeff(),
+                                r.tangential.cwiseAbs().maxCoeff());
   if (r.normal.maxCoeff() > 0) return;  // then p has a kink
   RC_ASSERT(std::abs(cone_defect(edge.line, edge.law, r) -
                      std::max(0.0, worst_by_points(edge, r)) / scale) < 1e-5);
 }
 
-RC_GTEST_PROP(ConeCorrection, with_a_shear_limit_is_the_smallest_shift_into_the_cone,
+RC_GTEST_PROP(ConeCorrection,
+              with_a_shear_limit_is_the_smallest_shift_into_the_cone,
               (Random random)) {
   EdgeProblem edge = one_edge(1);
   edge.law.shear_limit = random_vector(2, random).cwiseAbs();
@@ -209,13 +229,16 @@ RC_GTEST_PROP(EdgeCone, is_the_cone_all_along_the_edge, (Random random)) {
   const EdgeCone cone = edge_cone(edge.line, edge.law, 0);
   for (int end = 0; end < 2; ++end)
     if (cone.frictionless[end]) r.tangential(end, 0) = 0;
-  const bool allowed = ((cone.C * end_values(r, 0) - cone.d).array() >= 0).all();
+  const bool allowed =
+      ((cone.C * end_values(r, 0) - cone.d).array() >= 0).all();
   if (allowed) RC_ASSERT(worst_by_points(edge, r) <= 1e-14);
-  const bool constant = edge.law.tresca() || edge.law.friction[0] == edge.law.friction[1];
+  const bool constant =
+      edge.law.tresca() || edge.law.friction[0] == edge.law.friction[1];
   if (constant) RC_ASSERT(allowed == (worst_by_points(edge, r) <= 0));
 }
 
-RC_GTEST_PROP(EdgeCone, is_hardly_narrower_than_the_exact_one, (Random random)) {
+RC_GTEST_PROP(EdgeCone, is_hardly_narrower_than_the_exact_one,
+              (Random random)) {
   const EdgeProblem edge = random_edge(random);
   const double p[] = {*real(0.01, 1), *real(0.01, 1)};
   const Vector4d r(-p[0], *real(-1, 1), -p[1], *real(-1, 1));
@@ -223,7 +246,8 @@ RC_GTEST_PROP(EdgeCone, is_hardly_narrower_than_the_exact_one, (Random random)) 
   set_end_values(in_cone, 0, clamped_to_cone(edge.line, edge.law, 0, r));
   larger = in_cone;
   larger.tangential *= 1.04;
-  const bool clamped = (in_cone.tangential.col(0) - Vector2d(r[1], r[3])).norm() > 1e-12;
+  const bool clamped =
+      (in_cone.tangential.col(0) - Vector2d(r[1], r[3])).norm() > 1e-12;
   if (clamped) RC_ASSERT(worst_by_points(edge, larger) > -1e-12);
 }
 
@@ -233,26 +257,32 @@ TEST(EdgeCone, of_friction_that_varies_is_narrower_than_at_its_ends) {
   // in the cone at both ends, not between them
   const ContactDensities r = densities_of({-1, -5}, {0.2, 5});
   EXPECT_GT(cone_defect(edge.line, edge.law, r), 0.01);
-  EXPECT_EQ(correct_to_cone(edge.line, edge.law, r).uncorrected, std::vector<int>{0});
+  EXPECT_EQ(correct_to_cone(edge.line, edge.law, r).uncorrected,
+            std::vector<int>{0});
   edge.law.between_nodes = {Vector2d(1, 1), Vector2d(1, 1)};
   EXPECT_EQ(cone_defect(edge.line, edge.law, r), 0);
 }
 
-RC_GTEST_PROP(ClampedToCone, is_in_the_cone_and_leaves_what_is_in_it, (Random random)) {
+RC_GTEST_PROP(ClampedToCone, is_in_the_cone_and_leaves_what_is_in_it,
+              (Random random)) {
   const EdgeProblem edge = random_edge(random);
   ContactDensities r = random_densities(1, random);
-  const Vector4d clamped = clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0));
+  const Vector4d clamped =
+      clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0));
   set_end_values(r, 0, clamped);
   RC_ASSERT(cone_defect(edge.line, edge.law, r) <= 1e-15);
-  RC_ASSERT(clamped_to_cone(edge.line, edge.law, 0, clamped).isApprox(clamped, 1e-15));
+  RC_ASSERT(clamped_to_cone(edge.line, edge.law, 0, clamped)
+                .isApprox(clamped, 1e-15));
 }
 
-TEST(ClampedToCone, of_friction_that_varies_cuts_off_what_leaves_it_between_the_ends) {
+TEST(ClampedToCone,
+     of_friction_that_varies_cuts_off_what_leaves_it_between_the_ends) {
   EdgeProblem edge = one_edge(0);
   edge.law.friction << 0.2, 1;
   // in the cone at both ends, not between them
   ContactDensities r = densities_of({-1, -5}, {0.2, 5});
-  set_end_values(r, 0, clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0)));
+  set_end_values(r, 0,
+                 clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0)));
   EXPECT_LE(cone_defect(edge.line, edge.law, r), 1e-15);
   EXPECT_GT(r.tangential.sum(), 1.9);  // of 0.2 * 5 + 1 * 1
 }
@@ -281,7 +311,8 @@ TEST(EdgeDensities, are_the_nodal_values_at_both_ends) {
   pressure << 1, 2, 3, 4, 5, 6, 7, 8;
   const ContactDensities densities = edge_densities(problem.line, pressure);
   EXPECT_EQ(densities.normal, (Matrix2Xd(2, 3) << 1, 2, 3, 2, 3, 4).finished());
-  EXPECT_EQ(densities.tangential, (Matrix2Xd(2, 3) << 5, 6, 7, 6, 7, 8).finished());
+  EXPECT_EQ(densities.tangential,
+            (Matrix2Xd(2, 3) << 5, 6, 7, 6, 7, 8).finished());
 }
 
 TEST(ConeCorrection, refuses_densities_of_another_line_or_not_finite) {

@@ -38,7 +38,8 @@ double defect(const Solved& s, const VectorXd& u, const Matrix2Xd& P) {
 }
 
 /// The defect when one number of the multipliers is changed by a part of the largest.
-double spoiled_multiplier(const Solved& s, int component, int node, double part) {
+double spoiled_multiplier(const Solved& s, int component, int node,
+                          double part) {
   Matrix2Xd P = multiplier_of(s);
   P(component, node) += part * P.cwiseAbs().maxCoeff();
   return defect(s, s.solution.displacement, P);
@@ -46,10 +47,12 @@ double spoiled_multiplier(const Solved& s, int component, int node, double part)
 
 /// The defect when a component of u at one contact node is changed by a part of the
 /// largest displacement.
-double spoiled_displacement(const Solved& s, int component, int node, double part) {
+double spoiled_displacement(const Solved& s, int component, int node,
+                            double part) {
   VectorXd u = s.solution.displacement;
-  const Vector2d direction = component == 0 ? Vector2d(s.problem.line.normal.col(node))
-                                            : s.problem.line.tangent(node);
+  const Vector2d direction = component == 0
+                                 ? Vector2d(s.problem.line.normal.col(node))
+                                 : s.problem.line.tangent(node);
   u.segment<2>(2 * s.problem.line.vertex[node]) +=
       part * u.cwiseAbs().maxCoeff() * direction;
   return defect(s, u, multiplier_of(s));
@@ -61,13 +64,16 @@ int first_node(const Solved& s, bool (*wanted)(ContactState)) {
                           state.begin());
 }
 int open_node(const Solved& s) {
-  return first_node(s, [](ContactState state) { return state == ContactState::open; });
+  return first_node(
+      s, [](ContactState state) { return state == ContactState::open; });
 }
 int sticking_node(const Solved& s) {
-  return first_node(s, [](ContactState state) { return state == ContactState::stick; });
+  return first_node(
+      s, [](ContactState state) { return state == ContactState::stick; });
 }
 int slipping_node(const Solved& s) {
-  return first_node(s, [](ContactState state) { return slip_sign(state) != 0; });
+  return first_node(s,
+                    [](ContactState state) { return slip_sign(state) != 0; });
 }
 
 std::string refusal_of(const ContactLaw& law, const ContactLine& line) {
@@ -76,9 +82,11 @@ std::string refusal_of(const ContactLaw& law, const ContactLine& line) {
 
 class Complementarity : public testing::TestWithParam<Multiplier> {};
 INSTANTIATE_TEST_SUITE_P(Law, Complementarity,
-                         testing::Values(Multiplier::force, Multiplier::pressure),
+                         testing::Values(Multiplier::force,
+                                         Multiplier::pressure),
                          [](const auto& info) {
-                           return info.param == Multiplier::force ? "force" : "pressure";
+                           return info.param == Multiplier::force ? "force"
+                                                                  : "pressure";
                          });
 
 TEST_P(Complementarity, holds_at_a_solution) {
@@ -89,8 +97,10 @@ TEST_P(Complementarity, holds_at_a_solution) {
 TEST_P(Complementarity, fails_when_an_open_node_is_pressed_or_pulled) {
   const Solved s = three_zones(GetParam());
   EXPECT_GT(spoiled_multiplier(s, 0, open_node(s), 1e-4), 0.9e-4);  // P_n > 0
-  EXPECT_GT(spoiled_multiplier(s, 0, open_node(s), -1e-2), 1e-8);   // P_n v_n != 0
-  EXPECT_GT(spoiled_multiplier(s, 1, open_node(s), 1e-4), 0.9e-4);  // |P_t| > -mu P_n = 0
+  EXPECT_GT(spoiled_multiplier(s, 0, open_node(s), -1e-2),
+            1e-8);  // P_n v_n != 0
+  EXPECT_GT(spoiled_multiplier(s, 1, open_node(s), 1e-4),
+            0.9e-4);  // |P_t| > -mu P_n = 0
 }
 
 TEST_P(Complementarity, fails_when_a_closed_node_penetrates_or_opens) {
@@ -99,7 +109,8 @@ TEST_P(Complementarity, fails_when_a_closed_node_penetrates_or_opens) {
   EXPECT_GT(spoiled_displacement(s, 0, sticking_node(s) + 1, -1e-4), 1e-6);
 }
 
-TEST_P(Complementarity, fails_when_a_sticking_node_moves_or_is_pulled_out_of_the_cone) {
+TEST_P(Complementarity,
+       fails_when_a_sticking_node_moves_or_is_pulled_out_of_the_cone) {
   const Solved s = three_zones(GetParam());
   EXPECT_GT(spoiled_displacement(s, 1, sticking_node(s) + 1, 1e-4), 1e-5);
   EXPECT_GT(spoiled_multiplier(s, 1, sticking_node(s) + 1, 10), 0.5);
@@ -121,14 +132,17 @@ TEST(ContactLaw, weight_is_the_mass_for_pressures_and_one_for_forces) {
   const ContactLine line = example_1(Multiplier::force, 2).line;
   EXPECT_EQ(MatrixXd(weight_matrix(Multiplier::pressure, line)),
             MatrixXd(contact_mass(line)));
-  EXPECT_EQ(MatrixXd(weight_matrix(Multiplier::force, line)), MatrixXd::Identity(5, 5));
+  EXPECT_EQ(MatrixXd(weight_matrix(Multiplier::force, line)),
+            MatrixXd::Identity(5, 5));
 }
 
-RC_GTEST_PROP(ContactLaw, weighted_multipliers_are_the_load_of_the_vector_density,
+RC_GTEST_PROP(ContactLaw,
+              weighted_multipliers_are_the_load_of_the_vector_density,
               (Random random)) {
   Mesh mesh = irregular(4, 3, 4, 3, random);
   for (int v = 0; v < mesh.vertex_count(); ++v)
-    mesh.vertices(1, v) -= 0.1 * mesh.vertices(0, v) * (4 - mesh.vertices(0, v));
+    mesh.vertices(1, v) -=
+        0.1 * mesh.vertices(0, v) * (4 - mesh.vertices(0, v));
   const ContactLine line = contact_line(mesh, edges_of(mesh), {bottom, left});
   const VectorXd P = random_vector(2 * line.node_count(), random);
   const auto vector_at = [&](int i) -> Vector2d {
@@ -144,8 +158,8 @@ RC_GTEST_PROP(ContactLaw, weighted_multipliers_are_the_load_of_the_vector_densit
             line.length[e] / (a == b ? 3 : 6) * vector_at(line.edge_node(b, e));
   const VectorXd weighted = weight_of_rows(Multiplier::pressure, line) * P;
   for (int i = 0; i < line.node_count(); ++i) {
-    const Vector2d force =
-        weighted[2 * i] * line.normal.col(i) + weighted[2 * i + 1] * line.tangent(i);
+    const Vector2d force = weighted[2 * i] * line.normal.col(i) +
+                           weighted[2 * i + 1] * line.tangent(i);
     RC_ASSERT((force - load.col(i)).norm() < 1e-13);
   }
 }
@@ -155,9 +169,10 @@ TEST(ContactLaw, gap_and_previous_displacement_are_taken_off) {
   ContactLaw law = problem.law;
   law.gap = VectorXd::LinSpaced(5, 0, 4);
   law.previous = everywhere(problem.line, 0.5);
-  const VectorXd u =
-      nodal_values(problem.mesh, [](const Vector2d&) { return Vector2d(2, -3); });
-  const Matrix2Xd against = displacement_against_foundation(problem.line, law, u);
+  const VectorXd u = nodal_values(
+      problem.mesh, [](const Vector2d&) { return Vector2d(2, -3); });
+  const Matrix2Xd against =
+      displacement_against_foundation(problem.line, law, u);
   // n = (0, -1), t = (1, 0)
   for (int i = 0; i < 5; ++i) EXPECT_EQ(against.col(i), Vector2d(3 - i, 1.5));
 }
@@ -179,7 +194,8 @@ TEST(ContactLaw, refuses_friction_that_is_negative_or_not_a_number) {
   EXPECT_EQ(refusal_of(law, problem.line),
             "friction must be finite and not negative, but value 3 is nan");
   law.friction.resize(4);
-  EXPECT_EQ(refusal_of(law, problem.line), "friction has 4 values where 5 are needed");
+  EXPECT_EQ(refusal_of(law, problem.line),
+            "friction has 4 values where 5 are needed");
 }
 
 TEST(ContactLaw, refuses_bad_slip_bounds_and_gaps) {
@@ -190,9 +206,11 @@ TEST(ContactLaw, refuses_bad_slip_bounds_and_gaps) {
             "slipbound must be finite and not negative, but value 0 is -1");
   law = problem.law;
   law.gap = everywhere(problem.line, std::nan(""));
-  EXPECT_EQ(refusal_of(law, problem.line), "gap[0] is nan, not a finite number");
+  EXPECT_EQ(refusal_of(law, problem.line),
+            "gap[0] is nan, not a finite number");
   law.gap = VectorXd::Zero(2);
-  EXPECT_EQ(refusal_of(law, problem.line), "gap has 2 values where 5 are needed");
+  EXPECT_EQ(refusal_of(law, problem.line),
+            "gap has 2 values where 5 are needed");
 }
 
 }  // namespace

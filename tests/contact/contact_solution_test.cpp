@@ -30,9 +30,11 @@ std::string refusal_of(const Problem& problem) {
 
 class BothMultipliers : public testing::TestWithParam<Multiplier> {};
 INSTANTIATE_TEST_SUITE_P(ContactSolution, BothMultipliers,
-                         testing::Values(Multiplier::force, Multiplier::pressure),
+                         testing::Values(Multiplier::force,
+                                         Multiplier::pressure),
                          [](const auto& info) {
-                           return info.param == Multiplier::force ? "force" : "pressure";
+                           return info.param == Multiplier::force ? "force"
+                                                                  : "pressure";
                          });
 
 // ---- the published examples
@@ -46,13 +48,15 @@ TEST_P(BothMultipliers,
             sliding = count(solution, ContactState::slip_forward);
   EXPECT_GE(open + sliding, 32);
   // separation at the left
-  for (int i = 0; i < open; ++i) EXPECT_EQ(solution.state[i], ContactState::open);
+  for (int i = 0; i < open; ++i)
+    EXPECT_EQ(solution.state[i], ContactState::open);
 }
 
 TEST_P(BothMultipliers, example_2_is_solved_for_every_friction_of_table_1) {
   for (double mu : {0.2, 0.3, 0.4, 0.6, 0.8}) {
     const ContactSolution solution = solved(example_2(GetParam(), mu));
-    EXPECT_TRUE(accepted(solution)) << "mu " << mu << ": " << in_words(solution.status);
+    EXPECT_TRUE(accepted(solution))
+        << "mu " << mu << ": " << in_words(solution.status);
   }
 }
 
@@ -67,7 +71,8 @@ TEST(ContactSolution, example_1_has_the_nodal_forces_of_an_independent_code) {
 }
 
 TEST(ContactSolution, example_2_sticks_at_every_node_from_friction_of_04_on) {
-  const VectorXd reference = solved(example_2(Multiplier::force, 0.4)).displacement;
+  const VectorXd reference =
+      solved(example_2(Multiplier::force, 0.4)).displacement;
   for (double mu : {0.4, 0.6, 0.8}) {
     const ContactSolution solution = solved(example_2(Multiplier::force, mu));
     EXPECT_EQ(count(solution, ContactState::stick), 17);
@@ -77,7 +82,8 @@ TEST(ContactSolution, example_2_sticks_at_every_node_from_friction_of_04_on) {
 
 // ---- benchmarks ---------------------------------------------------------------------------------
 
-TEST_P(BothMultipliers, block_with_three_zones_opens_slips_and_sticks_as_published) {
+TEST_P(BothMultipliers,
+       block_with_three_zones_opens_slips_and_sticks_as_published) {
   Problem problem = block_with_three_zones(32);
   problem.law.multiplier = GetParam();
   const ContactSolution solution = solved(problem);
@@ -88,9 +94,11 @@ TEST_P(BothMultipliers, block_with_three_zones_opens_slips_and_sticks_as_publish
   const double published[] = {28.6e-3, 27.2e-3, 22.8e-3, 19.8e-3, 15.0e-3};
   const int node[] = {0, 1, 4, 6, 9};  // x = 0, 1.25, 5, 7.5, 11.25
   for (int k = 0; k < 5; ++k)
-    EXPECT_NEAR(solution.displacement[2 * node[k]], published[k], 0.05 * published[k]);
-  EXPECT_EQ(solution.state[1], ContactState::open);          // open for x < 3.36
-  EXPECT_EQ(solution.state[4], ContactState::slip_forward);  // slip up to x = 29.77
+    EXPECT_NEAR(solution.displacement[2 * node[k]], published[k],
+                0.05 * published[k]);
+  EXPECT_EQ(solution.state[1], ContactState::open);  // open for x < 3.36
+  EXPECT_EQ(solution.state[4],
+            ContactState::slip_forward);  // slip up to x = 29.77
   EXPECT_EQ(solution.state[22], ContactState::slip_forward);
   EXPECT_EQ(solution.state[26], ContactState::stick);
 }
@@ -107,7 +115,8 @@ ContactSolution pushed_pad(double part, double spring) {
   return solved(problem);
 }
 
-TEST(ContactSolution, a_pad_pushed_by_less_than_friction_sticks_and_by_more_slides) {
+TEST(ContactSolution,
+     a_pad_pushed_by_less_than_friction_sticks_and_by_more_slides) {
   const double spring = 10;  // N/mm per mm
   const ContactSolution sticking = pushed_pad(0.99, spring),
                         sliding = pushed_pad(1.01, spring);
@@ -125,12 +134,14 @@ TEST_P(BothMultipliers,
        a_block_dragged_along_by_its_side_slides_with_the_friction_of_its_load) {
   Problem problem = body(rectangle(8, 8, 40, 40), material(13e3, 0.2));
   add_traction(problem, top, {0, -5});
-  prescribe(problem, right, 0, [](const Vector2d&) { return Vector2d(0.5, 0); });
+  prescribe(problem, right, 0,
+            [](const Vector2d&) { return Vector2d(0.5, 0); });
   set_friction(problem, 0.3);
   problem.law.multiplier = GetParam();
   const ContactSolution solution = solved(problem);
   EXPECT_TRUE(accepted(solution))
-      << in_words(solution.status) << ", complementarity " << solution.complementarity;
+      << in_words(solution.status) << ", complementarity "
+      << solution.complementarity;
   EXPECT_EQ(count(solution, ContactState::stick), 0);
   EXPECT_NEAR(solution.force.row(1).sum(), -0.3 * 200, 1e-8);
 }
@@ -152,8 +163,8 @@ struct SolvedPatch {
   void solve() { solution = solved(problem); }
   /// Largest error of u, relative to the largest displacement.
   double error() const {
-    const VectorXd exact =
-        nodal_values(problem.mesh, [this](const Vector2d& x) { return patch.exact(x); });
+    const VectorXd exact = nodal_values(
+        problem.mesh, [this](const Vector2d& x) { return patch.exact(x); });
     return relative_difference(solution.displacement, exact);
   }
 };
@@ -214,7 +225,8 @@ TEST(ContactSolution, slip_patch_has_the_pressures_361111_and_180556) {
   const SolvedPatch<SlipPatch> s({}, irregular_block(), Multiplier::force);
   // held in both directions: no equation determines its force
   const int last = s.problem.line.node_count() - 1;
-  const VectorXd weight = contact_mass(s.problem.line) * everywhere(s.problem.line, 1);
+  const VectorXd weight =
+      contact_mass(s.problem.line) * everywhere(s.problem.line, 1);
   for (int i = 0; i < last; ++i) {
     EXPECT_NEAR(s.solution.force(0, i) / weight[i], -3.611111111111111, 1e-9);
     EXPECT_NEAR(s.solution.force(1, i) / weight[i], -1.805555555555556, 1e-9);
@@ -225,7 +237,8 @@ TEST_P(BothMultipliers, stick_patch_is_exact_on_an_irregular_mesh) {
   const SolvedPatch<StickPatch> s({}, irregular_block(), GetParam());
   EXPECT_TRUE(accepted(s.solution));
   EXPECT_LT(s.error(), 1e-10);
-  EXPECT_EQ(count(s.solution, ContactState::stick), s.problem.line.node_count());
+  EXPECT_EQ(count(s.solution, ContactState::stick),
+            s.problem.line.node_count());
   const VectorXd ones = everywhere(s.problem.line, 1);
   EXPECT_LT(relative_difference(s.solution.pressure.row(0).transpose(),
                                 -s.patch.pressure() * ones),
@@ -251,10 +264,13 @@ TEST_P(BothMultipliers, stick_patch_has_its_pressure_up_to_a_clamped_side) {
     const ContactSolution solution = solved(problem, settings);
     ASSERT_TRUE(accepted(solution)) << open;
     const Eigen::RowVectorXd ones = Eigen::RowVectorXd::Ones(nodes);
-    EXPECT_LT(relative_difference(solution.pressure.row(0), -patch.pressure() * ones),
-              1e-10)
+    EXPECT_LT(
+        relative_difference(solution.pressure.row(0), -patch.pressure() * ones),
+        1e-10)
         << open;
-    EXPECT_LT(relative_difference(solution.pressure.row(1), -patch.shear() * ones), 1e-10)
+    EXPECT_LT(
+        relative_difference(solution.pressure.row(1), -patch.shear() * ones),
+        1e-10)
         << open;
   }
 }
@@ -310,7 +326,8 @@ VectorXd frictionless_by_least_squares(const Problem& problem) {
   return u;
 }
 
-RC_GTEST_PROP(ContactSolution, without_friction_is_the_least_squares_solution, ()) {
+RC_GTEST_PROP(ContactSolution, without_friction_is_the_least_squares_solution,
+              ()) {
   Case c = *random_case(0);
   c.support = Support::clamped_top;
   c.multiplier = Multiplier::force;
@@ -330,7 +347,8 @@ RC_GTEST_PROP(ContactSolution, fulfils_complementarity_and_equilibrium, ()) {
   RC_ASSERT(solution.residual <= 1e-10);
 }
 
-RC_GTEST_PROP(ContactSolution, in_a_corner_fulfils_complementarity_and_equilibrium,
+RC_GTEST_PROP(ContactSolution,
+              in_a_corner_fulfils_complementarity_and_equilibrium,
               (Random random)) {
   const double mu = *real(0, 0.5);
   Problem problem =
@@ -338,14 +356,16 @@ RC_GTEST_PROP(ContactSolution, in_a_corner_fulfils_complementarity_and_equilibri
   add_traction(problem, top, *vector_in(1, 1) - Vector2d(2, 2));
   add_traction(problem, right, *vector_in(1, 1) - Vector2d(2, 2));
   set_friction(problem, mu);
-  problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const ContactSolution solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
   RC_ASSERT(solution.complementarity <= 1e-10);
   RC_ASSERT(solution.residual <= 1e-10);
 }
 
-RC_GTEST_PROP(ContactSolution, with_gap_and_variable_friction_fulfils_complementarity,
+RC_GTEST_PROP(ContactSolution,
+              with_gap_and_variable_friction_fulfils_complementarity,
               (Random random)) {
   Problem problem = problem_of(*random_case(0));
   const int nodes = problem.line.node_count();
@@ -375,7 +395,8 @@ RC_GTEST_PROP(ContactSolution, scales_with_the_loads, ()) {
   const ContactSolution one = solved(problem_of(c)),
                         many = solved(problem_of(scaled(c, factor)));
   RC_ASSERT(many.state == one.state);
-  RC_ASSERT(relative_difference(many.displacement, factor * one.displacement) < 1e-9);
+  RC_ASSERT(relative_difference(many.displacement, factor * one.displacement) <
+            1e-9);
   RC_ASSERT((many.pressure - factor * one.pressure).cwiseAbs().maxCoeff() <=
             factor * 1e-8);
 }
@@ -407,20 +428,23 @@ RC_GTEST_PROP(ContactSolution, of_the_rotated_body_is_rotated, ()) {
   RC_ASSERT((image.pressure - original.pressure).cwiseAbs().maxCoeff() <= 1e-8);
 }
 
-RC_GTEST_PROP(ContactSolution, does_not_depend_on_the_numbering, (Random random)) {
+RC_GTEST_PROP(ContactSolution, does_not_depend_on_the_numbering,
+              (Random random)) {
   const Case c = *random_case(0.5);
   const Renumbered other = renumbered(c.mesh, random);
   const ContactSolution original = solved(problem_of(c));
-  const ContactSolution again =
-      solved(problem_of(mapped(c, other.mesh, [](const Vector2d& x) { return x; })));
+  const ContactSolution again = solved(
+      problem_of(mapped(c, other.mesh, [](const Vector2d& x) { return x; })));
   VectorXd in_old_order(original.displacement.size());
   for (int v = 0; v < c.mesh.vertex_count(); ++v)
-    in_old_order.segment<2>(2 * v) = again.displacement.segment<2>(2 * other.vertex[v]);
+    in_old_order.segment<2>(2 * v) =
+        again.displacement.segment<2>(2 * other.vertex[v]);
   RC_ASSERT(relative_difference(in_old_order, original.displacement) < 1e-10);
   RC_ASSERT((again.pressure - original.pressure).cwiseAbs().maxCoeff() <= 1e-9);
 }
 
-TEST_P(BothMultipliers, without_friction_equals_tresca_without_slip_bound_to_the_bit) {
+TEST_P(BothMultipliers,
+       without_friction_equals_tresca_without_slip_bound_to_the_bit) {
   Problem problem = example_1(GetParam(), 8);
   set_friction(problem, 0);
   const ContactSolution frictionless = solved(problem);
@@ -430,7 +454,8 @@ TEST_P(BothMultipliers, without_friction_equals_tresca_without_slip_bound_to_the
   problem.law.slip_bound = everywhere(problem.line, 0);
   EXPECT_EQ(solved(problem).displacement, frictionless.displacement);
   problem.law.slip_bound.resize(0);
-  EXPECT_GT(relative_difference(solved(problem).displacement, frictionless.displacement),
+  EXPECT_GT(relative_difference(solved(problem).displacement,
+                                frictionless.displacement),
             1e-3);
 }
 
@@ -442,34 +467,40 @@ TEST_P(BothMultipliers,
   problem.law.slip_bound = everywhere(problem.line, 20);
   const ContactSolution solution = solved(problem);
   EXPECT_TRUE(accepted(solution))
-      << in_words(solution.status) << ", complementarity " << solution.complementarity;
+      << in_words(solution.status) << ", complementarity "
+      << solution.complementarity;
   EXPECT_GT(count(solution, ContactState::open), 0);
 }
 
 TEST(ContactSolution, of_a_body_without_loads_is_zero) {
-  const ContactSolution solution = solved(body(rectangle(3, 3, 3, 3), material(1, 0.3)));
+  const ContactSolution solution =
+      solved(body(rectangle(3, 3, 3, 3), material(1, 0.3)));
   EXPECT_TRUE(accepted(solution));
   EXPECT_EQ(solution.displacement.cwiseAbs().maxCoeff(), 0);
 }
 
 // ---- load steps ---------------------------------------------------------------------------------
 
-RC_GTEST_PROP(ContactSolution, of_a_second_step_under_the_same_load_moves_nothing, ()) {
+RC_GTEST_PROP(ContactSolution,
+              of_a_second_step_under_the_same_load_moves_nothing, ()) {
   Problem problem = problem_of(*random_case(0.5));
   const ContactSolution first = solved(problem);
-  problem.law.previous = contact_components(problem.line, first.displacement).row(1);
+  problem.law.previous =
+      contact_components(problem.line, first.displacement).row(1);
   ContactSettings settings;
   settings.initial_state = first.state;
   const ContactSolution second = solved(problem, settings);
   RC_ASSERT(second.status == ContactStatus::converged);
-  RC_ASSERT(relative_difference(second.displacement, first.displacement) < 1e-8);
+  RC_ASSERT(relative_difference(second.displacement, first.displacement) <
+            1e-8);
 }
 
 TEST(ContactSolution, unloaded_after_slip_keeps_a_part_of_its_displacement) {
   Problem problem = example_2(Multiplier::force, 0.1, 8);
   const ContactSolution loaded = solved(problem);
   ASSERT_GT(count(loaded, ContactState::slip_backward), 0);
-  problem.law.previous = contact_components(problem.line, loaded.displacement).row(1);
+  problem.law.previous =
+      contact_components(problem.line, loaded.displacement).row(1);
   add_traction(problem, top, {0, 4});  // a fifth of the load is left
   const ContactSolution unloaded = solved(problem);
   EXPECT_TRUE(accepted(unloaded));
@@ -483,12 +514,14 @@ TEST(StatesAt, are_those_of_the_nearest_old_node) {
   const ContactLine line = example_2(Multiplier::force, 0, 4).line;
   const VectorXd old = (VectorXd(3) << 1, 19, 33).finished();
   const std::vector<ContactState> states = states_at(
-      line, old, {ContactState::open, ContactState::stick, ContactState::slip_forward});
+      line, old,
+      {ContactState::open, ContactState::stick, ContactState::slip_forward});
   const std::vector<ContactState> expected{
       ContactState::open, ContactState::open, ContactState::stick,
       ContactState::slip_forward, ContactState::slip_forward};
   EXPECT_EQ(states, expected);
-  EXPECT_NE(refusal([&] { states_at(line, old, {ContactState::open}); }), "accepted");
+  EXPECT_NE(refusal([&] { states_at(line, old, {ContactState::open}); }),
+            "accepted");
 }
 
 // ---- refusals -----------------------------------------------------------------------------------
@@ -496,11 +529,12 @@ TEST(StatesAt, are_those_of_the_nearest_old_node) {
 TEST(ContactSolution, refuses_loads_that_lift_a_body_which_only_contact_holds) {
   Problem problem = example_2(Multiplier::force, 0.3, 4);
   add_traction(problem, top, {0, 6});
-  EXPECT_EQ(refusal_of(problem),
-            "no equilibrium: the loads push the body in a translation along (0, 1), "
-            "which neither prescribed "
-            "displacements nor "
-            "contact forces oppose");
+  EXPECT_EQ(
+      refusal_of(problem),
+      "no equilibrium: the loads push the body in a translation along (0, 1), "
+      "which neither prescribed "
+      "displacements nor "
+      "contact forces oppose");
 }
 
 TEST(ContactSolution, refuses_friction_that_is_negative_or_not_a_number) {
@@ -525,21 +559,23 @@ TEST(ContactSolution, refuses_settings_and_sizes_that_do_not_fit) {
             "initial state has 1 values where 5 are needed");
   const Problem other = example_1(Multiplier::force, 4);
   EXPECT_EQ(refusal([&] {
-              solve_contact(problem.mesh, problem.line, problem.law, other.system());
+              solve_contact(problem.mesh, problem.line, problem.law,
+                            other.system());
             }),
             "A has 90 values where 30 are needed");
 }
 
 TEST(ContactSolution, fails_when_a_part_of_the_body_is_held_by_nothing) {
-  Problem problem =
-      body(joined(rectangle(2, 2, 2, 2), rectangle(2, 2, 2, 2)), material(1, 0.3));
+  Problem problem = body(joined(rectangle(2, 2, 2, 2), rectangle(2, 2, 2, 2)),
+                         material(1, 0.3));
   clamp(problem, top);
   EXPECT_THROW(solved(problem), std::runtime_error);
 }
 
 TEST(ContactSolution, every_status_has_words) {
-  for (ContactStatus status : {ContactStatus::converged, ContactStatus::cycled,
-                               ContactStatus::singular, ContactStatus::not_converged})
+  for (ContactStatus status :
+       {ContactStatus::converged, ContactStatus::cycled,
+        ContactStatus::singular, ContactStatus::not_converged})
     EXPECT_STRNE(in_words(status), "");
 }
 

@@ -13,8 +13,8 @@ using namespace test;
 
 std::string in_figures(const ContactSolution& solution) {
   std::ostringstream text;
-  text << in_words(solution.status) << ", violation " << solution.complementarity
-       << ", residual " << solution.residual;
+  text << in_words(solution.status) << ", violation "
+       << solution.complementarity << ", residual " << solution.residual;
   return text.str();
 }
 
@@ -27,13 +27,15 @@ RC_GTEST_PROP(ConvexContact,
   RC_ASSERT(result.violation <= 1e-11);
   for (std::size_t i = 0; i < result.state.size(); ++i) {
     RC_ASSERT(result.P[2 * i] <= 0);
-    RC_ASSERT(std::abs(result.P[2 * i + 1]) <= c.law.cone[i].bound(result.P[2 * i]));
+    RC_ASSERT(std::abs(result.P[2 * i + 1]) <=
+              c.law.cone[i].bound(result.P[2 * i]));
   }
 }
 
 RC_GTEST_PROP(ConvexContact, ends_where_newton_ends, (Random random)) {
   const Condensed c(odd_problem(random, 0));
-  const ActiveSetResult newton = active_set_newton(c.contact, c.law, c.sticking);
+  const ActiveSetResult newton =
+      active_set_newton(c.contact, c.law, c.sticking);
   RC_PRE(newton.status == ContactStatus::converged);
   const ActiveSetResult convex = convex_contact(c.contact, c.law);
   const double scale = motion_scale(c.contact, newton.v);
@@ -67,7 +69,8 @@ RC_GTEST_PROP(OddProblems, have_a_solution_that_is_found, (Random random)) {
 }
 
 /// All lengths times one factor, the stiffness and all stresses times another.
-ContactSolution solved_scaled(Problem problem, double length, double stiffness) {
+ContactSolution solved_scaled(Problem problem, double length,
+                              double stiffness) {
   ElasticSystem system = problem.system();
   system.stiffness *= stiffness;
   system.load *= stiffness * length;
@@ -91,18 +94,21 @@ RC_GTEST_PROP(OddProblems, length_and_stiffness_leave_the_answer_as_it_is,
   RC_ASSERT(scaled.accepted({}));
   // where all nodes stick, loads move nothing
   const ElasticSystem system = problem.system();
-  double size = std::max(
-      plain.displacement.cwiseAbs().maxCoeff(),
-      system.load.cwiseQuotient(system.stiffness.diagonal()).cwiseAbs().maxCoeff());
+  double size = std::max(plain.displacement.cwiseAbs().maxCoeff(),
+                         system.load.cwiseQuotient(system.stiffness.diagonal())
+                             .cwiseAbs()
+                             .maxCoeff());
   if (problem.law.gap.size() > 0)
     size = std::max(size, problem.law.gap.cwiseAbs().maxCoeff());
-  RC_ASSERT((scaled.displacement / length - plain.displacement).cwiseAbs().maxCoeff() <=
-            1e-7 * size);
+  RC_ASSERT((scaled.displacement / length - plain.displacement)
+                .cwiseAbs()
+                .maxCoeff() <= 1e-7 * size);
 }
 
 /// Two walls at a vertex hold it both, and how much each of them bears is not determined.
 TEST(ConvexContact, where_multipliers_have_more_than_one_value_one_is_found) {
-  Problem problem = body(rectangle(1, 1, 1, 1), material(1000, 0.3), {bottom, right});
+  Problem problem =
+      body(rectangle(1, 1, 1, 1), material(1000, 0.3), {bottom, right});
   clamp(problem, top);
   add_traction(problem, left, {1, -2});
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
@@ -110,10 +116,12 @@ TEST(ConvexContact, where_multipliers_have_more_than_one_value_one_is_found) {
       problem.law.multiplier = multiplier;
       problem.law.slip_bound = everywhere(problem.line, bound);
       const Condensed c(problem);
-      EXPECT_EQ(convex_contact(c.contact, c.law).status, ContactStatus::converged)
+      EXPECT_EQ(convex_contact(c.contact, c.law).status,
+                ContactStatus::converged)
           << bound;
       const ContactSolution solution = solved(problem);
-      EXPECT_TRUE(solution.accepted({})) << bound << ", " << in_figures(solution);
+      EXPECT_TRUE(solution.accepted({}))
+          << bound << ", " << in_figures(solution);
     }
 }
 
@@ -122,10 +130,12 @@ TEST(ConvexContact, where_multipliers_have_more_than_one_value_one_is_found) {
 TEST(Scales, are_not_those_of_loads_where_there_are_none) {
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
     for (const double slip_bound : {-1.0, 0.0, 1.0}) {
-      Problem moved = body(rectangle(3, 2, 3, 2), material(1000, 0.3), {bottom, right});
+      Problem moved =
+          body(rectangle(3, 2, 3, 2), material(1000, 0.3), {bottom, right});
       clamp(moved, top, [](const Vector2d&) { return Vector2d(0, 0.1); });
       moved.law.multiplier = multiplier;
-      if (slip_bound >= 0) moved.law.slip_bound = everywhere(moved.line, slip_bound);
+      if (slip_bound >= 0)
+        moved.law.slip_bound = everywhere(moved.line, slip_bound);
       EXPECT_TRUE(solved(moved).accepted({})) << in_figures(solved(moved));
       Problem apart = moved;
       clamp(apart, top);
@@ -142,9 +152,10 @@ TEST(Scales, are_not_those_of_loads_where_there_are_none) {
 TEST(Refinement, a_stiff_body_on_a_soft_one_is_solved_to_rounding) {
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
     for (const double E : {7e1, 7.0, 0.1}) {
-      Bodies two = bodies(
-          {shifted(rectangle(17, 11, 40, 25), {30, 40}), rectangle(33, 13, 100, 40)},
-          {material(210e3, 0.3), material(E, 0.33)}, {{0, bottom, 1, top}});
+      Bodies two = bodies({shifted(rectangle(17, 11, 40, 25), {30, 40}),
+                           rectangle(33, 13, 100, 40)},
+                          {material(210e3, 0.3), material(E, 0.33)},
+                          {{0, bottom, 1, top}});
       add_traction(two.problem, two.label(0, top), {4, -20});
       clamp(two.problem, two.label(1, bottom));
       set_friction(two.problem, 0.4);
@@ -163,9 +174,9 @@ TEST(Refinement, a_stiff_body_on_a_soft_one_is_solved_to_rounding) {
 
 /// Materials that differ by 1e14 in one body that is held.
 TEST(Refinement, contrasts_of_1e14_are_a_matter_of_scaling) {
-  Problem problem =
-      body(joined(rectangle(4, 4, 1, 1), shifted(rectangle(4, 4, 1, 1), {3, 0})),
-           material(1, 0.3), {bottom, 10 + bottom});
+  Problem problem = body(
+      joined(rectangle(4, 4, 1, 1), shifted(rectangle(4, 4, 1, 1), {3, 0})),
+      material(1, 0.3), {bottom, 10 + bottom});
   for (std::size_t t = problem.hooke.size() / 2; t < problem.hooke.size(); ++t)
     problem.hooke[t] *= 1e14;
   problem.A = stiffness(problem.mesh, problem.hooke);
@@ -182,7 +193,8 @@ TEST(MaxIterations, bound_all_systems_of_a_call) {
   set_friction(problem, 2);
   const int needed = solved(problem).iterations;
   ASSERT_GT(needed, 14);
-  for (const ContactSolver solver : {ContactSolver::newton, ContactSolver::fixed_point})
+  for (const ContactSolver solver :
+       {ContactSolver::newton, ContactSolver::fixed_point})
     for (const int most : {1, 7, needed / 2}) {
       ContactSettings settings;
       settings.solver = solver;

@@ -25,7 +25,8 @@ Problem supported_block(const Vector2d& value) {
 }
 
 void set_direction(Problem& problem, const Vector2d& n) {
-  const ContactLine line = smooth_contact_line(problem.mesh, problem.edges, {bottom});
+  const ContactLine line =
+      smooth_contact_line(problem.mesh, problem.edges, {bottom});
   problem.line = along_directions(problem.mesh, problem.edges, line,
                                   n.replicate(1, line.node_count()));
 }
@@ -43,8 +44,8 @@ TEST(Feasibility, both_multipliers_refuse) {
   Problem problem = supported_block({0, -0.01});
   for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
     problem.law.multiplier = multiplier;
-    EXPECT_TRUE(
-        says(refusal([&] { solved(problem); }), "prescribed displacements hold vertex 4"))
+    EXPECT_TRUE(says(refusal([&] { solved(problem); }),
+                     "prescribed displacements hold vertex 4"))
         << int(multiplier);
   }
 }
@@ -69,8 +70,10 @@ TEST(Feasibility, an_interference_that_free_nodes_can_follow_is_accepted) {
 
 TEST(Feasibility, what_rounding_leaves_of_a_touching_support_is_accepted) {
   for (double scale : {1e-6, 1.0, 1e6}) {
-    Problem problem = body(rectangle(4, 2, 4 * scale, 2 * scale), material(100, 0.3));
-    clamp(problem, right, [&](const Vector2d&) { return Vector2d(0, -0.1 * scale); });
+    Problem problem =
+        body(rectangle(4, 2, 4 * scale, 2 * scale), material(100, 0.3));
+    clamp(problem, right,
+          [&](const Vector2d&) { return Vector2d(0, -0.1 * scale); });
     problem.law.gap = everywhere(problem.line, 0.1 * scale * (1 - 1e-13));
     EXPECT_EQ(refusal_of(problem), "accepted") << scale;
   }
@@ -78,7 +81,8 @@ TEST(Feasibility, what_rounding_leaves_of_a_touching_support_is_accepted) {
 
 TEST(Feasibility, along_an_oblique_direction_one_free_component_is_enough) {
   Problem problem = body(rectangle(4, 2, 4, 2), material(100, 0.3));
-  prescribe(problem, right, 1, [](const Vector2d&) { return Vector2d(0, -0.01); });
+  prescribe(problem, right, 1,
+            [](const Vector2d&) { return Vector2d(0, -0.01); });
   EXPECT_TRUE(says(refusal_of(problem), "vertex 4"));
   set_direction(problem, {0.5, -1});
   EXPECT_EQ(refusal_of(problem), "accepted");
@@ -106,7 +110,8 @@ Problem tip_in_a_groove(double lower_gap, double upper_gap) {
   problem.law.gap = everywhere(problem.line, 1);
   for (int i = 0; i < problem.line.node_count(); ++i)
     if (problem.line.vertex[i] == 1)
-      problem.law.gap[i] = problem.line.normal(1, i) < 0 ? lower_gap : upper_gap;
+      problem.law.gap[i] =
+          problem.line.normal(1, i) < 0 ? lower_gap : upper_gap;
   return problem;
 }
 
@@ -119,9 +124,9 @@ TEST(Feasibility, two_walls_that_a_vertex_cannot_leave_together_are_refused) {
 /// Two blocks on each other; the right side of the upper one moves down by 0.01, that of
 /// the lower one is held in `held` components.
 Bodies blocks(int upper, int lower, int held) {
-  Bodies two =
-      bodies({shifted(rectangle(upper, 2, 4, 2), {0, 2}), rectangle(lower, 2, 4, 2)},
-             {material(100, 0.3), material(100, 0.3)}, {{0, bottom, 1, top}});
+  Bodies two = bodies(
+      {shifted(rectangle(upper, 2, 4, 2), {0, 2}), rectangle(lower, 2, 4, 2)},
+      {material(100, 0.3), material(100, 0.3)}, {{0, bottom, 1, top}});
   clamp(two.problem, two.label(0, right),
         [](const Vector2d&) { return Vector2d(0, -0.01); });
   for (int component = 0; component < held; ++component)
@@ -130,33 +135,38 @@ Bodies blocks(int upper, int lower, int held) {
 }
 
 TEST(Feasibility, supports_of_both_bodies_are_taken_together) {
-  for (const auto& [upper, lower] : {std::pair(4, 4), std::pair(4, 3), std::pair(3, 7)}) {
+  for (const auto& [upper, lower] :
+       {std::pair(4, 4), std::pair(4, 3), std::pair(3, 7)}) {
     EXPECT_EQ(refusal_of(blocks(upper, lower, 0).problem), "accepted");
     EXPECT_EQ(refusal_of(blocks(upper, lower, 1).problem), "accepted");
     EXPECT_TRUE(says(refusal_of(blocks(upper, lower, 2).problem),
                      " at (4, 2) 0.01 inside the opposite body"))
-        << upper << " : " << lower << ": " << refusal_of(blocks(upper, lower, 2).problem);
+        << upper << " : " << lower << ": "
+        << refusal_of(blocks(upper, lower, 2).problem);
   }
 }
 
 TEST(Feasibility, a_vertex_between_nodes_of_the_other_body_is_seen) {
-  Bodies two = bodies({shifted(rectangle(1, 1, 4, 2), {0, 2}), rectangle(2, 1, 4, 2)},
-                      {material(100, 0.3), material(100, 0.3)}, {{0, bottom, 1, top}});
+  Bodies two =
+      bodies({shifted(rectangle(1, 1, 4, 2), {0, 2}), rectangle(2, 1, 4, 2)},
+             {material(100, 0.3), material(100, 0.3)}, {{0, bottom, 1, top}});
   Problem& problem = two.problem;
   clamp(problem, two.label(0, bottom));
   EXPECT_EQ(refusal_of(problem), "accepted");
   // the middle of the lower body's top bulges
   for (int v = 0; v < problem.mesh.vertex_count(); ++v)
-    if (v >= two.joined.first_vertex[1] && problem.mesh.vertices.col(v) == Vector2d(2, 2))
+    if (v >= two.joined.first_vertex[1] &&
+        problem.mesh.vertices.col(v) == Vector2d(2, 2))
       prescribe_dof(problem, 2 * v + 1, 0.02);
-  EXPECT_TRUE(says(refusal_of(problem), " at (2, 2) 0.02 inside the opposite body"));
+  EXPECT_TRUE(
+      says(refusal_of(problem), " at (2, 2) 0.02 inside the opposite body"));
 }
 
 TEST(Feasibility, a_tool_with_a_prescribed_line_presses_a_free_body) {
   for (const auto& [upper, lower] : {std::pair(6, 6), std::pair(5, 8)}) {
-    Bodies two =
-        bodies({shifted(rectangle(upper, 1, 4, 2), {0, 2}), rectangle(lower, 2, 4, 2)},
-               {material(100, 0.3), material(100, 0.3)}, {{0, bottom, 1, top}});
+    Bodies two = bodies(
+        {shifted(rectangle(upper, 1, 4, 2), {0, 2}), rectangle(lower, 2, 4, 2)},
+        {material(100, 0.3), material(100, 0.3)}, {{0, bottom, 1, top}});
     prescribe(two.problem, two.label(0, bottom), 1,
               [](const Vector2d&) { return Vector2d(0, -0.01); });
     clamp(two.problem, two.label(1, bottom));

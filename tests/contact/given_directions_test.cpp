@@ -18,7 +18,8 @@ Mesh bent(int nx, int ny) {
   return mesh;
 }
 
-Problem on_a_plane(Multiplier multiplier, const ContactLine& line, const Mesh& mesh) {
+Problem on_a_plane(Multiplier multiplier, const ContactLine& line,
+                   const Mesh& mesh) {
   Problem problem = body(mesh, material(1000, 0.3));
   problem.line = line;
   clamp(problem, top, [](const Vector2d&) { return Vector2d(0.1, -0.1); });
@@ -50,7 +51,8 @@ TEST(SmoothContactLine, has_one_node_a_vertex_and_mean_normals) {
 TEST(SmoothContactLine, of_a_closed_loop_shares_its_first_node) {
   const Mesh mesh = rectangle(2, 2, 1, 1);
   EXPECT_EQ(
-      smooth_contact_line(mesh, edges_of(mesh), {bottom, right, top, left}).node_count(),
+      smooth_contact_line(mesh, edges_of(mesh), {bottom, right, top, left})
+          .node_count(),
       8);
 }
 
@@ -63,9 +65,11 @@ TEST(AlongDirections, on_a_straight_line_the_answer_is_the_same_to_the_bit) {
 
 class GivenDirections : public testing::TestWithParam<Multiplier> {};
 INSTANTIATE_TEST_SUITE_P(Multipliers, GivenDirections,
-                         testing::Values(Multiplier::force, Multiplier::pressure));
+                         testing::Values(Multiplier::force,
+                                         Multiplier::pressure));
 
-TEST_P(GivenDirections, a_bent_block_on_a_plane_slides_where_its_own_normals_lock_it) {
+TEST_P(GivenDirections,
+       a_bent_block_on_a_plane_slides_where_its_own_normals_lock_it) {
   const Mesh mesh = bent(12, 4);
   const Problem problem = on_a_plane(GetParam(), downwards(mesh), mesh);
   const ContactSolution solution = solved(problem);
@@ -73,7 +77,8 @@ TEST_P(GivenDirections, a_bent_block_on_a_plane_slides_where_its_own_normals_loc
   const auto sliding = std::count(solution.state.begin(), solution.state.end(),
                                   ContactState::slip_forward);
   EXPECT_GT(sliding, 2);
-  EXPECT_GT(std::count(solution.state.begin(), solution.state.end(), ContactState::open),
+  EXPECT_GT(std::count(solution.state.begin(), solution.state.end(),
+                       ContactState::open),
             0);
 }
 
@@ -91,20 +96,23 @@ TEST_P(GivenDirections, turning_the_frames_does_not_change_a_body_that_sticks) {
   const ContactSolution by_normals = solved(problem);
   problem.line = downwards(mesh);
   const ContactSolution by_one_direction = solved(problem);
-  ASSERT_EQ(
-      std::count(by_normals.state.begin(), by_normals.state.end(), ContactState::stick),
-      9);
-  ASSERT_EQ(std::count(by_one_direction.state.begin(), by_one_direction.state.end(),
+  ASSERT_EQ(std::count(by_normals.state.begin(), by_normals.state.end(),
                        ContactState::stick),
             9);
-  EXPECT_LT(relative_difference(by_normals.displacement, by_one_direction.displacement),
+  ASSERT_EQ(std::count(by_one_direction.state.begin(),
+                       by_one_direction.state.end(), ContactState::stick),
+            9);
+  EXPECT_LT(relative_difference(by_normals.displacement,
+                                by_one_direction.displacement),
             1e-12);
   const ContactLine normals = smooth_contact_line(mesh, edges, {bottom});
   for (int i = 0; i < 9; ++i) {
     const Vector2d a = by_normals.pressure(0, i) * normals.normal.col(i) +
                        by_normals.pressure(1, i) * normals.tangent(i);
-    const Vector2d b(by_one_direction.pressure(1, i), -by_one_direction.pressure(0, i));
-    EXPECT_LT((a - b).norm(), 1e-9 * by_one_direction.pressure.cwiseAbs().maxCoeff());
+    const Vector2d b(by_one_direction.pressure(1, i),
+                     -by_one_direction.pressure(0, i));
+    EXPECT_LT((a - b).norm(),
+              1e-9 * by_one_direction.pressure.cwiseAbs().maxCoeff());
   }
 }
 
@@ -115,8 +123,8 @@ TEST(AlongDirections, refuses_directions_into_the_body_or_of_another_line) {
   const auto refusal_of = [&](const Matrix2Xd& direction) {
     return refusal([&] { along_directions(mesh, edges, line, direction); });
   };
-  EXPECT_TRUE(
-      says(refusal_of(Vector2d(1, 0).replicate(1, 3)), "does not point out of the body"));
+  EXPECT_TRUE(says(refusal_of(Vector2d(1, 0).replicate(1, 3)),
+                   "does not point out of the body"));
   EXPECT_TRUE(says(refusal_of(Vector2d(0, 0).replicate(1, 3)),
                    "at vertex 0 (0, 0) does not point"));
   EXPECT_TRUE(says(refusal_of(Vector2d(0, -1).replicate(1, 2)),

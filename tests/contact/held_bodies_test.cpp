@@ -10,7 +10,8 @@ using namespace test;
 
 class HeldBodies : public testing::TestWithParam<Multiplier> {};
 INSTANTIATE_TEST_SUITE_P(Multipliers, HeldBodies,
-                         testing::Values(Multiplier::force, Multiplier::pressure));
+                         testing::Values(Multiplier::force,
+                                         Multiplier::pressure));
 
 /// A free block 6 x 4 on a plane.
 Problem block(Multiplier multiplier, double mu) {
@@ -53,7 +54,8 @@ TEST_P(HeldBodies, held_by_contact_alone_with_friction) {
   EXPECT_NEAR(solution.force.row(1).sum(), -1.2, 1e-9);
 }
 
-TEST_P(HeldBodies, on_a_frictionless_plane_balanced_loads_leave_one_motion_undetermined) {
+TEST_P(HeldBodies,
+       on_a_frictionless_plane_balanced_loads_leave_one_motion_undetermined) {
   Problem problem = block(GetParam(), 0);
   add_traction(problem, top, {0, -1});
   const ContactSolution solution = solved(problem);
@@ -62,7 +64,8 @@ TEST_P(HeldBodies, on_a_frictionless_plane_balanced_loads_leave_one_motion_undet
   EXPECT_NEAR(solution.force.row(0).sum(), -6, 1e-9);
 }
 
-TEST_P(HeldBodies, pulled_back_by_tractions_that_balance_on_a_frictionless_plane) {
+TEST_P(HeldBodies,
+       pulled_back_by_tractions_that_balance_on_a_frictionless_plane) {
   Problem problem = block(GetParam(), 0);
   add_traction(problem, top, {0, -1});
   add_traction(problem, left, {-0.3, 0});
@@ -81,11 +84,13 @@ TEST_P(HeldBodies, a_rotation_that_contact_cannot_oppose_is_named) {
 /// Nodal forces may all be at one end of the line, the forces of pressures <= 0 cannot.
 TEST(HeldBodiesByPressure,
      resultants_that_only_a_force_at_the_very_end_balances_are_refused) {
-  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+  for (const Multiplier multiplier :
+       {Multiplier::force, Multiplier::pressure}) {
     Problem problem = block(multiplier, 0);
     problem.b[2 * 6 + 1] = -1;  // straight down on the right end of the line
     const std::string sentence = refusal([&] { solved(problem); });
-    EXPECT_EQ(sentence == "accepted", multiplier == Multiplier::force) << sentence;
+    EXPECT_EQ(sentence == "accepted", multiplier == Multiplier::force)
+        << sentence;
   }
 }
 

@@ -24,7 +24,8 @@ Problem sheared_block(Multiplier multiplier, double shear) {
 
 class LoadPath : public testing::TestWithParam<Multiplier> {};
 INSTANTIATE_TEST_SUITE_P(Multipliers, LoadPath,
-                         testing::Values(Multiplier::force, Multiplier::pressure));
+                         testing::Values(Multiplier::force,
+                                         Multiplier::pressure));
 
 TEST_P(LoadPath, starting_from_rest_is_the_static_law_to_the_bit) {
   Problem problem = sheared_block(GetParam(), 0.01);
@@ -36,19 +37,22 @@ TEST_P(LoadPath, starting_from_rest_is_the_static_law_to_the_bit) {
 TEST_P(LoadPath, a_step_without_a_change_changes_nothing) {
   Problem problem = sheared_block(GetParam(), 0.01);
   const ContactSolution before = solved(problem);
-  EXPECT_GT(
-      std::count(before.state.begin(), before.state.end(), ContactState::slip_forward),
-      0);
+  EXPECT_GT(std::count(before.state.begin(), before.state.end(),
+                       ContactState::slip_forward),
+            0);
   problem.law.previous = tangential_displacement(problem, before);
   const ContactSolution after = solved(problem);
   EXPECT_TRUE(after.accepted({}));
-  EXPECT_LT(relative_difference(after.displacement, before.displacement), 1e-12);
+  EXPECT_LT(relative_difference(after.displacement, before.displacement),
+            1e-12);
   EXPECT_LT(relative_difference(after.force, before.force), 1e-11);
 }
 
-TEST_P(LoadPath,
-       sheared_back_and_forth_friction_keeps_the_memory_that_the_static_law_has_not) {
-  Problem forth = sheared_block(GetParam(), 0.05), back = sheared_block(GetParam(), 0);
+TEST_P(
+    LoadPath,
+    sheared_back_and_forth_friction_keeps_the_memory_that_the_static_law_has_not) {
+  Problem forth = sheared_block(GetParam(), 0.05),
+          back = sheared_block(GetParam(), 0);
   const ContactSolution there = solved(forth), never_moved = solved(back);
   back.law.previous = tangential_displacement(forth, there);
   const ContactSolution returned = solved(back);
@@ -67,19 +71,22 @@ TEST_P(LoadPath, previous_displacement_shifts_where_a_node_sticks) {
   set_friction(problem, 10);
   const ContactSolution solution = solved(problem);
   EXPECT_TRUE(solution.accepted({}));
-  const VectorXd off = tangential_displacement(problem, solution) - problem.law.previous;
+  const VectorXd off =
+      tangential_displacement(problem, solution) - problem.law.previous;
   for (int i = 0; i < problem.line.node_count(); ++i)
     if (solution.state[i] == ContactState::stick &&
         problem.law.multiplier == Multiplier::force) {
       EXPECT_LT(std::abs(off[i]), 1e-15);
     }
-  EXPECT_GT(std::count(solution.state.begin(), solution.state.end(), ContactState::stick),
+  EXPECT_GT(std::count(solution.state.begin(), solution.state.end(),
+                       ContactState::stick),
             10);
 }
 
 // ---- warm starts ---------------------------------------------------------------------------------------------------------
 
-RC_GTEST_PROP(WarmStart, from_its_own_states_a_solution_is_found_in_one_step, ()) {
+RC_GTEST_PROP(WarmStart, from_its_own_states_a_solution_is_found_in_one_step,
+              ()) {
   const Problem problem = problem_of(*random_case(1));
   const ContactSolution cold = solved(problem);
   ContactSettings settings;
@@ -94,23 +101,27 @@ TEST(WarmStart, states_of_a_coarser_mesh_start_a_finer_one) {
   const ContactSolution coarse = solved(example_1(Multiplier::pressure, 8));
   const Problem fine = example_1(Multiplier::pressure, 32);
   ContactSettings settings;
-  settings.initial_state = states_at(
-      fine.line, example_1(Multiplier::pressure, 8).line.abscissa, coarse.state);
+  settings.initial_state =
+      states_at(fine.line, example_1(Multiplier::pressure, 8).line.abscissa,
+                coarse.state);
   EXPECT_LT(solved(fine, settings).iterations, solved(fine).iterations);
 }
 
 TEST(WarmStart, refuses_states_of_another_line) {
   const Problem problem = example_1(Multiplier::force, 2);
-  EXPECT_TRUE(says(
-      refusal([&] { states_at(problem.line, VectorXd::Zero(2), {ContactState::open}); }),
-      "abscissa of the initial states has 2 values where 1 are needed"));
+  EXPECT_TRUE(
+      says(refusal([&] {
+             states_at(problem.line, VectorXd::Zero(2), {ContactState::open});
+           }),
+           "abscissa of the initial states has 2 values where 1 are needed"));
 }
 
 TEST(LoadPath, refuses_a_previous_displacement_that_does_not_fit) {
   Problem problem = example_1(Multiplier::force, 2);
   problem.law.previous = VectorXd::Zero(2);
-  EXPECT_TRUE(says(refusal([&] { solved(problem); }),
-                   "previous tangential displacement has 2 values where 5 are needed"));
+  EXPECT_TRUE(
+      says(refusal([&] { solved(problem); }),
+           "previous tangential displacement has 2 values where 5 are needed"));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ using namespace test;
 /// What is left of |F_t| <= min(-mu F_n, k len), of slip against F_t at the bound, and of
 /// stick below it, relative to the forces.
 double worst_of(const Problem& problem, const ContactSolution& solution) {
-  const Matrix2Xd w =
-      displacement_against_foundation(problem.line, problem.law, solution.displacement);
+  const Matrix2Xd w = displacement_against_foundation(problem.line, problem.law,
+                                                      solution.displacement);
   const VectorXd length =
       contact_mass(problem.line) * VectorXd::Ones(problem.line.node_count());
   const double force = solution.force.cwiseAbs().maxCoeff(),
@@ -26,10 +26,11 @@ double worst_of(const Problem& problem, const ContactSolution& solution) {
   for (int i = 0; i < problem.line.node_count(); ++i) {
     const double Fn = solution.force(0, i), Ft = solution.force(1, i),
                  slip = w(1, i) / motion;
-    const double bound =
-        std::min(-problem.law.friction[i] * Fn, problem.law.shear_limit[i] * length[i]);
+    const double bound = std::min(-problem.law.friction[i] * Fn,
+                                  problem.law.shear_limit[i] * length[i]);
     const double below = (bound - std::abs(Ft)) / force;
-    worst = std::max({worst, -below, std::min(below, std::abs(slip)), slip * Ft / force});
+    worst = std::max(
+        {worst, -below, std::min(below, std::abs(slip)), slip * Ft / force});
   }
   return worst;
 }
@@ -43,7 +44,8 @@ Problem limited_problem(double mu, double share) {
   const VectorXd length =
       contact_mass(problem.line) * VectorXd::Ones(problem.line.node_count());
   const double largest =
-      (unlimited.force.row(1).transpose().cwiseAbs().cwiseQuotient(length)).maxCoeff();
+      (unlimited.force.row(1).transpose().cwiseAbs().cwiseQuotient(length))
+          .maxCoeff();
   problem.law.shear_limit = everywhere(problem.line, share * largest);
   return problem;
 }
@@ -66,7 +68,8 @@ RC_GTEST_PROP(ShearLimit, is_reached_by_the_fixed_point_too, ()) {
 }
 
 TEST(ShearLimit, that_nothing_reaches_is_coulombs_law_to_the_bit) {
-  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+  for (const Multiplier multiplier :
+       {Multiplier::force, Multiplier::pressure}) {
     Problem problem = example_1(multiplier);
     const ContactSolution coulomb = solved(problem);
     problem.law.shear_limit = everywhere(problem.line, 1e6);
@@ -75,10 +78,12 @@ TEST(ShearLimit, that_nothing_reaches_is_coulombs_law_to_the_bit) {
 }
 
 TEST(ShearLimit, far_below_friction_is_trescas_law_where_the_line_is_closed) {
-  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+  for (const Multiplier multiplier :
+       {Multiplier::force, Multiplier::pressure}) {
     Problem problem = body(rectangle(16, 8, 80, 40), material(13e3, 0.2));
     add_traction(problem, top, {0, -10});
-    prescribe(problem, left, 0, [](const Vector2d&) { return Vector2d(0.1, 0); });
+    prescribe(problem, left, 0,
+              [](const Vector2d&) { return Vector2d(0.1, 0); });
     problem.law.multiplier = multiplier;
     set_friction(problem, 1);
     problem.law.shear_limit = everywhere(problem.line, 0.5);
@@ -87,19 +92,22 @@ TEST(ShearLimit, far_below_friction_is_trescas_law_where_the_line_is_closed) {
     problem.law.slip_bound = everywhere(problem.line, 0.5);
     const ContactSolution tresca = solved(problem);
     ASSERT_LT(tresca.pressure.row(0).maxCoeff(), -0.5);
-    EXPECT_LT(relative_difference(limited.displacement, tresca.displacement), 1e-10);
+    EXPECT_LT(relative_difference(limited.displacement, tresca.displacement),
+              1e-10);
     for (ContactState state : limited.state)
       EXPECT_TRUE(state == ContactState::slip_forward);
   }
 }
 
 TEST(ShearLimit, of_a_node_is_in_the_units_of_the_multiplier) {
-  Problem problem = example_1(Multiplier::pressure, 2);  // four edges of 20 mm, mu 0.5
+  Problem problem =
+      example_1(Multiplier::pressure, 2);  // four edges of 20 mm, mu 0.5
   problem.law.shear_limit = everywhere(problem.line, 3);
   EXPECT_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-4), 2);
   EXPECT_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-7), 3);
   problem.law.multiplier = Multiplier::force;
-  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-700), 60);
+  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-700),
+                   60);
 }
 
 TEST(ShearLimit, refuses_what_does_not_fit) {

@@ -18,12 +18,14 @@ RC_GTEST_PROP(StrongFriction, is_solved_and_certified, ()) {
   RC_ASSERT(solution.accepted(settings));
 }
 
-RC_GTEST_PROP(StrongFriction, violation_and_residual_decide_the_status_of_a_run_cut_short,
-              ()) {
+RC_GTEST_PROP(StrongFriction,
+              violation_and_residual_decide_the_status_of_a_run_cut_short, ()) {
   ContactSettings settings;
   settings.max_iterations = *rc::gen::inRange(1, 4);
-  settings.solver = *rc::gen::element(ContactSolver::newton, ContactSolver::fixed_point);
-  const ContactSolution solution = solved(problem_of(*random_case(3)), settings);
+  settings.solver =
+      *rc::gen::element(ContactSolver::newton, ContactSolver::fixed_point);
+  const ContactSolution solution =
+      solved(problem_of(*random_case(3)), settings);
   const bool within = solution.complementarity <= settings.tolerance &&
                       solution.residual <= settings.tolerance;
   RC_ASSERT(within == (solution.status == ContactStatus::converged));
@@ -57,11 +59,13 @@ TEST(StrongFriction,
   EXPECT_LT(relative_difference(helped.answer.v, alone.answer.v), 1e-8);
 }
 
-TEST(StrongFriction, a_fixed_point_cut_short_leaves_the_better_answer_of_newton) {
+TEST(StrongFriction,
+     a_fixed_point_cut_short_leaves_the_better_answer_of_newton) {
   Problem problem = example_1(Multiplier::pressure);
   set_friction(problem, 2);
   const Condensed c(problem);
-  const ActiveSetResult newton = active_set_newton(c.contact, c.law, c.sticking);
+  const ActiveSetResult newton =
+      active_set_newton(c.contact, c.law, c.sticking);
   ContactSettings settings;
   settings.max_iterations = newton.iterations + 1;
   const ContactSolution solution = solved(problem, settings);
@@ -70,7 +74,8 @@ TEST(StrongFriction, a_fixed_point_cut_short_leaves_the_better_answer_of_newton)
 }
 
 /// Without damping it swings until 1000 systems are used up.
-TEST(StrongFriction, damping_makes_the_fixed_point_converge_where_it_does_not_contract) {
+TEST(StrongFriction,
+     damping_makes_the_fixed_point_converge_where_it_does_not_contract) {
   for (const unsigned seed : {3, 81, 94}) {
     Random random(seed);
     const Condensed c(odd_problem(random, 4));
@@ -88,8 +93,8 @@ TEST(StrongFriction, randomly_refined_mesh) {
   Mesh mesh = rectangle(16, 8, 80, 40);
   std::uniform_real_distribution<double> along(0, 80);
   for (int level = 0; level < 5; ++level)
-    mesh =
-        refined(mesh, triangles_near(mesh, {along(random), 0}, 5 / std::pow(2, level)));
+    mesh = refined(
+        mesh, triangles_near(mesh, {along(random), 0}, 5 / std::pow(2, level)));
   for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
     for (const double mu : {0.3, 1.0, 2.0, 3.0}) {
       Problem problem = body(mesh, material(13e3, 0.2));
@@ -100,8 +105,9 @@ TEST(StrongFriction, randomly_refined_mesh) {
       problem.law.multiplier = multiplier;
       const ContactSolution solution = solved(problem);
       EXPECT_TRUE(solution.accepted({}))
-          << "mu " << mu << ", multiplier " << static_cast<int>(multiplier) << ", "
-          << in_words(solution.status) << ", violation " << solution.complementarity;
+          << "mu " << mu << ", multiplier " << static_cast<int>(multiplier)
+          << ", " << in_words(solution.status) << ", violation "
+          << solution.complementarity;
     }
 }
 

@@ -18,7 +18,8 @@ using namespace test;
 TEST(Threads, do_not_change_the_answer) {
   if (!openblas_set_num_threads) GTEST_SKIP() << "another BLAS";
   const int threads = openblas_get_num_threads();
-  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+  for (const Multiplier multiplier :
+       {Multiplier::force, Multiplier::pressure}) {
     const Problem problem = example_1(multiplier, 64);
     openblas_set_num_threads(1);
     const ContactSolution one = solved(problem), again = solved(problem);

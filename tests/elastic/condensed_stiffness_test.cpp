@@ -25,7 +25,8 @@ ElasticSystem random_system(bool fixed, Random& random, Mesh& mesh) {
   Problem problem = body(mesh, material(100, 0.3));
   problem.b = random_vector(problem.b.size(), random);
   if (fixed)
-    clamp(problem, top, [](const Vector2d& x) { return Vector2d(0.01 * x.x(), -0.02); });
+    clamp(problem, top,
+          [](const Vector2d& x) { return Vector2d(0.01 * x.x(), -0.02); });
   return problem.system();
 }
 
@@ -38,7 +39,8 @@ std::vector<int> free_dofs(const ElasticSystem& system) {
 
 /// Both dofs of two vertices, which hold a floating body, and one dof of `more` others,
 /// in random order.
-std::vector<int> random_kept(const ElasticSystem& system, int more, Random& random) {
+std::vector<int> random_kept(const ElasticSystem& system, int more,
+                             Random& random) {
   std::vector<int> dofs = free_dofs(system), kept;
   std::shuffle(dofs.begin(), dofs.end(), random);
   std::set<int> vertices;
@@ -56,37 +58,44 @@ struct Dense {
   MatrixXd S;
   VectorXd g;
 };
-Dense dense_condensation(const ElasticSystem& system, const std::vector<int>& kept) {
+Dense dense_condensation(const ElasticSystem& system,
+                         const std::vector<int>& kept) {
   std::vector<int> inner = free_dofs(system);
   inner.erase(std::remove_if(inner.begin(), inner.end(),
                              [&](int dof) {
-                               return std::find(kept.begin(), kept.end(), dof) !=
-                                      kept.end();
+                               return std::find(kept.begin(), kept.end(),
+                                                dof) != kept.end();
                              }),
               inner.end());
   const MatrixXd K(system.stiffness), K_ic = K(inner, kept);
   const Eigen::LLT<MatrixXd> K_ii(K(inner, inner));
-  return {K(kept, kept) - K_ic.transpose() * K_ii.solve(K_ic),
-          system.load(kept) - K_ic.transpose() * K_ii.solve(system.load(inner))};
+  return {
+      K(kept, kept) - K_ic.transpose() * K_ii.solve(K_ic),
+      system.load(kept) - K_ic.transpose() * K_ii.solve(system.load(inner))};
 }
 
-RC_GTEST_PROP(CondensedStiffness, is_the_dense_schur_complement, (Random random)) {
+RC_GTEST_PROP(CondensedStiffness, is_the_dense_schur_complement,
+              (Random random)) {
   Mesh mesh;
-  const ElasticSystem system = random_system(*rc::gen::arbitrary<bool>(), random, mesh);
-  const std::vector<int> kept = random_kept(system, *rc::gen::inRange(0, 8), random);
+  const ElasticSystem system =
+      random_system(*rc::gen::arbitrary<bool>(), random, mesh);
+  const std::vector<int> kept =
+      random_kept(system, *rc::gen::inRange(0, 8), random);
   const CondensedStiffness stiffness(system, kept);
   const Dense dense = dense_condensation(system, kept);
   RC_ASSERT(relative_difference(stiffness.schur(), dense.S) < 1e-11);
-  RC_ASSERT(relative_difference(stiffness.condensed(system.load).on_kept, dense.g) <
-            1e-11);
+  RC_ASSERT(relative_difference(stiffness.condensed(system.load).on_kept,
+                                dense.g) < 1e-11);
 }
 
 RC_GTEST_PROP(CondensedStiffness,
               extended_displacement_balances_the_load_on_the_other_dofs,
               (Random random)) {
   Mesh mesh;
-  const ElasticSystem system = random_system(*rc::gen::arbitrary<bool>(), random, mesh);
-  const std::vector<int> kept = random_kept(system, *rc::gen::inRange(0, 8), random);
+  const ElasticSystem system =
+      random_system(*rc::gen::arbitrary<bool>(), random, mesh);
+  const std::vector<int> kept =
+      random_kept(system, *rc::gen::inRange(0, 8), random);
   const VectorXd u_c = random_vector(static_cast<Index>(kept.size()), random);
   const CondensedStiffness stiffness(system, kept);
   const VectorXd u = stiffness.extended(stiffness.condensed(system.load), u_c);
@@ -102,7 +111,8 @@ RC_GTEST_PROP(CondensedStiffness,
   // On the kept dofs the residual is S u_c - g.
   const VectorXd expected =
       stiffness.schur() * u_c - stiffness.condensed(system.load).on_kept;
-  RC_ASSERT((VectorXd(residual(kept)) - expected).cwiseAbs().maxCoeff() < scale);
+  RC_ASSERT((VectorXd(residual(kept)) - expected).cwiseAbs().maxCoeff() <
+            scale);
 }
 
 TEST(CondensedStiffness, of_a_floating_body_keeps_exactly_the_rigid_motions) {
@@ -111,8 +121,10 @@ TEST(CondensedStiffness, of_a_floating_body_keeps_exactly_the_rigid_motions) {
   const ElasticSystem system = random_system(false, random, mesh);
   const std::vector<int> kept = random_kept(system, 6, random);
   const MatrixXd S = CondensedStiffness(system, kept).schur();
-  const MatrixXd motions = free_rigid_motions(mesh, system.prescribed)(kept, Eigen::all);
-  EXPECT_LT((S * motions).cwiseAbs().maxCoeff(), 1e-11 * S.cwiseAbs().maxCoeff());
+  const MatrixXd motions =
+      free_rigid_motions(mesh, system.prescribed)(kept, Eigen::all);
+  EXPECT_LT((S * motions).cwiseAbs().maxCoeff(),
+            1e-11 * S.cwiseAbs().maxCoeff());
   EXPECT_EQ(Eigen::FullPivLU<MatrixXd>(S).setThreshold(1e-10).rank(), 7);
 }
 
@@ -136,27 +148,29 @@ TEST(CondensedStiffness, keeps_all_free_dofs_when_asked_to) {
             1e-13);
 }
 
-TEST(CondensedStiffness, refuses_kept_dofs_that_are_prescribed_repeated_or_out_of_range) {
+TEST(CondensedStiffness,
+     refuses_kept_dofs_that_are_prescribed_repeated_or_out_of_range) {
   const ElasticSystem system = example_1(Multiplier::force, 2).system();
   const int prescribed = system.dof_count() - 1;
   const auto refusal_of = [&](const std::vector<int>& kept) {
     return refusal([&] { CondensedStiffness(system, kept); });
   };
-  EXPECT_EQ(refusal_of({0, prescribed}), "kept dof 29 is prescribed or does not exist");
+  EXPECT_EQ(refusal_of({0, prescribed}),
+            "kept dof 29 is prescribed or does not exist");
   EXPECT_EQ(refusal_of({-1}), "kept dof -1 is prescribed or does not exist");
   EXPECT_EQ(refusal_of({30}), "kept dof 30 is prescribed or does not exist");
   EXPECT_EQ(refusal_of({4, 2, 4}), "kept dof 4 is listed twice");
 }
 
 TEST(CondensedStiffness, fails_when_a_part_of_the_body_is_held_by_nothing) {
-  Problem problem =
-      body(joined(rectangle(2, 2, 2, 2), rectangle(2, 2, 2, 2)), material(100, 0.3));
+  Problem problem = body(joined(rectangle(2, 2, 2, 2), rectangle(2, 2, 2, 2)),
+                         material(100, 0.3));
   clamp(problem, top);
   const ElasticSystem system = problem.system();
   EXPECT_THROW(CondensedStiffness(system, {0, 1}), std::runtime_error);
-  EXPECT_THROW(
-      CondensedStiffness(body(rectangle(2, 2, 2, 2), material(1, 0)).system(), {}),
-      std::runtime_error);
+  EXPECT_THROW(CondensedStiffness(
+                   body(rectangle(2, 2, 2, 2), material(1, 0)).system(), {}),
+               std::runtime_error);
 }
 
 TEST(CondensedStiffness, refuses_loads_and_displacements_of_another_size) {
@@ -165,7 +179,8 @@ TEST(CondensedStiffness, refuses_loads_and_displacements_of_another_size) {
   EXPECT_EQ(refusal([&] { stiffness.condensed(Vector2d::Zero()); }),
             "load has 2 values where 30 are needed");
   EXPECT_EQ(refusal([&] {
-              stiffness.extended(stiffness.condensed(system.load), Vector3d::Zero());
+              stiffness.extended(stiffness.condensed(system.load),
+                                 Vector3d::Zero());
             }),
             "kept displacement has 3 values where 2 are needed");
 }
@@ -179,8 +194,8 @@ ElasticSystem held_square(int cells, double modulus) {
 }
 
 TEST(CondensedStiffness, of_separate_bodies_is_that_of_each) {
-  const std::vector<ElasticSystem> bodies{held_square(6, 100), held_square(4, 3),
-                                          held_square(5, 20)};
+  const std::vector<ElasticSystem> bodies{
+      held_square(6, 100), held_square(4, 3), held_square(5, 20)};
   const ElasticSystem joined = joined_systems(bodies);
   std::vector<int> kept;
   for (int place = 0; place < 3; ++place)  // in turn one dof of each body
@@ -189,8 +204,9 @@ TEST(CondensedStiffness, of_separate_bodies_is_that_of_each) {
   const CondensedStiffness condensed(joined, kept);
   const Dense dense = dense_condensation(joined, kept);
   EXPECT_LT(relative_difference(condensed.schur(), dense.S), 1e-11);
-  EXPECT_LT(relative_difference(condensed.condensed(joined.load).on_kept, dense.g),
-            1e-11);
+  EXPECT_LT(
+      relative_difference(condensed.condensed(joined.load).on_kept, dense.g),
+      1e-11);
   const VectorXd u_c = VectorXd::LinSpaced(9, 0.1, 0.9),
                  u = condensed.extended(condensed.condensed(joined.load), u_c);
   for (int k = 0; k < 9; ++k) EXPECT_NEAR(u[kept[k]], u_c[k], 1e-12);
@@ -202,8 +218,9 @@ TEST(CondensedStiffness, with_all_dofs_kept_is_the_stiffness_in_their_order) {
   const CondensedStiffness condensed(system, kept);
   const Dense dense = dense_condensation(system, kept);
   EXPECT_LT(relative_difference(condensed.schur(), dense.S), 1e-13);
-  EXPECT_LT(relative_difference(condensed.condensed(system.load).on_kept, dense.g),
-            1e-13);
+  EXPECT_LT(
+      relative_difference(condensed.condensed(system.load).on_kept, dense.g),
+      1e-13);
   const VectorXd u_c = VectorXd::LinSpaced(dense.g.size(), 0.1, 0.9);
   const VectorXd u = condensed.extended(condensed.condensed(system.load), u_c);
   for (std::size_t k = 0; k < kept.size(); ++k)

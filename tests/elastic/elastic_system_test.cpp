@@ -54,11 +54,14 @@ Assembled pulled_square(double tgv, double value) {
   Assembled system{problem.A, problem.b};
   for (int v = 0; v < problem.mesh.vertex_count(); ++v)
     if (problem.mesh.vertices(0, v) == 0)
-      for (int c = 0; c < 2; ++c) prescribe(system, 2 * v + c, (c + 1) * value, tgv);
+      for (int c = 0; c < 2; ++c)
+        prescribe(system, 2 * v + c, (c + 1) * value, tgv);
   return system;
 }
 
-ElasticSystem read(const Assembled& system) { return elastic_system(system.A, system.b); }
+ElasticSystem read(const Assembled& system) {
+  return elastic_system(system.A, system.b);
+}
 
 std::string refusal_of(const Assembled& system) {
   return refusal([&] { read(system); });
@@ -75,10 +78,13 @@ RC_GTEST_PROP(Stiffness, is_symmetric_and_has_the_rigid_motions_in_its_kernel,
   const double scale = K.coeffs().cwiseAbs().maxCoeff();
   RC_ASSERT((MatrixXd(K) - MatrixXd(K).transpose()).cwiseAbs().maxCoeff() <=
             1e-15 * scale);
-  RC_ASSERT(residual([](const Vector2d&) { return Vector2d(1, 0); }) < 1e-13 * scale);
-  RC_ASSERT(residual([](const Vector2d&) { return Vector2d(0, 1); }) < 1e-13 * scale);
-  RC_ASSERT(residual([](const Vector2d& x) { return Vector2d(-x.y(), x.x()); }) <
+  RC_ASSERT(residual([](const Vector2d&) { return Vector2d(1, 0); }) <
             1e-13 * scale);
+  RC_ASSERT(residual([](const Vector2d&) { return Vector2d(0, 1); }) <
+            1e-13 * scale);
+  RC_ASSERT(residual([](const Vector2d& x) {
+              return Vector2d(-x.y(), x.x());
+            }) < 1e-13 * scale);
 }
 
 RC_GTEST_PROP(Stiffness, is_the_energy_of_the_strains, (Random random)) {
@@ -87,9 +93,10 @@ RC_GTEST_PROP(Stiffness, is_the_energy_of_the_strains, (Random random)) {
   const VectorXd u = random_vector(2 * mesh.vertices.cols(), random);
   double energy = 0;
   for (int t = 0; t < mesh.cell_count(); ++t)
-    energy +=
-        signed_area(mesh, t) * strain(mesh, u, t).dot(hooke[t] * strain(mesh, u, t));
-  RC_ASSERT(std::abs(u.dot(stiffness(mesh, hooke) * u) - energy) < 1e-12 * energy);
+    energy += signed_area(mesh, t) *
+              strain(mesh, u, t).dot(hooke[t] * strain(mesh, u, t));
+  RC_ASSERT(std::abs(u.dot(stiffness(mesh, hooke) * u) - energy) <
+            1e-12 * energy);
 }
 
 TEST(ElasticSystem, tgv_of_1e30_and_minus_1_and_minus_2_are_read_alike) {
@@ -99,15 +106,19 @@ TEST(ElasticSystem, tgv_of_1e30_and_minus_1_and_minus_2_are_read_alike) {
     EXPECT_EQ(system.prescribed, reference.prescribed);
     EXPECT_EQ(system.prescribed_value, reference.prescribed_value);
     EXPECT_EQ(system.load, reference.load);
-    EXPECT_LT(relative_difference(displacement(system), displacement(reference)), 1e-14);
+    EXPECT_LT(
+        relative_difference(displacement(system), displacement(reference)),
+        1e-14);
   }
 }
 
-TEST(ElasticSystem, prescribed_values_are_read_alike_from_tgv_of_1e30_and_minus_1) {
+TEST(ElasticSystem,
+     prescribed_values_are_read_alike_from_tgv_of_1e30_and_minus_1) {
   const ElasticSystem penalised = read(pulled_square(1e30, 0.25)),
                       emptied = read(pulled_square(-1, 0.25));
-  EXPECT_LT(relative_difference(emptied.prescribed_value, penalised.prescribed_value),
-            1e-15);
+  EXPECT_LT(
+      relative_difference(emptied.prescribed_value, penalised.prescribed_value),
+      1e-15);
   EXPECT_LT(relative_difference(emptied.load, penalised.load), 1e-14);
 }
 
@@ -119,11 +130,13 @@ TEST(ElasticSystem, a_prescribed_motion_moves_the_body_rigidly) {
     EXPECT_LT((by.segment<2>(2 * v) - Vector2d(0.25, 0.5)).norm(), 1e-13);
 }
 
-TEST(ElasticSystem, free_dofs_carry_no_prescribed_value_and_prescribed_dofs_no_load) {
+TEST(ElasticSystem,
+     free_dofs_carry_no_prescribed_value_and_prescribed_dofs_no_load) {
   for (double tgv : {1e30, 1e15, -1.0}) {
     const ElasticSystem system = read(pulled_square(tgv, 0.25));
     for (int dof = 0; dof < system.dof_count(); ++dof)
-      EXPECT_EQ(system.prescribed[dof] ? system.load[dof] : system.prescribed_value[dof],
+      EXPECT_EQ(system.prescribed[dof] ? system.load[dof]
+                                       : system.prescribed_value[dof],
                 0);
   }
 }
@@ -137,7 +150,8 @@ TEST(JoinedSystems, move_each_as_by_itself) {
   const VectorXd all = displacement(joined);
   for (int k = 0; k < 3; ++k) {
     const VectorXd own = displacement(bodies[k]);
-    EXPECT_LT(relative_difference(all.segment(k * own.size(), own.size()), own), 1e-13);
+    EXPECT_LT(relative_difference(all.segment(k * own.size(), own.size()), own),
+              1e-13);
   }
 }
 
@@ -171,9 +185,11 @@ Assembled held_but_for_one_dof(double tgv) {
 
 TEST(ElasticSystem, a_free_dof_without_free_neighbours_is_free_with_every_tgv) {
   for (double tgv : {1e30, -1.0, -2.0}) {
-    const std::vector<char> prescribed = prescribed_dofs(held_but_for_one_dof(tgv).A);
+    const std::vector<char> prescribed =
+        prescribed_dofs(held_but_for_one_dof(tgv).A);
     for (int dof = 0; dof < 18; ++dof)
-      EXPECT_EQ(prescribed[dof], dof != only_free) << "dof " << dof << ", tgv " << tgv;
+      EXPECT_EQ(prescribed[dof], dof != only_free)
+          << "dof " << dof << ", tgv " << tgv;
   }
 }
 
@@ -192,11 +208,13 @@ TEST(ElasticSystem, a_scaled_matrix_prescribes_the_same_dofs) {
   }
 }
 
-TEST(ElasticSystem, refuses_a_scaled_matrix_that_leaves_open_which_dofs_are_free) {
+TEST(ElasticSystem,
+     refuses_a_scaled_matrix_that_leaves_open_which_dofs_are_free) {
   const Assembled system = held_but_for_one_dof(-2);
   const RowMatrix scaled = 0.5 * system.A;
   EXPECT_EQ(refusal([&] { elastic_system(scaled, system.b); }),
-            "dof 0 has nothing but its diagonal 0.5 in A, others have another value, and "
+            "dof 0 has nothing but its diagonal 0.5 in A, others have another "
+            "value, and "
             "none is 1: which of them are "
             "prescribed "
             "cannot be told; assemble A and b with tgv=-1 or the default tgv");
@@ -204,7 +222,8 @@ TEST(ElasticSystem, refuses_a_scaled_matrix_that_leaves_open_which_dofs_are_free
 
 TEST(ElasticSystem, refuses_prescribed_values_whose_columns_are_gone) {
   EXPECT_EQ(refusal_of(pulled_square(-2, 0.25)),
-            "dof 0 is prescribed to 0.25 but its column of A is gone: assemble A and b "
+            "dof 0 is prescribed to 0.25 but its column of A is gone: assemble "
+            "A and b "
             "with tgv=-1 or the default tgv");
 }
 

@@ -16,7 +16,8 @@ using namespace test;
 
 TEST(Hooke, isotropic_is_lambda_trace_plus_two_G_strain) {
   const Vector3d strain(0.3, -0.2, 2 * 0.1);  // engineering shear
-  const Vector3d expected(7 * 0.1 + 2 * 5 * 0.3, 7 * 0.1 - 2 * 5 * 0.2, 2 * 5 * 0.1);
+  const Vector3d expected(7 * 0.1 + 2 * 5 * 0.3, 7 * 0.1 - 2 * 5 * 0.2,
+                          2 * 5 * 0.1);
   EXPECT_LT((isotropic(7, 5) * strain - expected).norm(), 1e-14);
 }
 
@@ -24,8 +25,8 @@ RC_GTEST_PROP(Hooke, strain_of_a_linear_displacement_is_its_symmetric_gradient,
               (Random random)) {
   const Mesh mesh = irregular(3, 3, 3, 3, random);
   const Matrix2d grad = random_matrix(2, 2, random);
-  const VectorXd u =
-      nodal_values(mesh, [&](const Vector2d& x) -> Vector2d { return grad * x; });
+  const VectorXd u = nodal_values(
+      mesh, [&](const Vector2d& x) -> Vector2d { return grad * x; });
   const Vector3d expected(grad(0, 0), grad(1, 1), grad(0, 1) + grad(1, 0));
   for (int t = 0; t < mesh.cell_count(); ++t)
     RC_ASSERT((strain(mesh, u, t) - expected).norm() < 1e-11);
@@ -56,9 +57,9 @@ TEST(Hooke, refuses_a_tensor_that_is_not_elliptic) {
   EXPECT_EQ(refusal_of(isotropic(1, 0)), sentence);
   EXPECT_EQ(refusal_of(isotropic(-3, 1)), sentence);
   EXPECT_EQ(refusal_of(isotropic(std::nan(""), 1)), sentence);
-  EXPECT_EQ(
-      refusal_of(isotropic(1, 1) + 0.1 * Vector3d::UnitX() * Eigen::RowVector3d::UnitY()),
-      sentence);
+  EXPECT_EQ(refusal_of(isotropic(1, 1) +
+                       0.1 * Vector3d::UnitX() * Eigen::RowVector3d::UnitY()),
+            sentence);
 }
 
 TEST(Hooke, refuses_one_tensor_for_two_triangles) {

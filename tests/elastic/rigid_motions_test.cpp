@@ -29,7 +29,8 @@ std::string free_motion(const Mesh& mesh, const std::vector<int>& dofs) {
 }
 
 TEST(RigidMotions, a_clamped_body_has_none) {
-  EXPECT_EQ(free_rigid_motions(block(), prescribed(block(), {0, 1, 2, 3})).cols(), 0);
+  EXPECT_EQ(
+      free_rigid_motions(block(), prescribed(block(), {0, 1, 2, 3})).cols(), 0);
 }
 
 TEST(RigidMotions, a_symmetry_line_leaves_the_translation_along_it) {
@@ -42,7 +43,8 @@ TEST(RigidMotions, a_pin_leaves_the_rotation_about_it) {
   EXPECT_EQ(free_motion(block(), {28, 29}), "rotation about (4, 2)");
 }
 
-TEST(RigidMotions, two_rollers_leave_the_rotation_about_the_crossing_of_their_normals) {
+TEST(RigidMotions,
+     two_rollers_leave_the_rotation_about_the_crossing_of_their_normals) {
   EXPECT_EQ(free_motion(block(), {0, 2 * 4 + 1}), "rotation about (4, 0)");
 }
 
@@ -63,8 +65,8 @@ TEST(RigidMotions, of_the_second_part_are_told_in_words) {
 }
 
 TEST(RigidMotions, a_slanted_translation_is_told_by_its_direction) {
-  const VectorXd motion =
-      nodal_values(block(), [](const Vector2d&) { return Vector2d(-0.3, 0.4); });
+  const VectorXd motion = nodal_values(
+      block(), [](const Vector2d&) { return Vector2d(-0.3, 0.4); });
   EXPECT_EQ(motion_in_words(block(), motion), "translation along (-0.6, 0.8)");
 }
 
@@ -85,9 +87,11 @@ RC_GTEST_PROP(RigidMotions, strain_nothing_and_vanish_on_prescribed_dofs,
   }
 }
 
-RC_GTEST_PROP(RigidMotions, are_as_many_as_prescribed_dofs_leave, (Random random)) {
+RC_GTEST_PROP(RigidMotions, are_as_many_as_prescribed_dofs_leave,
+              (Random random)) {
   const Mesh mesh = irregular(4, 2, 4, 2, random);
-  const int v = random() % mesh.vertex_count(), w = (v + 1) % mesh.vertex_count();
+  const int v = random() % mesh.vertex_count(),
+            w = (v + 1) % mesh.vertex_count();
   const auto count = [&](const std::vector<int>& dofs) {
     return free_rigid_motions(mesh, prescribed(mesh, dofs)).cols();
   };

@@ -24,7 +24,8 @@ struct Body {
 /// A loaded brick whose top is moved, or that nothing holds.
 Body random_body(bool held, Random& random) {
   const SolidMesh mesh = irregular_solid(random);
-  RowMatrix A = stiffness(mesh, HookeTensors<3>(mesh.cell_count(), isotropic<3>(60, 40)));
+  RowMatrix A =
+      stiffness(mesh, HookeTensors<3>(mesh.cell_count(), isotropic<3>(60, 40)));
   VectorXd b = random_vector(A.rows(), random);
   if (held)
     for (int v : vertices_on(mesh, high_z))
@@ -49,41 +50,50 @@ std::vector<int> random_kept(const Body& body, Random& random) {
   for (int v : vertices_on(body.mesh, low_z))
     for (int dof = 3 * v; dof < 3 * v + 3; ++dof) kept.push_back(dof);
   for (int dof : free_dofs(body.system))
-    if (random() % 10 == 0 && std::find(kept.begin(), kept.end(), dof) == kept.end())
+    if (random() % 10 == 0 &&
+        std::find(kept.begin(), kept.end(), dof) == kept.end())
       kept.push_back(dof);
-  kept.erase(std::remove_if(kept.begin(), kept.end(),
-                            [&](int dof) { return body.system.prescribed[dof]; }),
-             kept.end());
+  kept.erase(
+      std::remove_if(kept.begin(), kept.end(),
+                     [&](int dof) { return body.system.prescribed[dof]; }),
+      kept.end());
   std::shuffle(kept.begin(), kept.end(), random);
   return kept;
 }
 
-double largest(const Ref<const MatrixXd>& values) { return values.cwiseAbs().maxCoeff(); }
+double largest(const Ref<const MatrixXd>& values) {
+  return values.cwiseAbs().maxCoeff();
+}
 
-RC_GTEST_PROP(SolidCondensation, is_the_inverse_of_the_dense_inverse_at_the_kept_dofs,
+RC_GTEST_PROP(SolidCondensation,
+              is_the_inverse_of_the_dense_inverse_at_the_kept_dofs,
               (Random random)) {
   const Body body = random_body(true, random);
-  const std::vector<int> kept = random_kept(body, random), dofs = free_dofs(body.system);
+  const std::vector<int> kept = random_kept(body, random),
+                         dofs = free_dofs(body.system);
   const CondensedStiffness condensed(body.system, kept);
-  const MatrixXd inverse = MatrixXd(body.system.stiffness)(dofs, dofs).inverse();
+  const MatrixXd inverse =
+      MatrixXd(body.system.stiffness)(dofs, dofs).inverse();
   std::vector<int> places;
   for (int dof : kept)
-    places.push_back(
-        static_cast<int>(std::find(dofs.begin(), dofs.end(), dof) - dofs.begin()));
+    places.push_back(static_cast<int>(std::find(dofs.begin(), dofs.end(), dof) -
+                                      dofs.begin()));
   const MatrixXd flexibility = inverse(places, places);
   const MatrixXd product = condensed.schur() * flexibility;
-  RC_ASSERT(largest(product - MatrixXd::Identity(product.rows(), product.cols())) <
-            1e-10);
+  RC_ASSERT(largest(product - MatrixXd::Identity(product.rows(),
+                                                 product.cols())) < 1e-10);
   // S u_c = g for the u_c of the whole solution
   const VectorXd u = inverse * body.system.load(dofs);
   const VectorXd g = condensed.condensed(body.system.load).on_kept;
   RC_ASSERT(largest(condensed.schur() * u(places) - g) < 1e-10 * largest(g));
 }
 
-RC_GTEST_PROP(SolidCondensation, solves_as_the_whole_system_does, (Random random)) {
+RC_GTEST_PROP(SolidCondensation, solves_as_the_whole_system_does,
+              (Random random)) {
   const Body body = random_body(true, random);
   const std::vector<int> kept = random_kept(body, random);
-  const VectorXd whole = displacement(body.system) - body.system.prescribed_value;
+  const VectorXd whole =
+      displacement(body.system) - body.system.prescribed_value;
   const CondensedStiffness condensed(body.system, kept);
   const CondensedStiffness::Load load = condensed.condensed(body.system.load);
   const VectorXd u_c = condensed.schur().partialPivLu().solve(load.on_kept);
@@ -94,7 +104,8 @@ RC_GTEST_PROP(SolidCondensation, solves_as_the_whole_system_does, (Random random
   RC_ASSERT(largest(residual(dofs)) < 1e-12 * largest(body.system.load));
 }
 
-RC_GTEST_PROP(SolidCondensation, of_a_floating_body_keeps_exactly_the_rigid_motions,
+RC_GTEST_PROP(SolidCondensation,
+              of_a_floating_body_keeps_exactly_the_rigid_motions,
               (Random random)) {
   const Body body = random_body(false, random);
   const std::vector<int> kept = random_kept(body, random);

@@ -78,12 +78,13 @@ TEST(SolidHooke, traction_is_stress_times_normal) {
   EXPECT_EQ(traction(s, n), Vector3d(sigma * n));
 }
 
-RC_GTEST_PROP(SolidHooke, strain_of_a_linear_displacement_is_its_symmetric_gradient,
+RC_GTEST_PROP(SolidHooke,
+              strain_of_a_linear_displacement_is_its_symmetric_gradient,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Matrix3d grad = random_matrix(3, 3, random);
-  const VectorXd u =
-      nodal_values(mesh, [&](const Vector3d& x) -> Vector3d { return grad * x; });
+  const VectorXd u = nodal_values(
+      mesh, [&](const Vector3d& x) -> Vector3d { return grad * x; });
   const Vector6d expected = engineering(0.5 * (grad + grad.transpose()));
   const HookeTensors<3> hooke = everywhere(mesh, random_tensor(random));
   const Matrix<double, 6, Dynamic> sigma = stresses(mesh, hooke, u);
@@ -95,7 +96,9 @@ RC_GTEST_PROP(SolidHooke, strain_of_a_linear_displacement_is_its_symmetric_gradi
 
 TEST(SolidHooke, refuses_a_tensor_that_is_not_elliptic) {
   const auto refusal_of = [](const VoigtMatrix<3>& C) {
-    return refusal([&] { require_elliptic(HookeTensors<3>{isotropic<3>(1, 1), C}, 2); });
+    return refusal([&] {
+      require_elliptic(HookeTensors<3>{isotropic<3>(1, 1), C}, 2);
+    });
   };
   const std::string sentence =
       "Hooke's tensor on tetrahedron 1 is not symmetric and positive definite";
@@ -105,7 +108,8 @@ TEST(SolidHooke, refuses_a_tensor_that_is_not_elliptic) {
   EXPECT_EQ(refusal_of(isotropic<3>(1, 0)), sentence);
 }
 
-RC_GTEST_PROP(SolidStiffness, is_symmetric_and_has_the_rigid_motions_in_its_kernel,
+RC_GTEST_PROP(SolidStiffness,
+              is_symmetric_and_has_the_rigid_motions_in_its_kernel,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const MatrixXd K = stiffness(mesh, everywhere(mesh, random_tensor(random)));
@@ -115,8 +119,8 @@ RC_GTEST_PROP(SolidStiffness, is_symmetric_and_has_the_rigid_motions_in_its_kern
     const Vector3d axis = Vector3d::Unit(k);
     const VectorXd shift =
         nodal_values(mesh, [&](const Vector3d&) -> Vector3d { return axis; });
-    const VectorXd turn =
-        nodal_values(mesh, [&](const Vector3d& x) -> Vector3d { return axis.cross(x); });
+    const VectorXd turn = nodal_values(
+        mesh, [&](const Vector3d& x) -> Vector3d { return axis.cross(x); });
     RC_ASSERT((K * shift).cwiseAbs().maxCoeff() < 1e-13 * scale);
     RC_ASSERT((K * turn).cwiseAbs().maxCoeff() < 1e-12 * scale);
   }
@@ -126,25 +130,28 @@ TEST(SolidStiffness, has_no_kernel_but_the_rigid_motions) {
   Random random(3);
   const SolidMesh mesh = irregular_solid(random);
   const MatrixXd K = stiffness(mesh, everywhere(mesh, isotropic<3>(3, 2)));
-  const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(K).eigenvalues();
+  const VectorXd values =
+      Eigen::SelfAdjointEigenSolver<MatrixXd>(K).eigenvalues();
   EXPECT_LT(values[5], 1e-12 * values.maxCoeff());
   EXPECT_GT(values[6], 1e-4 * values.maxCoeff());
 }
 
-RC_GTEST_PROP(SolidStiffness, energy_of_a_linear_displacement_is_volume_times_density,
+RC_GTEST_PROP(SolidStiffness,
+              energy_of_a_linear_displacement_is_volume_times_density,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Matrix3d grad = random_matrix(3, 3, random);
   const VoigtMatrix<3> C = random_tensor(random);
-  const VectorXd u =
-      nodal_values(mesh, [&](const Vector3d& x) -> Vector3d { return grad * x; });
+  const VectorXd u = nodal_values(
+      mesh, [&](const Vector3d& x) -> Vector3d { return grad * x; });
   const Vector6d e = engineering(0.5 * (grad + grad.transpose()));
   const double energy = u.dot(stiffness(mesh, everywhere(mesh, C)) * u) / 2;
   const double expected = 12 * e.dot(C * e) / 2;
   RC_ASSERT(std::abs(energy - expected) < 1e-12 * expected);
 }
 
-RC_GTEST_PROP(SolidStiffness, energy_is_the_same_when_body_and_displacement_turn,
+RC_GTEST_PROP(SolidStiffness,
+              energy_is_the_same_when_body_and_displacement_turn,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   SolidMesh turned = mesh;
@@ -156,7 +163,8 @@ RC_GTEST_PROP(SolidStiffness, energy_is_the_same_when_body_and_displacement_turn
     turned_u.segment<3>(3 * v) = R * u.segment<3>(3 * v);
   const HookeTensors<3> hooke = everywhere(mesh, isotropic<3>(3, 2));
   const double energy = u.dot(stiffness(mesh, hooke) * u),
-               turned_energy = turned_u.dot(stiffness(turned, hooke) * turned_u);
+               turned_energy =
+                   turned_u.dot(stiffness(turned, hooke) * turned_u);
   RC_ASSERT(std::abs(turned_energy - energy) < 1e-12 * energy);
 }
 
@@ -165,14 +173,15 @@ RC_GTEST_PROP(SolidSystem, prescribed_linear_displacements_go_on_inside,
   const SolidMesh mesh =
       shuffled(moved(brick({3, 3, 3}, {3, 3, 3}), 1, 0.15, random), random);
   const Matrix3d grad = random_matrix(3, 3, random);
-  const VectorXd exact =
-      nodal_values(mesh, [&](const Vector3d& x) -> Vector3d { return grad * x; });
+  const VectorXd exact = nodal_values(
+      mesh, [&](const Vector3d& x) -> Vector3d { return grad * x; });
   SolidProblem problem(mesh, everywhere(mesh, random_tensor(random)));
   for (int label = low_x; label <= high_z; ++label)
     for (int v : vertices_on(mesh, label))
       for (int c = 0; c < 3; ++c) problem.prescribe(v, c, exact[3 * v + c]);
   const ElasticSystem system = elastic_system(problem.A, problem.b, 3);
-  RC_ASSERT(std::count(system.prescribed.begin(), system.prescribed.end(), 0) == 3 * 8);
+  RC_ASSERT(std::count(system.prescribed.begin(), system.prescribed.end(), 0) ==
+            3 * 8);
   RC_ASSERT((displacement(system) - exact).norm() < 1e-12 * exact.norm());
 }
 
@@ -180,9 +189,9 @@ TEST(SolidSystem, a_pulled_brick_stretches_and_gets_thinner) {
   constexpr double E = 200, nu = 0.3, p = 5;
   Random random(7);
   const SolidMesh mesh = irregular_solid(random);
-  SolidProblem problem(mesh,
-                       everywhere(mesh, isotropic<3>(E * nu / ((1 + nu) * (1 - 2 * nu)),
-                                                     E / (2 * (1 + nu)))));
+  SolidProblem problem(
+      mesh, everywhere(mesh, isotropic<3>(E * nu / ((1 + nu) * (1 - 2 * nu)),
+                                          E / (2 * (1 + nu)))));
   for (int c = 0; c < 3; ++c)
     for (int v : vertices_on(mesh, low_x + 2 * c)) problem.prescribe(v, c, 0);
   for (Index f = 0; f < mesh.boundary.cols(); ++f) {
@@ -198,15 +207,17 @@ TEST(SolidSystem, a_pulled_brick_stretches_and_gets_thinner) {
 }
 
 TEST(SolidSystem, refuses_a_matrix_of_another_dimension) {
-  EXPECT_EQ(refusal([] { elastic_system(RowMatrix(4, 4), Vector4d::Zero(), 3); }),
-            "A has 4 rows, no multiple of the dimension 3");
+  EXPECT_EQ(
+      refusal([] { elastic_system(RowMatrix(4, 4), Vector4d::Zero(), 3); }),
+      "A has 4 rows, no multiple of the dimension 3");
 }
 
 TEST(SolidSystem, is_not_joined_with_a_plane_body) {
   RowMatrix unit(6, 6);
   unit.setIdentity();
   const VectorXd b = VectorXd::Zero(6);
-  const ElasticSystem plane = elastic_system(unit, b), solid = elastic_system(unit, b, 3);
+  const ElasticSystem plane = elastic_system(unit, b),
+                      solid = elastic_system(unit, b, 3);
   EXPECT_EQ(joined_systems({solid, solid}).dimension, 3);
   EXPECT_EQ(refusal([&] {
               joined_systems({solid, plane});

@@ -18,7 +18,8 @@ using namespace test;
 /// The brick (0, 4) x (0, 2) x (0, 1) with vertex numbers 15 k + 5 j + i.
 SolidMesh block() { return brick({4, 2, 1}, {4, 2, 1}); }
 
-std::vector<char> prescribed(const SolidMesh& mesh, const std::vector<int>& dofs) {
+std::vector<char> prescribed(const SolidMesh& mesh,
+                             const std::vector<int>& dofs) {
   std::vector<char> marks(3 * mesh.vertex_count(), 0);
   for (int dof : dofs) marks[dof] = 1;
   return marks;
@@ -43,10 +44,12 @@ std::string free_motion(const SolidMesh& mesh, const std::vector<int>& dofs) {
 }
 
 /// The motion shift + turn x (x - point) of the block in words.
-std::string words(const Vector3d& shift, const Vector3d& turn = Vector3d::Zero(),
+std::string words(const Vector3d& shift,
+                  const Vector3d& turn = Vector3d::Zero(),
                   const Vector3d& point = Vector3d::Zero(),
                   const SolidMesh& mesh = block()) {
-  return motion_in_words(mesh, nodal_values(mesh, [&](const Vector3d& x) -> Vector3d {
+  return motion_in_words(mesh,
+                         nodal_values(mesh, [&](const Vector3d& x) -> Vector3d {
                            return shift + turn.cross(x - point);
                          }));
 }
@@ -83,7 +86,8 @@ TEST(SolidRigidMotions, three_symmetry_planes_but_one_leave_a_translation) {
   EXPECT_EQ(free_motion(block(), dofs), "translation along (1, 0, 0)");
 }
 
-TEST(SolidRigidMotions, of_a_single_tetrahedron_turning_about_its_edge_are_told) {
+TEST(SolidRigidMotions,
+     of_a_single_tetrahedron_turning_about_its_edge_are_told) {
   SolidMesh mesh;
   mesh.vertices.resize(3, 4);
   mesh.vertices << Vector3d::Zero(), Matrix3d::Identity();
@@ -116,10 +120,12 @@ TEST(SolidRigidMotions, of_the_second_part_are_told_where_it_is) {
   mesh.vertices.rightCols(30).row(0).array() += 10;
   std::vector<int> held = all_at({0, 4, 10});
   for (int dof : all_at({30, 45})) held.push_back(dof);
-  EXPECT_EQ(free_motion(mesh, held), "rotation about (0, 0, 1) through (10, 0, 0.5)");
+  EXPECT_EQ(free_motion(mesh, held),
+            "rotation about (0, 0, 1) through (10, 0, 0.5)");
 }
 
-RC_GTEST_PROP(SolidRigidMotions, strain_nothing_and_are_all_that_prescribed_dofs_leave,
+RC_GTEST_PROP(SolidRigidMotions,
+              strain_nothing_and_are_all_that_prescribed_dofs_leave,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   std::vector<int> dofs;
@@ -127,11 +133,13 @@ RC_GTEST_PROP(SolidRigidMotions, strain_nothing_and_are_all_that_prescribed_dofs
     dofs.push_back(static_cast<int>(random() % (3 * mesh.vertex_count())));
   MatrixXd rows(dofs.size(), 6);  // of the six motions about the origin
   for (std::size_t k = 0; k < dofs.size(); ++k) {
-    const Vector3d axis = Vector3d::Unit(dofs[k] % 3), x = mesh.vertices.col(dofs[k] / 3);
+    const Vector3d axis = Vector3d::Unit(dofs[k] % 3),
+                   x = mesh.vertices.col(dofs[k] / 3);
     rows.row(k) << axis.transpose(), x.cross(axis).transpose();
   }
   const Index rank =
-      dofs.empty() ? 0 : Eigen::FullPivLU<MatrixXd>(rows).setThreshold(1e-4).rank();
+      dofs.empty() ? 0
+                   : Eigen::FullPivLU<MatrixXd>(rows).setThreshold(1e-4).rank();
   const MatrixXd motions = free_rigid_motions(mesh, prescribed(mesh, dofs));
   RC_ASSERT(motions.cols() == 6 - rank);
   for (Index m = 0; m < motions.cols(); ++m) {

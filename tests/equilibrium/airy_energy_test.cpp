@@ -11,7 +11,8 @@ namespace {
 
 using namespace test;
 
-RC_GTEST_PROP(AiryEnergy, expands_the_energy_of_the_composite_stress, (Random random)) {
+RC_GTEST_PROP(AiryEnergy, expands_the_energy_of_the_composite_stress,
+              (Random random)) {
   const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   const VectorXd airy = random_vector(space.unknowns(), random);
@@ -46,11 +47,12 @@ RC_GTEST_PROP(AiryEnergy, is_blind_to_linear_functions, (Random random)) {
                space.length[v],
         linear[1], linear[2];
   for (int e = 0; e < body.edges.count(); ++e)
-    airy[space.of_edge(e)] = linear.tail<2>().dot(edge_normal(body.mesh, body.edges, e));
+    airy[space.of_edge(e)] =
+        linear.tail<2>().dot(edge_normal(body.mesh, body.edges, e));
   for (int t = 0; t < body.mesh.cell_count(); ++t) {
     const Loads loads = balanced_loads(corners_of(body.mesh, t), random);
-    const AiryEnergy form =
-        airy_energy(space, t, random_law(random), loads.on_edges, loads.in_body);
+    const AiryEnergy form = airy_energy(space, t, random_law(random),
+                                        loads.on_edges, loads.in_body);
     const LocalAiry x = local_airy(space, airy, t), K_x = form.times(x);
     const double size = form.own[0].norm() + form.edge_own.norm();
     RC_ASSERT(std::sqrt(dot(K_x, K_x)) < 1e-10 * size * std::sqrt(dot(x, x)));

@@ -11,14 +11,15 @@ namespace {
 
 using namespace test;
 
-RC_GTEST_PROP(BoundaryLoads, replace_those_of_known_tractions_alone, (Random random)) {
+RC_GTEST_PROP(BoundaryLoads, replace_those_of_known_tractions_alone,
+              (Random random)) {
   Problem problem = body(irregular(4, 3, 4, 3, random), material(1, 0.3));
   const auto& [mesh, edges] = std::tie(problem.mesh, problem.edges);
   prescribe(problem, right, 0);
   const Matrix2Xd none = Matrix2Xd::Zero(2, problem.line.edge_count());
   BoundaryTractions boundary =
-      boundary_tractions(mesh, edges, prescribed_dofs(problem.A), problem.neumann,
-                         problem.line, {none, none});
+      boundary_tractions(mesh, edges, prescribed_dofs(problem.A),
+                         problem.neumann, problem.line, {none, none});
   boundary.moments = random_matrix(4, edges.count(), random);
   const EdgeMoments others = random_matrix(4, edges.count(), random);
   EdgeMoments mixed = others;

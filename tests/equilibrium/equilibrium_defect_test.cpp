@@ -22,15 +22,18 @@ struct Built {
     fields = equilibrated(problem, solved(problem));
     stress = admissible_stress(problem, fields);
   }
-  EquilibriumDefect defect() const { return defect_of(problem, fields, stress); }
+  EquilibriumDefect defect() const {
+    return defect_of(problem, fields, stress);
+  }
   double scale() const { return fields.stress.cwiseAbs().maxCoeff(); }
 };
 
 RC_GTEST_PROP(EquilibriumDefect, of_the_first_guess_is_rounding, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const Equilibrated fields = equilibrated(problem, solved(problem));
-  RC_ASSERT(defect_of(problem, fields, admissible_stress(problem, fields)).largest() <
-            1e-10);
+  RC_ASSERT(
+      defect_of(problem, fields, admissible_stress(problem, fields)).largest() <
+      1e-10);
 }
 
 TEST(EquilibriumDefect, sees_every_spoiled_stress) {
@@ -91,7 +94,8 @@ RC_GTEST_PROP(EquilibriumDefect, is_relative_to_the_largest_traction, ()) {
 TEST(EquilibriumDefect, refuses_sizes_that_do_not_fit) {
   Built built;
   built.stress.pop_back();
-  EXPECT_EQ(refusal([&] { built.defect(); }), "stress has 63 values where 64 are needed");
+  EXPECT_EQ(refusal([&] { built.defect(); }),
+            "stress has 63 values where 64 are needed");
 }
 
 }  // namespace

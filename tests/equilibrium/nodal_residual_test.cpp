@@ -12,11 +12,12 @@ namespace {
 
 using namespace test;
 
-NodalResidual residual_of(const Problem& problem, const VectorXd& displacement) {
+NodalResidual residual_of(const Problem& problem,
+                          const VectorXd& displacement) {
   const Matrix2Xd zero = Matrix2Xd::Zero(2, problem.line.edge_count());
-  const BoundaryTractions given =
-      boundary_tractions(problem.mesh, problem.edges, prescribed_dofs(problem.A),
-                         problem.neumann, problem.line, {zero, zero});
+  const BoundaryTractions given = boundary_tractions(
+      problem.mesh, problem.edges, prescribed_dofs(problem.A), problem.neumann,
+      problem.line, {zero, zero});
   return nodal_residual(topology_of(problem.mesh),
                         stresses(problem.mesh, problem.hooke, displacement),
                         body_loads(problem), given);
@@ -34,7 +35,8 @@ RC_GTEST_PROP(NodalResidual, is_what_the_loads_lack_in_the_linear_system,
   int free = 0;
   for (int dof = 0; dof < u.size(); ++dof) {
     if (residual.supported(dof % 2, dof / 2)) {
-      RC_ASSERT(system.prescribed[dof] && residual.missing(dof % 2, dof / 2) == 0);
+      RC_ASSERT(system.prescribed[dof] &&
+                residual.missing(dof % 2, dof / 2) == 0);
     } else if (!system.prescribed[dof]) {
       ++free;
       RC_ASSERT(std::abs(residual.missing(dof % 2, dof / 2) - problem.b[dof] +
@@ -58,14 +60,16 @@ TEST(NodalResidual, takes_forces_where_no_support_answers) {
   EXPECT_EQ(after.scale, 1e3);
 }
 
-TEST(NodalResidual, refuses_loads_that_u_was_not_computed_with_naming_the_vertex) {
+TEST(NodalResidual,
+     refuses_loads_that_u_was_not_computed_with_naming_the_vertex) {
   Problem problem = example_1(Multiplier::force, 2);
   const ContactSolution solution = solved(problem);
   problem.neumann *= 1.01;
-  const std::string sentence = refusal([&] { equilibrated(problem, solution); });
-  EXPECT_TRUE(says(
-      sentence,
-      "the loads do not balance the stresses at vertex 5 (0, 20): 2 N/mm are left over"))
+  const std::string sentence =
+      refusal([&] { equilibrated(problem, solution); });
+  EXPECT_TRUE(says(sentence,
+                   "the loads do not balance the stresses at vertex 5 (0, 20): "
+                   "2 N/mm are left over"))
       << sentence;
 }
 
@@ -89,8 +93,8 @@ TEST(NodalResidual, refuses_a_point_support_with_a_reaction) {
   Problem problem = example_1(Multiplier::force, 2);
   prescribe_dof(problem, 2 * 5 + 1, 0.01);  // the middle of the loaded side
   const ContactSolution solution = solved(problem);
-  EXPECT_TRUE(
-      says(refusal([&] { equilibrated(problem, solution); }), "at vertex 5 (0, 20)"));
+  EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }),
+                   "at vertex 5 (0, 20)"));
 }
 
 }  // namespace

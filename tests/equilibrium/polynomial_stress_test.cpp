@@ -24,17 +24,20 @@ struct Quadratic {
     return hooke * Vector3d(dx.x(), dy.y(), dx.y() + dy.x());
   }
   Vector2d body_force() const {
-    const Vector3d o = stress({0, 0}), x = stress({1, 0}) - o, y = stress({0, 1}) - o;
+    const Vector3d o = stress({0, 0}), x = stress({1, 0}) - o,
+                   y = stress({0, 1}) - o;
     return {-x[0] - y[2], -x[2] - y[1]};
   }
   Loads loads(const TriangleCorners& x) const {
     Loads result;
     for (int k = 0; k < 3; ++k) {
-      const Vector2d p = x.col((k + 1) % 3), q = x.col((k + 2) % 3), side = q - p;
+      const Vector2d p = x.col((k + 1) % 3), q = x.col((k + 2) % 3),
+                     side = q - p;
       const Vector2d n = Vector2d(side.y(), -side.x()).normalized();
       Vector4d density;
       density << traction(stress(p), n), traction(stress(q), n);
-      result.on_edges.segment<4>(4 * k) = moments_of_density(density, side.norm());
+      result.on_edges.segment<4>(4 * k) =
+          moments_of_density(density, side.norm());
       result.in_body.segment<2>(2 * k) =
           cross(x.col(1) - x.col(0), x.col(2) - x.col(0)) / 6 * body_force();
     }
@@ -42,7 +45,8 @@ struct Quadratic {
   }
 };
 
-RC_GTEST_PROP(PolynomialStress, of_the_loads_of_a_quadratic_displacement_is_its_stress,
+RC_GTEST_PROP(PolynomialStress,
+              of_the_loads_of_a_quadratic_displacement_is_its_stress,
               (Random random)) {
   const TriangleCorners corners = random_triangle(random);
   const Quadratic exact{random_matrix(2, 6, random), random_law(random)};
@@ -63,14 +67,17 @@ RC_GTEST_PROP(PolynomialStress, has_less_energy_than_the_composite_stress,
   const Matrix3d hooke = random_law(random);
   Loads loads = balanced_loads(corners, random);
   loads.in_body.setZero();
-  const Matrix<double, 3, 12> balance = balance_conditions(corners).leftCols<12>();
-  loads.on_edges -= balance.transpose() * (balance * balance.transpose()).inverse() *
-                    balance * loads.on_edges;
+  const Matrix<double, 3, 12> balance =
+      balance_conditions(corners).leftCols<12>();
+  loads.on_edges -= balance.transpose() *
+                    (balance * balance.transpose()).inverse() * balance *
+                    loads.on_edges;
   const PolynomialStress stress =
       polynomial_stress(corners, hooke, loads.on_edges, loads.in_body);
   const Matrix3d compliance = hooke.inverse();
-  const double composite = energy(
-      corners, compliance, composite_stress(corners, loads.on_edges, loads.in_body));
+  const double composite =
+      energy(corners, compliance,
+             composite_stress(corners, loads.on_edges, loads.in_body));
   RC_ASSERT(energy(stress, Vector3d::Zero()) <= composite * (1 + 1e-9));
 }
 
@@ -86,7 +93,8 @@ RC_GTEST_PROP(PolynomialStress, energy_with_a_constant_is_that_of_the_sum,
       // linear here: the values tell it all
       corner_values(stress) + constant.replicate<1, 9>();
   const double expected = energy(corners, exact.hooke.inverse(), sum);
-  RC_ASSERT(std::abs(energy(stress, constant) - expected) < 1e-9 * (1 + expected));
+  RC_ASSERT(std::abs(energy(stress, constant) - expected) <
+            1e-9 * (1 + expected));
 }
 
 RC_GTEST_PROP(PolynomialStress, turns_with_the_triangle, (Random random)) {

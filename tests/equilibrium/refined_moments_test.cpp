@@ -52,9 +52,9 @@ struct QuadraticStress {
     for (int t = 0; t < mesh.cell_count(); ++t) {
       Matrix<double, 2, 3> F;
       for (int k = 0; k < 3; ++k) F.col(k) = force(mesh.corner(t, k));
-      result.col(t) =
-          (signed_area(mesh, t) / 12 * (F + F.rowwise().sum().replicate<1, 3>()))
-              .reshaped();
+      result.col(t) = (signed_area(mesh, t) / 12 *
+                       (F + F.rowwise().sum().replicate<1, 3>()))
+                          .reshaped();
     }
     return result;
   }
@@ -93,28 +93,32 @@ RC_GTEST_PROP(RefinedMoments, balance_every_triangle_in_force_and_moment,
   RC_ASSERT(mesh.cell_count() > cut.mesh().cell_count());
   for (int t = 0; t < mesh.cell_count(); ++t)
     RC_ASSERT(
-        out_of_balance(corners_of(mesh, t), on_edges.col(t), in_body.col(t)).norm() <
-        1e-10 * moments.cwiseAbs().maxCoeff());
+        out_of_balance(corners_of(mesh, t), on_edges.col(t), in_body.col(t))
+            .norm() < 1e-10 * moments.cwiseAbs().maxCoeff());
 }
 
-RC_GTEST_PROP(RefinedMoments, on_parts_of_old_edges_are_the_given_ones, (Random random)) {
+RC_GTEST_PROP(RefinedMoments, on_parts_of_old_edges_are_the_given_ones,
+              (Random random)) {
   const CutBodies cut(random);
   const QuadraticStress field(random);
   const EdgeMoments moments = refined(cut, field),
-                    exact = field.moments(cut.refinement.mesh, cut.refinement.edges);
+                    exact = field.moments(cut.refinement.mesh,
+                                          cut.refinement.edges);
   for (int e = 0; e < cut.refinement.edges.count(); ++e)
     if (cut.refinement.parent_edge[e] >= 0)
       RC_ASSERT((moments.col(e) - exact.col(e)).norm() < 1e-12 * exact.norm());
 }
 
-RC_GTEST_PROP(RefinedMoments, of_a_constant_stress_are_its_tractions_inside_the_fans,
+RC_GTEST_PROP(RefinedMoments,
+              of_a_constant_stress_are_its_tractions_inside_the_fans,
               (Random random)) {
   const CutBodies cut(random);
   QuadraticStress field(random);
   field.a.setZero();
   field.J.setZero();
   const EdgeMoments moments = refined(cut, field),
-                    exact = field.moments(cut.refinement.mesh, cut.refinement.edges);
+                    exact = field.moments(cut.refinement.mesh,
+                                          cut.refinement.edges);
   RC_ASSERT((cut.refinement.parent_edge.array() < 0).any());
   RC_ASSERT((moments - exact).norm() < 1e-12 * exact.norm());
 }
@@ -139,7 +143,8 @@ RC_GTEST_PROP(TractionsOfParts,
     RC_ASSERT(after.known(0, e) == (in_contact[e] == 1) &&
               after.known(1, e) == (in_contact[e] == 1));
     const EdgeMoments& expected = in_contact[e] ? exact : before.moments;
-    RC_ASSERT((after.moments.col(e) - expected.col(e)).norm() < 1e-12 * expected.norm());
+    RC_ASSERT((after.moments.col(e) - expected.col(e)).norm() <
+              1e-12 * expected.norm());
   }
 }
 
@@ -147,9 +152,10 @@ RC_GTEST_PROP(RefinedBodyLoads, are_those_of_the_linear_force_of_the_old_ones,
               (Random random)) {
   const CutBodies cut(random);
   const QuadraticStress field(random);
-  const BodyLoadsOfAll loads =
-      refined_body_loads(cut.mesh(), cut.refinement, field.body_loads(cut.mesh()));
-  RC_ASSERT(relative_difference(loads, field.body_loads(cut.refinement.mesh)) < 1e-12);
+  const BodyLoadsOfAll loads = refined_body_loads(cut.mesh(), cut.refinement,
+                                                  field.body_loads(cut.mesh()));
+  RC_ASSERT(relative_difference(loads, field.body_loads(cut.refinement.mesh)) <
+            1e-12);
 }
 
 /// Moments of linear tractions on the columns of Mesh::boundary.
@@ -165,14 +171,16 @@ Matrix4Xd moments_of_tractions(const Mesh& mesh, const QuadraticStress& field) {
   return moments;
 }
 
-RC_GTEST_PROP(RefinedBoundaryMoments, are_those_of_the_linear_tractions_of_the_old_ones,
+RC_GTEST_PROP(RefinedBoundaryMoments,
+              are_those_of_the_linear_tractions_of_the_old_ones,
               (Random random)) {
   const CutBodies cut(random);
   const QuadraticStress field(random);
   const Matrix4Xd moments = refined_boundary_moments(
       cut.mesh(), cut.refinement, moments_of_tractions(cut.mesh(), field));
   RC_ASSERT(relative_difference(
-                moments, moments_of_tractions(cut.refinement.mesh, field)) < 1e-12);
+                moments, moments_of_tractions(cut.refinement.mesh, field)) <
+            1e-12);
 }
 
 }  // namespace

@@ -24,14 +24,17 @@ EdgeLoadsOfAll loads_of(const AirySpace& space, const Stars& stars, int vertex,
   return loads;
 }
 
-RC_GTEST_PROP(StarCorrections, keep_every_triangle_in_equilibrium, (Random random)) {
+RC_GTEST_PROP(StarCorrections, keep_every_triangle_in_equilibrium,
+              (Random random)) {
   const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
-    const VectorXd unknowns = random_vector(star_unknowns(body.stars, v), random);
+    const VectorXd unknowns =
+        random_vector(star_unknowns(body.stars, v), random);
     const EdgeLoadsOfAll loads = loads_of(space, body.stars, v, unknowns);
     for (int t = 0; t < body.mesh.cell_count(); ++t)
-      RC_ASSERT(out_of_balance(corners_of(body.mesh, t), loads.col(t), BodyLoads::Zero())
+      RC_ASSERT(out_of_balance(corners_of(body.mesh, t), loads.col(t),
+                               BodyLoads::Zero())
                     .norm() < 1e-11);
   }
 }
@@ -41,7 +44,8 @@ RC_GTEST_PROP(StarCorrections, load_the_two_triangles_beside_a_spoke_oppositely,
   const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
-    const VectorXd unknowns = random_vector(star_unknowns(body.stars, v), random);
+    const VectorXd unknowns =
+        random_vector(star_unknowns(body.stars, v), random);
     const EdgeLoadsOfAll all = loads_of(space, body.stars, v, unknowns);
     Matrix4Xd sum =
         // at the first and second vertex of every edge
@@ -61,27 +65,32 @@ RC_GTEST_PROP(StarCorrections, load_the_two_triangles_beside_a_spoke_oppositely,
   }
 }
 
-RC_GTEST_PROP(StarCorrections, are_all_that_equilibrium_leaves_at_an_inner_vertex,
+RC_GTEST_PROP(StarCorrections,
+              are_all_that_equilibrium_leaves_at_an_inner_vertex,
               (Random random)) {
   const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
     if (body.stars.on_boundary(v)) continue;
-    const int m = body.stars.triangle_count(v), n = star_unknowns(body.stars, v);
+    const int m = body.stars.triangle_count(v),
+              n = star_unknowns(body.stars, v);
     // 4 m end values with 3 m - 3 independent conditions leave m + 3.
     RC_ASSERT(n == m + 3);
     MatrixXd map(12 * body.mesh.cell_count(), n);
     for (int j = 0; j < n; ++j)
-      map.col(j) = loads_of(space, body.stars, v, VectorXd::Unit(n, j)).reshaped();
+      map.col(j) =
+          loads_of(space, body.stars, v, VectorXd::Unit(n, j)).reshaped();
     RC_ASSERT(Eigen::FullPivLU<MatrixXd>(map).rank() == m + 3);
-    std::set<int> star(body.stars.triangle.begin() + body.stars.triangle_start[v],
-                       body.stars.triangle.begin() + body.stars.triangle_start[v + 1]);
+    std::set<int> star(
+        body.stars.triangle.begin() + body.stars.triangle_start[v],
+        body.stars.triangle.begin() + body.stars.triangle_start[v + 1]);
     for (int t = 0; t < body.mesh.cell_count(); ++t)
       RC_ASSERT((map.middleRows<12>(12 * t).norm() > 0) == (star.count(t) > 0));
   }
 }
 
-RC_GTEST_PROP(StarCorrections, have_the_moments_of_their_spokes, (Random random)) {
+RC_GTEST_PROP(StarCorrections, have_the_moments_of_their_spokes,
+              (Random random)) {
   const Topology body = topology_of(irregular(3, 3, 3, 3, random));
   const AirySpace space(body.mesh, body.edges);
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {

@@ -16,7 +16,8 @@ using namespace test;
 
 /// r_hat = lambda_h brought into the cone, with its costs: what relaxation with free
 /// tractions starts from.
-FreeTractions free_tractions(const Problem& problem, const VectorXd& displacement,
+FreeTractions free_tractions(const Problem& problem,
+                             const VectorXd& displacement,
                              const ContactDensities& densities) {
   const TractionCosts costs =
       traction_costs(problem.line, problem.law, densities, displacement);
@@ -24,10 +25,12 @@ FreeTractions free_tractions(const Problem& problem, const VectorXd& displacemen
           contact_edge_numbers(problem.line, problem.edges)};
 }
 
-std::vector<double> relax(const Problem& problem, Equilibrated& fields, int sweeps,
-                          FreeContact* contact = nullptr, double tightness = 0) {
-  return relax_stars(fields.topology, problem.hooke, fields.boundary, fields.loads,
-                     {sweeps, tightness}, fields.difference, contact);
+std::vector<double> relax(const Problem& problem, Equilibrated& fields,
+                          int sweeps, FreeContact* contact = nullptr,
+                          double tightness = 0) {
+  return relax_stars(fields.topology, problem.hooke, fields.boundary,
+                     fields.loads, {sweeps, tightness}, fields.difference,
+                     contact);
 }
 
 /// A problem with tractions in the cone (example 2 with friction enough to stick, after
@@ -35,8 +38,9 @@ std::vector<double> relax(const Problem& problem, Equilibrated& fields, int swee
 struct InCone {
   Problem problem = example_2(Multiplier::force, 0.6, 8);
   ContactSolution solution = solved(problem);
-  ConeCorrection correction = correct_to_cone(
-      problem.line, problem.law, edge_densities(problem.line, solution.pressure));
+  ConeCorrection correction =
+      correct_to_cone(problem.line, problem.law,
+                      edge_densities(problem.line, solution.pressure));
   Equilibrated fields =
       equilibrated(problem, solution.displacement, correction.densities);
   FreeTractions tractions =
@@ -47,11 +51,13 @@ RC_GTEST_PROP(StarRelaxation, keeps_equilibrium_and_boundary_tractions, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   Equilibrated fields = equilibrated(problem, solved(problem));
   relax(problem, fields, 3);
-  RC_ASSERT(defect_of(problem, fields, admissible_stress(problem, fields)).largest() <
-            1e-10);
+  RC_ASSERT(
+      defect_of(problem, fields, admissible_stress(problem, fields)).largest() <
+      1e-10);
 }
 
-RC_GTEST_PROP(StarRelaxation, falls_in_every_sweep_by_what_the_energy_falls, ()) {
+RC_GTEST_PROP(StarRelaxation, falls_in_every_sweep_by_what_the_energy_falls,
+              ()) {
   const Problem problem = problem_of(*random_case(0.5));
   Equilibrated fields = equilibrated(problem, solved(problem));
   double before = elastic_square(problem, fields);
@@ -72,7 +78,8 @@ RC_GTEST_PROP(StarRelaxation, falls_of_several_sweeps_add_up, ()) {
   const double before = elastic_square(problem, fields);
   double sum = 0;
   for (double fall : relax(problem, fields, 5)) sum += fall;
-  RC_ASSERT(std::abs(before - elastic_square(problem, fields) - sum) < 1e-10 * before);
+  RC_ASSERT(std::abs(before - elastic_square(problem, fields) - sum) <
+            1e-10 * before);
 }
 
 /// Runs a relaxation with one thread and with two.
@@ -91,12 +98,13 @@ TEST(StarRelaxation, does_not_depend_on_the_number_of_threads) {
   clamp(problem, top);
   set_friction(problem, 0.3);
   Equilibrated one = equilibrated(problem, solved(problem)), two = one;
-  with_one_and_two_threads(one, two,
-                           [&](Equilibrated& fields) { relax(problem, fields, 3); });
+  with_one_and_two_threads(
+      one, two, [&](Equilibrated& fields) { relax(problem, fields, 3); });
   EXPECT_EQ(one.difference, two.difference);
 }
 
-TEST(StarRelaxation, with_free_tractions_does_not_depend_on_the_number_of_threads) {
+TEST(StarRelaxation,
+     with_free_tractions_does_not_depend_on_the_number_of_threads) {
   InCone one, two;
   with_one_and_two_threads(one, two, [](InCone& c) {
     FreeContact contact{c.problem.line, c.problem.law, c.tractions};
@@ -104,7 +112,8 @@ TEST(StarRelaxation, with_free_tractions_does_not_depend_on_the_number_of_thread
   });
   EXPECT_EQ(one.fields.difference, two.fields.difference);
   EXPECT_EQ(one.tractions.densities.normal, two.tractions.densities.normal);
-  EXPECT_EQ(one.tractions.densities.tangential, two.tractions.densities.tangential);
+  EXPECT_EQ(one.tractions.densities.tangential,
+            two.tractions.densities.tangential);
 }
 
 TEST(StarRelaxation, with_free_tractions_stays_in_the_cone_and_in_equilibrium) {
@@ -113,12 +122,14 @@ TEST(StarRelaxation, with_free_tractions_stays_in_the_cone_and_in_equilibrium) {
   FreeContact contact{c.problem.line, c.problem.law, c.tractions};
   for (int sweep = 0; sweep < 4; ++sweep) {
     relax(c.problem, c.fields, 1, &contact);
-    EXPECT_LE(cone_defect(c.problem.line, c.problem.law, c.tractions.densities), 1e-12);
+    EXPECT_LE(cone_defect(c.problem.line, c.problem.law, c.tractions.densities),
+              1e-12);
     Equilibrated moved = c.fields;
-    moved.boundary =
-        boundary_tractions(c.problem.mesh, c.problem.edges, prescribed_dofs(c.problem.A),
-                           c.problem.neumann, c.problem.line, c.tractions.densities);
-    EXPECT_LT(defect_of(c.problem, moved, admissible_stress(c.problem, moved)).largest(),
+    moved.boundary = boundary_tractions(
+        c.problem.mesh, c.problem.edges, prescribed_dofs(c.problem.A),
+        c.problem.neumann, c.problem.line, c.tractions.densities);
+    EXPECT_LT(defect_of(c.problem, moved, admissible_stress(c.problem, moved))
+                  .largest(),
               1e-10);
   }
 }
@@ -146,10 +157,12 @@ TEST(StarRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
 }
 
 /// |sigma_hat - C eps(u_h)| / |u - u_h| before the first and after every sweep.
-std::vector<double> effectivities(const Manufactured& exact, int cells, int sweeps) {
+std::vector<double> effectivities(const Manufactured& exact, int cells,
+                                  int sweeps) {
   const Problem problem = without_contact(exact, rectangle(cells, cells, 2, 2));
   const VectorXd u = solved_without_contact(problem);
-  Equilibrated fields = equilibrated(problem, u, {Matrix2Xd(2, 0), Matrix2Xd(2, 0)});
+  Equilibrated fields =
+      equilibrated(problem, u, {Matrix2Xd(2, 0), Matrix2Xd(2, 0)});
   const double error = error_of(exact, problem, u);
   double square = elastic_square(problem, fields);
   std::vector<double> result{std::sqrt(square) / error};
@@ -161,7 +174,8 @@ std::vector<double> effectivities(const Manufactured& exact, int cells, int swee
 TEST(StarRelaxation,
      makes_the_bound_of_a_smooth_problem_tight_in_three_sweeps_on_every_mesh) {
   for (int cells : {8, 16, 24}) {
-    const std::vector<double> effectivity = effectivities(smooth_solution(0.3), cells, 3);
+    const std::vector<double> effectivity =
+        effectivities(smooth_solution(0.3), cells, 3);
     EXPECT_NEAR(effectivity[1], 1.14, 0.01) << "cells " << cells;
     EXPECT_LE(effectivity[2], 1.04) << "cells " << cells;
     EXPECT_LE(effectivity[3], 1.02) << "cells " << cells;
@@ -170,15 +184,18 @@ TEST(StarRelaxation,
 }
 
 TEST(StarRelaxation, makes_the_bound_of_a_nearly_incompressible_body_tight) {
-  const std::vector<double> effectivity = effectivities(smooth_solution(0.49), 16, 4);
+  const std::vector<double> effectivity =
+      effectivities(smooth_solution(0.49), 16, 4);
   EXPECT_LE(effectivity[4], 1.15);
   EXPECT_GE(effectivity[4], 1);
 }
 
-TEST(StarRelaxation, makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_nu_0499) {
+TEST(StarRelaxation,
+     makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_nu_0499) {
   for (const auto& [nu, tightness] :
        {std::make_pair(0.49, 1.15), std::make_pair(0.499, 1.3)}) {
-    const std::vector<double> effectivity = effectivities(smooth_solution(nu), 32, 4);
+    const std::vector<double> effectivity =
+        effectivities(smooth_solution(nu), 32, 4);
     RecordProperty("nu_" + std::to_string(nu), std::to_string(effectivity[4]));
     EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
     EXPECT_GE(effectivity[4], 1) << "nu " << nu;
@@ -188,14 +205,16 @@ TEST(StarRelaxation, makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_n
 TEST(StarRelaxation, on_a_coarse_mesh_of_an_incompressible_body_stays_a_bound) {
   for (const auto& [nu, tightness] :
        {std::make_pair(0.49, 1.4), std::make_pair(0.499, 2.5)}) {
-    const std::vector<double> effectivity = effectivities(smooth_solution(nu), 8, 4);
+    const std::vector<double> effectivity =
+        effectivities(smooth_solution(nu), 8, 4);
     RecordProperty("nu_" + std::to_string(nu), std::to_string(effectivity[4]));
     EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
     EXPECT_GE(effectivity[4], 1) << "nu " << nu;
   }
 }
 
-TEST(StarRelaxation, stops_when_a_sweep_lowers_the_error_by_less_than_its_tightness) {
+TEST(StarRelaxation,
+     stops_when_a_sweep_lowers_the_error_by_less_than_its_tightness) {
   const Problem problem = example_2(Multiplier::force, 0.6, 8);
   const Equilibrated fields = equilibrated(problem, solved(problem));
   Equilibrated all = fields, some = fields;

@@ -13,7 +13,8 @@ using namespace test;
 /// An irregular rectangle bent so that its bottom is a polygon on a circle of radius 12
 /// that touches y = 0 in the middle.
 Mesh bent(Random& random) {
-  Mesh mesh = irregular(*rc::gen::inRange(3, 10), *rc::gen::inRange(2, 5), 6, 4, random);
+  Mesh mesh = irregular(*rc::gen::inRange(3, 10), *rc::gen::inRange(2, 5), 6, 4,
+                        random);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     const double x = mesh.vertices(0, v) - 3, y = mesh.vertices(1, v);
     mesh.vertices(1, v) = y + (1 - y / 4) * (12 - std::sqrt(144 - x * x));
@@ -28,17 +29,20 @@ ContactLine random_line(const Mesh& mesh) {
   if (*rc::gen::inRange(0, 4) == 0) return contact_line(mesh, edges, {bottom});
   const ContactLine line = smooth_contact_line(mesh, edges, {bottom});
   const double angle = *real(-0.3, 0.3);
-  return along_directions(
-      mesh, edges, line,
-      Vector2d(std::sin(angle), -std::cos(angle)).replicate(1, line.node_count()));
+  return along_directions(mesh, edges, line,
+                          Vector2d(std::sin(angle), -std::cos(angle))
+                              .replicate(1, line.node_count()));
 }
 
 void set_law(Problem& problem, const std::string& law) {
   set_friction(problem, law == "frictionless" ? 0 : *real(0.05, 0.8));
-  if (law == "thin cone") set_friction(problem, *rc::gen::element(1e-6, 1e-4, 4e-3));
-  if (law == "tresca") problem.law.slip_bound = everywhere(problem.line, *real(0, 3));
+  if (law == "thin cone")
+    set_friction(problem, *rc::gen::element(1e-6, 1e-4, 4e-3));
+  if (law == "tresca")
+    problem.law.slip_bound = everywhere(problem.line, *real(0, 3));
   if (law == "friction in part")
-    for (int i = 0; i < problem.line.node_count(); i += 2) problem.law.friction[i] = 0;
+    for (int i = 0; i < problem.line.node_count(); i += 2)
+      problem.law.friction[i] = 0;
 }
 
 Problem random_problem(const std::string& law) {
@@ -49,15 +53,17 @@ Problem random_problem(const std::string& law) {
   add_traction(problem, left, *vector_in(1, 1));
   add_traction(problem, right, *vector_in(1, 1));
   if (*rc::gen::arbitrary<bool>()) {
-    clamp(problem, top, [motion = *vector_in(0.05, 0.02)](const Vector2d&) -> Vector2d {
-      return motion - Vector2d(0, 0.04);
-    });
+    clamp(problem, top,
+          [motion = *vector_in(0.05, 0.02)](const Vector2d&) -> Vector2d {
+            return motion - Vector2d(0, 0.04);
+          });
   } else {
     prescribe(problem, right, 0);  // only contact holds it vertically
     add_traction(problem, top, *vector_in(1, 1) - Vector2d(0, 4));
   }
   set_law(problem, law);
-  problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
   problem.law.gap.resize(problem.line.node_count());
   for (int i = 0; i < problem.line.node_count(); ++i)
     problem.law.gap[i] =
@@ -70,21 +76,31 @@ void is_admissible(const std::string& law) {
   const ContactSolution solution = solved(problem);
   RC_PRE(solution.accepted({}));
   RC_PRE((solution.pressure.row(0).array() < 0).count() > 1);
-  const Tractions tractions = *rc::gen::element(Tractions::free, Tractions::fixed);
+  const Tractions tractions =
+      *rc::gen::element(Tractions::free, Tractions::fixed);
   const Estimate estimate =
       estimated(problem, solution, sweeps(*rc::gen::inRange(0, 5), tractions));
   RC_LOG() << "cone " << estimate.cone << ", equilibrium "
            << estimate.equilibrium.largest();
-  RC_ASSERT(cone_defect(problem.line, problem.law, estimate.tractions) <= 1e-12);
+  RC_ASSERT(cone_defect(problem.line, problem.law, estimate.tractions) <=
+            1e-12);
   RC_ASSERT(estimate.equilibrium.largest() <= 1e-10);
   RC_ASSERT(estimate.unmended.empty());
   RC_ASSERT(estimate.admissible);
 }
 
-RC_GTEST_PROP(AlwaysInTheCone, without_friction, ()) { is_admissible("frictionless"); }
-RC_GTEST_PROP(AlwaysInTheCone, with_coulombs_law, ()) { is_admissible("coulomb"); }
-RC_GTEST_PROP(AlwaysInTheCone, in_a_thin_cone, ()) { is_admissible("thin cone"); }
-RC_GTEST_PROP(AlwaysInTheCone, with_trescas_law, ()) { is_admissible("tresca"); }
+RC_GTEST_PROP(AlwaysInTheCone, without_friction, ()) {
+  is_admissible("frictionless");
+}
+RC_GTEST_PROP(AlwaysInTheCone, with_coulombs_law, ()) {
+  is_admissible("coulomb");
+}
+RC_GTEST_PROP(AlwaysInTheCone, in_a_thin_cone, ()) {
+  is_admissible("thin cone");
+}
+RC_GTEST_PROP(AlwaysInTheCone, with_trescas_law, ()) {
+  is_admissible("tresca");
+}
 RC_GTEST_PROP(AlwaysInTheCone, with_friction_at_every_other_node, ()) {
   is_admissible("friction in part");
 }

@@ -18,7 +18,9 @@ using namespace test;
 constexpr Tractions all_tractions[] = {Tractions::free, Tractions::fixed,
                                        Tractions::published};
 
-double norm_of_sum(const Estimate& estimate) { return estimate.e / estimate.relative; }
+double norm_of_sum(const Estimate& estimate) {
+  return estimate.e / estimate.relative;
+}
 
 // ---- Property 2.3: the error of an exact pair is zero
 // -------------------------------------------
@@ -29,9 +31,11 @@ TEST(Estimate, of_uniform_compression_is_zero_to_rounding) {
   add_traction(problem, top, {0, -5});
   prescribe(problem, right, 0);
   for (Tractions tractions : all_tractions) {
-    const Estimate estimate = estimated(problem, solved(problem), sweeps(1, tractions));
+    const Estimate estimate =
+        estimated(problem, solved(problem), sweeps(1, tractions));
     EXPECT_LT(estimate.elastic, 1e-10 * norm_of_sum(estimate));
-    EXPECT_LT(std::abs(estimate.contact), 1e-14 * std::pow(norm_of_sum(estimate), 2));
+    EXPECT_LT(std::abs(estimate.contact),
+              1e-14 * std::pow(norm_of_sum(estimate), 2));
     EXPECT_TRUE(estimate.admissible) << estimate.reason;
   }
 }
@@ -43,11 +47,13 @@ TEST(Estimate, of_a_sticking_patch_is_zero_to_rounding) {
   Problem problem = body(irregular(5, 4, 40, 40, random), steel);
   add_traction(problem, left, {steel.lambda * h, -steel.G * g});
   add_traction(problem, right, {-steel.lambda * h, steel.G * g});
-  clamp(problem, top, [=](const Vector2d& x) { return Vector2d(g * x.y(), -h * x.y()); });
+  clamp(problem, top,
+        [=](const Vector2d& x) { return Vector2d(g * x.y(), -h * x.y()); });
   set_friction(problem, 0.5);
   const Estimate estimate = estimated(problem, solved(problem), sweeps(2));
   EXPECT_LT(estimate.elastic, 1e-10 * norm_of_sum(estimate));
-  EXPECT_LT(std::abs(estimate.contact), 1e-14 * std::pow(norm_of_sum(estimate), 2));
+  EXPECT_LT(std::abs(estimate.contact),
+            1e-14 * std::pow(norm_of_sum(estimate), 2));
 }
 
 // ---- what holds for every estimate
@@ -56,8 +62,10 @@ TEST(Estimate, of_a_sticking_patch_is_zero_to_rounding) {
 RC_GTEST_PROP(Estimate, is_admissible_with_tractions_in_the_cone, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const ContactSolution solution = solved(problem);
-  RC_PRE(!solution.pressure.isZero(0));  // the next test is about bodies without contact
-  const Tractions tractions = *rc::gen::element(Tractions::free, Tractions::fixed);
+  RC_PRE(!solution.pressure.isZero(
+      0));  // the next test is about bodies without contact
+  const Tractions tractions =
+      *rc::gen::element(Tractions::free, Tractions::fixed);
   const Estimate estimate = estimated(problem, solution, sweeps(2, tractions));
   RC_ASSERT(estimate.equilibrium.largest() <= 1e-10);
   RC_ASSERT(estimate.cone <= 1e-12);
@@ -73,7 +81,8 @@ TEST(Estimate, of_a_body_that_the_loads_lift_off_is_admissible) {
   const ContactSolution solution = solved(problem);
   ASSERT_TRUE(solution.pressure.isZero(0));
   for (Tractions tractions : all_tractions) {
-    const Estimate estimate = estimated(problem, solution, sweeps(2, tractions));
+    const Estimate estimate =
+        estimated(problem, solution, sweeps(2, tractions));
     EXPECT_TRUE(estimate.admissible) << estimate.reason;
   }
 }
@@ -81,8 +90,9 @@ TEST(Estimate, of_a_body_that_the_loads_lift_off_is_admissible) {
 RC_GTEST_PROP(Estimate, local_errors_add_up_to_the_whole, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const Estimate estimate = estimated(problem, solved(problem), sweeps(1));
-  RC_ASSERT(std::abs(estimate.local.squaredNorm() - std::pow(estimate.relative, 2)) <
-            1e-12 * std::pow(estimate.relative, 2));
+  RC_ASSERT(
+      std::abs(estimate.local.squaredNorm() - std::pow(estimate.relative, 2)) <
+      1e-12 * std::pow(estimate.relative, 2));
   const double parts = std::pow(estimate.elastic, 2) + estimate.contact;
   RC_ASSERT(std::abs(std::pow(estimate.e, 2) - parts) < 1e-13 * parts);
   RC_ASSERT(estimate.contact >= -1e-14 * std::pow(norm_of_sum(estimate), 2));
@@ -91,20 +101,23 @@ RC_GTEST_PROP(Estimate, local_errors_add_up_to_the_whole, ()) {
 RC_GTEST_PROP(Estimate, parts_are_those_of_its_fields, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const Estimate estimate = estimated(problem, solved(problem), sweeps(1));
-  const Matrix3Xd sigma = stresses(problem.mesh, problem.hooke, estimate.displacement);
+  const Matrix3Xd sigma =
+      stresses(problem.mesh, problem.hooke, estimate.displacement);
   double elastic = 0, sum = 0;
   for (int t = 0; t < problem.mesh.cell_count(); ++t) {
     const Matrix3d compliance = problem.hooke[t].inverse();
     const CompositeStress constant = sigma.col(t).replicate<1, 9>();
-    elastic +=
-        energy(corners_of(problem.mesh, t), compliance, estimate.stress[t] - constant);
-    sum += energy(corners_of(problem.mesh, t), compliance, estimate.stress[t] + constant);
+    elastic += energy(corners_of(problem.mesh, t), compliance,
+                      estimate.stress[t] - constant);
+    sum += energy(corners_of(problem.mesh, t), compliance,
+                  estimate.stress[t] + constant);
   }
   RC_ASSERT(std::abs(elastic - std::pow(estimate.elastic, 2)) < 1e-12 * sum);
   RC_ASSERT(std::abs(estimate.e / std::sqrt(sum) - estimate.relative) <
             1e-10 * estimate.relative);
   const double contact =
-      contact_error(problem.line, problem.law, estimate.tractions, estimate.displacement)
+      contact_error(problem.line, problem.law, estimate.tractions,
+                    estimate.displacement)
           .sum();
   RC_ASSERT(std::abs(contact - estimate.contact) < 1e-13 * sum);
 }
@@ -117,7 +130,8 @@ RC_GTEST_PROP(Estimate, history_never_rises_and_ends_at_the_error, ()) {
   for (int k = 0; k < 4; ++k) {
     RC_ASSERT(estimate.history[k + 1] <= estimate.history[k] * (1 + 1e-13));
     const double again = estimated(problem, solution, sweeps(k)).e;
-    RC_ASSERT(std::abs(again - estimate.history[k]) < 1e-8 * estimate.history[0]);
+    RC_ASSERT(std::abs(again - estimate.history[k]) <
+              1e-8 * estimate.history[0]);
   }
   RC_ASSERT(estimate.history[4] == estimate.e);
 }
@@ -126,7 +140,9 @@ RC_GTEST_PROP(Estimate, history_never_rises_and_ends_at_the_error, ()) {
 TEST(Estimate, keeps_equilibrium_however_many_sweeps_are_asked_for) {
   for (const int cells : {1, 2}) {
     Problem problem = body(rectangle(cells, cells, 1, 1), material(1000, 0.3));
-    clamp(problem, top, [](const Vector2d&) -> Vector2d { return {0.02, -0.01}; });
+    clamp(problem, top, [](const Vector2d&) -> Vector2d {
+      return {0.02, -0.01};
+    });
     set_friction(problem, 0.3);
     const ContactSolution solution = solved(problem);
     const double enough = estimated(problem, solution, sweeps(40)).e;
@@ -154,20 +170,25 @@ RC_GTEST_PROP(Estimate, does_not_depend_on_the_scale_of_the_loads, ()) {
 RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same, ()) {
   Case c = *random_case(0.5);
   if (c.support == Support::symmetric_right) c.support = Support::clamped_top;
-  const Problem upright = problem_of(c), turned = problem_of(rotated(c, *real(-3, 3)));
-  const double expected = estimated(upright, solved(upright), sweeps(2)).relative;
-  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative - expected) <
-            1e-7 * expected);
+  const Problem upright = problem_of(c),
+                turned = problem_of(rotated(c, *real(-3, 3)));
+  const double expected =
+      estimated(upright, solved(upright), sweeps(2)).relative;
+  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative -
+                     expected) < 1e-7 * expected);
 }
 
-RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same_with_little_friction, ()) {
+RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same_with_little_friction,
+              ()) {
   Case c = *random_case(0.5);
   c.mu = *rc::gen::element(1e-6, 1e-4, 1e-3, 4e-3);
   if (c.support == Support::symmetric_right) c.support = Support::clamped_top;
-  const Problem upright = problem_of(c), turned = problem_of(rotated(c, *real(-3, 3)));
-  const double expected = estimated(upright, solved(upright), sweeps(2)).relative;
-  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative - expected) <
-            1e-7 * expected);
+  const Problem upright = problem_of(c),
+                turned = problem_of(rotated(c, *real(-3, 3)));
+  const double expected =
+      estimated(upright, solved(upright), sweeps(2)).relative;
+  RC_ASSERT(std::abs(estimated(turned, solved(turned), sweeps(2)).relative -
+                     expected) < 1e-7 * expected);
 }
 
 RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
@@ -175,13 +196,14 @@ RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
   const ContactSolution solution = solved(problem);
   const Estimate estimate = estimated(problem, solution, sweeps(0));
   const double scale = solution.displacement.cwiseAbs().maxCoeff();
-  RC_ASSERT(contact_components(problem.line, estimate.displacement).row(0).maxCoeff() <=
-            1e-12 * scale);
+  RC_ASSERT(contact_components(problem.line, estimate.displacement)
+                .row(0)
+                .maxCoeff() <= 1e-12 * scale);
   const ElasticSystem system = problem.system();
   for (int dof = 0; dof < system.dof_count(); ++dof)
     if (system.prescribed[dof])
-      RC_ASSERT(std::abs(estimate.displacement[dof] - system.prescribed_value[dof]) <=
-                1e-12 * scale);
+      RC_ASSERT(std::abs(estimate.displacement[dof] -
+                         system.prescribed_value[dof]) <= 1e-12 * scale);
 }
 
 /// A body that is moved against a wall without stress: what its stresses are of is
@@ -190,16 +212,19 @@ TEST(Estimate, of_a_rigid_motion_is_zero) {
   for (const double angle : {0.0, 0.4, 1.3})
     for (const double size : {1e-6, 1.0, 1e6}) {
       Problem problem =
-          body(rotated(rectangle(5, 4, 5 * size, 4 * size), angle), material(210e3, 0.3));
+          body(rotated(rectangle(5, 4, 5 * size, 4 * size), angle),
+               material(210e3, 0.3));
       const Vector2d motion = size * Vector2d(0.3, -0.7);
       clamp(problem, top, [&](const Vector2d&) { return motion; });
-      problem.law.gap = everywhere(problem.line, problem.line.edge_normal(0).dot(motion));
+      problem.law.gap =
+          everywhere(problem.line, problem.line.edge_normal(0).dot(motion));
       set_friction(problem, 0.3);
       ContactSolution solution;
       solution.displacement =
           nodal_values(problem.mesh, [&](const Vector2d&) { return motion; });
       // of a solver's rounding
-      solution.pressure = Matrix2Xd::Constant(2, problem.line.node_count(), -1e-12);
+      solution.pressure =
+          Matrix2Xd::Constant(2, problem.line.node_count(), -1e-12);
       const Estimate estimate = estimated(problem, solution);
       EXPECT_EQ(estimate.e, 0);
       EXPECT_EQ(estimate.relative, 0);
@@ -219,7 +244,8 @@ TEST(Estimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
   const ContactSolution solution = solved(problem);
   ASSERT_LT(solution.displacement.cwiseAbs().maxCoeff(), 1e-12);
   for (const double slip_bound : {0.0, 1.0}) {
-    if (slip_bound > 0) problem.law.slip_bound = everywhere(problem.line, slip_bound);
+    if (slip_bound > 0)
+      problem.law.slip_bound = everywhere(problem.line, slip_bound);
     const Estimate estimate = estimated(problem, solution);
     EXPECT_GT(estimate.e, 1);
     EXPECT_NEAR(estimate.relative, 1, 1e-12);  // sigma_hat = 0
@@ -250,7 +276,8 @@ TEST(Estimate, of_small_stresses_beside_a_large_motion) {
 }
 
 TEST(Estimate, does_not_depend_on_the_units) {
-  const auto relative = [](const Mesh& mesh, double stiffness, double slip_bound) {
+  const auto relative = [](const Mesh& mesh, double stiffness,
+                           double slip_bound) {
     Problem problem = body(mesh, material(13e3 * stiffness, 0.2));
     add_traction(problem, left, {10 * stiffness, 0});
     clamp(problem, top);
@@ -264,8 +291,8 @@ TEST(Estimate, does_not_depend_on_the_units) {
     const double expected = relative(rectangle(16, 8, 80, 40), 1, slip_bound);
     for (const double length : {1e-9, 1e-3, 1e6})
       for (const double stiffness : {1e-9, 1e3, 1e6}) {
-        const double scaled =
-            relative(rectangle(16, 8, 80 * length, 40 * length), stiffness, slip_bound);
+        const double scaled = relative(
+            rectangle(16, 8, 80 * length, 40 * length), stiffness, slip_bound);
         EXPECT_NEAR(scaled / expected, 1, 1e-8)
             << "length " << length << ", stiffness " << stiffness;
       }
@@ -275,7 +302,8 @@ TEST(Estimate, does_not_depend_on_the_units) {
 /// A prescribed displacement that penetrates cannot be lowered: u is not admissible, and
 /// the estimate says so.
 TEST(Estimate, says_where_u_penetrates) {
-  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+  for (const Multiplier multiplier :
+       {Multiplier::force, Multiplier::pressure}) {
     Problem problem = body(rectangle(4, 4, 1, 1), material(1000, 0.3));
     clamp(problem, right);
     clamp(problem, left);
@@ -323,18 +351,22 @@ TEST(Estimate, of_a_nearly_incompressible_body_stays_a_bound) {
   EXPECT_LE(e, 1.5 * error);
 }
 
-RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction, (Random random)) {
+RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction,
+              (Random random)) {
   // its data are those of the discrete problem
   const Manufactured exact = cubic_solution(*real(0, 0.45));
-  Problem problem =
-      loaded_in_contact(exact, irregular(*rc::gen::inRange(2, 7), 4, 2, 2, random));
-  problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  Problem problem = loaded_in_contact(
+      exact, irregular(*rc::gen::inRange(2, 7), 4, 2, 2, random));
+  problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const ContactSolution solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
-  const Estimate estimate = estimated(problem, solution, sweeps(*rc::gen::inRange(0, 4)));
+  const Estimate estimate =
+      estimated(problem, solution, sweeps(*rc::gen::inRange(0, 4)));
   RC_ASSERT(estimate.admissible);
   const double of_stress = distance(exact, problem.mesh, estimate.stress);
-  const double of_displacement = error_of(exact, problem, estimate.displacement);
+  const double of_displacement =
+      error_of(exact, problem, estimate.displacement);
   // (2.20)
   RC_ASSERT(std::hypot(of_stress, of_displacement) <= estimate.e * (1 + 1e-10));
 }
@@ -349,15 +381,21 @@ double published_percentage(const Problem& problem, int count) {
   return 100 * estimate.relative;
 }
 
-TEST(Estimate, of_the_published_meshes_after_one_sweep_with_correction_41_alone) {
-  EXPECT_NEAR(published_percentage(example_1(Multiplier::force), 1) / 8.57, 1, 0.03);
-  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.2), 1) / 1.21, 1, 0.03);
-  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.3), 1) / 1.39, 1, 0.03);
-  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.4), 1) / 1.46, 1, 0.03);
+TEST(Estimate,
+     of_the_published_meshes_after_one_sweep_with_correction_41_alone) {
+  EXPECT_NEAR(published_percentage(example_1(Multiplier::force), 1) / 8.57, 1,
+              0.03);
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.2), 1) / 1.21,
+              1, 0.03);
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.3), 1) / 1.39,
+              1, 0.03);
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.4), 1) / 1.46,
+              1, 0.03);
 }
 
 TEST(Estimate, of_the_published_mesh_without_sweeps) {
-  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.4), 0) / 3.0, 1, 0.03);
+  EXPECT_NEAR(published_percentage(example_2(Multiplier::force, 0.4), 0) / 3.0,
+              1, 0.03);
 }
 
 TEST(Estimate, with_tractions_in_the_cone_is_sharper_than_published) {
@@ -366,13 +404,19 @@ TEST(Estimate, with_tractions_in_the_cone_is_sharper_than_published) {
   };
   // published 9.74
   EXPECT_NEAR(percentage(example_1(Multiplier::force)) / 7.93, 1, 0.03);
-  EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.3)) / 1.20, 1, 0.03);  // 1.46
-  EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.4)) / 1.17, 1, 0.03);  // 1.50
+  EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.3)) / 1.20, 1,
+              0.03);  // 1.46
+  EXPECT_NEAR(percentage(example_2(Multiplier::force, 0.4)) / 1.17, 1,
+              0.03);  // 1.50
 }
 
-TEST(Estimate, effectivity_on_the_meshes_of_table_1_is_at_most_120_after_three_sweeps) {
+TEST(Estimate,
+     effectivity_on_the_meshes_of_table_1_is_at_most_120_after_three_sweeps) {
   const std::pair<double, double> exact[] = {
-      {0.2, 0.93}, {0.4, 1.02}, {0.6, 1.02}, {0.8, 1.02}};  // mu, exact error in %
+      {0.2, 0.93},
+      {0.4, 1.02},
+      {0.6, 1.02},
+      {0.8, 1.02}};  // mu, exact error in %
   for (const auto& [mu, percentage] : exact) {
     const Problem problem = example_2(Multiplier::force, mu);
     EXPECT_LE(100 * estimated(problem, solved(problem), sweeps(3)).relative,
@@ -406,8 +450,9 @@ TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   EXPECT_EQ(polynomial.history, composite.history);
   EXPECT_TRUE(composite.admissible);
   EXPECT_FALSE(polynomial.admissible);
-  EXPECT_TRUE(says(polynomial.reason,
-                   "the polynomial construction is in equilibrium in the mean only"));
+  EXPECT_TRUE(
+      says(polynomial.reason,
+           "the polynomial construction is in equilibrium in the mean only"));
   EXPECT_NEAR(polynomial.local.norm(), polynomial.relative, 1e-12);
   RecordProperty("ratio", std::to_string(polynomial.e / composite.e));
 }
@@ -419,12 +464,14 @@ TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {
   const Problem problem = example_2(Multiplier::force, 0.2);
   const Estimate estimate =
       estimated(problem, solved(problem), sweeps(1, Tractions::published));
-  if (estimate.cone <= 1e-12) GTEST_SKIP() << "every edge could be mended by (4.1)";
+  if (estimate.cone <= 1e-12)
+    GTEST_SKIP() << "every edge could be mended by (4.1)";
   EXPECT_FALSE(estimate.admissible);
-  EXPECT_TRUE(says(estimate.reason, "contact tractions leave the friction cone by "));
   EXPECT_TRUE(
-      says(estimate.reason,
-           "(4.1) cannot mend " + std::to_string(estimate.unmended.size()) + " edges"));
+      says(estimate.reason, "contact tractions leave the friction cone by "));
+  EXPECT_TRUE(says(estimate.reason,
+                   "(4.1) cannot mend " +
+                       std::to_string(estimate.unmended.size()) + " edges"));
   EXPECT_FALSE(estimate.unmended.empty());
 }
 
@@ -436,8 +483,8 @@ TEST(Estimate, refuses_what_does_not_fit) {
     EstimateSettings settings;
     spoil(body, settings);
     return refusal([&] {
-      estimate_error(topology_of(problem.mesh), problem.line, problem.system(), body,
-                     settings);
+      estimate_error(topology_of(problem.mesh), problem.line, problem.system(),
+                     body, settings);
     });
   };
   EXPECT_EQ(refusal_of([](SolvedBody&, EstimateSettings&) {}), "accepted");
@@ -445,23 +492,29 @@ TEST(Estimate, refuses_what_does_not_fit) {
                      b.displacement[3] = std::nan("");
                    }),
                    "u[3] is nan"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+                     b.displacement.resize(7);
+                   }),
+                   "u has 7 values"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+                     b.pressure.resize(2, 4);
+                   }),
+                   "4 values where 5"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+                     b.law.friction[1] = -1;
+                   }),
+                   "friction must be finite"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+                     b.hooke[2].setZero();
+                   }),
+                   "triangle 2 is not symmetric"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody&, EstimateSettings& s) {
+                     s.relaxation.sweeps = -1;
+                   }),
+                   "sweeps must not be negative"));
   EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.displacement.resize(7); }),
-           "u has 7 values"));
-  EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.pressure.resize(2, 4); }),
-           "4 values where 5"));
-  EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.law.friction[1] = -1; }),
-           "friction must be finite"));
-  EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.hooke[2].setZero(); }),
-           "triangle 2 is not symmetric"));
-  EXPECT_TRUE(
-      says(refusal_of([](SolvedBody&, EstimateSettings& s) { s.relaxation.sweeps = -1; }),
-           "sweeps must not be negative"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.neumann *= 2; }),
-                   "do not balance the stresses"));
+      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.neumann *= 2; }),
+           "do not balance the stresses"));
 }
 
 }  // namespace

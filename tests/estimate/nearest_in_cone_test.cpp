@@ -13,30 +13,35 @@ namespace {
 using namespace test;
 
 ContactDensities random_densities(Index edges, Random& random) {
-  return {random_matrix(2, edges, random).array() - 0.5, random_matrix(2, edges, random)};
+  return {random_matrix(2, edges, random).array() - 0.5,
+          random_matrix(2, edges, random)};
 }
 
 /// A line of six edges; friction or Tresca's bound varies along it, and is 0 at some
 /// nodes.
 Problem random_line(Random& random) {
-  Problem problem =
-      body(rotated(irregular(6, 2, 6, 2, random), *real(-3, 3)), material(1, 0));
-  problem.law.friction = random_vector(problem.line.node_count(), random).cwiseAbs();
+  Problem problem = body(rotated(irregular(6, 2, 6, 2, random), *real(-3, 3)),
+                         material(1, 0));
+  problem.law.friction =
+      random_vector(problem.line.node_count(), random).cwiseAbs();
   if (*rc::gen::arbitrary<bool>())
     set_friction(problem, *rc::gen::element(0.0, 1e-3, 0.4));
   if (*rc::gen::inRange(0, 3) == 0) problem.law.friction[2] = 0;
-  if (*rc::gen::inRange(0, 3) == 0) problem.law.slip_bound = problem.law.friction;
+  if (*rc::gen::inRange(0, 3) == 0)
+    problem.law.slip_bound = problem.law.friction;
   return problem;
 }
 
 MatrixXd all_motions(const Problem& problem) {
-  return free_rigid_motions(problem.mesh, std::vector<char>(problem.b.size(), 0));
+  return free_rigid_motions(problem.mesh,
+                            std::vector<char>(problem.b.size(), 0));
 }
 
-ContactDensities nearest(const Problem& problem, const ContactDensities& densities,
+ContactDensities nearest(const Problem& problem,
+                         const ContactDensities& densities,
                          const MatrixXd& motions, const VectorXd& resultants) {
-  const auto r =
-      nearest_in_cone(problem.line, problem.law, densities, motions, resultants);
+  const auto r = nearest_in_cone(problem.line, problem.law, densities, motions,
+                                 resultants);
   RC_ASSERT(r.has_value());
   return *r;
 }
@@ -45,7 +50,8 @@ ContactDensities nearest(const Problem& problem, const ContactDensities& densiti
 ContactDensities inside(const Problem& problem, Random& random) {
   ContactDensities r = random_densities(problem.line.edge_count(), random);
   for (int e = 0; e < problem.line.edge_count(); ++e)
-    set_end_values(r, e, clamped_to_cone(problem.line, problem.law, e, end_values(r, e)));
+    set_end_values(
+        r, e, clamped_to_cone(problem.line, problem.law, e, end_values(r, e)));
   return r;
 }
 
@@ -66,23 +72,27 @@ ContactDensities between(const ContactDensities& r, const ContactDensities& s,
           r.tangential + share * (s.tangential - r.tangential)};
 }
 
-RC_GTEST_PROP(NearestInCone, no_other_density_in_the_cone_is_nearer, (Random random)) {
+RC_GTEST_PROP(NearestInCone, no_other_density_in_the_cone_is_nearer,
+              (Random random)) {
   const Problem problem = random_line(random);
-  const ContactDensities given = random_densities(problem.line.edge_count(), random);
-  const ContactDensities r = nearest(problem, given, MatrixXd(problem.b.size(), 0), {});
+  const ContactDensities given =
+      random_densities(problem.line.edge_count(), random);
+  const ContactDensities r =
+      nearest(problem, given, MatrixXd(problem.b.size(), 0), {});
   RC_ASSERT(cone_defect(problem.line, problem.law, r) <= 1e-12);
   const double distance = squared_distance(problem.line, r, given);
   for (int trial = 0; trial < 20; ++trial) {
     const ContactDensities other = inside(problem, random);
     for (const double share : {1.0, 0.1, 0.01})  // the cone is convex
-      RC_ASSERT(squared_distance(problem.line, between(r, other, share), given) >=
-                distance - 1e-12);
+      RC_ASSERT(squared_distance(problem.line, between(r, other, share),
+                                 given) >= distance - 1e-12);
   }
 }
 
 /// Resultants of any tractions in the cone are met, by tractions that are no farther than
 /// those.
-RC_GTEST_PROP(NearestInCone, has_every_resultant_that_tractions_in_the_cone_have,
+RC_GTEST_PROP(NearestInCone,
+              has_every_resultant_that_tractions_in_the_cone_have,
               (Random random)) {
   const Problem problem = random_line(random);
   const ContactLine& line = problem.line;
@@ -108,8 +118,8 @@ TEST(NearestInCone, is_nothing_where_the_cone_has_no_such_resultant) {
   // a force on the end of the line: densities have their centre inside
   const ContactDensities none{Matrix2Xd::Zero(2, 4), Matrix2Xd::Zero(2, 4)};
   const VectorXd force = motions.middleRows<2>(0).transpose() * Vector2d(0, 1);
-  EXPECT_FALSE(
-      nearest_in_cone(problem.line, problem.law, none, motions, force).has_value());
+  EXPECT_FALSE(nearest_in_cone(problem.line, problem.law, none, motions, force)
+                   .has_value());
 }
 
 TEST(NearestInCone, of_trescas_law_lets_one_end_make_up_for_the_other) {
@@ -120,7 +130,8 @@ TEST(NearestInCone, of_trescas_law_lets_one_end_make_up_for_the_other) {
   const auto r = nearest_in_cone(problem.line, problem.law, given,
                                  MatrixXd(problem.b.size(), 0), {});
   ASSERT_TRUE(r.has_value());
-  EXPECT_LT((end_values(*r, 0) - Vector4d(-1, 1, -1, 1)).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((end_values(*r, 0) - Vector4d(-1, 1, -1, 1)).cwiseAbs().maxCoeff(),
+            1e-12);
 }
 
 }  // namespace

@@ -15,8 +15,9 @@ TEST(NodalForces, of_a_constant_traction_are_half_an_edge_each) {
   const ContactDensities densities{Matrix2Xd::Constant(2, 2, -3),
                                    Matrix2Xd::Constant(2, 2, 1)};
   const VectorXd forces = nodal_forces(problem.mesh, problem.line, densities);
-  EXPECT_LT((forces.head<6>() - (VectorXd(6) << 1, 3, 2, 6, 1, 3).finished()).norm(),
-            1e-14);
+  EXPECT_LT(
+      (forces.head<6>() - (VectorXd(6) << 1, 3, 2, 6, 1, 3).finished()).norm(),
+      1e-14);
   EXPECT_TRUE(forces.tail(6).isZero(0));
 }
 

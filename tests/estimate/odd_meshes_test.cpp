@@ -55,9 +55,11 @@ Mesh graded() {
     mesh.boundary_label[next++] = side;
   };
   for (int k = 0; k < rings; ++k)
-    add(id(k, 0), id(k + 1, 0), bottom), add(id(k + 1, sectors), id(k, sectors), top);
+    add(id(k, 0), id(k + 1, 0), bottom),
+        add(id(k + 1, sectors), id(k, sectors), top);
   for (int a = 0; a < sectors; ++a)
-    add(id(rings, a), id(rings, a + 1), right), add(id(0, a + 1), id(0, a), left);
+    add(id(rings, a), id(rings, a + 1), right),
+        add(id(0, a + 1), id(0, a), left);
   return mesh;
 }
 
@@ -66,7 +68,8 @@ Mesh graded() {
 Mesh badly_shaped() {
   Mesh mesh = rectangle(8, 8, 2, 1);
   for (int j = 1; j < 8; j += 2)
-    for (int i = 1; i < 8; i += 2) mesh.vertices(1, 9 * j + i) -= 0.125 - 0.0055;
+    for (int i = 1; i < 8; i += 2)
+      mesh.vertices(1, 9 * j + i) -= 0.125 - 0.0055;
   return mesh;
 }
 
@@ -76,19 +79,22 @@ double smallest_angle(const Mesh& mesh) {
     for (int k = 0; k < 3; ++k) {
       const Vector2d a = mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k),
                      b = mesh.corner(t, (k + 2) % 3) - mesh.corner(t, k);
-      smallest = std::min(smallest, std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) *
-                                        180 / static_cast<double>(EIGEN_PI));
+      smallest = std::min(
+          smallest, std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180 /
+                        static_cast<double>(EIGEN_PI));
     }
   return smallest;
 }
 
 std::string in_figures(const Estimate& estimate) {
   std::ostringstream text;
-  text << "equilibrium " << estimate.equilibrium.largest() << ", cone " << estimate.cone;
+  text << "equilibrium " << estimate.equilibrium.largest() << ", cone "
+       << estimate.cone;
   return text.str();
 }
 
-void keeps_what_is_promised(const std::string& name, const Mesh& mesh, double push = 3) {
+void keeps_what_is_promised(const std::string& name, const Mesh& mesh,
+                            double push = 3) {
   for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
     const Problem problem = pressed(mesh, multiplier, push);
     const ContactSolution solution = solved(problem);

@@ -17,10 +17,11 @@ using namespace test;
 /// The bottom of a rectangle with contact along n at an angle to the vertical.
 Problem line_along(double angle) {
   Problem problem = body(rectangle(3, 1, 3, 1), material(1, 0.3));
-  const ContactLine line = smooth_contact_line(problem.mesh, problem.edges, {bottom});
-  problem.line = along_directions(
-      problem.mesh, problem.edges, line,
-      Vector2d(std::sin(angle), -std::cos(angle)).replicate(1, line.node_count()));
+  const ContactLine line =
+      smooth_contact_line(problem.mesh, problem.edges, {bottom});
+  problem.line = along_directions(problem.mesh, problem.edges, line,
+                                  Vector2d(std::sin(angle), -std::cos(angle))
+                                      .replicate(1, line.node_count()));
   set_friction(problem, 0.5);
   return problem;
 }
@@ -34,8 +35,8 @@ ContactDensities one_edge_outside() {
 
 TEST(PublishedTractions, are_shifted_into_the_cone_along_their_edge) {
   const Problem problem = line_along(0);
-  const ConeCorrection correction =
-      published_tractions(problem.mesh, problem.line, problem.law, one_edge_outside());
+  const ConeCorrection correction = published_tractions(
+      problem.mesh, problem.line, problem.law, one_edge_outside());
   EXPECT_EQ(correction.uncorrected, std::vector<int>{});
   EXPECT_NEAR(correction.shift[1], 0.2, 1e-15);
 }

@@ -31,11 +31,12 @@ RC_GTEST_PROP(Rebalancing, balances_the_change_of_forces, (Random random)) {
   const ElasticSystem system = problem.system();
   const MatrixXd motions = free_rigid_motions(problem.mesh, system.prescribed);
   const VectorXd forces = balanced_forces(problem, motions, random);
-  const VectorXd u = Rebalancing(system, problem.line, motions).displacement(forces);
+  const VectorXd u =
+      Rebalancing(system, problem.line, motions).displacement(forces);
   const VectorXd residual = system.stiffness * u - forces;
   for (int dof = 0; dof < system.dof_count(); ++dof)
-    RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof]) : std::abs(residual[dof])) <
-              1e-9);
+    RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof])
+                                      : std::abs(residual[dof])) < 1e-9);
 }
 
 }  // namespace

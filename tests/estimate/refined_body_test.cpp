@@ -34,7 +34,8 @@ SolvedBody random_body(const CutBodies& cut, std::mt19937& random) {
 
 SolvedBody refined(const CutBodies& cut, const SolvedBody& old) {
   const Problem& problem = cut.two.problem;
-  return refined_body(problem.mesh, problem.edges, problem.line, old, cut.refinement);
+  return refined_body(problem.mesh, problem.edges, problem.line, old,
+                      cut.refinement);
 }
 
 /// Bounds of the coefficient that are linear between nodal values stay so.
@@ -44,7 +45,8 @@ RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges,
   const ContactLine &line = cut.two.problem.line, &parts = cut.refinement.line;
   SolvedBody old = random_body(cut, random);
   old.law.friction = old.law.friction.cwiseAbs();
-  for (Matrix2Xd* bound : {&old.law.between_nodes.least, &old.law.between_nodes.most}) {
+  for (Matrix2Xd* bound :
+       {&old.law.between_nodes.least, &old.law.between_nodes.most}) {
     bound->resize(2, line.edge_count());
     for (int e = 0; e < line.edge_count(); ++e)
       for (int end = 0; end < 2; ++end)
@@ -56,22 +58,27 @@ RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges,
   for (int e = 0; e < parts.edge_count(); ++e)
     for (int end = 0; end < 2; ++end) {
       const double expected = law.friction[parts.edge_node(end, e)];
-      for (const auto& cones : {least_cones(parts, law, e), most_cones(parts, law, e)}) {
+      for (const auto& cones :
+           {least_cones(parts, law, e), most_cones(parts, law, e)}) {
         RC_ASSERT(std::abs(cones[end].friction - expected) < 1e-13);
         RC_ASSERT(std::abs(cones[end].limit - expected) < 1e-13);
       }
     }
 }
 
-RC_GTEST_PROP(RefinedBody, has_the_stresses_of_the_old_triangles, (Random random)) {
+RC_GTEST_PROP(RefinedBody, has_the_stresses_of_the_old_triangles,
+              (Random random)) {
   const CutBodies cut(random);
   const SolvedBody old = random_body(cut, random), body = refined(cut, old);
   const Matrix3Xd before = stresses(cut.mesh(), old.hooke, old.displacement);
-  const Matrix3Xd after = stresses(cut.refinement.mesh, body.hooke, body.displacement);
+  const Matrix3Xd after =
+      stresses(cut.refinement.mesh, body.hooke, body.displacement);
   for (int t = 0; t < cut.refinement.mesh.cell_count(); ++t) {
-    const double rounding = 1e-12 * hat_gradients(cut.refinement.mesh, t).norm() *
+    const double rounding = 1e-12 *
+                            hat_gradients(cut.refinement.mesh, t).norm() *
                             old.displacement.norm() * old.hooke[0].norm();
-    RC_ASSERT((after.col(t) - before.col(cut.refinement.parent[t])).norm() < rounding);
+    RC_ASSERT((after.col(t) - before.col(cut.refinement.parent[t])).norm() <
+              rounding);
   }
 }
 
@@ -79,7 +86,8 @@ RC_GTEST_PROP(RefinedBody, has_the_stresses_of_the_old_triangles, (Random random
 /// lie between.
 double interpolated(const CutBodies& cut, const VectorXd& values, int node) {
   double sum = 0;
-  for (WeightsByNode::InnerIterator part(cut.refinement.node_weights, node); part; ++part)
+  for (WeightsByNode::InnerIterator part(cut.refinement.node_weights, node);
+       part; ++part)
     sum += part.value() * values[part.col()];
   return sum;
 }
@@ -93,8 +101,8 @@ RC_GTEST_PROP(RefinedBody, has_pressures_and_law_linear_between_the_old_nodes,
   for (int node = 0; node < cut.refinement.line.node_count(); ++node) {
     RC_ASSERT(std::abs(body.law.friction[node] -
                        interpolated(cut, old.law.friction, node)) < 1e-14);
-    RC_ASSERT(std::abs(body.law.gap[node] - interpolated(cut, old.law.gap, node)) <
-              1e-14);
+    RC_ASSERT(std::abs(body.law.gap[node] -
+                       interpolated(cut, old.law.gap, node)) < 1e-14);
     for (int c = 0; c < 2; ++c)
       RC_ASSERT(std::abs(body.pressure(c, node) -
                          interpolated(cut, old.pressure.row(c), node)) < 1e-14);
@@ -107,7 +115,8 @@ RC_GTEST_PROP(RefinedBody, carries_its_loads_on, (Random random)) {
   for (int c = 0; c < 2; ++c) {
     const auto resultant = [c](const auto& loads) {
       double sum = 0;
-      for (Index row = c; row < loads.rows(); row += 2) sum += loads.row(row).sum();
+      for (Index row = c; row < loads.rows(); row += 2)
+        sum += loads.row(row).sum();
       return sum;
     };
     RC_ASSERT(std::abs(resultant(body.neumann) - resultant(old.neumann)) <
@@ -117,7 +126,8 @@ RC_GTEST_PROP(RefinedBody, carries_its_loads_on, (Random random)) {
   }
 }
 
-RC_GTEST_PROP(RefinedPrescribed, holds_a_new_vertex_where_both_ends_of_its_edge_are_held,
+RC_GTEST_PROP(RefinedPrescribed,
+              holds_a_new_vertex_where_both_ends_of_its_edge_are_held,
               (Random random)) {
   const CutBodies cut(random);
   std::vector<char> old(2 * cut.mesh().vertex_count());
@@ -127,8 +137,8 @@ RC_GTEST_PROP(RefinedPrescribed, holds_a_new_vertex_where_both_ends_of_its_edge_
   for (int v = 0; v < cut.refinement.mesh.vertex_count(); ++v)
     for (int c = 0; c < 2; ++c) {
       int held = 0, ends = 0;
-      for (WeightsByNode::InnerIterator part(cut.refinement.vertex_weights, v); part;
-           ++part, ++ends)
+      for (WeightsByNode::InnerIterator part(cut.refinement.vertex_weights, v);
+           part; ++part, ++ends)
         held += old[2 * part.col() + c];
       RC_ASSERT(ends == (v < cut.mesh().vertex_count() ? 1 : 2));
       RC_ASSERT((prescribed[2 * v + c] == 1) == (held == ends));
@@ -140,8 +150,10 @@ RC_GTEST_PROP(UnrefinedForces, do_the_same_work, (Random random)) {
   const SolvedBody old = random_body(cut, random);
   const VectorXd fine = refined(cut, old).displacement;
   const VectorXd forces = random_vector(fine.size(), random);
-  const double work = unrefined_forces(cut.refinement, forces).dot(old.displacement);
-  RC_ASSERT(std::abs(work - forces.dot(fine)) < 1e-12 * forces.norm() * fine.norm());
+  const double work =
+      unrefined_forces(cut.refinement, forces).dot(old.displacement);
+  RC_ASSERT(std::abs(work - forces.dot(fine)) <
+            1e-12 * forces.norm() * fine.norm());
 }
 
 }  // namespace

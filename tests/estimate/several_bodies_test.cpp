@@ -23,13 +23,15 @@ TEST(SeveralBodiesEstimate, example_3_as_published) {
     const ContactDensities before = edge_densities(line, solution.pressure);
     const int last = line.edge_count() - 1;
     if (multiplier == Multiplier::force) {
-      EXPECT_GT(std::max(ratio(before, 0, 0), ratio(before, 1, 0)), 1) << "first edge";
+      EXPECT_GT(std::max(ratio(before, 0, 0), ratio(before, 1, 0)), 1)
+          << "first edge";
       EXPECT_GT(std::max(ratio(before, 0, last), ratio(before, 1, last)), 1)
           << "last edge";
     }
     for (const Tractions tractions :
          {Tractions::published, Tractions::fixed, Tractions::free}) {
-      const Estimate estimate = estimated(two.problem, solution, sweeps(2, tractions));
+      const Estimate estimate =
+          estimated(two.problem, solution, sweeps(2, tractions));
       EXPECT_TRUE(estimate.admissible) << estimate.reason;
       const bool shifted =
           tractions == Tractions::published && multiplier == Multiplier::force;
@@ -48,8 +50,8 @@ bool has_slivers(const Estimate& estimate) {
   const Mesh& mesh = estimate.refinement->mesh;
   double shortest = mesh.vertices.maxCoeff();
   for (int e = 0; e < estimate.refinement->edges.count(); ++e)
-    shortest =
-        std::min(shortest, edge_vector(mesh, estimate.refinement->edges, e).norm());
+    shortest = std::min(
+        shortest, edge_vector(mesh, estimate.refinement->edges, e).norm());
   return shortest < 1e-3;
 }
 
@@ -61,16 +63,19 @@ bool is_exact(const Estimate& estimate) {
 
 /// Uniform compression through random interfaces is in the discrete space: no error,
 /// Property 2.3.
-RC_GTEST_PROP(SeveralBodiesEstimate, uniform_pressure_has_no_error, (Random random)) {
+RC_GTEST_PROP(SeveralBodiesEstimate, uniform_pressure_has_no_error,
+              (Random random)) {
   const int upper = *rc::gen::inRange(1, 8), lower = *rc::gen::inRange(1, 8);
-  Bodies two = bodies({shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}),
-                       with_random_rows(lower, 3, 6, 5, random)},
-                      {material(70e3, 0.3), material(210e3, 0.2)}, {{0, bottom, 1, top}});
+  Bodies two = bodies(
+      {shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}),
+       with_random_rows(lower, 3, 6, 5, random)},
+      {material(70e3, 0.3), material(210e3, 0.2)}, {{0, bottom, 1, top}});
   Problem& problem = two.problem;
   add_traction(problem, two.label(0, top), {0, -7});
   prescribe(problem, two.label(1, bottom), 1);
   for (int k = 0; k < 2; ++k) prescribe(problem, two.label(k, left), 0);
-  problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const Estimate estimate = estimated(problem, solved(problem), sweeps(0));
   RC_ASSERT(estimate.relative < (is_exact(estimate) ? 1e-7 : 1e-4));
   RC_ASSERT(estimate.admissible || has_slivers(estimate));
@@ -80,22 +85,25 @@ RC_GTEST_PROP(SeveralBodiesEstimate, uniform_pressure_has_no_error, (Random rand
 /// longer.
 Problem sheared(Random& random, double mu, bool longer) {
   const int upper = *rc::gen::inRange(2, 9), lower = *rc::gen::inRange(2, 9);
-  const Mesh base = longer
-                        ? shifted(with_random_rows(lower + 1, 3, 8, 4, random), {-1, 0})
-                        : with_random_rows(lower, 3, 6, 4, random);
-  Bodies two = bodies({shifted(with_random_rows(upper, 3, 6, 3, random), {0, 4}), base},
-                      {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
+  const Mesh base =
+      longer ? shifted(with_random_rows(lower + 1, 3, 8, 4, random), {-1, 0})
+             : with_random_rows(lower, 3, 6, 4, random);
+  Bodies two = bodies(
+      {shifted(with_random_rows(upper, 3, 6, 3, random), {0, 4}), base},
+      {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
   add_traction(two.problem, two.label(0, top), {1, -10});
   add_traction(two.problem, two.label(0, left), {1, 0.5});
   if (mu == 0) prescribe(two.problem, two.label(0, right), 0);
   add_body_force(two.problem, {0.1, -0.2});
   clamp(two.problem, two.label(1, bottom));
   set_friction(two.problem, mu);
-  two.problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  two.problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
   return two.problem;
 }
 
-RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible_pair,
+RC_GTEST_PROP(SeveralBodiesEstimate,
+              traces_that_do_not_match_have_an_admissible_pair,
               (Random random)) {
   const double mu = *real(0.3, 1);
   const Problem problem =
@@ -103,7 +111,8 @@ RC_GTEST_PROP(SeveralBodiesEstimate, traces_that_do_not_match_have_an_admissible
   const ContactSolution solution = solved(problem);
   RC_PRE(solution.accepted({}));
   for (const Tractions tractions : {Tractions::fixed, Tractions::free}) {
-    const Estimate estimate = estimated(problem, solution, sweeps(2, tractions));
+    const Estimate estimate =
+        estimated(problem, solution, sweeps(2, tractions));
     RC_ASSERT(estimate.cone < 1e-12);
     RC_ASSERT(estimate.equilibrium.largest() < 1e-10 || has_slivers(estimate));
     const double square = estimate.relative * estimate.relative;
@@ -122,13 +131,15 @@ RC_GTEST_PROP(SeveralBodiesEstimate,
               (Random random)) {
   const int upper = *rc::gen::inRange(1, 9), lower = *rc::gen::inRange(3, 9);
   const double x = -0.8 + 0.01 * *rc::gen::inRange(0, 260);
-  Bodies two = bodies({shifted(with_random_rows(upper, 3, 5, 3, random), {x, 4}),
-                       shifted(with_random_rows(lower, 3, 8, 4, random), {-1, 0})},
-                      {material(70e3, 0.3), material(7, 0.2)}, {{1, top, 0, bottom}});
+  Bodies two =
+      bodies({shifted(with_random_rows(upper, 3, 5, 3, random), {x, 4}),
+              shifted(with_random_rows(lower, 3, 8, 4, random), {-1, 0})},
+             {material(70e3, 0.3), material(7, 0.2)}, {{1, top, 0, bottom}});
   add_traction(two.problem, two.label(0, top), {0.5, -10});
   clamp(two.problem, two.label(1, bottom));
   set_friction(two.problem, 0.4);
-  two.problem.law.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  two.problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const ContactSolution solution = solved(two.problem);
   RC_PRE(solution.accepted({}));
   RC_ASSERT(std::abs(solution.force.row(0).sum() + 50) < 1e-5);
@@ -140,15 +151,17 @@ RC_GTEST_PROP(SeveralBodiesEstimate,
 
 /// Friction alone holds the upper body sideways; its tangential resultant must survive
 /// the way of tensile edges into the cone.
-TEST(SeveralBodiesEstimate, tresca_keeps_the_resultants_of_a_body_held_by_friction) {
+TEST(SeveralBodiesEstimate,
+     tresca_keeps_the_resultants_of_a_body_held_by_friction) {
   for (const double slip_bound : {0.5, 1.0, 1.6, 2.5}) {
-    Bodies two =
-        bodies({shifted(rectangle(8, 5, 4, 2), {2, 3}), rectangle(16, 6, 8, 3)},
-               {material(70e3, 0.3), material(70e3, 0.3)}, {{0, bottom, 1, top}});
+    Bodies two = bodies(
+        {shifted(rectangle(8, 5, 4, 2), {2, 3}), rectangle(16, 6, 8, 3)},
+        {material(70e3, 0.3), material(70e3, 0.3)}, {{0, bottom, 1, top}});
     add_traction(two.problem, two.label(0, top), {0.2, -7});
     clamp(two.problem, two.label(1, bottom));
     two.problem.law.slip_bound = everywhere(two.problem.line, slip_bound);
-    const Estimate estimate = estimated(two.problem, solved(two.problem), sweeps(2));
+    const Estimate estimate =
+        estimated(two.problem, solved(two.problem), sweeps(2));
     EXPECT_TRUE(estimate.admissible) << slip_bound << ": " << estimate.reason;
     EXPECT_LT(estimate.relative, 0.12);
   }
@@ -161,10 +174,11 @@ TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
     const auto estimate_of = [&](double distance) {
       Mesh lower = rectangle(8, 4, 8, 4);
       // the inner vertices of the top
-      for (int v = 4 * 9 + 1; v < 5 * 9 - 1; ++v) lower.vertices(0, v) += distance;
-      Bodies two =
-          bodies({shifted(rectangle(8, 3, 8, 3), {0, 4}), lower},
-                 {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
+      for (int v = 4 * 9 + 1; v < 5 * 9 - 1; ++v)
+        lower.vertices(0, v) += distance;
+      Bodies two = bodies({shifted(rectangle(8, 3, 8, 3), {0, 4}), lower},
+                          {material(70e3, 0.3), material(100e3, 0.2)},
+                          {{0, bottom, 1, top}});
       add_traction(two.problem, two.label(0, top), {1, -10});
       add_traction(two.problem, two.label(0, left), {1, 0.5});
       clamp(two.problem, two.label(1, bottom));
@@ -187,28 +201,32 @@ TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
 void shares_add_up(const Problem& problem) {
   const Estimate estimate = estimated(problem, solved(problem), sweeps(0));
   ASSERT_FALSE(estimate.refinement.has_value());
-  const Matrix3Xd stress = stresses(problem.mesh, problem.hooke, estimate.displacement);
+  const Matrix3Xd stress =
+      stresses(problem.mesh, problem.hooke, estimate.displacement);
   VectorXd shares =
       estimate.local.cwiseAbs2() * std::pow(estimate.e / estimate.relative, 2);
   for (int t = 0; t < problem.mesh.cell_count(); ++t)
-    shares[t] -=
-        energy(corners_of(problem.mesh, t), problem.hooke[t].inverse(),
-               estimate.stress[t] - CompositeStress(stress.col(t).replicate<1, 9>()));
+    shares[t] -= energy(
+        corners_of(problem.mesh, t), problem.hooke[t].inverse(),
+        estimate.stress[t] - CompositeStress(stress.col(t).replicate<1, 9>()));
   const ContactLine& line = problem.line;
-  const VectorXd contact =
-      contact_error(line, problem.law, estimate.tractions, estimate.displacement);
+  const VectorXd contact = contact_error(line, problem.law, estimate.tractions,
+                                         estimate.displacement);
   ASSERT_GT(contact.maxCoeff(), 1e-6 * std::pow(estimate.e, 2));
   for (int e = 0; e < line.edge_count(); ++e) {
     const bool faced = line.against_a_body() && line.opposite_edge[e] >= 0;
-    shares[problem.edges.cells(0, line.edge[e])] -= contact[e] / (faced ? 2 : 1);
-    if (faced) shares[problem.edges.cells(0, line.opposite_edge[e])] -= contact[e] / 2;
+    shares[problem.edges.cells(0, line.edge[e])] -=
+        contact[e] / (faced ? 2 : 1);
+    if (faced)
+      shares[problem.edges.cells(0, line.opposite_edge[e])] -= contact[e] / 2;
   }
   EXPECT_LT(shares.cwiseAbs().maxCoeff(), 1e-10 * std::pow(estimate.e, 2));
 }
 
 TEST(SeveralBodiesEstimate, shares_the_contact_part_between_facing_triangles) {
-  Bodies two = bodies({shifted(rectangle(6, 3, 6, 3), {0, 4}), rectangle(6, 4, 6, 4)},
-                      {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
+  Bodies two = bodies(
+      {shifted(rectangle(6, 3, 6, 3), {0, 4}), rectangle(6, 4, 6, 4)},
+      {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
   add_traction(two.problem, two.label(0, top), {3, -5});
   clamp(two.problem, two.label(1, bottom));
   set_friction(two.problem, 0.8);

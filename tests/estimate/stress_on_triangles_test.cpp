@@ -14,8 +14,9 @@ namespace {
 using namespace test;
 
 Bodies blocks() {
-  Bodies two = bodies({shifted(rectangle(3, 2, 6, 3), {0, 4}), rectangle(5, 2, 6, 4)},
-                      {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
+  Bodies two = bodies(
+      {shifted(rectangle(3, 2, 6, 3), {0, 4}), rectangle(5, 2, 6, 4)},
+      {material(70e3, 0.3), material(100e3, 0.2)}, {{0, bottom, 1, top}});
   add_traction(two.problem, two.label(0, top), {1, -10});
   clamp(two.problem, two.label(1, bottom));
   set_friction(two.problem, 0.4);
@@ -27,14 +28,16 @@ bool contains(const Matrix<double, 2, 3>& corners, const Vector2d& x) {
     return a.x() * b.y() - a.y() * b.x();
   };
   for (int k = 0; k < 3; ++k)
-    if (twice_area(corners.col((k + 1) % 3) - corners.col(k), x - corners.col(k)) < 0)
+    if (twice_area(corners.col((k + 1) % 3) - corners.col(k),
+                   x - corners.col(k)) < 0)
       return false;
   return true;
 }
 
 Matrix<double, 2, 3> subtriangle(const TriangleCorners& corners, int k) {
   Matrix<double, 2, 3> sub;
-  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
+  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
+      corners.rowwise().mean();
   return sub;
 }
 
@@ -49,20 +52,23 @@ TEST(StressOnTriangles, is_that_of_the_subtriangle_around_the_point) {
   for (int t = 0; t < refinement.mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k)
       estimate.stress[t].middleCols<3>(3 * k).setConstant(3 * t + k);
-  const std::vector<CompositeStress> stress = stress_on_triangles(mesh, estimate);
+  const std::vector<CompositeStress> stress =
+      stress_on_triangles(mesh, estimate);
   ASSERT_EQ(static_cast<int>(stress.size()), mesh.cell_count());
   std::set<double> seen;
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
       const Matrix<double, 2, 3> sub = subtriangle(corners_of(mesh, t), k);
       for (int c = 0; c < 3; ++c) {
-        const Vector2d x = sub.col(c) + 1e-6 * (sub.rowwise().mean() - sub.col(c));
+        const Vector2d x =
+            sub.col(c) + 1e-6 * (sub.rowwise().mean() - sub.col(c));
         const double number = stress[t](0, 3 * k + c);
         const int cut = static_cast<int>(std::lround(number)) / 3,
                   part = static_cast<int>(std::lround(number)) % 3;
         EXPECT_NEAR(number, std::lround(number), 1e-9);
         EXPECT_EQ(refinement.parent[cut], t);
-        EXPECT_TRUE(contains(subtriangle(corners_of(refinement.mesh, cut), part), x));
+        EXPECT_TRUE(
+            contains(subtriangle(corners_of(refinement.mesh, cut), part), x));
         seen.insert(std::lround(number));
       }
     }

@@ -78,9 +78,11 @@ void put_stiffness(Assembled& parts) {
     for (int i = 0; i < 6; ++i)
       for (int j = 0; j < 6; ++j)
         entries.emplace_back(2 * mesh.cells(i / 2, t) + i % 2,
-                             2 * mesh.cells(j / 2, t) + j % 2, 0.5 * (K(i, j) + K(j, i)));
+                             2 * mesh.cells(j / 2, t) + j % 2,
+                             0.5 * (K(i, j) + K(j, i)));
     for (int v : mesh.cells.col(t))
-      parts.load.segment<2>(2 * v) += element.area / 3 * parts.body_force.col(t);
+      parts.load.segment<2>(2 * v) +=
+          element.area / 3 * parts.body_force.col(t);
   }
   for (int e = 0; e < mesh.boundary.cols(); ++e)
     for (int end = 0; end < 2; ++end)
@@ -97,20 +99,23 @@ void put_matrix(double tgv, Assembled& parts) {
   parts.b = parts.load;
   for (Index dof = 0; dof < parts.b.size(); ++dof) {
     for (RowMatrix::InnerIterator entry(parts.A, dof); entry; ++entry) {
-      const bool own = parts.prescribed[dof], other = parts.prescribed[entry.col()];
+      const bool own = parts.prescribed[dof],
+                 other = parts.prescribed[entry.col()];
       if (entry.col() == dof && own)
         entry.valueRef() = tgv > 0 ? tgv : 1;
       else if ((own && tgv < 0) || (other && tgv == -2))
         entry.valueRef() = 0;
     }
-    if (parts.prescribed[dof]) parts.b[dof] = (tgv > 0 ? tgv : 1) * parts.value[dof];
+    if (parts.prescribed[dof])
+      parts.b[dof] = (tgv > 0 ? tgv : 1) * parts.value[dof];
   }
-  parts.A.prune([](Index i, Index j, double value) { return i == j || value != 0; });
+  parts.A.prune(
+      [](Index i, Index j, double value) { return i == j || value != 0; });
 }
 
 /// Values of a field at the nodes of the line, by the coordinates of the case.
-VectorXd at_nodes(const Case& problem, const Field& field, const Assembled& parts,
-                  bool positive) {
+VectorXd at_nodes(const Case& problem, const Field& field,
+                  const Assembled& parts, bool positive) {
   std::vector<Vector2d> vertices;
   for (const Body& body : problem.bodies)
     for (int v = 0; v < body.mesh.vertex_count(); ++v)
@@ -156,8 +161,10 @@ void put_law(const Case& problem, Assembled& parts) {
   ContactLaw& law = parts.law;
   law.multiplier = problem.multiplier;
   law.friction = VectorXd::Zero(parts.line.node_count());
-  if (problem.law == Law::coulomb) law.friction = values(problem.friction, true);
-  if (problem.law == Law::tresca) law.slip_bound = values(problem.slip_bound, true);
+  if (problem.law == Law::coulomb)
+    law.friction = values(problem.friction, true);
+  if (problem.law == Law::tresca)
+    law.slip_bound = values(problem.slip_bound, true);
   if (problem.has_gap) law.gap = values(problem.gap, false);
   if (problem.has_previous) law.previous = values(problem.previous, false);
 }
@@ -174,24 +181,28 @@ Cut cut_in_four(const Mesh& mesh) {
   std::vector<Vector2d> vertices(mesh.vertices.colwise().begin(),
                                  mesh.vertices.colwise().end());
   const auto between = [&](int a, int b) {
-    const auto [place, is_new] =
-        cut.middle.emplace(std::minmax(a, b), static_cast<int>(vertices.size()));
-    if (is_new) vertices.push_back(0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)));
+    const auto [place, is_new] = cut.middle.emplace(
+        std::minmax(a, b), static_cast<int>(vertices.size()));
+    if (is_new)
+      vertices.push_back(0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)));
     return place->second;
   };
   cut.mesh.cells.resize(3, 4 * mesh.cells.cols());
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const Vector3i v = mesh.cells.col(t);
-    const Vector3i m(between(v[1], v[2]), between(v[2], v[0]), between(v[0], v[1]));
-    cut.mesh.cells.middleCols<4>(4 * t) << v[0], v[1], v[2], m[0], m[2], m[0], m[1], m[1],
-        m[1], m[2], m[0], m[2];
+    const Vector3i m(between(v[1], v[2]), between(v[2], v[0]),
+                     between(v[0], v[1]));
+    cut.mesh.cells.middleCols<4>(4 * t) << v[0], v[1], v[2], m[0], m[2], m[0],
+        m[1], m[1], m[1], m[2], m[0], m[2];
   }
   cut.mesh.boundary.resize(2, 2 * mesh.boundary.cols());
   cut.mesh.boundary_label.resize(2 * mesh.boundary.cols());
   for (Index e = 0; e < mesh.boundary.cols(); ++e) {
-    const int a = mesh.boundary(0, e), b = mesh.boundary(1, e), m = between(a, b);
+    const int a = mesh.boundary(0, e), b = mesh.boundary(1, e),
+              m = between(a, b);
     cut.mesh.boundary.middleCols<2>(2 * e) << a, m, m, b;
-    cut.mesh.boundary_label.segment<2>(2 * e).setConstant(mesh.boundary_label[e]);
+    cut.mesh.boundary_label.segment<2>(2 * e).setConstant(
+        mesh.boundary_label[e]);
   }
   cut.mesh.vertices.resize(2, static_cast<Index>(vertices.size()));
   for (std::size_t v = 0; v < vertices.size(); ++v)
@@ -205,7 +216,8 @@ VectorXd on_halves(const Assembled& coarse, const Assembled& fine,
   if (values.size() == 0) return values;
   VectorXd result(fine.line.node_count());
   for (int i = 0; i < result.size(); ++i)
-    result[i] = value_on_line(coarse, values, fine.point_in(coarse, fine.line.vertex[i]),
+    result[i] = value_on_line(coarse, values,
+                              fine.point_in(coarse, fine.line.vertex[i]),
                               fine.line.normal.col(i));
   return result;
 }
@@ -227,8 +239,9 @@ double value_on_line(const Assembled& parts, const VectorXd& values,
     const Vector2d a = parts.mesh().vertices.col(line.vertex[i]);
     const Vector2d d = Vector2d(parts.mesh().vertices.col(line.vertex[j])) - a;
     const double s = std::clamp((point - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    const double distance = (point - a - s * d).norm() +
-                            (1 - line.edge_normal(e).dot(normal)) * line.length.sum();
+    const double distance =
+        (point - a - s * d).norm() +
+        (1 - line.edge_normal(e).dot(normal)) * line.length.sum();
     if (distance >= nearest) continue;
     nearest = distance;
     value = (1 - s) * values[i] + s * values[j];
@@ -251,7 +264,9 @@ SolvedBody Assembled::solved(const ContactSolution& solution) const {
   body.body_loads.resize(6, mesh().cells.cols());
   for (int t = 0; t < mesh().cell_count(); ++t)
     body.body_loads.col(t) =
-        (element_of(mesh().corner(t, 0), mesh().corner(t, 1), mesh().corner(t, 2)).area /
+        (element_of(mesh().corner(t, 0), mesh().corner(t, 1),
+                    mesh().corner(t, 2))
+             .area /
          3 * body_force.col(t))
             .replicate<3, 1>();
   return body;

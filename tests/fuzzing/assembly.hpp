@@ -29,7 +29,8 @@ struct Assembled {
   VectorXd value;                ///< of prescribed dofs, 0 elsewhere
   RowMatrix A;                   ///< with supports, as FreeFEM's tgv puts them
   VectorXd b;
-  Matrix4Xd neumann;     ///< moments of the tractions at the ends of each boundary edge
+  Matrix4Xd
+      neumann;  ///< moments of the tractions at the ends of each boundary edge
   Matrix2Xd body_force;  ///< per triangle
 
   const Mesh& mesh() const { return joined.mesh; }

@@ -39,8 +39,9 @@ Polygon common_part(const Corners& a, const Corners& b) {
 
 /// int d : C^-1 d over the common part of two triangles, d = constant less what is linear
 /// on the second.
-double square_on(const Corners& fine, const Corners& sub, const Vector3d& constant,
-                 const Matrix3d& at_corners, const Matrix3d& compliance) {
+double square_on(const Corners& fine, const Corners& sub,
+                 const Vector3d& constant, const Matrix3d& at_corners,
+                 const Matrix3d& compliance) {
   const Polygon part = common_part(fine, sub);
   const auto at = [&](const Vector2d& x) {
     const Vector3d d = constant - at_corners * weights_at(sub, x);
@@ -51,7 +52,8 @@ double square_on(const Corners& fine, const Corners& sub, const Vector3d& consta
     Corners piece;
     piece << part[0], part[k - 1], part[k];
     for (int c = 0; c < 3; ++c)
-      sum += area_of(piece) / 3 * at(0.5 * (piece.col(c) + piece.col((c + 1) % 3)));
+      sum += area_of(piece) / 3 *
+             at(0.5 * (piece.col(c) + piece.col((c + 1) % 3)));
   }
   return sum;
 }
@@ -59,17 +61,20 @@ double square_on(const Corners& fine, const Corners& sub, const Vector3d& consta
 /// |sigma - sigma_hat|^2 + |u - u_hat|^2, sigma constant on the fine triangles, of which
 /// `ratio` cut each coarse one.
 double squared_distance(const Assembled& coarse, const Estimate& estimate,
-                        const Assembled& fine, const VectorXd& reference, int ratio) {
+                        const Assembled& fine, const VectorXd& reference,
+                        int ratio) {
   double sum = 0;
   for (int t = 0; t < fine.mesh().cell_count(); ++t) {
     const int T = t / ratio;
-    const Matrix3d &C = coarse.elasticity[coarse.region[T]], compliance = C.inverse();
+    const Matrix3d &C = coarse.elasticity[coarse.region[T]],
+                   compliance = C.inverse();
     const Corners parent = corners_at(coarse.mesh(), T);
     Corners own;
     for (int k = 0; k < 3; ++k)
       own.col(k) = fine.point_in(coarse, fine.mesh().cells(k, t));
     const Vector3d sigma = stress_of(fine.mesh(), t, C, reference);
-    const Vector3d d = sigma - stress_of(coarse.mesh(), T, C, estimate.displacement);
+    const Vector3d d =
+        sigma - stress_of(coarse.mesh(), T, C, estimate.displacement);
     sum += area_of(own) * d.dot(compliance * d);
     for (int k = 0; k < 3; ++k)
       sum += square_on(own, subtriangle(parent, k), sigma,
@@ -90,16 +95,16 @@ double bound_of_interpolation(const Assembled& fine, const VectorXd& w) {
     };
     const double zero = w[i] * w[j] < 0 ? w[i] / (w[i] - w[j]) : 0;
     sum -= fine.line.length[e] / 6 * zero * (f(0) + 4 * f(zero / 2) + f(zero));
-    sum -=
-        fine.line.length[e] / 6 * (1 - zero) * (f(zero) + 4 * f((1 + zero) / 2) + f(1));
+    sum -= fine.line.length[e] / 6 * (1 - zero) *
+           (f(zero) + 4 * f((1 + zero) / 2) + f(1));
   }
   return 2 * sum;
 }
 
 /// A displacement of the coarse mesh at the vertices of the fine one, of which `ratio`
 /// triangles cut each coarse one.
-VectorXd on_fine_mesh(const Assembled& coarse, const Assembled& fine, const VectorXd& u,
-                      int ratio) {
+VectorXd on_fine_mesh(const Assembled& coarse, const Assembled& fine,
+                      const VectorXd& u, int ratio) {
   const Mesh& mesh = fine.mesh();
   VectorXd result(2 * mesh.vertex_count());
   for (int t = 0; t < mesh.cell_count(); ++t) {
@@ -145,7 +150,9 @@ bool reads_the_same(const Case& problem, const Assembled& parts) {
         for (int e = 0; e < body.mesh.boundary.cols(); ++e)
           for (int v : body.mesh.boundary.col(e))
             if (body.mesh.boundary_label[e] == label)
-              all = all && parts.prescribed[2 * (parts.joined.first_vertex[k] + v) + c];
+              all =
+                  all &&
+                  parts.prescribed[2 * (parts.joined.first_vertex[k] + v) + c];
         if (all && !given) return false;
       }
   }
@@ -154,19 +161,21 @@ bool reads_the_same(const Case& problem, const Assembled& parts) {
 
 VectorXd tangential_of(const Assembled& coarse, const Assembled& fine,
                        const VectorXd& u_hat) {
-  const VectorXd w =
-      against_foundation(coarse.line, coarse.law.gap, coarse.law.previous, u_hat).row(1);
+  const VectorXd w = against_foundation(coarse.line, coarse.law.gap,
+                                        coarse.law.previous, u_hat)
+                         .row(1);
   VectorXd result(fine.line.node_count());
   for (int i = 0; i < result.size(); ++i)
-    result[i] = value_on_line(coarse, w, fine.point_in(coarse, fine.line.vertex[i]),
-                              fine.line.normal.col(i));
+    result[i] =
+        value_on_line(coarse, w, fine.point_in(coarse, fine.line.vertex[i]),
+                      fine.line.normal.col(i));
   return result;
 }
 
 }  // namespace
 
-Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& estimate,
-                  int times) {
+Finds bound_finds(const Case& problem, const Assembled& parts,
+                  const Estimate& estimate, int times) {
   if (problem.law == Law::coulomb || estimate.refinement ||
       !reads_the_same(problem, parts))
     return {};
@@ -177,23 +186,27 @@ Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& e
       solve_contact(fine.parts.mesh(), fine.parts.line, fine.parts.law,
                     elastic_system(fine.parts.A, fine.parts.b));
   if (!reference.accepted({}))
-    return {finding(
-        "reference", "the finer problem is not solved: ", in_words(reference.status),
-        ", residual ", reference.residual, ", violation ", reference.complementarity)};
+    return {finding("reference", "the finer problem is not solved: ",
+                    in_words(reference.status), ", residual ",
+                    reference.residual, ", violation ",
+                    reference.complementarity)};
   const int ratio = 1 << (2 * times);
-  const double distance =
-      squared_distance(parts, estimate, fine.parts, reference.displacement, ratio);
+  const double distance = squared_distance(parts, estimate, fine.parts,
+                                           reference.displacement, ratio);
   const double allowed =
       estimate.e * estimate.e +
-      bound_of_interpolation(fine.parts,
-                             tangential_of(parts, fine.parts, estimate.displacement)) +
-      work_of_residual(fine.parts, reference,
-                       on_fine_mesh(parts, fine.parts, estimate.displacement, ratio));
+      bound_of_interpolation(
+          fine.parts, tangential_of(parts, fine.parts, estimate.displacement)) +
+      work_of_residual(
+          fine.parts, reference,
+          on_fine_mesh(parts, fine.parts, estimate.displacement, ratio));
   const double sum =
       estimate.relative > 0 ? std::pow(estimate.e / estimate.relative, 2) : 0;
-  const double zero = square_called_zero(parts, ground_of(parts, estimate), estimate);
+  const double zero =
+      square_called_zero(parts, ground_of(parts, estimate), estimate);
   if (distance <= (1 + rounding) * allowed + 1e-11 * sum + zero) return {};
-  return {finding("bound", "the distance is ", std::sqrt(distance), ", e ", estimate.e)};
+  return {finding("bound", "the distance is ", std::sqrt(distance), ", e ",
+                  estimate.e)};
 }
 
 }  // namespace ffcontact::fuzz

@@ -54,11 +54,12 @@ class Reader {
     std::string found;
     text_ >> found;
     if (found != name)
-      throw std::runtime_error("expected " + std::string(name) + ", found \"" + found +
-                               "\"");
+      throw std::runtime_error("expected " + std::string(name) + ", found \"" +
+                               found + "\"");
     (get(values), ...);
     if (!text_)
-      throw std::runtime_error("cannot read the values of " + std::string(name));
+      throw std::runtime_error("cannot read the values of " +
+                               std::string(name));
   }
 
  private:
@@ -85,16 +86,20 @@ class Reader {
 
 void write(Writer& out, const Body& body) {
   const Mesh& mesh = body.mesh;
-  out.line("body", mesh.vertices.cols(), mesh.cells.cols(), mesh.boundary.cols(),
-           body.materials.size(), body.tractions.size(), body.supports.size());
+  out.line("body", mesh.vertices.cols(), mesh.cells.cols(),
+           mesh.boundary.cols(), body.materials.size(), body.tractions.size(),
+           body.supports.size());
   for (int v = 0; v < mesh.vertex_count(); ++v)
     out.line("v", Vector2d(mesh.vertices.col(v)));
   for (int t = 0; t < mesh.cell_count(); ++t)
-    out.line("t", mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t), body.region[t]);
+    out.line("t", mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t),
+             body.region[t]);
   for (int e = 0; e < mesh.boundary.cols(); ++e)
-    out.line("e", mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
+    out.line("e", mesh.boundary(0, e), mesh.boundary(1, e),
+             mesh.boundary_label[e]);
   for (const Material& m : body.materials) out.line("material", m.E, m.nu);
-  for (const Traction& t : body.tractions) out.line("traction", t.label, t.value);
+  for (const Traction& t : body.tractions)
+    out.line("traction", t.label, t.value);
   for (const Support& s : body.supports)
     out.line("support", s.label, s.component, s.value);
   out.line("force", body.force);
@@ -105,7 +110,8 @@ Body body_of(Reader& in) {
   Mesh& mesh = body.mesh;
   Index vertices = 0, triangles = 0, boundary = 0;
   std::size_t materials = 0, tractions = 0, supports = 0;
-  in.line("body", vertices, triangles, boundary, materials, tractions, supports);
+  in.line("body", vertices, triangles, boundary, materials, tractions,
+          supports);
   mesh.vertices.resize(2, vertices);
   mesh.cells.resize(3, triangles);
   mesh.boundary.resize(2, boundary);
@@ -114,15 +120,18 @@ Body body_of(Reader& in) {
   for (Index v = 0; v < vertices; ++v)
     in.line("v", mesh.vertices(0, v), mesh.vertices(1, v));
   for (Index t = 0; t < triangles; ++t)
-    in.line("t", mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t), body.region[t]);
+    in.line("t", mesh.cells(0, t), mesh.cells(1, t), mesh.cells(2, t),
+            body.region[t]);
   for (Index e = 0; e < boundary; ++e)
-    in.line("e", mesh.boundary(0, e), mesh.boundary(1, e), mesh.boundary_label[e]);
+    in.line("e", mesh.boundary(0, e), mesh.boundary(1, e),
+            mesh.boundary_label[e]);
   body.materials.resize(materials);
   body.tractions.resize(tractions);
   body.supports.resize(supports);
   for (Material& m : body.materials) in.line("material", m.E, m.nu);
   for (Traction& t : body.tractions) in.line("traction", t.label, t.value);
-  for (Support& s : body.supports) in.line("support", s.label, s.component, s.value);
+  for (Support& s : body.supports)
+    in.line("support", s.label, s.component, s.value);
   in.line("force", body.force);
   return body;
 }
@@ -157,8 +166,8 @@ std::string text_of(const Case& c) {
   out.line("bodies", c.bodies.size(), c.contacts.size());
   for (const Body& body : c.bodies) write(out, body);
   for (const Contact& contact : c.contacts)
-    out.line("contact", contact.body, contact.opposite_body, contact.opposite_label,
-             contact.labels);
+    out.line("contact", contact.body, contact.opposite_body,
+             contact.opposite_label, contact.labels);
   return out.text();
 }
 
@@ -181,8 +190,8 @@ Case case_of(const std::string& text) {
   while (c.bodies.size() < bodies) c.bodies.push_back(body_of(in));
   c.contacts.resize(contacts);
   for (Contact& contact : c.contacts)
-    in.line("contact", contact.body, contact.opposite_body, contact.opposite_label,
-            contact.labels);
+    in.line("contact", contact.body, contact.opposite_body,
+            contact.opposite_label, contact.labels);
   return c;
 }
 

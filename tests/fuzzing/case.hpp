@@ -73,7 +73,8 @@ struct Case {
   std::vector<Contact> contacts;
   Law law = Law::frictionless;
   Multiplier multiplier = Multiplier::force;
-  Field friction, slip_bound;  ///< what is below 0 counts as 0; read as the law asks
+  Field friction,
+      slip_bound;  ///< what is below 0 counts as 0; read as the law asks
   bool has_gap = false, has_previous = false;
   Field gap, previous;  ///< [mm]; without a gap that of the meshes is taken
   /// how supports stand in the matrix: 1e30, -1 or -2, as FreeFEM's tgv

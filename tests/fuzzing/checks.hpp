@@ -54,7 +54,7 @@ Finds estimate_finds(const Case& problem, const Assembled& parts,
 /// solution (u, sigma) on the mesh cut `times` times into four. For it the inequality is
 /// exact up to 2 (sum (M k)_i |w_i| - int k |w|) of u_hat on the fine line and what the
 /// rounding left of its residual works on u - u_hat, which are added. For matching traces, Tresca's law and none.
-Finds bound_finds(const Case& problem, const Assembled& parts, const Estimate& estimate,
-                  int times);
+Finds bound_finds(const Case& problem, const Assembled& parts,
+                  const Estimate& estimate, int times);
 
 }  // namespace ffcontact::fuzz

@@ -61,18 +61,20 @@ bool is_full(const Answer& answer) {
 Answer clean_answer(const std::function<bool(const Case&)>& wanted) {
   for (std::uint64_t index = 0; index < 5000; ++index) {
     Answer answer{random_case(2001, index), {}, {}, {}};
-    if (answer.problem.promise != Promise::solution || !wanted(answer.problem)) continue;
+    if (answer.problem.promise != Promise::solution || !wanted(answer.problem))
+      continue;
     if (!outcome_of(answer.problem).finds.empty()) continue;
     answer.parts = assembled(answer.problem);
     const ElasticSystem system = elastic_system(answer.parts.A, answer.parts.b);
     try {
-      answer.solution =
-          solve_contact(answer.parts.mesh(), answer.parts.line, answer.parts.law, system);
+      answer.solution = solve_contact(answer.parts.mesh(), answer.parts.line,
+                                      answer.parts.law, system);
     } catch (const std::invalid_argument&) {
       continue;
     }
-    answer.estimate = estimate_error(topology_of(answer.parts.mesh()), answer.parts.line,
-                                     system, answer.parts.solved(answer.solution));
+    answer.estimate =
+        estimate_error(topology_of(answer.parts.mesh()), answer.parts.line,
+                       system, answer.parts.solved(answer.solution));
     if (is_full(answer) && finds_of(answer).empty()) return answer;
   }
   throw std::runtime_error("no such problem");
@@ -84,7 +86,8 @@ std::vector<Answer> answers() {
     for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure})
       for (std::size_t bodies : {1, 2})
         result.push_back(clean_answer([=](const Case& c) {
-          return c.law == law && c.multiplier == multiplier && c.bodies.size() == bodies;
+          return c.law == law && c.multiplier == multiplier &&
+                 c.bodies.size() == bodies;
         }));
   return result;
 }
@@ -94,12 +97,14 @@ const std::vector<Answer>& all_answers() {
   return all;
 }
 
-void expect_found(const char* check, const std::function<void(Answer&)>& spoil) {
+void expect_found(const char* check,
+                  const std::function<void(Answer&)>& spoil) {
   for (const Answer& answer : all_answers()) {
     ASSERT_TRUE(finds_of(answer).empty());
     Answer spoilt = answer;
     spoil(spoilt);
-    EXPECT_TRUE(has(finds_of(spoilt), check)) << check << ", " << kind(answer.problem);
+    EXPECT_TRUE(has(finds_of(spoilt), check))
+        << check << ", " << kind(answer.problem);
   }
 }
 
@@ -109,7 +114,9 @@ int free_dof(const Answer& answer) {
   return dof;
 }
 
-double largest(const Ref<const MatrixXd>& values) { return values.cwiseAbs().maxCoeff(); }
+double largest(const Ref<const MatrixXd>& values) {
+  return values.cwiseAbs().maxCoeff();
+}
 
 double stress_of_problem(const Answer& answer) {
   return stress_scale(answer.parts, ground_of(answer.parts, answer.estimate),
@@ -118,15 +125,17 @@ double stress_of_problem(const Answer& answer) {
 
 TEST(spoilt, displacement_is_out_of_balance) {
   expect_found("balance", [](Answer& a) {
-    a.solution.displacement[free_dof(a)] += 1e-5 * largest(a.solution.displacement);
+    a.solution.displacement[free_dof(a)] +=
+        1e-5 * largest(a.solution.displacement);
   });
 }
 
 TEST(spoilt, force_is_out_of_balance) {
   expect_found("balance", [](Answer& a) {
     const int node = pressed_node(a);
-    a.solution.force(0, node) -= 1e-6 * largest(Dense(a.parts.stiffness)) *
-                                 displacement_scale(a.parts, a.solution.displacement);
+    a.solution.force(0, node) -=
+        1e-6 * largest(Dense(a.parts.stiffness)) *
+        displacement_scale(a.parts, a.solution.displacement);
   });
 }
 
@@ -148,7 +157,8 @@ TEST(spoilt, tension) {
 TEST(spoilt, friction) {
   expect_found("law", [](Answer& a) {
     for (Matrix2Xd* P : {&a.solution.force, &a.solution.pressure})
-      (*P)(1, pressed_node(a)) += 10 * largest(*P) * (1 + largest(a.parts.law.friction));
+      (*P)(1, pressed_node(a)) +=
+          10 * largest(*P) * (1 + largest(a.parts.law.friction));
   });
 }
 
@@ -213,7 +223,8 @@ TEST(spoilt, coupling) {
     if (answer.problem.bodies.size() == 1) continue;
     Answer spoilt = answer;
     spoilt.parts.line.opposite.coeffRef(
-        0, WeightsByNode::InnerIterator(spoilt.parts.line.opposite, 0).col()) += 1e-6;
+        0, WeightsByNode::InnerIterator(spoilt.parts.line.opposite, 0).col()) +=
+        1e-6;
     EXPECT_TRUE(has(finds_of(spoilt), "coupling"));
   }
 }
@@ -223,12 +234,15 @@ TEST(spoilt, coupling) {
 TEST(spoilt, bound) {
   int tried = 0;
   for (const Answer& answer : all_answers()) {
-    if (answer.problem.law == Law::coulomb || answer.estimate.refinement) continue;
-    EXPECT_TRUE(bound_finds(answer.problem, answer.parts, answer.estimate, 1).empty());
+    if (answer.problem.law == Law::coulomb || answer.estimate.refinement)
+      continue;
+    EXPECT_TRUE(
+        bound_finds(answer.problem, answer.parts, answer.estimate, 1).empty());
     Estimate spoilt = answer.estimate;
     spoilt.e *= 0.01;
     spoilt.relative *= 0.01;
-    EXPECT_TRUE(has(bound_finds(answer.problem, answer.parts, spoilt, 1), "bound"))
+    EXPECT_TRUE(
+        has(bound_finds(answer.problem, answer.parts, spoilt, 1), "bound"))
         << kind(answer.problem);
     ++tried;
   }
@@ -261,8 +275,10 @@ TEST(holding, by_no_density_where_a_body_stands_on_one_end) {
   for (const Law law : {Law::frictionless, Law::coulomb}) {
     problem.law = law;
     problem.friction.mean = law == Law::coulomb ? 0.3 : 0;
-    for (const double place : {0.35, 0.5, 0.65}) EXPECT_TRUE(held_at(place)) << place;
-    for (const double place : {0.0, 0.3, 0.7, 1.0}) EXPECT_FALSE(held_at(place)) << place;
+    for (const double place : {0.35, 0.5, 0.65})
+      EXPECT_TRUE(held_at(place)) << place;
+    for (const double place : {0.0, 0.3, 0.7, 1.0})
+      EXPECT_FALSE(held_at(place)) << place;
     for (int c = 0; c < 2; ++c) square.supports.push_back({3, c, {}});
     EXPECT_TRUE(held_at(0)) << "what is clamped elsewhere needs no contact";
     square.supports.clear();

@@ -30,7 +30,8 @@ class Dice {
   }
   /// In [low, high].
   int integer(int low, int high) {
-    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+    return low + static_cast<int>(bits() %
+                                  static_cast<std::uint64_t>(high - low + 1));
   }
   bool chance(double probability) { return real(0, 1) < probability; }
   template <class Value>

@@ -45,11 +45,12 @@ void check_refinement(const Assembled& parts, const Ground& ground, bool exact,
     };
     const Vector2d own = ground.mesh.vertices.col(line.vertex[j]) -
                          ground.mesh.vertices.col(line.vertex[i]);
-    apart.note(std::abs((opposite(j) - opposite(i)).norm() / own.norm() - 1), e);
+    apart.note(std::abs((opposite(j) - opposite(i)).norm() / own.norm() - 1),
+               e);
   }
   if (!(apart.value <= (exact ? 1e-6 : 1e-3)))
-    finds.push_back(finding("refinement", "facing edges at contact edge ", apart.place,
-                            " differ by ", apart.value));
+    finds.push_back(finding("refinement", "facing edges at contact edge ",
+                            apart.place, " differ by ", apart.value));
   if (!((area.array() - 1).abs().maxCoeff() <= 1e-8) || !(outside <= 1e-8))
     finds.push_back(
         finding("refinement", "triangles are not the parts of their parents"));
@@ -63,7 +64,8 @@ void check_displacement(const Assembled& parts, const Ground& ground,
   Largest penetration, support;
   for (int i = 0; i < w.cols(); ++i) penetration.note(w(0, i), i);
   for (int dof = 0; dof < parts.value.size(); ++dof)
-    if (parts.prescribed[dof]) support.note(std::abs(u[dof] - parts.value[dof]), dof);
+    if (parts.prescribed[dof])
+      support.note(std::abs(u[dof] - parts.value[dof]), dof);
   if (!(penetration.value <= displacement_tolerance * scale))
     finds.push_back(finding("displacement", how_far(penetration.value / scale),
                             "penetrates at node ", penetration.place, " by ",
@@ -87,13 +89,15 @@ double divergence_defect(const Corners& corners, const CompositeStress& stress,
     Vector2d divergence = force;
     for (int c = 0; c < 3; ++c) {
       const Vector2d side = sub.col((c + 2) % 3) - sub.col((c + 1) % 3);
-      const Vector2d gradient = Vector2d(-side.y(), side.x()) / (2 * area_of(sub));
+      const Vector2d gradient =
+          Vector2d(-side.y(), side.x()) / (2 * area_of(sub));
       divergence += traction_of(at_corner(stress, k, c), gradient);
     }
-    defect = std::max(defect, divergence.norm() * area_of(corners) /
-                                  std::max({(corners.col(0) - corners.col(1)).norm(),
-                                            (corners.col(1) - corners.col(2)).norm(),
-                                            (corners.col(2) - corners.col(0)).norm()}));
+    defect = std::max(defect,
+                      divergence.norm() * area_of(corners) /
+                          std::max({(corners.col(0) - corners.col(1)).norm(),
+                                    (corners.col(1) - corners.col(2)).norm(),
+                                    (corners.col(2) - corners.col(0)).norm()}));
   }
   return defect;
 }
@@ -106,9 +110,11 @@ double inner_jump(const Corners& corners, const CompositeStress& stress) {
     const Vector2d n = outward(corners.col(j), corners.rowwise().mean());
     const int a = (j + 1) % 3, b = (j + 2) % 3;
     jump = std::max(
-        jump, traction_of(at_corner(stress, a, 1) - at_corner(stress, b, 0), n).norm());
+        jump, traction_of(at_corner(stress, a, 1) - at_corner(stress, b, 0), n)
+                  .norm());
     jump = std::max(
-        jump, traction_of(at_corner(stress, a, 2) - at_corner(stress, b, 2), n).norm());
+        jump, traction_of(at_corner(stress, a, 2) - at_corner(stress, b, 2), n)
+                  .norm());
   }
   return jump;
 }
@@ -123,15 +129,15 @@ struct Given {
 using GivenTractions = std::map<std::pair<int, int>, Given>;
 
 /// Label and component pairs that are prescribed at all vertices of the label.
-std::map<int, std::array<bool, 2>> held_labels(const Mesh& mesh,
-                                               const std::vector<char>& prescribed) {
+std::map<int, std::array<bool, 2>> held_labels(
+    const Mesh& mesh, const std::vector<char>& prescribed) {
   std::map<int, std::array<bool, 2>> held;
   for (int e = 0; e < mesh.boundary.cols(); ++e)
     for (int v : mesh.boundary.col(e))
       for (int c = 0; c < 2; ++c) {
-        auto place =
-            held.try_emplace(mesh.boundary_label[e], std::array<bool, 2>{true, true})
-                .first;
+        auto place = held.try_emplace(mesh.boundary_label[e],
+                                      std::array<bool, 2>{true, true})
+                         .first;
         place->second[c] = place->second[c] && prescribed[2 * v + c];
       }
   return held;
@@ -160,8 +166,8 @@ GivenTractions given_tractions(const Case& problem, const Assembled& parts,
   };
   const ContactLine& line = ground.line;
   for (int e = 0; e < line.edge_count(); ++e) {
-    const int i = line.edge_node(0, e), j = line.edge_node(1, e), a = line.vertex[i],
-              b = line.vertex[j];
+    const int i = line.edge_node(0, e), j = line.edge_node(1, e),
+              a = line.vertex[i], b = line.vertex[j];
     const Vector2d n = line.normal.col(i), t(-n.y(), n.x());
     Matrix2d r;
     for (int end = 0; end < 2; ++end)
@@ -170,11 +176,13 @@ GivenTractions given_tractions(const Case& problem, const Assembled& parts,
     add(a, b, r);
     if (line.opposite.rows() == 0) continue;
     const auto facing = [&](int node) {
-      return static_cast<int>(WeightsByNode::InnerIterator(line.opposite, node).col());
+      return static_cast<int>(
+          WeightsByNode::InnerIterator(line.opposite, node).col());
     };
     const double ratio =
         (ground.mesh.vertices.col(a) - ground.mesh.vertices.col(b)).norm() /
-        (ground.mesh.vertices.col(facing(i)) - ground.mesh.vertices.col(facing(j)))
+        (ground.mesh.vertices.col(facing(i)) -
+         ground.mesh.vertices.col(facing(j)))
             .norm();
     add(facing(j), facing(i), -ratio * r.rowwise().reverse());
   }
@@ -186,9 +194,11 @@ struct StressDefects {
 };
 
 /// Both ends of the side k of triangle t, from its counter-clockwise first vertex.
-Matrix2d side_tractions(const Ground& ground, const Estimate& estimate, int t, int k) {
+Matrix2d side_tractions(const Ground& ground, const Estimate& estimate, int t,
+                        int k) {
   const Corners corners = corners_at(ground.mesh, t);
-  const Vector2d n = outward(corners.col((k + 1) % 3), corners.col((k + 2) % 3));
+  const Vector2d n =
+      outward(corners.col((k + 1) % 3), corners.col((k + 2) % 3));
   Matrix2d result;
   for (int end = 0; end < 2; ++end)
     result.col(end) = traction_of(at_corner(estimate.stress[t], k, end), n);
@@ -201,15 +211,18 @@ StressDefects stress_defects(const Case& problem, const Assembled& parts,
   std::map<std::pair<int, int>, Matrix2d> sides;
   for (int t = 0; t < ground.mesh.cell_count(); ++t) {
     const Corners corners = corners_at(ground.mesh, t);
-    defects.divergence.note(divergence_defect(corners, estimate.stress[t],
-                                              parts.body_force.col(ground.parent[t])),
-                            t);
+    defects.divergence.note(
+        divergence_defect(corners, estimate.stress[t],
+                          parts.body_force.col(ground.parent[t])),
+        t);
     defects.jump.note(inner_jump(corners, estimate.stress[t]), t);
     for (int k = 0; k < 3; ++k)
-      sides[{ground.mesh.cells((k + 1) % 3, t), ground.mesh.cells((k + 2) % 3, t)}] =
+      sides[{ground.mesh.cells((k + 1) % 3, t),
+             ground.mesh.cells((k + 2) % 3, t)}] =
           side_tractions(ground, estimate, t, k);
   }
-  const GivenTractions given = given_tractions(problem, parts, ground, estimate);
+  const GivenTractions given =
+      given_tractions(problem, parts, ground, estimate);
   for (const auto& [ends, tractions] : sides) {
     const auto other = sides.find({ends.second, ends.first});
     if (other != sides.end()) {
@@ -221,22 +234,26 @@ StressDefects stress_defects(const Case& problem, const Assembled& parts,
     const Given& wanted = given.at(ends);
     for (int c = 0; c < 2; ++c)
       if (wanted.known[c])
-        defects.traction.note((tractions - wanted.value).row(c).cwiseAbs().maxCoeff(),
-                              ends.first);
+        defects.traction.note(
+            (tractions - wanted.value).row(c).cwiseAbs().maxCoeff(),
+            ends.first);
   }
   return defects;
 }
 
-void check_stress(const Case& problem, const Assembled& parts, const Ground& ground,
-                  const Estimate& estimate, double scale, Finds& finds) {
-  const StressDefects defects = stress_defects(problem, parts, ground, estimate);
+void check_stress(const Case& problem, const Assembled& parts,
+                  const Ground& ground, const Estimate& estimate, double scale,
+                  Finds& finds) {
+  const StressDefects defects =
+      stress_defects(problem, parts, ground, estimate);
   // known to its own last place, however far from that of u
   for (const CompositeStress& stress : estimate.stress)
     scale = std::max(scale, stress.cwiseAbs().maxCoeff());
   const auto judge = [&](const char* check, const Largest& defect) {
     if (!(defect.value <= stress_tolerance * scale))
-      finds.push_back(finding(check, how_far(defect.value / scale), "at ", defect.place,
-                              " by ", defect.value / scale, " of the largest stress"));
+      finds.push_back(finding(check, how_far(defect.value / scale), "at ",
+                              defect.place, " by ", defect.value / scale,
+                              " of the largest stress"));
   };
   judge("divergence", defects.divergence);
   judge("jump", defects.jump);
@@ -254,7 +271,8 @@ struct AlongEdge {
     return tresca ? at(k, s) : at(mu, s) * std::abs(at(rn, s));
   }
   double integrand(double s) const {
-    return bound(s) * std::abs(at(wt, s)) + at(rt, s) * at(wt, s) + at(rn, s) * at(wn, s);
+    return bound(s) * std::abs(at(wt, s)) + at(rt, s) * at(wt, s) +
+           at(rn, s) * at(wn, s);
   }
   double force(double s) const {
     return bound(s) + std::abs(at(rt, s)) + std::abs(at(rn, s));
@@ -265,8 +283,8 @@ struct AlongEdge {
   }
 };
 
-AlongEdge along_edge(const Case& problem, const Ground& ground, const Estimate& estimate,
-                     const Matrix2Xd& w, int e) {
+AlongEdge along_edge(const Case& problem, const Ground& ground,
+                     const Estimate& estimate, const Matrix2Xd& w, int e) {
   AlongEdge edge{};
   edge.tresca = problem.law == Law::tresca;
   for (int end = 0; end < 2; ++end) {
@@ -289,14 +307,15 @@ double integral(const AlongEdge& edge, Function&& f) {
     if (ends[0] * ends[1] < 0) places.insert(ends[0] / (ends[0] - ends[1]));
   double sum = 0, before = 0;
   for (double place : places) {
-    sum += (place - before) / 6 * (f(before) + 4 * f((before + place) / 2) + f(place));
+    sum += (place - before) / 6 *
+           (f(before) + 4 * f((before + place) / 2) + f(place));
     before = place;
   }
   return sum;
 }
 
-void check_cone(const Case& problem, const Ground& ground, const Estimate& estimate,
-                double scale, Finds& finds) {
+void check_cone(const Case& problem, const Ground& ground,
+                const Estimate& estimate, double scale, Finds& finds) {
   const Matrix2Xd w = Matrix2Xd::Zero(2, ground.line.node_count());
   Largest outside;
   for (int e = 0; e < ground.line.edge_count(); ++e) {
@@ -322,7 +341,8 @@ double energy_of(const Corners& corners, const Matrix3d& compliance,
     for (int c = 0; c < 3; ++c) {
       const Vector3d middle =
           0.5 * (at_corner(stress, k, c) + at_corner(stress, k, (c + 1) % 3));
-      sum += area_of(subtriangle(corners, k)) / 3 * middle.dot(compliance * middle);
+      sum += area_of(subtriangle(corners, k)) / 3 *
+             middle.dot(compliance * middle);
     }
   return sum;
 }
@@ -335,8 +355,8 @@ struct OwnError {
   double force = 0;
 };
 
-OwnError own_error(const Case& problem, const Assembled& parts, const Ground& ground,
-                   const Estimate& estimate) {
+OwnError own_error(const Case& problem, const Assembled& parts,
+                   const Ground& ground, const Estimate& estimate) {
   OwnError own;
   for (int t = 0; t < ground.mesh.cell_count(); ++t) {
     const Matrix3d& C = parts.elasticity[ground.region[t]];
@@ -347,19 +367,22 @@ OwnError own_error(const Case& problem, const Assembled& parts, const Ground& gr
     own.elastic += energy_of(corners, C.inverse(), estimate.stress[t] - of_u);
     own.sum += energy_of(corners, C.inverse(), estimate.stress[t] + of_u);
   }
-  const Matrix2Xd w =
-      against_foundation(ground.line, ground.gap, ground.previous, estimate.displacement);
+  const Matrix2Xd w = against_foundation(
+      ground.line, ground.gap, ground.previous, estimate.displacement);
   for (int e = 0; e < ground.line.edge_count(); ++e) {
     const AlongEdge edge = along_edge(problem, ground, estimate, w, e);
     const double length =
-        (ground.mesh.vertices.col(ground.line.vertex[ground.line.edge_node(0, e)]) -
-         ground.mesh.vertices.col(ground.line.vertex[ground.line.edge_node(1, e)]))
+        (ground.mesh.vertices.col(
+             ground.line.vertex[ground.line.edge_node(0, e)]) -
+         ground.mesh.vertices.col(
+             ground.line.vertex[ground.line.edge_node(1, e)]))
             .norm();
-    own.contact +=
-        2 * length * integral(edge, [&](double s) { return edge.integrand(s); });
+    own.contact += 2 * length *
+                   integral(edge, [&](double s) { return edge.integrand(s); });
     own.contact_size +=
         2 * length * integral(edge, [&](double s) { return edge.size(s); });
-    own.force += 2 * length * integral(edge, [&](double s) { return edge.force(s); });
+    own.force +=
+        2 * length * integral(edge, [&](double s) { return edge.force(s); });
   }
   return own;
 }
@@ -369,8 +392,9 @@ OwnError own_error(const Case& problem, const Assembled& parts, const Ground& gr
 /// of the sums, and of displacements, which are known to the last place of the largest
 /// one. Where e is exactly 0 stresses and slips are called so that are below 1e-12 of
 /// what they are summed from.
-void check_error(const Case& problem, const Assembled& parts, const Ground& ground,
-                 const Estimate& estimate, double stress, Finds& finds) {
+void check_error(const Case& problem, const Assembled& parts,
+                 const Ground& ground, const Estimate& estimate, double stress,
+                 Finds& finds) {
   const OwnError own = own_error(problem, parts, ground, estimate);
   const double displacement = (estimate.e == 0 ? 1e-12 : 1e-15) *
                               displacement_scale(parts, estimate.displacement);
@@ -378,18 +402,20 @@ void check_error(const Case& problem, const Assembled& parts, const Ground& grou
     const double d = std::sqrt(own.compliance) * 1e-12 * stress;
     return d * d + 2 * std::sqrt(square) * d;
   };
-  const double rounding = 1e-12 * (own.sum + own.contact_size) +
-                          rounding_of_square(own.elastic) + own.force * displacement +
-                          square_called_zero(parts, ground, estimate);
+  const double rounding =
+      1e-12 * (own.sum + own.contact_size) + rounding_of_square(own.elastic) +
+      own.force * displacement + square_called_zero(parts, ground, estimate);
   const auto compare = [&](const char* what, double theirs, double ours,
                            double more = 0) {
-    if (!(std::abs(theirs - ours) <= error_tolerance * std::abs(ours) + rounding + more))
+    if (!(std::abs(theirs - ours) <=
+          error_tolerance * std::abs(ours) + rounding + more))
       finds.push_back(
           finding("error", what, " is ", theirs, ", by our integrals ", ours));
   };
   compare("elastic part", estimate.elastic * estimate.elastic, own.elastic);
   compare("contact part", estimate.contact, own.contact);
-  compare("e^2", estimate.e * estimate.e, std::max(0.0, own.elastic + own.contact));
+  compare("e^2", estimate.e * estimate.e,
+          std::max(0.0, own.elastic + own.contact));
   const double relative_square = estimate.relative * estimate.relative;
   if (own.sum > 0)  // all of it is rounding where a body slides without stress
     compare("eps^2 times the sum", relative_square * own.sum,
@@ -398,7 +424,8 @@ void check_error(const Case& problem, const Assembled& parts, const Ground& grou
   if (!(std::abs(estimate.local.squaredNorm() - relative_square) <=
         error_tolerance * relative_square + 1e-12))
     finds.push_back(finding("error", "the sum of eps_E^2 is ",
-                            estimate.local.squaredNorm(), ", eps^2 ", relative_square));
+                            estimate.local.squaredNorm(), ", eps^2 ",
+                            relative_square));
 }
 
 }  // namespace
@@ -411,14 +438,16 @@ Finds estimate_finds(const Case& problem, const Assembled& parts,
     check_refinement(parts, ground, estimate.refinement->exact, finds);
   check_displacement(parts, ground, estimate, finds);
   const double scale = stress_scale(parts, ground, estimate.displacement);
-  const double contact = std::max(estimate.tractions.normal.cwiseAbs().maxCoeff(),
-                                  estimate.tractions.tangential.cwiseAbs().maxCoeff());
+  const double contact =
+      std::max(estimate.tractions.normal.cwiseAbs().maxCoeff(),
+               estimate.tractions.tangential.cwiseAbs().maxCoeff());
   check_stress(problem, parts, ground, estimate, scale, finds);
   check_cone(problem, ground, estimate, std::max(scale, contact), finds);
   check_error(problem, parts, ground, estimate, scale, finds);
   if (!estimate.admissible)
     finds.push_back(finding(
-        "admissible", how_far(std::max(estimate.equilibrium.largest(), estimate.cone)),
+        "admissible",
+        how_far(std::max(estimate.equilibrium.largest(), estimate.cone)),
         estimate.reason));
   return finds;
 }

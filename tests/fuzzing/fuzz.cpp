@@ -21,7 +21,8 @@ namespace {
 
 struct Options {
   double seconds = 30;
-  std::uint64_t seed = 0, first = 0, problems = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t seed = 0, first = 0,
+                problems = std::numeric_limits<std::uint64_t>::max();
   std::string finds = "finds";  ///< folder
   std::vector<std::string> files;
 };
@@ -34,18 +35,20 @@ class Tally {
  public:
   explicit Tally(std::string folder) : folder_(std::move(folder)) {}
 
-  void add(const Case& problem, const Outcome& outcome, const std::string& name) {
+  void add(const Case& problem, const Outcome& outcome,
+           const std::string& name) {
     ++kinds_[kind(problem)];
     ++answers_[outcome.answer];
     ++(outcome.finds.empty() ? passed_ : failed_);
     std::map<std::string, const Find*> causes;
     for (const Find& found : outcome.finds)
-      causes.emplace(found.check + ": " + without_numbers(found.detail), &found);
+      causes.emplace(found.check + ": " + without_numbers(found.detail),
+                     &found);
     for (const auto& [cause, found] : causes) {
       if (causes_[cause]++ >= files_per_cause) continue;
       std::cout << "find " << name << " (" << kind(problem) << ", "
-                << problem.cell_count() << " triangles) " << found->check << ": "
-                << found->detail << std::endl;
+                << problem.cell_count() << " triangles) " << found->check
+                << ": " << found->detail << std::endl;
       if (!folder_.empty()) keep(problem, *found, name, causes_[cause] == 1);
     }
   }
@@ -66,7 +69,8 @@ class Tally {
     std::ofstream(path) << text_of(shrink ? shrunk(problem, found) : problem);
     std::cout << "  kept in " << path << std::endl;
   }
-  static void print(const char* title, const std::map<std::string, int>& counts) {
+  static void print(const char* title,
+                    const std::map<std::string, int>& counts) {
     if (!counts.empty()) std::cout << title << '\n';
     for (const auto& [name, count] : counts)
       std::printf("%9d  %s\n", count, name.c_str());
@@ -87,7 +91,8 @@ int replay(const Options& options) {
     const Case problem = case_of(text.str());
     const Outcome outcome = outcome_of(problem);
     for (const Find& found : outcome.finds)
-      std::cout << path << ": " << found.check << ": " << found.detail << std::endl;
+      std::cout << path << ": " << found.check << ": " << found.detail
+                << std::endl;
     tally.add(problem, outcome, path);
   }
   return tally.report();
@@ -98,10 +103,12 @@ int explore(const Options& options) {
   std::cout << "seed " << options.seed << std::endl;
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         start)
         .count();
   };
-  for (std::uint64_t k = 0; k < options.problems && elapsed() < options.seconds; ++k) {
+  for (std::uint64_t k = 0; k < options.problems && elapsed() < options.seconds;
+       ++k) {
     const std::uint64_t index = options.first + k;
     const Case problem = random_case(options.seed, index);
     tally.add(problem, outcome_of(problem),
@@ -129,8 +136,8 @@ Options options_of(int count, char** words) {
       options.files.push_back(word);
   }
   if (options.seed == 0)
-    options.seed =
-        std::chrono::system_clock::now().time_since_epoch() / std::chrono::seconds(1);
+    options.seed = std::chrono::system_clock::now().time_since_epoch() /
+                   std::chrono::seconds(1);
   return options;
 }
 
@@ -139,7 +146,8 @@ Options options_of(int count, char** words) {
 
 int main(int count, char** words) {
   omp_set_num_threads(1);  // the problems are small
-  const ffcontact::fuzz::Options options = ffcontact::fuzz::options_of(count, words);
+  const ffcontact::fuzz::Options options =
+      ffcontact::fuzz::options_of(count, words);
   return options.files.empty() ? ffcontact::fuzz::explore(options)
                                : ffcontact::fuzz::replay(options);
 }

@@ -31,7 +31,8 @@ struct Plan {
 Field random_field(double size, Dice& dice) {
   Field f;
   f.mean = size * dice.real(-1, 1);
-  if (dice.chance(0.4)) f.slope = size * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+  if (dice.chance(0.4))
+    f.slope = size * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
   if (dice.chance(0.2)) {
     f.wave = size * dice.real(-1, 1);
     f.number = {dice.real(-9, 9), dice.real(-9, 9)};
@@ -55,7 +56,8 @@ Vector2d random_vector(double size, Dice& dice) {
 /// Part of a side's edges gets another label.
 void split_side(Mesh& mesh, Side side, Side rest, double from) {
   for (int e = 0; e < mesh.boundary.cols(); ++e)
-    if (mesh.boundary_label[e] == side && mesh.vertices(0, mesh.boundary(0, e)) >= from &&
+    if (mesh.boundary_label[e] == side &&
+        mesh.vertices(0, mesh.boundary(0, e)) >= from &&
         mesh.vertices(0, mesh.boundary(1, e)) >= from)
       mesh.boundary_label[e] = rest;
 }
@@ -67,17 +69,18 @@ void kink_bottom(Mesh& mesh, const std::vector<double>& columns,
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     const double x = mesh.vertices(0, v);
     const auto next = std::clamp<std::ptrdiff_t>(
-        std::upper_bound(columns.begin(), columns.end(), x) - columns.begin(), 1,
-        static_cast<std::ptrdiff_t>(columns.size()) - 1);
-    const double s = (x - columns[next - 1]) / (columns[next] - columns[next - 1]);
+        std::upper_bound(columns.begin(), columns.end(), x) - columns.begin(),
+        1, static_cast<std::ptrdiff_t>(columns.size()) - 1);
+    const double s =
+        (x - columns[next - 1]) / (columns[next] - columns[next - 1]);
     const double shift = (1 - s) * kinks[next - 1] + s * kinks[next];
     mesh.vertices(1, v) += shift * (1 - mesh.vertices(1, v) / height);
   }
 }
 
 /// A line through a few of the columns, so that straight parts of several edges remain.
-std::vector<double> random_kinks(const std::vector<double>& columns, double height,
-                                 Dice& dice) {
+std::vector<double> random_kinks(const std::vector<double>& columns,
+                                 double height, Dice& dice) {
   std::vector<std::size_t> corners{0, columns.size() - 1};
   for (int k = dice.integer(1, 3); k > 0; --k)
     corners.push_back(dice.integer(0, static_cast<int>(columns.size()) - 1));
@@ -103,8 +106,8 @@ struct Shape {
 Shape random_shape(int most, Dice& dice) {
   Shape shape;
   shape.nx = dice.integer(1, dice.chance(0.3) ? 2 : 8);
-  shape.ny =
-      dice.integer(1, std::clamp(most / (2 * shape.nx), 1, dice.chance(0.3) ? 2 : 8));
+  shape.ny = dice.integer(
+      1, std::clamp(most / (2 * shape.nx), 1, dice.chance(0.3) ? 2 : 8));
   shape.width = dice.chance(0.5) ? shape.nx : dice.decades(0.1, 10) * shape.nx;
   shape.height = shape.ny;
   return shape;
@@ -117,17 +120,18 @@ void give_materials(Body& body, const Plan& plan, Dice& dice) {
   body.materials = {{plan.softest * (stiffer ? dice.decades(1, 1e3) : 1), nu}};
   body.region.assign(body.mesh.cells.cols(), 0);
   if (!dice.chance(0.3)) return;
-  const double jump = dice.decades(1, dice.chance(0.5) ? 10 : stiffer ? 1e3 : 1e6);
+  const double jump = dice.decades(1, dice.chance(0.5) ? 10
+                                      : stiffer        ? 1e3
+                                                       : 1e6);
   body.materials.push_back({body.materials[0].E * jump, dice.real(-0.5, 0.49)});
   if (dice.chance(0.5)) std::swap(body.materials[0], body.materials[1]);
   const bool layers = dice.chance(0.5);
   const double middle = body.mesh.vertices.row(1).mean();
   for (int t = 0; t < body.mesh.cell_count(); ++t)
-    body.region[t] =
-        layers
-            ? (body.mesh.corner(t, 0) + body.mesh.corner(t, 1) + body.mesh.corner(t, 2))
-                      .y() > 3 * middle
-            : dice.integer(0, 1);
+    body.region[t] = layers ? (body.mesh.corner(t, 0) + body.mesh.corner(t, 1) +
+                               body.mesh.corner(t, 2))
+                                      .y() > 3 * middle
+                            : dice.integer(0, 1);
 }
 
 bool has_label(const Mesh& mesh, int label) {
@@ -142,7 +146,8 @@ void clamp(Body& body, int label) {
 /// angles.
 void support_held(Body& body, const std::vector<int>& free_labels, Dice& dice) {
   const auto is_free = [&](int label) {
-    return std::find(free_labels.begin(), free_labels.end(), label) != free_labels.end();
+    return std::find(free_labels.begin(), free_labels.end(), label) !=
+           free_labels.end();
   };
   if (dice.chance(0.15) && is_free(top) && is_free(left)) {
     body.supports = {{left, 0, {}}, {top, 1, {}}};
@@ -159,7 +164,8 @@ void move_supports(Body& body, double size, Dice& dice) {
     if (dice.chance(0.7)) {
       support.value.mean = size * dice.real(-1, 1);
       if (dice.chance(0.3))
-        support.value.slope = size * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+        support.value.slope =
+            size * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
     }
   // Two supports that share a vertex and a component must agree on it.
   for (Support& a : body.supports)
@@ -172,7 +178,8 @@ bool supported(const Body& body, int label) {
                      [&](const Support& s) { return s.label == label; });
 }
 
-std::vector<int> free_labels(const Body& body, const std::vector<int>& contact_labels) {
+std::vector<int> free_labels(const Body& body,
+                             const std::vector<int>& contact_labels) {
   std::vector<int> labels;
   for (int label : {bottom, right, top, left, bottom_rest, top_rest, bitten})
     if (has_label(body.mesh, label) &&
@@ -182,7 +189,8 @@ std::vector<int> free_labels(const Body& body, const std::vector<int>& contact_l
   return labels;
 }
 
-void load(Body& body, const std::vector<int>& labels, const Plan& plan, Dice& dice) {
+void load(Body& body, const std::vector<int>& labels, const Plan& plan,
+          Dice& dice) {
   double stiffness = plan.softest;
   if (dice.chance(0.5))
     stiffness = std::max_element(body.materials.begin(), body.materials.end(),
@@ -201,19 +209,23 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
   const Shape shape = random_shape(most_triangles, dice);
   const std::vector<double> columns =
       places(shape.nx, shape.width, dice.chance(0.7) ? 1 : 8, dice);
-  body.mesh =
-      grid(columns, places(shape.ny, shape.height, dice.chance(0.7) ? 1 : 8, dice), dice);
+  body.mesh = grid(
+      columns, places(shape.ny, shape.height, dice.chance(0.7) ? 1 : 8, dice),
+      dice);
   if (shape.nx > 1 && dice.chance(0.3))
-    split_side(body.mesh, bottom, bottom_rest, columns[dice.integer(1, shape.nx - 1)]);
+    split_side(body.mesh, bottom, bottom_rest,
+               columns[dice.integer(1, shape.nx - 1)]);
   if (shape.nx > 1 && dice.chance(0.3))
-    split_side(body.mesh, top, top_rest, columns[dice.integer(1, shape.nx - 1)]);
+    split_side(body.mesh, top, top_rest,
+               columns[dice.integer(1, shape.nx - 1)]);
   std::vector<int> contact{bottom};
   if (has_label(body.mesh, bottom_rest) && dice.chance(0.5))
     contact.push_back(bottom_rest);
   if (plan.support != Holding::pressed && dice.chance(0.15))
     contact.push_back(dice.pick<int>({right, left, top}));
   const std::vector<int> others = free_labels(body, contact);
-  plan.flat = plan.support == Holding::pressed ? !dice.chance(0.2) : !dice.chance(0.25);
+  plan.flat =
+      plan.support == Holding::pressed ? !dice.chance(0.2) : !dice.chance(0.25);
   if (plan.support == Holding::pressed)
     body.supports = {{left, 0, {}}};
   else if (plan.support == Holding::held)
@@ -234,11 +246,12 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
     if (plan.moved) move_supports(body, plan.strain * shape.height, dice);
     if (plan.loaded) load(body, free_labels(body, contact), plan, dice);
   } else if (has_label(body.mesh, top)) {
-    body.tractions.push_back({top,
-                              {plan.support == Holding::pressed
-                                   ? 0
-                                   : plan.strain * plan.softest * dice.real(-0.1, 0.1),
-                               -plan.strain * plan.softest * dice.real(0.1, 1)}});
+    body.tractions.push_back(
+        {top,
+         {plan.support == Holding::pressed
+              ? 0
+              : plan.strain * plan.softest * dice.real(-0.1, 0.1),
+          -plan.strain * plan.softest * dice.real(0.1, 1)}});
     if (plan.support == Holding::pressed && has_label(body.mesh, right) &&
         dice.chance(0.5))
       body.tractions.push_back(
@@ -268,7 +281,8 @@ Stack random_stack(Plan& plan, Dice& dice) {
   stack.equal = dice.chance(0.4);
   stack.width = dice.decades(0.5, 4);
   stack.distance = dice.chance(0.3) ? plan.strain * dice.real(0, 1) : 0;
-  stack.columns = places(dice.integer(1, 5), stack.width, dice.chance(0.5) ? 1 : 4, dice);
+  stack.columns =
+      places(dice.integer(1, 5), stack.width, dice.chance(0.5) ? 1 : 4, dice);
   plan.flat = !(stack.matching && stack.equal && stack.count == 2 &&
                 stack.distance == 0 && dice.chance(0.3));
   if (!plan.flat) stack.kinks = random_kinks(stack.columns, 0.6, dice);
@@ -277,8 +291,9 @@ Stack random_stack(Plan& plan, Dice& dice) {
 
 /// Places that all but meet the given ones.
 std::vector<double> nearly(std::vector<double> columns, Dice& dice) {
-  const double shift =
-      0.1 * columns.back() / static_cast<double>(columns.size()) * dice.decades(1e-12, 1);
+  const double shift = 0.1 * columns.back() /
+                       static_cast<double>(columns.size()) *
+                       dice.decades(1e-12, 1);
   for (std::size_t i = 1; i + 1 < columns.size(); ++i)
     columns[i] += shift * dice.real(-1, 1);
   return columns;
@@ -286,14 +301,17 @@ std::vector<double> nearly(std::vector<double> columns, Dice& dice) {
 
 /// The columns of the next body below: as wide or wider, with the same places or others.
 void widen(Stack& stack, Dice& dice) {
-  const double on_left =
-                   stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width,
-               on_right =
-                   stack.equal || dice.chance(0.3) ? 0 : dice.real(0.05, 1) * stack.width;
+  const double on_left = stack.equal || dice.chance(0.3)
+                             ? 0
+                             : dice.real(0.05, 1) * stack.width,
+               on_right = stack.equal || dice.chance(0.3)
+                              ? 0
+                              : dice.real(0.05, 1) * stack.width;
   const double span = stack.columns.back() + on_left + on_right;
   stack.from -= on_left;
   if (!stack.matching && dice.chance(0.6)) {
-    stack.columns = places(dice.integer(1, 6), span, dice.chance(0.5) ? 1 : 4, dice);
+    stack.columns =
+        places(dice.integer(1, 6), span, dice.chance(0.5) ? 1 : 4, dice);
     return;
   }
   if (!stack.matching) stack.columns = nearly(stack.columns, dice);
@@ -310,12 +328,13 @@ void upside_down(Mesh& mesh, double height) {
 }
 
 Mesh mesh_in(Stack& stack, bool uppermost, double height, Dice& dice) {
-  Mesh mesh =
-      grid(stack.columns,
-           places(dice.integer(1, 3), height, dice.chance(0.7) ? 1 : 4, dice), dice);
+  Mesh mesh = grid(
+      stack.columns,
+      places(dice.integer(1, 3), height, dice.chance(0.7) ? 1 : 4, dice), dice);
   if (!stack.kinks.empty() && uppermost) {
     kink_bottom(mesh, stack.columns, stack.kinks, height);
-  } else if (!stack.kinks.empty()) {  // the top follows the bottom of the body above
+  } else if (!stack.kinks
+                  .empty()) {  // the top follows the bottom of the body above
     std::vector<double> turned = stack.kinks;
     for (double& y : turned) y = -y;
     upside_down(mesh, height);
@@ -331,8 +350,8 @@ Mesh mesh_in(Stack& stack, bool uppermost, double height, Dice& dice) {
   return mesh;
 }
 
-void hold(Body& body, const Plan& plan, bool uppermost, bool lowermost, double height,
-          Dice& dice) {
+void hold(Body& body, const Plan& plan, bool uppermost, bool lowermost,
+          double height, Dice& dice) {
   if (lowermost) {
     clamp(body, bottom);
   } else if (plan.support == Holding::pressed) {
@@ -349,10 +368,12 @@ void load_in_stack(Body& body, const Plan& plan, bool uppermost, Dice& dice) {
   const double size = plan.strain * plan.softest;
   if (plan.support == Holding::held && plan.loaded) {
     load(body,
-         uppermost ? std::vector<int>{left, right, top} : std::vector<int>{left, right},
+         uppermost ? std::vector<int>{left, right, top}
+                   : std::vector<int>{left, right},
          plan, dice);
   } else if (plan.support != Holding::held && uppermost) {
-    const double push = plan.support == Holding::loose ? 0.1 * dice.real(-1, 1) : 0;
+    const double push =
+        plan.support == Holding::loose ? 0.1 * dice.real(-1, 1) : 0;
     body.tractions.push_back({top, size * Vector2d(push, -dice.real(0.1, 1))});
   }
 }
@@ -369,7 +390,8 @@ void stacked_bodies(Case& c, Plan& plan, Dice& dice) {
     hold(body, plan, uppermost, lowermost, height, dice);
     std::vector<int> kept;
     for (const Support& s : body.supports) kept.push_back(s.label);
-    if (dice.chance(0.3)) bite(body.mesh, dice.integer(1, 8), kept, {bottom, top}, dice);
+    if (dice.chance(0.3))
+      bite(body.mesh, dice.integer(1, 8), kept, {bottom, top}, dice);
     if (dice.chance(0.2)) renumber(body.mesh, dice);
     give_materials(body, plan, dice);
     load_in_stack(body, plan, uppermost, dice);
@@ -388,16 +410,18 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
     c.law = Law::coulomb;
     c.promise = Promise::soundness;
   }
-  if (c.law == Law::coulomb && (c.promise == Promise::soundness || dice.chance(0.3))) {
+  if (c.law == Law::coulomb &&
+      (c.promise == Promise::soundness || dice.chance(0.3))) {
     c.promise = Promise::soundness;
     c.friction = positive_field(3, dice);
   } else if (c.law == Law::coulomb) {
     c.friction.mean = dice.real(0, 0.2);
     if (dice.chance(0.3))
-      c.friction = {0.1, 0.05 * Vector2d(dice.real(-1, 1), dice.real(-1, 1)), 0, {0, 0}};
+      c.friction = {
+          0.1, 0.05 * Vector2d(dice.real(-1, 1), dice.real(-1, 1)), 0, {0, 0}};
   } else if (c.law == Law::tresca) {
-    c.slip_bound =
-        positive_field(plan.strain * plan.softest * dice.decades(0.01, 10), dice);
+    c.slip_bound = positive_field(
+        plan.strain * plan.softest * dice.decades(0.01, 10), dice);
   }
   const bool pressed = plan.support != Holding::held;
   c.has_gap = dice.chance(0.4) && (c.bodies.size() == 1 || plan.flat);
@@ -410,10 +434,12 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
 }
 
 /// x -> scale R S x + shift for all that has places, and lengths with it.
-void transform(Case& c, const Matrix2d& turn, double scale, const Vector2d& shift) {
+void transform(Case& c, const Matrix2d& turn, double scale,
+               const Vector2d& shift) {
   for (Body& body : c.bodies) {
     for (int v = 0; v < body.mesh.vertex_count(); ++v)
-      body.mesh.vertices.col(v) = scale * (turn * body.mesh.vertices.col(v)) + shift;
+      body.mesh.vertices.col(v) =
+          scale * (turn * body.mesh.vertices.col(v)) + shift;
     for (Traction& t : body.tractions) t.value = turn * t.value;
     body.force = turn * body.force / scale;
     for (Support& s : body.supports) {
@@ -434,9 +460,9 @@ void transform(Case& c, const Matrix2d& turn, double scale, const Vector2d& shif
 void place(Case& c, const Plan& plan, Dice& dice) {
   bool both = plan.support != Holding::pressed;
   for (const Body& body : c.bodies)
-    both =
-        both && body.supports.size() % 2 == 0 &&
-        (body.supports.empty() || body.supports[0].label == body.supports.back().label);
+    both = both && body.supports.size() % 2 == 0 &&
+           (body.supports.empty() ||
+            body.supports[0].label == body.supports.back().label);
   Matrix2d turn = Matrix2d::Identity();
   if (both && dice.chance(0.5)) {
     turn = Eigen::Rotation2Dd(dice.real(0, 2 * M_PI)).toRotationMatrix();
@@ -503,7 +529,8 @@ Case random_case(std::uint64_t seed, std::uint64_t index) {
   for (;;) {
     Case c = drawn(dice);
     if (!usable(c)) continue;
-    c.with_reference = index % 10 == 0 && c.cell_count() <= 40 && c.law != Law::coulomb;
+    c.with_reference =
+        index % 10 == 0 && c.cell_count() <= 40 && c.law != Law::coulomb;
     return c;
   }
 }

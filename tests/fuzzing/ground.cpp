@@ -9,20 +9,22 @@ namespace ffcontact::fuzz {
 
 namespace {
 
-VectorXd on_ground(const Assembled& parts, const Ground& ground, const VectorXd& values) {
+VectorXd on_ground(const Assembled& parts, const Ground& ground,
+                   const VectorXd& values) {
   if (values.size() == 0 || &ground.line == &parts.line) return values;
   VectorXd result(ground.line.node_count());
   for (int i = 0; i < ground.line.node_count(); ++i)
-    result[i] =
-        value_on_line(parts, values, ground.mesh.vertices.col(ground.line.vertex[i]),
-                      ground.line.normal.col(i));
+    result[i] = value_on_line(parts, values,
+                              ground.mesh.vertices.col(ground.line.vertex[i]),
+                              ground.line.normal.col(i));
   return result;
 }
 
 /// A vertex of the refinement is prescribed where it is an old one that is, or lies
 /// between two that are.
-std::vector<char> prescribed_on(const Mesh& old_mesh, const std::vector<char>& old,
-                                const Mesh& mesh, const std::vector<int>& parent) {
+std::vector<char> prescribed_on(const Mesh& old_mesh,
+                                const std::vector<char>& old, const Mesh& mesh,
+                                const std::vector<int>& parent) {
   std::vector<char> result(2 * mesh.vertices.cols(), 1);
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const Corners corners = corners_at(old_mesh, parent[t]);
@@ -41,20 +43,23 @@ std::vector<char> prescribed_on(const Mesh& old_mesh, const std::vector<char>& o
 
 Corners corners_at(const Mesh& mesh, int triangle) {
   Corners corners;
-  for (int k = 0; k < 3; ++k) corners.col(k) = mesh.vertices.col(mesh.cells(k, triangle));
+  for (int k = 0; k < 3; ++k)
+    corners.col(k) = mesh.vertices.col(mesh.cells(k, triangle));
   return corners;
 }
 
 Corners subtriangle(const Corners& corners, int k) {
   Corners sub;
-  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
+  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
+      corners.rowwise().mean();
   return sub;
 }
 
 Ground ground_of(const Assembled& parts, const Estimate& estimate) {
   if (!estimate.refinement) {
     std::vector<int> parent(parts.mesh().cells.cols());
-    for (std::size_t t = 0; t < parent.size(); ++t) parent[t] = static_cast<int>(t);
+    for (std::size_t t = 0; t < parent.size(); ++t)
+      parent[t] = static_cast<int>(t);
     return {parts.mesh(),  parts.line,         parts.region,
             parent,        parts.law.friction, parts.law.slip_bound,
             parts.law.gap, parts.law.previous, parts.prescribed};
@@ -84,7 +89,8 @@ Dense mass_of(const Mesh& mesh, const ContactLine& line) {
   for (int e = 0; e < line.edge_count(); ++e) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e);
     const double length =
-        (mesh.vertices.col(line.vertex[i]) - mesh.vertices.col(line.vertex[j])).norm();
+        (mesh.vertices.col(line.vertex[i]) - mesh.vertices.col(line.vertex[j]))
+            .norm();
     M(i, i) += length / 3;
     M(j, j) += length / 3;
     M(i, j) += length / 6;
@@ -108,23 +114,28 @@ Matrix2Xd against_foundation(const ContactLine& line, const VectorXd& gap,
   return w;
 }
 
-Vector3d stress_of(const Mesh& mesh, int triangle, const Matrix3d& C, const VectorXd& u) {
+Vector3d stress_of(const Mesh& mesh, int triangle, const Matrix3d& C,
+                   const VectorXd& u) {
   const Corners x = corners_at(mesh, triangle);
   Vector3d strain = Vector3d::Zero();
   const Vector2d u0 = u.segment<2>(2 * mesh.cells(0, triangle));
-  for (int k = 1; k < 3; ++k) {  // differences to the first corner: rigid motions cancel
+  for (int k = 1; k < 3;
+       ++k) {  // differences to the first corner: rigid motions cancel
     const Vector2d side = x.col((k + 2) % 3) - x.col((k + 1) % 3);
     const Vector2d g = Vector2d(-side.y(), side.x()) / (2 * area_of(x));
     const Vector2d d = u.segment<2>(2 * mesh.cells(k, triangle)) - u0;
-    strain += Vector3d(g.x() * d.x(), g.y() * d.y(), g.y() * d.x() + g.x() * d.y());
+    strain +=
+        Vector3d(g.x() * d.x(), g.y() * d.y(), g.y() * d.x() + g.x() * d.y());
   }
   return C * strain;
 }
 
 double displacement_scale(const Assembled& parts, const VectorXd& u) {
-  double scale = std::max(u.cwiseAbs().maxCoeff(), parts.value.cwiseAbs().maxCoeff());
+  double scale =
+      std::max(u.cwiseAbs().maxCoeff(), parts.value.cwiseAbs().maxCoeff());
   for (const VectorXd* given : {&parts.law.gap, &parts.law.previous})
-    if (given->size() > 0) scale = std::max(scale, given->cwiseAbs().maxCoeff());
+    if (given->size() > 0)
+      scale = std::max(scale, given->cwiseAbs().maxCoeff());
   const VectorXd diagonal = parts.stiffness.diagonal();
   for (Index dof = 0; dof < diagonal.size(); ++dof)
     if (!parts.prescribed[dof])
@@ -132,28 +143,32 @@ double displacement_scale(const Assembled& parts, const VectorXd& u) {
   return scale;
 }
 
-double stress_scale(const Assembled& parts, const Ground& ground, const VectorXd& u) {
+double stress_scale(const Assembled& parts, const Ground& ground,
+                    const VectorXd& u) {
   // of a displacement, in units of 1e-12: 1e-16 with all that cancels
   constexpr double rounding = 1e-4;
   double scale = 0;
   const double largest = displacement_scale(parts, u);
   for (int t = 0; t < ground.mesh.cell_count(); ++t) {
     const Matrix3d& C = parts.elasticity[ground.region[t]];
-    scale = std::max(scale, stress_of(ground.mesh, t, C, u).cwiseAbs().maxCoeff());
+    scale =
+        std::max(scale, stress_of(ground.mesh, t, C, u).cwiseAbs().maxCoeff());
     const Corners x = corners_at(ground.mesh, t);
     double side = 0;
     for (int k = 0; k < 3; ++k)
       side = std::max(side, (x.col(k) - x.col((k + 1) % 3)).norm());
-    scale =
-        std::max(scale, rounding * C.cwiseAbs().maxCoeff() * largest * side / area_of(x));
-    scale = std::max(
-        scale, parts.body_force.col(ground.parent[t]).norm() * std::sqrt(area_of(x)));
+    scale = std::max(scale, rounding * C.cwiseAbs().maxCoeff() * largest *
+                                side / area_of(x));
+    scale = std::max(scale, parts.body_force.col(ground.parent[t]).norm() *
+                                std::sqrt(area_of(x)));
   }
   for (int e = 0; e < parts.mesh().boundary.cols(); ++e) {
-    const double length = (parts.mesh().vertices.col(parts.mesh().boundary(0, e)) -
-                           parts.mesh().vertices.col(parts.mesh().boundary(1, e)))
-                              .norm();
-    scale = std::max(scale, 2 * parts.neumann.col(e).cwiseAbs().maxCoeff() / length);
+    const double length =
+        (parts.mesh().vertices.col(parts.mesh().boundary(0, e)) -
+         parts.mesh().vertices.col(parts.mesh().boundary(1, e)))
+            .norm();
+    scale = std::max(scale,
+                     2 * parts.neumann.col(e).cwiseAbs().maxCoeff() / length);
   }
   return scale;
 }
@@ -163,8 +178,9 @@ double square_called_zero(const Assembled& parts, const Ground& ground,
   if (estimate.e != 0) return 0;
   double compliance = 0;
   for (int t = 0; t < ground.mesh.cell_count(); ++t)
-    compliance += area_of(corners_at(ground.mesh, t)) *
-                  parts.elasticity[ground.region[t]].inverse().cwiseAbs().maxCoeff();
+    compliance +=
+        area_of(corners_at(ground.mesh, t)) *
+        parts.elasticity[ground.region[t]].inverse().cwiseAbs().maxCoeff();
   return compliance *
          std::pow(1e-8 * stress_scale(parts, ground, estimate.displacement), 2);
 }

@@ -76,7 +76,8 @@ Matrix2Xd against_foundation(const ContactLine& line, const VectorXd& gap,
                              const VectorXd& previous, const VectorXd& u);
 
 /// C eps(u) of one triangle.
-Vector3d stress_of(const Mesh& mesh, int triangle, const Matrix3d& C, const VectorXd& u);
+Vector3d stress_of(const Mesh& mesh, int triangle, const Matrix3d& C,
+                   const VectorXd& u);
 
 /// Largest displacement, given or found, or by which a load would move its dof alone:
 /// what those that vanish are small against.
@@ -84,7 +85,8 @@ double displacement_scale(const Assembled& parts, const VectorXd& u);
 
 /// Largest stress of a displacement, and of the loads; not below what rounding of
 /// displacements makes of them.
-double stress_scale(const Assembled& parts, const Ground& ground, const VectorXd& u);
+double stress_scale(const Assembled& parts, const Ground& ground,
+                    const VectorXd& u);
 
 /// What e^2 may be off by where e is exactly 0: that says that stresses are below 1e-12
 /// of the terms they are summed from.

@@ -21,10 +21,14 @@ Dense free_motions(const Assembled& parts) {
   std::vector<VectorXd> motions;
   for (std::size_t body = 0; body + 1 < first.size(); ++body) {
     const int begin = first[body], count = first[body + 1] - begin;
-    const Vector2d centre = mesh.vertices.middleCols(begin, count).rowwise().mean();
+    const Vector2d centre =
+        mesh.vertices.middleCols(begin, count).rowwise().mean();
     const double size =
-        (mesh.vertices.middleCols(begin, count).colwise() - centre).cwiseAbs().maxCoeff();
-    Dense rigid = Dense::Zero(2 * count, 3), stopped = Dense::Zero(2 * count, 3);
+        (mesh.vertices.middleCols(begin, count).colwise() - centre)
+            .cwiseAbs()
+            .maxCoeff();
+    Dense rigid = Dense::Zero(2 * count, 3),
+          stopped = Dense::Zero(2 * count, 3);
     for (int v = 0; v < count; ++v) {
       const Vector2d arm = (mesh.vertices.col(begin + v) - centre) / size;
       rigid.middleRows<2>(2 * v) << 1, 0, -arm.y(), 0, 1, arm.x();
@@ -105,7 +109,8 @@ Dense work_of_densities(const Assembled& parts, const Dense& motions) {
     for (int e = 0; e < line.edge_count(); ++e)
       for (int end = 0; end < 2; ++end)
         work.row(k).segment<2>(4 * e + 2 * end) =
-            (2 * z.col(line.edge_node(end, e)) + z.col(line.edge_node(1 - end, e)))
+            (2 * z.col(line.edge_node(end, e)) +
+             z.col(line.edge_node(1 - end, e)))
                 .transpose() /
             6;
   }
@@ -119,7 +124,8 @@ Dense cone_conditions(const Assembled& parts, int steps) {
   const ContactLine& line = parts.line;
   const std::vector<double> all = places(steps);
   const auto rows = static_cast<Index>(3 * all.size() + 4);
-  Dense conditions = Dense::Zero(rows * line.edge_count(), 4 * line.edge_count());
+  Dense conditions =
+      Dense::Zero(rows * line.edge_count(), 4 * line.edge_count());
   Index row = 0;
   for (int e = 0; e < line.edge_count(); ++e) {
     const double mu[2] = {parts.law.friction[line.edge_node(0, e)],
@@ -172,8 +178,10 @@ bool no_density_holds(const Case& problem, const Assembled& parts,
                         .cwiseProduct(solution.force)
                         .sum();
   const Dense work = work_of_densities(parts, motions);
-  for (const int steps : {4, 32})  // few places are enough where they rule it out
-    if (distance_to_densities(work, cone_conditions(parts, steps), resultants) > met)
+  for (const int steps :
+       {4, 32})  // few places are enough where they rule it out
+    if (distance_to_densities(work, cone_conditions(parts, steps), resultants) >
+        met)
       return true;
   return false;
 }

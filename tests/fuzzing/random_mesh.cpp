@@ -29,8 +29,8 @@ std::map<Pair, std::vector<Pair>> sides_of(const Mesh& mesh) {
   std::map<Pair, std::vector<Pair>> sides;
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k)
-      sides[sorted(mesh.cells((k + 1) % 3, t), mesh.cells((k + 2) % 3, t))].emplace_back(
-          t, k);
+      sides[sorted(mesh.cells((k + 1) % 3, t), mesh.cells((k + 2) % 3, t))]
+          .emplace_back(t, k);
   return sides;
 }
 
@@ -40,16 +40,18 @@ int find_root(std::vector<int>& parent, int i) {
 }
 
 /// Parts that are joined by common edges, among all triangles or those around one vertex.
-int part_count(const Mesh& mesh, const std::vector<int>& triangles, int around) {
+int part_count(const Mesh& mesh, const std::vector<int>& triangles,
+               int around) {
   std::vector<int> parent(triangles.size());
   std::iota(parent.begin(), parent.end(), 0);
   std::map<Pair, int> first;
   int parts = static_cast<int>(triangles.size());
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i)
     for (int k = 0; k < 3; ++k) {
-      const Pair side =
-          sorted(mesh.cells(k, triangles[i]), mesh.cells((k + 1) % 3, triangles[i]));
-      if (around >= 0 && side.first != around && side.second != around) continue;
+      const Pair side = sorted(mesh.cells(k, triangles[i]),
+                               mesh.cells((k + 1) % 3, triangles[i]));
+      if (around >= 0 && side.first != around && side.second != around)
+        continue;
       const auto [place, is_new] = first.emplace(side, i);
       if (is_new) continue;
       const int a = find_root(parent, i), b = find_root(parent, place->second);
@@ -83,8 +85,8 @@ Index label_count(const Mesh& mesh, int label) {
   return (mesh.boundary_label.array() == label).count();
 }
 
-bool keeps_labels(const Mesh& rest, const Mesh& mesh, const std::vector<int>& kept,
-                  const std::vector<int>& whole) {
+bool keeps_labels(const Mesh& rest, const Mesh& mesh,
+                  const std::vector<int>& kept, const std::vector<int>& whole) {
   return std::all_of(kept.begin(), kept.end(),
                      [&](int label) { return label_count(rest, label) > 0; }) &&
          std::all_of(whole.begin(), whole.end(), [&](int label) {
@@ -102,27 +104,32 @@ Mesh grid(const std::vector<double>& columns, const std::vector<double>& rows,
   Mesh mesh;
   mesh.vertices.resize(2, (nx + 1) * (ny + 1));
   for (int j = 0; j <= ny; ++j)
-    for (int i = 0; i <= nx; ++i) mesh.vertices.col(id(i, j)) << columns[i], rows[j];
+    for (int i = 0; i <= nx; ++i)
+      mesh.vertices.col(id(i, j)) << columns[i], rows[j];
   mesh.cells.resize(3, 2 * nx * ny);
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
-      const int a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1),
-                t = 2 * (j * nx + i);
+      const int a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1),
+                d = id(i, j + 1), t = 2 * (j * nx + i);
       if (dice.chance(0.5))
         mesh.cells.middleCols<2>(t) << a, a, b, c, c, d;
       else
         mesh.cells.middleCols<2>(t) << a, b, b, c, d, d;
     }
   std::vector<Vector3i> edges;
-  for (int i = 0; i < nx; ++i) edges.emplace_back(id(i, 0), id(i + 1, 0), bottom);
-  for (int j = 0; j < ny; ++j) edges.emplace_back(id(nx, j), id(nx, j + 1), right);
-  for (int i = nx; i > 0; --i) edges.emplace_back(id(i, ny), id(i - 1, ny), top);
+  for (int i = 0; i < nx; ++i)
+    edges.emplace_back(id(i, 0), id(i + 1, 0), bottom);
+  for (int j = 0; j < ny; ++j)
+    edges.emplace_back(id(nx, j), id(nx, j + 1), right);
+  for (int i = nx; i > 0; --i)
+    edges.emplace_back(id(i, ny), id(i - 1, ny), top);
   for (int j = ny; j > 0; --j) edges.emplace_back(id(0, j), id(0, j - 1), left);
   set_boundary(mesh, edges);
   return mesh;
 }
 
-std::vector<double> places(int cells, double length, double grading, Dice& dice) {
+std::vector<double> places(int cells, double length, double grading,
+                           Dice& dice) {
   std::vector<double> result{0};
   for (int i = 0; i < cells; ++i)
     result.push_back(result.back() + dice.decades(1, grading));
@@ -133,11 +140,13 @@ std::vector<double> places(int cells, double length, double grading, Dice& dice)
 }
 
 void move_inner_vertices(Mesh& mesh, double fraction, Dice& dice) {
-  std::vector<double> room(mesh.vertices.cols(), std::numeric_limits<double>::infinity());
+  std::vector<double> room(mesh.vertices.cols(),
+                           std::numeric_limits<double>::infinity());
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int a = mesh.cells(k, t), b = mesh.cells((k + 1) % 3, t);
-      const double length = (mesh.vertices.col(a) - mesh.vertices.col(b)).norm();
+      const double length =
+          (mesh.vertices.col(a) - mesh.vertices.col(b)).norm();
       room[a] = std::min(room[a], length);
       room[b] = std::min(room[b], length);
     }
@@ -179,7 +188,8 @@ bool remove_triangles(Mesh& mesh, const std::vector<char>& removed,
   if (!hangs_together(mesh, kept)) return false;
   std::map<Pair, int> label;
   for (int e = 0; e < mesh.boundary.cols(); ++e)
-    label[sorted(mesh.boundary(0, e), mesh.boundary(1, e))] = mesh.boundary_label[e];
+    label[sorted(mesh.boundary(0, e), mesh.boundary(1, e))] =
+        mesh.boundary_label[e];
   Mesh rest;
   std::map<int, int> number;
   rest.cells.resize(3, static_cast<Index>(kept.size()));
@@ -200,7 +210,8 @@ bool remove_triangles(Mesh& mesh, const std::vector<char>& removed,
     const auto [t, k] = triangles.front();
     const int a = rest.cells((k + 1) % 3, t), b = rest.cells((k + 2) % 3, t);
     const auto found = label.find(sorted(old_number[a], old_number[b]));
-    edges.emplace_back(a, b, found == label.end() ? int{bitten} : found->second);
+    edges.emplace_back(a, b,
+                       found == label.end() ? int{bitten} : found->second);
   }
   set_boundary(rest, edges);
   mesh = std::move(rest);
@@ -214,14 +225,16 @@ void bite(Mesh& mesh, int tries, const std::vector<int>& kept,
     Mesh rest = mesh;
     std::vector<char> removed(mesh.cells.cols(), 0);
     removed[dice.integer(0, mesh.cell_count() - 1)] = 1;
-    if (remove_triangles(rest, removed) && keeps_labels(rest, mesh, kept, whole))
+    if (remove_triangles(rest, removed) &&
+        keeps_labels(rest, mesh, kept, whole))
       mesh = std::move(rest);
   }
 }
 
 void split_triangles(Mesh& mesh, int tries, Dice& dice) {
   for (; tries > 0; --tries) {
-    const int t = dice.integer(0, mesh.cell_count() - 1), v = mesh.vertex_count();
+    const int t = dice.integer(0, mesh.cell_count() - 1),
+              v = mesh.vertex_count();
     Vector3d weights(dice.real(0.2, 1), dice.real(0.2, 1), dice.real(0.2, 1));
     weights /= weights.sum();
     const Vector3i old = mesh.cells.col(t);
@@ -259,12 +272,13 @@ void renumber(Mesh& mesh, Dice& dice) {
 double worst_aspect(const Mesh& mesh) {
   double worst = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const Vector2d a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+    const Vector2d a = mesh.corner(t, 0), b = mesh.corner(t, 1),
+                   c = mesh.corner(t, 2);
     const double area = twice_area(a, b, c);
-    const double longest =
-        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    worst = std::max(worst,
-                     area > 0 ? longest / area : std::numeric_limits<double>::infinity());
+    const double longest = std::max(
+        {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    worst = std::max(worst, area > 0 ? longest / area
+                                     : std::numeric_limits<double>::infinity());
   }
   return worst;
 }

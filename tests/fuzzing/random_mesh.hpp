@@ -26,7 +26,8 @@ Mesh grid(const std::vector<double>& columns, const std::vector<double>& rows,
 
 /// Places from 0 to `length` with random distances; the largest is at most about
 /// `grading` times the smallest.
-std::vector<double> places(int cells, double length, double grading, Dice& dice);
+std::vector<double> places(int cells, double length, double grading,
+                           Dice& dice);
 
 /// Moves inner vertices by up to `fraction` of the shortest edge beside them.
 void move_inner_vertices(Mesh& mesh, double fraction, Dice& dice);

@@ -38,7 +38,8 @@ std::map<std::pair<int, int>, Labelled> labelled_edges(const Case& problem,
           if (label == parts.joined.label(contact.body, own))
             result[{a, b}] = {static_cast<int>(c), false};
         if (contact.opposite_body >= 0 &&
-            label == parts.joined.label(contact.opposite_body, contact.opposite_label))
+            label == parts.joined.label(contact.opposite_body,
+                                        contact.opposite_label))
           result[{a, b}] = {static_cast<int>(c), true};
       }
     }
@@ -107,7 +108,8 @@ Dense coupling(const Case& problem, const Assembled& parts) {
          facing_parts(parts.mesh(), labelled, ends)) {
       const double begin = std::max(0.0, from), end = std::min(1.0, to);
       for (double x : {0.5 - gauss, 0.5 + gauss}) {
-        const double s = begin + x * (end - begin), r = (s - from) / (to - from);
+        const double s = begin + x * (end - begin),
+                     r = (s - from) / (to - from);
         const double weight = 0.5 * (end - begin) * length;
         for (int i = 0; i < 2; ++i) {
           const double psi = weight * (i == 0 ? 1 - s : s);
@@ -138,24 +140,26 @@ void check_edges(const Case& problem, const Assembled& parts, Finds& finds) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e);
     const auto found = expected.find({line.vertex[i], line.vertex[j]});
     if (found == expected.end() || found->second.opposite) {
-      finds.push_back(finding("line", "contact edge ", e,
-                              " is no edge of the contact labels, or is there twice"));
+      finds.push_back(
+          finding("line", "contact edge ", e,
+                  " is no edge of the contact labels, or is there twice"));
       return;
     }
     const Segment edge = segment(parts.mesh(), found->first);
-    if (std::abs(line.length[e] - edge.length()) > geometry_tolerance * edge.length())
+    if (std::abs(line.length[e] - edge.length()) >
+        geometry_tolerance * edge.length())
       finds.push_back(finding("line", "length of edge ", e));
     for (int node : {i, j})
       if ((line.normal.col(node) - edge.outward()).norm() >
           1e-6 + 4 * straight / edge.length())
-        finds.push_back(
-            finding("line", "normal of node ", node, " is not that of its edge"));
+        finds.push_back(finding("line", "normal of node ", node,
+                                " is not that of its edge"));
     expected.erase(found);
   }
   for (const auto& [ends, what] : expected)
     if (!what.opposite)
-      finds.push_back(finding("line", "the edge from ", ends.first, " to ", ends.second,
-                              " is missing"));
+      finds.push_back(finding("line", "the edge from ", ends.first, " to ",
+                              ends.second, " is missing"));
 }
 
 /// Two edges in a row share their node where they are straight to well above rounding,
@@ -167,14 +171,17 @@ void check_corners(const Case& problem, const Assembled& parts, Finds& finds) {
     for (int f = 0; f < line.edge_count(); ++f) {
       const int end = line.edge_node(1, e), start = line.edge_node(0, f);
       if (line.vertex[end] != line.vertex[start]) continue;
-      const Segment first =
-          segment(parts.mesh(), {line.vertex[line.edge_node(0, e)], line.vertex[end]});
+      const Segment first = segment(
+          parts.mesh(), {line.vertex[line.edge_node(0, e)], line.vertex[end]});
       const Segment second =
-          segment(parts.mesh(), {line.vertex[start], line.vertex[line.edge_node(1, f)]});
+          segment(parts.mesh(),
+                  {line.vertex[start], line.vertex[line.edge_node(1, f)]});
       const double sine = std::abs(first.along().dot(second.outward()));
-      const double rounding = 4e-16 * far / std::min(first.length(), second.length());
+      const double rounding =
+          4e-16 * far / std::min(first.length(), second.length());
       if (end != start && sine < 2 * rounding + 1e-12)
-        finds.push_back(finding("line", "two nodes at vertex ", line.vertex[end],
+        finds.push_back(finding("line", "two nodes at vertex ",
+                                line.vertex[end],
                                 " where the line is straight to ", sine));
       if (end == start && sine > 1e-3)
         finds.push_back(finding("line", "one node at vertex ", line.vertex[end],
@@ -185,8 +192,10 @@ void check_corners(const Case& problem, const Assembled& parts, Finds& finds) {
 void check_coupling(const Case& problem, const Assembled& parts, Finds& finds) {
   if (problem.bodies.size() == 1) return;
   const Dense M = mass_of(parts.mesh(), parts.line),
-              difference = M * Dense(parts.line.opposite) - coupling(problem, parts);
-  const double defect = difference.cwiseAbs().maxCoeff() / M.cwiseAbs().maxCoeff();
+              difference =
+                  M * Dense(parts.line.opposite) - coupling(problem, parts);
+  const double defect =
+      difference.cwiseAbs().maxCoeff() / M.cwiseAbs().maxCoeff();
   if (!(defect <= 1e-8))
     finds.push_back(finding("coupling", "int psi phi is off by ", defect));
 }
@@ -196,7 +205,8 @@ void check_coupling(const Case& problem, const Assembled& parts, Finds& finds) {
 struct FreeParts {
   double faced = 0, beside = 0;
 };
-FreeParts free_parts(const Assembled& parts, int node, const Vector2d& direction) {
+FreeParts free_parts(const Assembled& parts, int node,
+                     const Vector2d& direction) {
   FreeParts part;
   const auto visit = [&](int vertex, double weight) {
     for (int c = 0; c < 2; ++c)
@@ -218,13 +228,16 @@ bool is_held(const FreeParts& part) { return part.faced < unsteered; }
 VectorXd contact_load(const Assembled& parts, const Matrix2Xd& force) {
   VectorXd load = VectorXd::Zero(parts.load.size());
   for (int i = 0; i < parts.line.node_count(); ++i) {
-    const Vector2d n = parts.line.normal.col(i), direction[2] = {n, {-n.y(), n.x()}};
+    const Vector2d n = parts.line.normal.col(i),
+                   direction[2] = {n, {-n.y(), n.x()}};
     Vector2d F(0, 0);
     for (int c = 0; c < 2; ++c)
-      if (!is_held(free_parts(parts, i, direction[c]))) F += force(c, i) * direction[c];
+      if (!is_held(free_parts(parts, i, direction[c])))
+        F += force(c, i) * direction[c];
     load.segment<2>(2 * parts.line.vertex[i]) += F;
     if (parts.line.opposite.rows() > 0)
-      for (WeightsByNode::InnerIterator part(parts.line.opposite, i); part; ++part)
+      for (WeightsByNode::InnerIterator part(parts.line.opposite, i); part;
+           ++part)
         load.segment<2>(2 * part.col()) -= part.value() * F;
   }
   return load;
@@ -235,9 +248,10 @@ void check_balance(const Assembled& parts, const ContactSolution& solution,
   const VectorXd contact = contact_load(parts, solution.force),
                  &u = solution.displacement;
   const VectorXd residual = parts.stiffness * u - parts.load - contact;
-  const VectorXd largest = VectorXd::Constant(u.size(), displacement_scale(parts, u));
-  const VectorXd size =
-      parts.stiffness.cwiseAbs() * largest + parts.load.cwiseAbs() + contact.cwiseAbs();
+  const VectorXd largest =
+      VectorXd::Constant(u.size(), displacement_scale(parts, u));
+  const VectorXd size = parts.stiffness.cwiseAbs() * largest +
+                        parts.load.cwiseAbs() + contact.cwiseAbs();
   const double scale = size.size() > 0 ? size.maxCoeff() : 0;
   // The factorisation is backward stable for the whole, not row by row: |K u - b| is a
   // last place, 2^-52 = 2.2e-16, of its largest force also at a vertex without any.
@@ -248,16 +262,16 @@ void check_balance(const Assembled& parts, const ContactSolution& solution,
     const double of_vertex =
         std::max({size[dof], size[dof ^ 1], last_place / of_the_row});
     whole.note(std::abs(residual[dof]), dof);
-    row.note(
-        of_vertex > 0 ? std::abs(residual[dof]) / of_vertex : std::abs(residual[dof]),
-        dof);
+    row.note(of_vertex > 0 ? std::abs(residual[dof]) / of_vertex
+                           : std::abs(residual[dof]),
+             dof);
   }
   if (!(whole.value <= of_the_whole * scale))
-    finds.push_back(finding("balance", "dof ", whole.place, " by ", whole.value / scale,
-                            " of the largest force"));
+    finds.push_back(finding("balance", "dof ", whole.place, " by ",
+                            whole.value / scale, " of the largest force"));
   if (!(row.value <= of_the_row))
-    finds.push_back(
-        finding("balance", "dof ", row.place, " by ", row.value, " of the forces there"));
+    finds.push_back(finding("balance", "dof ", row.place, " by ", row.value,
+                            " of the forces there"));
 }
 
 void check_supports(const Assembled& parts, const ContactSolution& solution,
@@ -266,19 +280,24 @@ void check_supports(const Assembled& parts, const ContactSolution& solution,
     if (parts.prescribed[dof] &&
         !(std::abs(solution.displacement[dof] - parts.value[dof]) <=
           1e-12 * parts.value.cwiseAbs().maxCoeff()))
-      finds.push_back(finding("support", "dof ", dof, " is ", solution.displacement[dof],
-                              ", not ", parts.value[dof]));
+      finds.push_back(finding("support", "dof ", dof, " is ",
+                              solution.displacement[dof], ", not ",
+                              parts.value[dof]));
 }
 
 /// The jump at the nodes; held components are 0 when the vertices of little weight could
 /// make them so.
-Matrix2Xd steered_jumps(const Assembled& parts, const VectorXd& u, double scale) {
-  Matrix2Xd w = against_foundation(parts.line, parts.law.gap, parts.law.previous, u);
+Matrix2Xd steered_jumps(const Assembled& parts, const VectorXd& u,
+                        double scale) {
+  Matrix2Xd w =
+      against_foundation(parts.line, parts.law.gap, parts.law.previous, u);
   for (int i = 0; i < parts.line.node_count(); ++i) {
-    const Vector2d n = parts.line.normal.col(i), direction[2] = {n, {-n.y(), n.x()}};
+    const Vector2d n = parts.line.normal.col(i),
+                   direction[2] = {n, {-n.y(), n.x()}};
     for (int c = 0; c < 2; ++c) {
       const FreeParts part = free_parts(parts, i, direction[c]);
-      if (is_held(part) && std::abs(w(c, i)) <= (unsteered + 2 * part.beside) * scale)
+      if (is_held(part) &&
+          std::abs(w(c, i)) <= (unsteered + 2 * part.beside) * scale)
         w(c, i) = 0;
     }
   }
@@ -305,37 +324,47 @@ void check_law(const Case& problem, const Assembled& parts,
   const ContactLine& line = parts.line;
   const int p = line.node_count();
   const bool pressures = problem.multiplier == Multiplier::pressure;
-  const Dense M = mass_of(parts.mesh(), line), W = pressures ? M : Dense::Identity(p, p);
+  const Dense M = mass_of(parts.mesh(), line),
+              W = pressures ? M : Dense::Identity(p, p);
   const double u_scale = displacement_scale(parts, solution.displacement);
   const Matrix2Xd w = steered_jumps(parts, solution.displacement, u_scale);
   const Matrix2Xd v = w * W.transpose(),
                   &P = pressures ? solution.pressure : solution.force;
   const double v_scale = u_scale * W.rowwise().sum().maxCoeff();
-  VectorXd bound = parts.law.friction.cwiseProduct((-P.row(0)).cwiseMax(0.0).transpose());
+  VectorXd bound =
+      parts.law.friction.cwiseProduct((-P.row(0)).cwiseMax(0.0).transpose());
   if (problem.law == Law::tresca)
-    bound = pressures ? parts.law.slip_bound : VectorXd(M * parts.law.slip_bound);
-  const double P_scale = std::max(P.cwiseAbs().maxCoeff(),
-                                  problem.law == Law::tresca ? bound.maxCoeff() : 0.0);
-  const double P_zero = law_tolerance * P_scale, v_zero = law_tolerance * v_scale;
-  const auto complain = [&](int node, const char* what, double by, double scale) {
-    finds.push_back(finding("law", what, " at node ", node, " by ", by / scale));
+    bound =
+        pressures ? parts.law.slip_bound : VectorXd(M * parts.law.slip_bound);
+  const double P_scale =
+      std::max(P.cwiseAbs().maxCoeff(),
+               problem.law == Law::tresca ? bound.maxCoeff() : 0.0);
+  const double P_zero = law_tolerance * P_scale,
+               v_zero = law_tolerance * v_scale;
+  const auto complain = [&](int node, const char* what, double by,
+                            double scale) {
+    finds.push_back(
+        finding("law", what, " at node ", node, " by ", by / scale));
   };
   for (int i = 0; i < p; ++i) {
     if (!(P(0, i) <= P_zero)) complain(i, "tension", P(0, i), P_scale);
     if (!(v(0, i) <= v_zero)) complain(i, "penetration", v(0, i), v_scale);
     if (!(std::abs(P(1, i)) <= bound[i] + P_zero))
-      complain(i, "friction beyond the bound", std::abs(P(1, i)) - bound[i], P_scale);
+      complain(i, "friction beyond the bound", std::abs(P(1, i)) - bound[i],
+               P_scale);
     const Held fixed = held(parts, W, i);
     if (pressures ? fixed.all : fixed.some) continue;
     if (P(0, i) < -P_zero && v(0, i) < -v_zero)
       complain(i, "a force across the gap", v(0, i), v_scale);
     if (std::abs(P(1, i)) < bound[i] - P_zero && std::abs(v(1, i)) > v_zero)
       complain(i, "slip below the bound", v(1, i), v_scale);
-    if (std::abs(P(1, i)) > P_zero && std::abs(v(1, i)) > v_zero && P(1, i) * v(1, i) > 0)
+    if (std::abs(P(1, i)) > P_zero && std::abs(v(1, i)) > v_zero &&
+        P(1, i) * v(1, i) > 0)
       complain(i, "friction along the slip", P(1, i), P_scale);
   }
   const double defect =
-      pressures ? (solution.force - solution.pressure * M).cwiseAbs().maxCoeff() : 0;
+      pressures ? (solution.force - solution.pressure * M).cwiseAbs().maxCoeff()
+                : 0;
   if (!(defect <= 1e-9 * solution.force.cwiseAbs().maxCoeff()))
     finds.push_back(finding("law", "forces are not M times pressures"));
 }
@@ -356,7 +385,8 @@ bool locks_itself(const Assembled& parts, int node) {
 /// them: forces of any size balance each other, and none need fulfil the law.
 bool jams(const Assembled& parts, int i, int j) {
   if (parts.line.vertex[i] != parts.line.vertex[j]) return false;
-  const double opposed = -parts.line.normal.col(i).dot(parts.line.normal.col(j));
+  const double opposed =
+      -parts.line.normal.col(i).dot(parts.line.normal.col(j));
   const VectorXd& mu = parts.law.friction;
   return opposed >= std::cos(std::atan(mu[i]) + std::atan(mu[j]));
 }
@@ -378,14 +408,16 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
       std::max(parts.value.cwiseAbs().maxCoeff(), gap.cwiseAbs().maxCoeff());
   bool any_free = false;
   for (int v : line.vertex)
-    any_free = any_free || !parts.prescribed[2 * v] || !parts.prescribed[2 * v + 1];
+    any_free =
+        any_free || !parts.prescribed[2 * v] || !parts.prescribed[2 * v + 1];
   Feasible result = any_free ? Feasible::yes : Feasible::unknown;
   const auto worsen = [&](Feasible to) {
     if (result != Feasible::no) result = to;
   };
   const Matrix2Xd w = against_foundation(line, gap, {}, parts.value);
   for (int i = 0; i < line.node_count(); ++i)
-    if (problem.law == Law::coulomb && locks_itself(parts, i)) worsen(Feasible::unknown);
+    if (problem.law == Law::coulomb && locks_itself(parts, i))
+      worsen(Feasible::unknown);
   for (int i = 0; i < line.node_count() && problem.law == Law::coulomb; ++i)
     for (int j = 0; j < i; ++j)
       if (jams(parts, i, j)) worsen(Feasible::unknown);
@@ -393,16 +425,19 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
     const int x = 2 * line.vertex[i];
     double along = 0;
     for (int c = 0; c < 2; ++c)
-      if (!parts.prescribed[x + c]) along = std::max(along, std::abs(line.normal(c, i)));
+      if (!parts.prescribed[x + c])
+        along = std::max(along, std::abs(line.normal(c, i)));
     const bool movable = along > 1e-6;
     // a motion out of the foundation a thousand times as long as its depth is none
     if (movable && along < 2e-3 && w(0, i) > 0) worsen(Feasible::unknown);
     if (!movable && w(0, i) > 0)
-      worsen(w(0, i) > 1e-6 * scale && problem.bodies.size() == 1 ? Feasible::no
-                                                                  : Feasible::unknown);
-    for (int j = 0; j < i && movable;
-         // two nodes of one vertex with one free component may ask for opposite motions
-         ++j)
+      worsen(w(0, i) > 1e-6 * scale && problem.bodies.size() == 1
+                 ? Feasible::no
+                 : Feasible::unknown);
+    for (
+        int j = 0; j < i && movable;
+        // two nodes of one vertex with one free component may ask for opposite motions
+        ++j)
       if (line.vertex[j] == line.vertex[i] &&
           (parts.prescribed[x] || parts.prescribed[x + 1]))
         worsen(Feasible::unknown);

@@ -25,8 +25,8 @@ Feasible always() { return Feasible::yes; }
 /// Runs a step; notes what it threw. @return whether it ended
 /// @param possible  asked for where it threw
 bool ended(const char* step, const Case& problem,
-           const std::function<Feasible()>& possible, const std::function<void()>& run,
-           Outcome& outcome) {
+           const std::function<Feasible()>& possible,
+           const std::function<void()>& run, Outcome& outcome) {
   std::string message;
   try {
     run();
@@ -40,15 +40,16 @@ bool ended(const char* step, const Case& problem,
   }
   if (!message.empty() && !is_sentence(message))
     outcome.finds.push_back(finding("exception", step, ": ", message));
-  outcome.answer = std::string("refused by ") + step + ": " + without_numbers(message);
+  outcome.answer =
+      std::string("refused by ") + step + ": " + without_numbers(message);
   if (problem.promise == Promise::solution && possible() == Feasible::yes)
     outcome.finds.push_back(finding("refused", step, ": ", message));
   return false;
 }
 
 void judge_estimate(const Case& problem, const Assembled& parts,
-                    const ElasticSystem& system, const ContactSolution& solution,
-                    Outcome& outcome) {
+                    const ElasticSystem& system,
+                    const ContactSolution& solution, Outcome& outcome) {
   EstimateSettings settings;
   settings.relaxation.sweeps = problem.sweeps;
   Estimate estimate;
@@ -63,8 +64,8 @@ void judge_estimate(const Case& problem, const Assembled& parts,
                                                               : Feasible::yes;
           },
           [&] {
-            estimate = estimate_error(topology_of(parts.mesh()), parts.line, system,
-                                      parts.solved(solution), settings);
+            estimate = estimate_error(topology_of(parts.mesh()), parts.line,
+                                      system, parts.solved(solution), settings);
           },
           outcome))
     return;
@@ -73,7 +74,9 @@ void judge_estimate(const Case& problem, const Assembled& parts,
       outcome.finds.empty())
     ended(
         "reference", problem, always,
-        [&] { append(bound_finds(problem, parts, estimate, 2), outcome.finds); },
+        [&] {
+          append(bound_finds(problem, parts, estimate, 2), outcome.finds);
+        },
         outcome);
   outcome.answer = "judged";
 }
@@ -95,7 +98,8 @@ std::string without_numbers(const std::string& message) {
     while (k + 1 < message.size() &&
            (std::isalnum(static_cast<unsigned char>(message[k + 1])) ||
             message[k + 1] == '.' ||
-            ((message[k + 1] == '-' || message[k + 1] == '+') && message[k] == 'e')))
+            ((message[k + 1] == '-' || message[k + 1] == '+') &&
+             message[k] == 'e')))
       ++k;
     result += '#';
   }
@@ -108,32 +112,38 @@ Outcome outcome_of(const Case& problem) {
   ElasticSystem system;
   ContactSolution solution;
   if (!ended(
-          "mesh and line", problem, always, [&] { parts = assembled(problem); }, outcome))
+          "mesh and line", problem, always, [&] { parts = assembled(problem); },
+          outcome))
     return outcome;
   append(line_finds(problem, parts), outcome.finds);
   const Feasible possible = feasible(problem, parts);
   if (!ended(
-          "matrix", problem, always, [&] { system = elastic_system(parts.A, parts.b); },
-          outcome))
+          "matrix", problem, always,
+          [&] { system = elastic_system(parts.A, parts.b); }, outcome))
     return outcome;
   if (!ended(
           "contact", problem, [&] { return possible; },
-          [&] { solution = solve_contact(parts.mesh(), parts.line, parts.law, system); },
+          [&] {
+            solution =
+                solve_contact(parts.mesh(), parts.line, parts.law, system);
+          },
           outcome))
     return outcome;
   if (!solution.accepted({})) {
     outcome.answer = std::string("not solved: ") + in_words(solution.status);
     if (problem.promise == Promise::solution && possible == Feasible::yes)
       outcome.finds.push_back(finding(
-          "unsolved", how_far(std::max(solution.residual, solution.complementarity)),
-          in_words(solution.status), ", residual ", solution.residual, ", violation ",
-          solution.complementarity));
+          "unsolved",
+          how_far(std::max(solution.residual, solution.complementarity)),
+          in_words(solution.status), ", residual ", solution.residual,
+          ", violation ", solution.complementarity));
     return outcome;
   }
   if (possible == Feasible::no) {
     outcome.answer = "solved though prescribed values penetrate";
     outcome.finds.push_back(finding(
-        "infeasible", "prescribed values penetrate and the problem is called solved"));
+        "infeasible",
+        "prescribed values penetrate and the problem is called solved"));
     return outcome;
   }
   append(solution_finds(problem, parts, solution), outcome.finds);
@@ -181,7 +191,8 @@ std::vector<std::function<void(Case&)>> simplifications(const Case& problem) {
     for (std::size_t i = problem.bodies[k].tractions.size(); i-- > 0;)
       of_body([i](Body& b) {
         if (i < b.tractions.size())
-          b.tractions.erase(b.tractions.begin() + static_cast<std::ptrdiff_t>(i));
+          b.tractions.erase(b.tractions.begin() +
+                            static_cast<std::ptrdiff_t>(i));
       });
     for (int t = problem.bodies[k].mesh.cell_count() - 1; t >= 0; --t)
       of_body([t](Body& b) {

@@ -20,8 +20,10 @@ struct Refined {
   CommonRefinement fine;
 
   explicit Refined(const std::vector<Mesh>& meshes)
-      : two(bodies(meshes, {material(1, 0.3), material(1, 0.3)}, {{0, bottom, 1, top}})),
-        fine(common_refinement(two.problem.mesh, two.problem.edges, two.problem.line)) {}
+      : two(bodies(meshes, {material(1, 0.3), material(1, 0.3)},
+                   {{0, bottom, 1, top}})),
+        fine(common_refinement(two.problem.mesh, two.problem.edges,
+                               two.problem.line)) {}
   const Mesh& old() const { return two.problem.mesh; }
 };
 
@@ -29,8 +31,9 @@ Refined random_rows(std::mt19937& random) {
   const int upper = 1 + static_cast<int>(random() % 6),
             lower = 1 + static_cast<int>(random() % 6);
   const Mesh above = shifted(with_random_rows(upper, 2, 6, 2, random), {0, 3});
-  return Refined({renumbered(above, random).mesh,
-                  renumbered(with_random_rows(lower, 2, 6, 3, random), random).mesh});
+  return Refined(
+      {renumbered(above, random).mesh,
+       renumbered(with_random_rows(lower, 2, 6, 3, random), random).mesh});
 }
 
 RC_GTEST_PROP(CommonRefinement, cuts_triangles_into_parts_of_the_same_area,
@@ -46,22 +49,27 @@ RC_GTEST_PROP(CommonRefinement, cuts_triangles_into_parts_of_the_same_area,
   }
 }
 
-RC_GTEST_PROP(CommonRefinement, has_traces_that_match_point_by_point, (Random random)) {
+RC_GTEST_PROP(CommonRefinement, has_traces_that_match_point_by_point,
+              (Random random)) {
   const CommonRefinement fine = random_rows(random).fine;
   const ContactLine& line = fine.line;
-  RC_ASSERT(line.matches() && static_cast<int>(line.pieces.size()) == line.edge_count());
+  RC_ASSERT(line.matches() &&
+            static_cast<int>(line.pieces.size()) == line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
     const auto ends = fine.edges.vertices.col(line.edge[e]),
                facing = fine.edges.vertices.col(line.opposite_edge[e]);
     for (int end = 0; end < 2; ++end) {
       RC_ASSERT(ends[end] == line.vertex[line.edge_node(end, e)]);
-      RC_ASSERT(
-          (fine.mesh.vertices.col(ends[end]) - fine.mesh.vertices.col(facing[1 - end]))
-              .norm() < 3e-3);
-      RC_ASSERT(line.opposite.coeff(line.edge_node(end, e), facing[1 - end]) == 1);
+      RC_ASSERT((fine.mesh.vertices.col(ends[end]) -
+                 fine.mesh.vertices.col(facing[1 - end]))
+                    .norm() < 3e-3);
+      RC_ASSERT(line.opposite.coeff(line.edge_node(end, e), facing[1 - end]) ==
+                1);
     }
-    RC_ASSERT(std::abs(line.length[e] -
-                       edge_vector(fine.mesh, fine.edges, line.edge[e]).norm()) < 1e-13);
+    RC_ASSERT(
+        std::abs(line.length[e] -
+                 edge_vector(fine.mesh, fine.edges, line.edge[e]).norm()) <
+        1e-13);
   }
 }
 
@@ -75,9 +83,9 @@ RC_GTEST_PROP(CommonRefinement, weights_say_where_vertices_and_nodes_are,
   RC_ASSERT((x - fine.mesh.vertices).cwiseAbs().maxCoeff() < 1e-14);
   RC_ASSERT(fine.mesh.vertices.leftCols(refined.old().vertices.cols()) ==
             refined.old().vertices);
-  RC_ASSERT(
-      (fine.node_weights * old_line.abscissa - fine.line.abscissa).cwiseAbs().maxCoeff() <
-      1e-14);
+  RC_ASSERT((fine.node_weights * old_line.abscissa - fine.line.abscissa)
+                .cwiseAbs()
+                .maxCoeff() < 1e-14);
   RC_ASSERT(fine.line.vertex.head(old_line.node_count()) == old_line.vertex);
   for (int i = 0; i < fine.line.node_count(); ++i) {
     RC_ASSERT(std::abs(fine.mesh.vertices(0, fine.line.vertex[i]) -
@@ -86,7 +94,8 @@ RC_GTEST_PROP(CommonRefinement, weights_say_where_vertices_and_nodes_are,
   }
 }
 
-RC_GTEST_PROP(CommonRefinement, edges_know_the_edges_they_are_parts_of, (Random random)) {
+RC_GTEST_PROP(CommonRefinement, edges_know_the_edges_they_are_parts_of,
+              (Random random)) {
   const Refined refined = random_rows(random);
   const CommonRefinement& fine = refined.fine;
   const Edges& old_edges = refined.two.problem.edges;
@@ -100,28 +109,33 @@ RC_GTEST_PROP(CommonRefinement, edges_know_the_edges_they_are_parts_of, (Random 
     length[old] += edge_vector(fine.mesh, fine.edges, e).norm();
     for (int v : fine.edges.vertices.col(e)) {
       const double s = fine.place(old_edges, v, old);
-      const Vector2d at = refined.old().vertices.col(old_edges.vertices(0, old)) +
-                          s * edge_vector(refined.old(), old_edges, old);
+      const Vector2d at =
+          refined.old().vertices.col(old_edges.vertices(0, old)) +
+          s * edge_vector(refined.old(), old_edges, old);
       RC_ASSERT((at - fine.mesh.vertices.col(v)).norm() < 1e-13);
     }
   }
   for (int e = 0; e < old_edges.count(); ++e)
-    RC_ASSERT(std::abs(length[e] - edge_vector(refined.old(), old_edges, e).norm()) <
-              1e-13);
+    RC_ASSERT(
+        std::abs(length[e] - edge_vector(refined.old(), old_edges, e).norm()) <
+        1e-13);
   for (int b = 0; b < fine.mesh.boundary.cols(); ++b) {
     RC_ASSERT(fine.mesh.boundary_label[b] ==
               refined.old().boundary_label[fine.parent_boundary[b]]);
-    if (b > 0) RC_ASSERT(fine.parent_boundary[b] >= fine.parent_boundary[b - 1]);
+    if (b > 0)
+      RC_ASSERT(fine.parent_boundary[b] >= fine.parent_boundary[b - 1]);
   }
 }
 
 TEST(CommonRefinement, leaves_a_line_that_faces_no_body_as_it_is) {
-  Refined refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(2, 1, 6, 3)});
+  Refined refined(
+      {shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(2, 1, 6, 3)});
   Problem& problem = refined.two.problem;
   const ContactLine free =
       contact_line(problem.mesh, problem.edges, {refined.two.label(1, bottom)});
   const ContactLine both = joined_lines({free, problem.line});
-  const CommonRefinement fine = common_refinement(problem.mesh, problem.edges, both);
+  const CommonRefinement fine =
+      common_refinement(problem.mesh, problem.edges, both);
   EXPECT_EQ(fine.line.edge_count(), 2 + refined.fine.line.edge_count());
   for (int e = 0; e < 2; ++e) {
     EXPECT_EQ(fine.line.opposite_edge[e], -1);
@@ -141,8 +155,9 @@ TEST(CommonRefinement, lets_vertices_meet_that_all_but_do) {
   EXPECT_FALSE(fine.exact);
   EXPECT_EQ(fine.line.edge_count(), 3);
   EXPECT_EQ(fine.mesh.vertex_count(), 16);
-  EXPECT_TRUE(Refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(4, 1, 6, 3)})
-                  .fine.exact);
+  EXPECT_TRUE(
+      Refined({shifted(rectangle(3, 1, 6, 2), {0, 3}), rectangle(4, 1, 6, 3)})
+          .fine.exact);
 }
 
 /// The sliver between vertices that all but meet is none beside the short edge that
@@ -150,7 +165,8 @@ TEST(CommonRefinement, lets_vertices_meet_that_all_but_do) {
 TEST(CommonRefinement, lets_vertices_meet_beside_a_short_edge) {
   for (const bool mirrored : {false, true}) {
     const auto along = [&](double x) { return mirrored ? 6 - x : x; };
-    Mesh upper = shifted(rectangle(3, 1, 6, 2), {0, 3}), lower = rectangle(2, 1, 6, 3);
+    Mesh upper = shifted(rectangle(3, 1, 6, 2), {0, 3}),
+         lower = rectangle(2, 1, 6, 3);
     for (double& x : upper.vertices.row(0))
       x = x == along(2) ? along(2.9) : x == along(4) ? along(3) : x;
     for (double& x : lower.vertices.row(0)) x = x == 3 ? along(3 + 1.5e-4) : x;
@@ -169,7 +185,8 @@ TEST(CommonRefinement, refuses_rays_that_cross) {
     Refined({hollow, shifted(rectangle(8, 1, 6, 1), {-2, -1})});
   });
   EXPECT_TRUE(
-      says(sentence, "two contact edges face the same part of the opposite body near ("))
+      says(sentence,
+           "two contact edges face the same part of the opposite body near ("))
       << sentence;
   EXPECT_TRUE(says(sentence, "normal=[nx, ny]"));
 }

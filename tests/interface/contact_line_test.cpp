@@ -40,17 +40,20 @@ RC_GTEST_PROP(ContactLine, edges_run_along_the_tangent, (Random random)) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e);
     const Vector2d along = position(mesh, line, j) - position(mesh, line, i);
     RC_ASSERT((along - line.length[e] * line.edge_tangent(e)).norm() < 1e-14);
-    RC_ASSERT(std::abs(line.abscissa[j] - line.abscissa[i] - line.length[e]) < 1e-14);
+    RC_ASSERT(std::abs(line.abscissa[j] - line.abscissa[i] - line.length[e]) <
+              1e-14);
     RC_ASSERT((line.tangent(j) - line.edge_tangent(e)).norm() < 1e-14);
   }
 }
 
-RC_GTEST_PROP(ContactLine, bottom_nodes_go_from_left_to_right, (Random random)) {
+RC_GTEST_PROP(ContactLine, bottom_nodes_go_from_left_to_right,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const ContactLine line = line_of(mesh, {bottom});
   RC_ASSERT(line.node_count() == line.edge_count() + 1);
   for (int i = 0; i < line.node_count(); ++i) {
-    RC_ASSERT(std::abs(line.abscissa[i] - mesh.vertices(0, line.vertex[i])) < 1e-14);
+    RC_ASSERT(std::abs(line.abscissa[i] - mesh.vertices(0, line.vertex[i])) <
+              1e-14);
     RC_ASSERT(line.normal.col(i) == Vector2d(0, -1));
     RC_ASSERT((i == 0 || line.abscissa[i] > line.abscissa[i - 1]));
   }
@@ -85,8 +88,9 @@ TEST(ContactLine, is_straight_within_the_rounding_of_its_coordinates) {
     EXPECT_EQ(line.node_count(), 17 + 3);
     for (int i = 0; i < 17; ++i) {
       EXPECT_EQ(line.normal.col(i), line.normal.col(0));
-      EXPECT_LT((line.normal.col(i) - Vector2d(std::sin(0.3), -std::cos(0.3))).norm(),
-                2 * unit);
+      EXPECT_LT(
+          (line.normal.col(i) - Vector2d(std::sin(0.3), -std::cos(0.3))).norm(),
+          2 * unit);
     }
   }
 }
@@ -94,7 +98,8 @@ TEST(ContactLine, is_straight_within_the_rounding_of_its_coordinates) {
 TEST(ContactLine, that_is_closed_starts_at_a_corner) {
   Mesh mesh = rotated(rectangle(4, 4, 4, 4), 0.3);
   VectorXi swapped = VectorXi::LinSpaced(25, 0, 24);
-  std::swap(swapped[0], swapped[2]);  // vertex 0 is in the middle of the lower side
+  std::swap(swapped[0],
+            swapped[2]);  // vertex 0 is in the middle of the lower side
   for (int& v : mesh.cells.reshaped()) v = swapped[v];
   for (int& v : mesh.boundary.reshaped()) v = swapped[v];
   mesh.vertices.col(0).swap(mesh.vertices.col(2));
@@ -112,10 +117,12 @@ TEST(ContactLine, a_corner_is_two_nodes_that_no_mass_couples) {
   EXPECT_EQ(line.normal.col(2), Vector2d(-1, 0));
   EXPECT_EQ(line.normal.col(3), Vector2d(0, -1));
   EXPECT_EQ(line.abscissa[2], line.abscissa[3]);
-  EXPECT_EQ(MatrixXd(contact_mass(line)).topRightCorner(3, 3), Matrix3d::Zero());
+  EXPECT_EQ(MatrixXd(contact_mass(line)).topRightCorner(3, 3),
+            Matrix3d::Zero());
 }
 
-RC_GTEST_PROP(ContactLine, the_whole_boundary_is_closed_with_four_doubled_corners,
+RC_GTEST_PROP(ContactLine,
+              the_whole_boundary_is_closed_with_four_doubled_corners,
               (Random random)) {
   const Mesh mesh = irregular(3, 3, 3, 3, random);
   const ContactLine line = line_of(mesh, {left, bottom, right, top});
@@ -130,7 +137,8 @@ TEST(ContactLine, separate_sides_come_one_after_the_other) {
   const ContactLine line = line_of(rectangle(3, 2, 3, 2), {top, bottom});
   EXPECT_EQ(line.node_count(), 8);
   EXPECT_EQ(line.edge_count(), 6);
-  EXPECT_EQ(MatrixXd(contact_mass(line)).topRightCorner(4, 4), Matrix4d::Zero());
+  EXPECT_EQ(MatrixXd(contact_mass(line)).topRightCorner(4, 4),
+            Matrix4d::Zero());
 }
 
 TEST(ContactLine, every_edge_is_a_line_of_its_own_where_the_boundary_bends) {
@@ -142,14 +150,15 @@ TEST(ContactLine, every_edge_is_a_line_of_its_own_where_the_boundary_bends) {
     EXPECT_EQ(line.edge_node.col(e), Vector2i(2 * e, 2 * e + 1));
 }
 
-RC_GTEST_PROP(ContactLine, components_are_projections_on_n_and_t, (Random random)) {
+RC_GTEST_PROP(ContactLine, components_are_projections_on_n_and_t,
+              (Random random)) {
   const Mesh mesh = rotated(irregular(3, 2, 3, 2, random), 1.1);
   const ContactLine line = line_of(mesh, {bottom, left});
   const VectorXd field = random_vector(2 * mesh.vertices.cols(), random);
   const Matrix2Xd components = contact_components(line, field);
   for (int i = 0; i < line.node_count(); ++i) {
-    const Vector2d back =
-        components(0, i) * line.normal.col(i) + components(1, i) * line.tangent(i);
+    const Vector2d back = components(0, i) * line.normal.col(i) +
+                          components(1, i) * line.tangent(i);
     RC_ASSERT((back - field.segment<2>(2 * line.vertex[i])).norm() < 1e-14);
   }
 }
@@ -184,19 +193,26 @@ Matrix2Xd arc(int edges, double step) {
 
 TEST(CurvedContactLine,
      a_smooth_curve_has_one_node_a_vertex_and_the_normals_of_the_circle) {
-  const ContactLine line = curved_line_of(fan_on(arc(10, 0.1), {0.2, 2}), {bottom});
+  const ContactLine line =
+      curved_line_of(fan_on(arc(10, 0.1), {0.2, 2}), {bottom});
   ASSERT_EQ(line.node_count(), 11);
   for (int i = 0; i < 11; ++i)
     EXPECT_LT(
-        (line.normal.col(i) - Vector2d(std::sin(0.1 * i), -std::cos(0.1 * i))).norm(),
+        (line.normal.col(i) - Vector2d(std::sin(0.1 * i), -std::cos(0.1 * i)))
+            .norm(),
         1e-14);
 }
 
 TEST(CurvedContactLine, few_edges_and_sharp_turns_are_a_polygon) {
-  EXPECT_EQ(curved_line_of(fan_on(arc(5, 0.1), {0.1, 2}), {bottom}).node_count(), 6);
-  EXPECT_EQ(curved_line_of(fan_on(arc(4, 0.1), {0.1, 2}), {bottom}).node_count(), 8);
-  EXPECT_EQ(curved_line_of(fan_on(arc(6, 0.25), {0.2, 2}), {bottom}).node_count(), 7);
-  EXPECT_EQ(curved_line_of(fan_on(arc(6, 0.28), {0.2, 2}), {bottom}).node_count(), 12);
+  EXPECT_EQ(
+      curved_line_of(fan_on(arc(5, 0.1), {0.1, 2}), {bottom}).node_count(), 6);
+  EXPECT_EQ(
+      curved_line_of(fan_on(arc(4, 0.1), {0.1, 2}), {bottom}).node_count(), 8);
+  EXPECT_EQ(
+      curved_line_of(fan_on(arc(6, 0.25), {0.2, 2}), {bottom}).node_count(), 7);
+  EXPECT_EQ(
+      curved_line_of(fan_on(arc(6, 0.28), {0.2, 2}), {bottom}).node_count(),
+      12);
 }
 
 TEST(CurvedContactLine,
@@ -254,7 +270,8 @@ TEST(SmoothContactLine,
   ASSERT_EQ(line.node_count(), 9);
   for (int i = 1; i < 8; ++i)
     EXPECT_LT((line.normal.col(i) - position(mesh, line, i)).norm(), 1e-14);
-  EXPECT_NEAR(MatrixXd(contact_mass(line)).sum(), 16 * std::sin(pi / 16), 1e-14);
+  EXPECT_NEAR(MatrixXd(contact_mass(line)).sum(), 16 * std::sin(pi / 16),
+              1e-14);
 }
 
 TEST(SmoothContactLine, around_a_whole_body_ends_at_its_first_node) {
@@ -285,8 +302,8 @@ TEST(AlongDirections, refuses_a_direction_into_the_body_naming_its_vertex) {
   const auto refusal_with = [&](const Matrix2Xd& d) {
     return refusal([&] { along_directions(mesh, edges, smooth, d); });
   };
-  EXPECT_TRUE(
-      says(refusal_with(direction), "the contact direction (0, 1) at vertex 4 ("));
+  EXPECT_TRUE(says(refusal_with(direction),
+                   "the contact direction (0, 1) at vertex 4 ("));
   direction.col(4).setZero();
   EXPECT_TRUE(says(refusal_with(direction), "does not point out of the body"));
   EXPECT_EQ(refusal_with(direction.leftCols(3)),
@@ -294,7 +311,8 @@ TEST(AlongDirections, refuses_a_direction_into_the_body_naming_its_vertex) {
 }
 
 TEST(ContactLine, refuses_a_label_that_is_nowhere) {
-  EXPECT_EQ(refusal_of({bottom, 17}), "label 17 is on no boundary edge of the mesh");
+  EXPECT_EQ(refusal_of({bottom, 17}),
+            "label 17 is on no boundary edge of the mesh");
 }
 
 TEST(ContactLine, refuses_an_empty_list_of_labels) {

@@ -62,26 +62,31 @@ TEST(CurveDirections, are_the_normal_where_the_gap_is_smallest) {
   }
 }
 
-TEST(CurveDirections, are_those_of_the_edges_where_a_curve_fits_its_foundation) {
+TEST(CurveDirections,
+     are_those_of_the_edges_where_a_curve_fits_its_foundation) {
   const Round round(10, 2, 8);
   EXPECT_FALSE(turns(round.directed(round.heights(0.6))));
   expect_polygon(round.mesh, round.directed(round.heights(0.4)));
   expect_polygon(round.mesh, round.directed(round.heights(0)));
 }
 
-TEST(CurveDirections, are_those_of_the_edges_where_a_curve_turns_too_far_or_is_hollow) {
+TEST(CurveDirections,
+     are_those_of_the_edges_where_a_curve_turns_too_far_or_is_hollow) {
   const Round half(40, 0, 4.1);  // up to 77 degrees
   ASSERT_TRUE(turns(half.line));
   expect_polygon(half.mesh, half.directed(half.heights()));
   Round hollow(10, 2, 8);
   for (int v = 0; v < hollow.mesh.vertex_count(); ++v)
     hollow.mesh.vertices(1, v) *= hollow.mesh.vertices(1, v) < 1 ? -1 : 1;
-  hollow.line = curved_contact_line(hollow.mesh, edges_of(hollow.mesh), {bottom});
+  hollow.line =
+      curved_contact_line(hollow.mesh, edges_of(hollow.mesh), {bottom});
   ASSERT_TRUE(turns(hollow.line));
-  expect_polygon(hollow.mesh, hollow.directed(VectorXd::Zero(hollow.line.node_count())));
+  expect_polygon(hollow.mesh,
+                 hollow.directed(VectorXd::Zero(hollow.line.node_count())));
 }
 
-TEST(CurveDirections, are_those_of_a_straight_line_that_the_curve_goes_on_from) {
+TEST(CurveDirections,
+     are_those_of_a_straight_line_that_the_curve_goes_on_from) {
   const Round flat(20, 1, 8, 1, 4);
   ASSERT_EQ(flat.line.node_count(), 21);
   ASSERT_TRUE(turns(flat.line));
@@ -102,10 +107,11 @@ TEST(CurveDirections, are_each_curve_s_own) {
   Round block = two;  // with an arc on top, too, that fits its foundation
   for (int v = 0; v < two.mesh.vertex_count(); ++v) {
     const double x = two.mesh.vertices(0, v) - 2;
-    block.mesh.vertices(1, v) -=
-        rectangle(20, 20, 4, 3).vertices(1, v) / 3 * (8 - std::sqrt(64 - x * x));
+    block.mesh.vertices(1, v) -= rectangle(20, 20, 4, 3).vertices(1, v) / 3 *
+                                 (8 - std::sqrt(64 - x * x));
   }
-  block.line = curved_contact_line(block.mesh, edges_of(block.mesh), {bottom, top});
+  block.line =
+      curved_contact_line(block.mesh, edges_of(block.mesh), {bottom, top});
   ASSERT_EQ(block.line.node_count(), 2 * 21);
   VectorXd gap = VectorXd::Zero(42);
   int lower = 0;
@@ -115,13 +121,15 @@ TEST(CurveDirections, are_each_curve_s_own) {
   const ContactLine line = block.directed(gap);
   ASSERT_EQ(line.node_count(), 21 + 40);
   for (int e = 0; e < line.edge_count(); ++e) {
-    const bool below = block.mesh.vertices(1, line.vertex[line.edge_node(0, e)]) < 1.5;
+    const bool below =
+        block.mesh.vertices(1, line.vertex[line.edge_node(0, e)]) < 1.5;
     const Vector2d own =
         below ? Vector2d(0, -1)
               : edge_normal(block.mesh, edges_of(block.mesh), line.edge[e]);
     EXPECT_LT((line.edge_normal(e) - own).norm(), 1e-6);
     EXPECT_FALSE(turns(line, e));
-    EXPECT_NEAR(line.abscissa[line.edge_node(1, e)] - line.abscissa[line.edge_node(0, e)],
+    EXPECT_NEAR(line.abscissa[line.edge_node(1, e)] -
+                    line.abscissa[line.edge_node(0, e)],
                 line.length[e], 1e-12);
   }
 }
@@ -135,7 +143,8 @@ TEST(CurveDirections, of_straight_lines_are_left_alone) {
                 .normal,
             line.normal);
   EXPECT_EQ(refusal([&] {
-              with_one_direction_a_curve(mesh, edges_of(mesh), line, VectorXd::Zero(3));
+              with_one_direction_a_curve(mesh, edges_of(mesh), line,
+                                         VectorXd::Zero(3));
             }),
             "gap has 3 values where 10 are needed");
 }

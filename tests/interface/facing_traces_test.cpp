@@ -49,17 +49,18 @@ Facing random_rows(std::mt19937& random) {
 }
 
 TEST(FacingTraces, that_match_face_edge_by_edge) {
-  const Facing two(shifted(rectangle(4, 2, 4, 2), {0, 2.5}), rectangle(4, 2, 4, 2));
+  const Facing two(shifted(rectangle(4, 2, 4, 2), {0, 2.5}),
+                   rectangle(4, 2, 4, 2));
   ASSERT_EQ(two.traces.pieces.size(), 4u);
   EXPECT_TRUE(two.line.matches());
   for (int e = 0; e < 4; ++e) {
     const FacingPiece& piece = two.traces.pieces[e];
     EXPECT_EQ(piece.contact_edge, e);
     EXPECT_EQ(two.line.opposite_edge[e], piece.opposite_edge);
-    EXPECT_LT(
-        (two.on(piece.opposite_edge, 1) - two.on(two.line.edge[e], 0) + Vector2d(0, 0.5))
-            .norm(),
-        1e-15);
+    EXPECT_LT((two.on(piece.opposite_edge, 1) - two.on(two.line.edge[e], 0) +
+               Vector2d(0, 0.5))
+                  .norm(),
+              1e-15);
   }
   EXPECT_EQ(two.traces.gap, VectorXd::Constant(5, 0.5));
   for (int i = 0; i < 5; ++i)
@@ -71,7 +72,8 @@ TEST(FacingTraces, that_match_face_edge_by_edge) {
     });
 }
 
-RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite,
+RC_GTEST_PROP(FacingTraces,
+              pieces_cover_the_line_without_holes_and_lie_opposite,
               (Random random)) {
   const Facing two = random_rows(random);
   int e = 0;
@@ -81,7 +83,8 @@ RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite
       ++e;
       end = 0;
     }
-    RC_ASSERT(piece.contact_edge == e && piece.begin == end && piece.end > piece.begin);
+    RC_ASSERT(piece.contact_edge == e && piece.begin == end &&
+              piece.end > piece.begin);
     RC_ASSERT(piece.opposite_begin > piece.opposite_end);
     RC_ASSERT(piece.opposite_begin <= 1 && piece.opposite_end >= 0);
     RC_ASSERT((two.on(two.line.edge[e], piece.begin) -
@@ -96,7 +99,8 @@ RC_GTEST_PROP(FacingTraces, pieces_cover_the_line_without_holes_and_lie_opposite
   RC_ASSERT(two.traces.gap.isZero(0));
 }
 
-RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals,
+RC_GTEST_PROP(FacingTraces,
+              of_a_round_body_are_paired_along_its_turning_normals,
               (Random random)) {
   Mesh round = moved(rectangle(6, 2, 4, 2), 0.6, 0.2, random);
   for (int v = 0; v < round.vertex_count(); ++v)
@@ -112,17 +116,20 @@ RC_GTEST_PROP(FacingTraces, of_a_round_body_are_paired_along_its_turning_normals
                            two.on(two.line.edge[piece.contact_edge], s);
       RC_ASSERT(std::abs(n.x() * ray.y() - n.y() * ray.x()) < 1e-9);
       const int node = two.line.edge_node(last, piece.contact_edge);
-      if (s == last) RC_ASSERT(std::abs(two.traces.gap[node] - ray.norm()) < 1e-9);
+      if (s == last)
+        RC_ASSERT(std::abs(two.traces.gap[node] - ray.norm()) < 1e-9);
     }
 }
 
-TEST(FacingTraces, gap_is_measured_along_the_normal_and_negative_where_bodies_overlap) {
+TEST(FacingTraces,
+     gap_is_measured_along_the_normal_and_negative_where_bodies_overlap) {
   Mesh lower = rectangle(3, 1, 6, 3);
   for (int v = 0; v < lower.vertex_count(); ++v)
     if (lower.vertices(1, v) == 3)
       lower.vertices(1, v) += 0.1 * (lower.vertices(0, v) - 3);
   const Facing two(shifted(rectangle(4, 1, 4, 2), {1, 3}), lower);
-  for (int i = 0; i < 5; ++i) EXPECT_NEAR(two.traces.gap[i], -0.1 * (i - 2), 1e-14);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_NEAR(two.traces.gap[i], -0.1 * (i - 2), 1e-14);
 }
 
 TEST(FacingTraces, distances_within_the_rounding_of_coordinates_are_no_gap) {
@@ -141,11 +148,13 @@ TEST(FacingTraces, distances_within_the_rounding_of_coordinates_are_no_gap) {
 }
 
 TEST(FacingTraces, takes_the_nearest_of_several_edges_on_a_ray) {
-  Mesh lower = joined(rectangle(2, 2, 4, 2), shifted(rectangle(3, 1, 4, 1), {0, -3}));
+  Mesh lower =
+      joined(rectangle(2, 2, 4, 2), shifted(rectangle(3, 1, 4, 1), {0, -3}));
   lower.boundary_label.tail(8).array() -= 10;
   const Facing two(shifted(rectangle(4, 1, 4, 1), {0, 2.25}), lower);
   EXPECT_EQ(two.traces.gap, VectorXd::Constant(5, 0.25));
-  ASSERT_EQ(two.traces.pieces.size(), 4u);  // the vertices of the lower edges cut nothing
+  ASSERT_EQ(two.traces.pieces.size(),
+            4u);  // the vertices of the lower edges cut nothing
   for (const FacingPiece& piece : two.traces.pieces) {
     const int own = two.line.edge[piece.contact_edge];
     EXPECT_NEAR(two.on(own, piece.begin).x(),
@@ -156,7 +165,8 @@ TEST(FacingTraces, takes_the_nearest_of_several_edges_on_a_ray) {
 }
 
 TEST(FacingTraces, gap_above_a_step_is_that_of_the_higher_side) {
-  Mesh lower = joined(rectangle(1, 1, 2, 2), shifted(rectangle(1, 1, 2, 1.5), {2, 0}));
+  Mesh lower =
+      joined(rectangle(1, 1, 2, 2), shifted(rectangle(1, 1, 2, 1.5), {2, 0}));
   lower.boundary_label.tail(4).array() -= 10;
   const Facing two(shifted(rectangle(2, 1, 4, 1), {0, 2.25}), lower);
   EXPECT_EQ(two.traces.gap, Vector3d(0.25, 0.25, 0.75));
@@ -170,8 +180,8 @@ TEST(FacingTraces, refuses_a_line_that_faces_nothing) {
   };
   EXPECT_EQ(refusal_at(0), "accepted");
   EXPECT_EQ(refusal_at(1.5), "accepted");
-  EXPECT_TRUE(
-      says(refusal_at(2), "no point of the contact line, as (2.5, 1), faces an edge"))
+  EXPECT_TRUE(says(refusal_at(2),
+                   "no point of the contact line, as (2.5, 1), faces an edge"))
       << refusal_at(2);
 }
 
@@ -186,7 +196,8 @@ TEST(FacingLine, ends_where_the_opposite_body_ends) {
   Matrix2Xd part(2, 4);
   part << 0.75, 0, 0, 0, 1, 1, 1, 0.375;
   EXPECT_LT((line.part - part).cwiseAbs().maxCoeff(), 1e-14);
-  EXPECT_LT((line.length - Vector4d(0.25, 1, 1, 0.375)).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((line.length - Vector4d(0.25, 1, 1, 0.375)).cwiseAbs().maxCoeff(),
+            1e-14);
   EXPECT_EQ(line.abscissa, Vector3d(1, 2, 3));
   Matrix2Xi nodes(2, 4);
   nodes << 0, 0, 1, 2, 0, 1, 2, 2;
@@ -229,7 +240,8 @@ Facing random_overhang(std::mt19937& random) {
                 with_random_rows(lower, 2, 6, 3, random));
 }
 
-RC_GTEST_PROP(FacingLine, has_no_jump_where_both_traces_move_linearly, (Random random)) {
+RC_GTEST_PROP(FacingLine, has_no_jump_where_both_traces_move_linearly,
+              (Random random)) {
   const Facing two = random_overhang(random);
   const Vector3d a = random_vector(3, random), b = random_vector(3, random);
   const VectorXd u = nodal_values(two.joined.mesh, [&](const Vector2d& x) {
@@ -239,23 +251,26 @@ RC_GTEST_PROP(FacingLine, has_no_jump_where_both_traces_move_linearly, (Random r
   RC_ASSERT(contact_components(two.line, u).cwiseAbs().maxCoeff() < 1e-10);
 }
 
-RC_GTEST_PROP(FacingLine, integrals_of_the_jump_are_exact_where_it_ends_within_edges,
+RC_GTEST_PROP(FacingLine,
+              integrals_of_the_jump_are_exact_where_it_ends_within_edges,
               (Random random)) {
   const Facing two = random_overhang(random);
   const ContactLine& line = two.line;
   const VectorXd u = random_vector(two.joined.mesh.vertices.cols(), random);
   const auto on_edge = [&](int edge, double s) {
-    return (1 - s) * u[two.edges.vertices(0, edge)] + s * u[two.edges.vertices(1, edge)];
+    return (1 - s) * u[two.edges.vertices(0, edge)] +
+           s * u[two.edges.vertices(1, edge)];
   };
   VectorXd exact = VectorXd::Zero(line.node_count());
   for (const FacingPiece& piece : line.pieces)
     for (int k = 0; k < 3; ++k) {
       const int e = piece.contact_edge, edge = line.edge[e];
       const double x = piece.begin + k / 2.0 * (piece.end - piece.begin);
-      const double y =
-          piece.opposite_begin + k / 2.0 * (piece.opposite_end - piece.opposite_begin);
-      const double length = edge_vector(two.joined.mesh, two.edges, edge).norm() *
-                            (piece.end - piece.begin);
+      const double y = piece.opposite_begin +
+                       k / 2.0 * (piece.opposite_end - piece.opposite_begin);
+      const double length =
+          edge_vector(two.joined.mesh, two.edges, edge).norm() *
+          (piece.end - piece.begin);
       const double value = length * (k == 1 ? 4 : 1) / 6 *
                            (on_edge(edge, x) - on_edge(piece.opposite_edge, y));
       exact[line.edge_node(0, e)] += (1 - line.share(e, x)) * value;
@@ -276,17 +291,21 @@ RC_GTEST_PROP(ExchangedLine, is_that_of_the_opposite_body, (Random random)) {
   const ContactLine expected =
       facing_line(two.joined.mesh, two.edges, other,
                   facing_traces(two.joined.mesh, two.edges, other, upper));
-  const auto exchanged = exchanged_line(two.joined.mesh, two.edges, two.line, lower);
+  const auto exchanged =
+      exchanged_line(two.joined.mesh, two.edges, two.line, lower);
   RC_ASSERT(exchanged.has_value());
   RC_ASSERT(exchanged->vertex == expected.vertex &&
             exchanged->edge_node == expected.edge_node);
   RC_ASSERT(exchanged->edge == expected.edge &&
             exchanged->part.cols() == expected.part.cols());
-  RC_ASSERT((exchanged->normal - expected.normal).cwiseAbs().maxCoeff() < 1e-12);
-  RC_ASSERT((exchanged->abscissa - expected.abscissa).cwiseAbs().maxCoeff() < 1e-9);
+  RC_ASSERT((exchanged->normal - expected.normal).cwiseAbs().maxCoeff() <
+            1e-12);
+  RC_ASSERT((exchanged->abscissa - expected.abscissa).cwiseAbs().maxCoeff() <
+            1e-9);
   RC_ASSERT((exchanged->length - expected.length).cwiseAbs().maxCoeff() < 1e-9);
-  RC_ASSERT(MatrixXd(exchanged->opposite - expected.opposite).cwiseAbs().maxCoeff() <
-            1e-7);
+  RC_ASSERT(
+      MatrixXd(exchanged->opposite - expected.opposite).cwiseAbs().maxCoeff() <
+      1e-7);
   RC_ASSERT(facing_gap(*exchanged).isZero(0));
 }
 
@@ -296,8 +315,8 @@ TEST(ExchangedLine, keeps_the_gap_and_turns_directions_round) {
     if (lower.vertices(1, v) == 3)
       lower.vertices(1, v) -= 0.1 * std::abs(lower.vertices(0, v) - 2);
   const Facing two(shifted(rectangle(4, 1, 4, 2), {1, 3}), lower);
-  const auto exchanged =
-      exchanged_line(two.joined.mesh, two.edges, two.line, {two.joined.label(1, top)});
+  const auto exchanged = exchanged_line(two.joined.mesh, two.edges, two.line,
+                                        {two.joined.label(1, top)});
   ASSERT_TRUE(exchanged.has_value());
   // one node a vertex, though the lower side turns
   ASSERT_EQ(exchanged->node_count(), 2);
@@ -314,9 +333,9 @@ TEST(ExchangedLine, is_none_where_two_parts_face_one_place) {
     if (hollow.vertices(1, v) == 2)
       hollow.vertices(1, v) += 0.3 * (2 - std::abs(hollow.vertices(0, v) - 2));
   const Facing two(hollow, shifted(rectangle(7, 2, 6, 1.9), {-1, 0}));
-  EXPECT_FALSE(
-      exchanged_line(two.joined.mesh, two.edges, two.line, {two.joined.label(1, top)})
-          .has_value());
+  EXPECT_FALSE(exchanged_line(two.joined.mesh, two.edges, two.line,
+                              {two.joined.label(1, top)})
+                   .has_value());
 }
 
 RC_GTEST_PROP(FacingLine, integrals_of_the_opposite_displacement_are_exact,
@@ -328,24 +347,28 @@ RC_GTEST_PROP(FacingLine, integrals_of_the_opposite_displacement_are_exact,
   for (const FacingPiece& piece : two.line.pieces)
     for (int k = 0; k < 3; ++k) {
       const double x = piece.begin + k / 2.0 * (piece.end - piece.begin);
-      const double y =
-          piece.opposite_begin + k / 2.0 * (piece.opposite_end - piece.opposite_begin);
+      const double y = piece.opposite_begin +
+                       k / 2.0 * (piece.opposite_end - piece.opposite_begin);
       const double weight = two.line.length[piece.contact_edge] *
                             (piece.end - piece.begin) * (k == 1 ? 4 : 1) / 6;
-      const double value = (1 - y) * u[two.edges.vertices(0, piece.opposite_edge)] +
-                           y * u[two.edges.vertices(1, piece.opposite_edge)];
-      exact[two.line.edge_node(0, piece.contact_edge)] += weight * (1 - x) * value;
+      const double value =
+          (1 - y) * u[two.edges.vertices(0, piece.opposite_edge)] +
+          y * u[two.edges.vertices(1, piece.opposite_edge)];
+      exact[two.line.edge_node(0, piece.contact_edge)] +=
+          weight * (1 - x) * value;
       exact[two.line.edge_node(1, piece.contact_edge)] += weight * x * value;
     }
-  RC_ASSERT(
-      (contact_mass(two.line) * (two.line.opposite * u) - exact).cwiseAbs().maxCoeff() <
-      1e-13);
+  RC_ASSERT((contact_mass(two.line) * (two.line.opposite * u) - exact)
+                .cwiseAbs()
+                .maxCoeff() < 1e-13);
 }
 
-RC_GTEST_PROP(FacingLine, has_no_jump_where_both_bodies_move_alike, (Random random)) {
+RC_GTEST_PROP(FacingLine, has_no_jump_where_both_bodies_move_alike,
+              (Random random)) {
   const Facing two = random_rows(random);
   const Vector2d by = random_vector(2, random);
-  const VectorXd u = nodal_values(two.joined.mesh, [&](const Vector2d&) { return by; });
+  const VectorXd u =
+      nodal_values(two.joined.mesh, [&](const Vector2d&) { return by; });
   RC_ASSERT(contact_components(two.line, u).cwiseAbs().maxCoeff() < 1e-12);
 }
 
@@ -366,15 +389,18 @@ RC_GTEST_PROP(JoinedLines, are_the_lines_one_after_the_other, (Random random)) {
   RC_ASSERT(both.length.tail(two.line.edge_count()) == two.line.length);
   RC_ASSERT(both.abscissa.tail(two.line.node_count()) == two.line.abscissa);
   RC_ASSERT((both.opposite_edge.head(m).array() == -1).all());
-  RC_ASSERT(both.opposite_edge.tail(two.line.edge_count()) == two.line.opposite_edge);
+  RC_ASSERT(both.opposite_edge.tail(two.line.edge_count()) ==
+            two.line.opposite_edge);
   RC_ASSERT(both.pieces.size() == two.line.pieces.size());
   for (std::size_t k = 0; k < both.pieces.size(); ++k) {
-    RC_ASSERT(both.pieces[k].contact_edge == two.line.pieces[k].contact_edge + m);
+    RC_ASSERT(both.pieces[k].contact_edge ==
+              two.line.pieces[k].contact_edge + m);
     RC_ASSERT(both.pieces[k].opposite_edge == two.line.pieces[k].opposite_edge);
   }
   const MatrixXd opposite = both.opposite;
   RC_ASSERT(opposite.topRows(p).isZero(0) &&
-            opposite.bottomRows(two.line.node_count()) == MatrixXd(two.line.opposite));
+            opposite.bottomRows(two.line.node_count()) ==
+                MatrixXd(two.line.opposite));
 }
 
 }  // namespace

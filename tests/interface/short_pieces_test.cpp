@@ -22,17 +22,19 @@ Mesh cells(const std::vector<double>& x, double y) {
 
 /// All of the upper body's line faces edges of the lower one on the refinement, part by
 /// part.
-void expect_paired(const std::vector<double>& upper, const std::vector<double>& lower,
-                   int parts) {
-  const Bodies two = bodies({cells(upper, 1), cells(lower, 0)},
-                            {material(1, 0), material(1, 0)}, {{0, bottom, 1, top}});
+void expect_paired(const std::vector<double>& upper,
+                   const std::vector<double>& lower, int parts) {
+  const Bodies two =
+      bodies({cells(upper, 1), cells(lower, 0)},
+             {material(1, 0), material(1, 0)}, {{0, bottom, 1, top}});
   const CommonRefinement cut =
       common_refinement(two.problem.mesh, two.problem.edges, two.problem.line);
   EXPECT_TRUE(cut.exact);
   ASSERT_EQ(cut.line.edge_count(), parts);
   for (int e = 0; e < parts; ++e) {
     const Vector2d own = edge_vector(cut.mesh, cut.edges, cut.line.edge[e]);
-    const Vector2d facing = edge_vector(cut.mesh, cut.edges, cut.line.opposite_edge[e]);
+    const Vector2d facing =
+        edge_vector(cut.mesh, cut.edges, cut.line.opposite_edge[e]);
     EXPECT_LT((own + facing).norm(), 1e-12) << "part " << e;
   }
 }

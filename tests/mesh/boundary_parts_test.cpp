@@ -41,7 +41,8 @@ Mesh disturbed(Mesh mesh, int label, double by, std::mt19937& random) {
       for (int v : mesh.boundary.col(b)) ++degree[v];
   std::uniform_real_distribution<double> shift(-by, by);
   for (const auto& [vertex, edges] : degree)
-    if (edges == 2) mesh.vertices.col(vertex) += Vector2d(shift(random), shift(random));
+    if (edges == 2)
+      mesh.vertices.col(vertex) += Vector2d(shift(random), shift(random));
   return mesh;
 }
 
@@ -52,11 +53,13 @@ RC_GTEST_PROP(BoundaryParts, of_a_rectangle_are_its_sides_whatever_the_labels,
   mesh.boundary_label.setConstant(7);
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   RC_ASSERT(parts.size() == 4);
-  for (const BoundaryPart& part : parts) RC_ASSERT(part.straight() && part.label == 7);
+  for (const BoundaryPart& part : parts)
+    RC_ASSERT(part.straight() && part.label == 7);
 }
 
 TEST(BoundaryParts, are_lines_and_curves) {
-  const std::vector<BoundaryPart> parts = boundary_parts(block_on_arc(12, 6), corner);
+  const std::vector<BoundaryPart> parts =
+      boundary_parts(block_on_arc(12, 6), corner);
   ASSERT_EQ(parts.size(), 4u);
   EXPECT_EQ(count_of(parts, bottom, false), 1);
   for (int side : {right, top, left}) EXPECT_EQ(count_of(parts, side, true), 1);
@@ -66,13 +69,15 @@ TEST(BoundaryParts, of_a_closed_curve_are_one) {
   Mesh mesh = rectangle(12, 12, 2, 2);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     Vector2d x = mesh.vertices.col(v) - Vector2d(1, 1);
-    if (x.norm() > 0) mesh.vertices.col(v) = x * x.cwiseAbs().maxCoeff() / x.norm();
+    if (x.norm() > 0)
+      mesh.vertices.col(v) = x * x.cwiseAbs().maxCoeff() / x.norm();
     if (x.norm() == 0) mesh.vertices.col(v).setZero();
   }
   mesh.boundary_label.setConstant(1);
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   ASSERT_EQ(parts.size(), 1u);
-  EXPECT_TRUE(!parts[0].straight() && parts[0].curve.front() == parts[0].curve.back());
+  EXPECT_TRUE(!parts[0].straight() &&
+              parts[0].curve.front() == parts[0].curve.back());
   EXPECT_EQ(parts[0].columns.size(), 48u);
 }
 
@@ -90,7 +95,8 @@ TEST(BoundaryParts, split_where_the_label_changes_and_where_a_line_branches) {
   EXPECT_EQ(count_of(parts, top, true), 3);
 }
 
-TEST(BoundaryParts, of_a_curve_end_where_the_label_changes_and_know_the_whole_curve) {
+TEST(BoundaryParts,
+     of_a_curve_end_where_the_label_changes_and_know_the_whole_curve) {
   Mesh mesh = block_on_arc(12, 6);
   for (int b = 0; b < 2; ++b) mesh.boundary_label[b] = 9;
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
@@ -125,7 +131,8 @@ TEST(SmallestCorner, is_between_the_turns_of_curves_and_corners) {
   EXPECT_GT(angle(bent), pi / 180);
 }
 
-RC_GTEST_PROP(MovedOntoParts, puts_vertices_back_on_straight_lines, (Random random)) {
+RC_GTEST_PROP(MovedOntoParts, puts_vertices_back_on_straight_lines,
+              (Random random)) {
   const Mesh mesh = rotated(rectangle(4, 3, 4, 3), 0.3);
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   Mesh fine = rotated(rectangle(12, 9, 4, 3), 0.3);
@@ -137,8 +144,8 @@ RC_GTEST_PROP(MovedOntoParts, puts_vertices_back_on_straight_lines, (Random rand
         fine.boundary_label[b] = labelled.boundary_label[c];
         break;
       }
-  const Mesh moved =
-      moved_onto_parts(disturbed(fine, part_label(mesh, 0), 0.1, random), mesh, parts);
+  const Mesh moved = moved_onto_parts(
+      disturbed(fine, part_label(mesh, 0), 0.1, random), mesh, parts);
   const Mesh back = rotated(moved, -0.3);
   double area = 0;
   for (int t = 0; t < moved.cell_count(); ++t) {
@@ -149,13 +156,14 @@ RC_GTEST_PROP(MovedOntoParts, puts_vertices_back_on_straight_lines, (Random rand
   for (int b = 0; b < fine.boundary.cols(); ++b)
     for (int v : fine.boundary.col(b)) {
       const Vector2d x = back.vertices.col(v);
-      const double off = std::min(
-          {std::abs(x.x()), std::abs(x.x() - 4), std::abs(x.y()), std::abs(x.y() - 3)});
+      const double off = std::min({std::abs(x.x()), std::abs(x.x() - 4),
+                                   std::abs(x.y()), std::abs(x.y() - 3)});
       RC_ASSERT(off < 1e-14);
     }
 }
 
-TEST(MovedOntoParts, puts_vertices_of_chords_on_the_circle_and_corners_on_corners) {
+TEST(MovedOntoParts,
+     puts_vertices_of_chords_on_the_circle_and_corners_on_corners) {
   const Mesh mesh = block_on_arc(12, 6);
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   Mesh labelled = mesh;
@@ -163,17 +171,20 @@ TEST(MovedOntoParts, puts_vertices_of_chords_on_the_circle_and_corners_on_corner
   Mesh fine = labelled;
   for (int level = 0; level < 3; ++level)
     fine = refined(fine, triangles_near(fine, {2, -6}, 10));
-  fine.vertices.col(0) += Vector2d(1e-7, 1e-7);  // a corner: its label is the first
+  fine.vertices.col(0) +=
+      Vector2d(1e-7, 1e-7);  // a corner: its label is the first
   const Mesh moved = moved_onto_parts(fine, mesh, parts);
   EXPECT_EQ(moved.vertices.col(0), mesh.vertices.col(0));
   double before = 0, after = 0;
   for (int b = 0; b < fine.boundary.cols(); ++b)
     if (fine.boundary_label[b] == labelled.boundary_label[0])
       for (int v : fine.boundary.col(b)) {
-        before = std::max(before,
-                          std::abs((fine.vertices.col(v) - Vector2d(2, 0)).norm() - 6));
-        after = std::max(after,
-                         std::abs((moved.vertices.col(v) - Vector2d(2, 0)).norm() - 6));
+        before = std::max(
+            before,
+            std::abs((fine.vertices.col(v) - Vector2d(2, 0)).norm() - 6));
+        after = std::max(
+            after,
+            std::abs((moved.vertices.col(v) - Vector2d(2, 0)).norm() - 6));
       }
   EXPECT_GT(before, 1e-3);
   EXPECT_LT(after, 1e-7);
@@ -185,10 +196,12 @@ TEST(MovedOntoParts, lets_inner_vertices_give_way) {
   Mesh fine = mesh;
   fine.boundary_label = labelled_by_parts(mesh, parts);
   // above, but for a hair below
-  for (int i = 1; i < 6; ++i) fine.vertices(1, 7 + i) = fine.vertices(1, i) - 0.001;
+  for (int i = 1; i < 6; ++i)
+    fine.vertices(1, 7 + i) = fine.vertices(1, i) - 0.001;
   for (int i = 1; i < 6; ++i) fine.vertices(1, i) -= 0.3;
   const Mesh moved = moved_onto_parts(fine, mesh, parts);
-  for (int t = 0; t < moved.cell_count(); ++t) EXPECT_GT(signed_area(moved, t), 0);
+  for (int t = 0; t < moved.cell_count(); ++t)
+    EXPECT_GT(signed_area(moved, t), 0);
 }
 
 TEST(MovedOntoParts, refuses_triangles_that_turn_over) {
@@ -199,7 +212,8 @@ TEST(MovedOntoParts, refuses_triangles_that_turn_over) {
   // positive triangles, but the wrong order along the side
   fine.vertices.col(1) << 1.5, -1;
   fine.vertices.col(2) << 1.4, -3;
-  EXPECT_TRUE(says(refusal([&] { moved_onto_parts(fine, mesh, parts); }), "turns over"));
+  EXPECT_TRUE(says(refusal([&] { moved_onto_parts(fine, mesh, parts); }),
+                   "turns over"));
 }
 
 }  // namespace

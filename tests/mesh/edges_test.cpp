@@ -32,22 +32,27 @@ Mesh square_with_labelled_edge(int a, int b) {
   return mesh;
 }
 
-RC_GTEST_PROP(Edges, vertices_less_edges_plus_triangles_are_one, (Random random)) {
+RC_GTEST_PROP(Edges, vertices_less_edges_plus_triangles_are_one,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
-  RC_ASSERT(mesh.vertex_count() - edges_of(mesh).count() + mesh.cell_count() == 1);
+  RC_ASSERT(mesh.vertex_count() - edges_of(mesh).count() + mesh.cell_count() ==
+            1);
 }
 
-RC_GTEST_PROP(Edges, local_edge_k_is_opposite_to_local_vertex_k, (Random random)) {
+RC_GTEST_PROP(Edges, local_edge_k_is_opposite_to_local_vertex_k,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const Edges edges = edges_of(mesh);
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const std::set<int> others{mesh.cells((k + 1) % 3, t), mesh.cells((k + 2) % 3, t)};
+      const std::set<int> others{mesh.cells((k + 1) % 3, t),
+                                 mesh.cells((k + 2) % 3, t)};
       RC_ASSERT(ends(edges, edges.of_cell(k, t)) == others);
     }
 }
 
-RC_GTEST_PROP(Edges, eta_is_one_on_the_left_and_minus_one_on_the_right, (Random random)) {
+RC_GTEST_PROP(Edges, eta_is_one_on_the_left_and_minus_one_on_the_right,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const Edges edges = edges_of(mesh);
   for (int t = 0; t < mesh.cell_count(); ++t)
@@ -61,7 +66,8 @@ RC_GTEST_PROP(Edges, eta_is_one_on_the_left_and_minus_one_on_the_right, (Random 
     }
 }
 
-RC_GTEST_PROP(Edges, boundary_runs_counter_clockwise_around_the_body, (Random random)) {
+RC_GTEST_PROP(Edges, boundary_runs_counter_clockwise_around_the_body,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 4, 3, random);
   const Edges edges = edges_of(mesh);
   double twice_area = 0;
@@ -87,8 +93,8 @@ RC_GTEST_PROP(Edges, outward_normals_follow_the_labels, (Random random)) {
     const int b = edges.boundary_index[e];
     RC_ASSERT(ends(edges, e) ==
               (std::set<int>{mesh.boundary(0, b), mesh.boundary(1, b)}));
-    RC_ASSERT((edge_normal(mesh, edges, e) - outward.at(mesh.boundary_label[b])).norm() <
-              1e-13);
+    RC_ASSERT((edge_normal(mesh, edges, e) - outward.at(mesh.boundary_label[b]))
+                  .norm() < 1e-13);
   }
   RC_ASSERT(on_boundary == mesh.boundary.cols());
 }
@@ -104,7 +110,8 @@ TEST(Edges, refuses_a_boundary_edge_without_label) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.boundary.conservativeResize(Eigen::NoChange, 3);
   mesh.boundary_label.conservativeResize(3);
-  EXPECT_EQ(refusal_of(mesh), "the boundary edge between vertices 0 and 2 has no label");
+  EXPECT_EQ(refusal_of(mesh),
+            "the boundary edge between vertices 0 and 2 has no label");
 }
 
 TEST(Edges, refuses_a_labelled_edge_of_no_triangle) {
@@ -120,7 +127,8 @@ TEST(Edges, refuses_triangles_that_overlap) {
             "the edge between vertices 0 and 1 has triangles that overlap");
 }
 
-TEST(Edges, refuses_two_triangles_on_the_right_of_an_edge_with_one_on_its_left) {
+TEST(Edges,
+     refuses_two_triangles_on_the_right_of_an_edge_with_one_on_its_left) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.vertices.resize(2, 5);
   mesh.vertices << 0, 1, 0.5, 0.5, 0.6, 0, 0, 1, -1, -0.8;

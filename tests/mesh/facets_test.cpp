@@ -50,7 +50,8 @@ std::set<int> corners(const Facets<3>& faces, int f) {
   return {faces.vertices(0, f), faces.vertices(1, f), faces.vertices(2, f)};
 }
 
-RC_GTEST_PROP(Faces, are_as_many_as_cells_and_boundary_ask_for, (Random random)) {
+RC_GTEST_PROP(Faces, are_as_many_as_cells_and_boundary_ask_for,
+              (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Facets<3> faces = facets_of(mesh);
   int on_boundary = 0;
@@ -59,12 +60,14 @@ RC_GTEST_PROP(Faces, are_as_many_as_cells_and_boundary_ask_for, (Random random))
   RC_ASSERT(2 * faces.count() == 4 * mesh.cell_count() + on_boundary);
 }
 
-RC_GTEST_PROP(Faces, local_face_k_is_opposite_to_local_vertex_k, (Random random)) {
+RC_GTEST_PROP(Faces, local_face_k_is_opposite_to_local_vertex_k,
+              (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Facets<3> faces = facets_of(mesh);
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 4; ++k) {
-      const std::set<int> others{mesh.cells((k + 1) % 4, t), mesh.cells((k + 2) % 4, t),
+      const std::set<int> others{mesh.cells((k + 1) % 4, t),
+                                 mesh.cells((k + 2) % 4, t),
                                  mesh.cells((k + 3) % 4, t)};
       RC_ASSERT(corners(faces, faces.of_cell(k, t)) == others);
     }
@@ -81,7 +84,8 @@ RC_GTEST_PROP(Faces, normals_point_out_of_the_first_cell_and_into_the_second,
       RC_ASSERT(faces.cells(faces.eta(k, t) > 0 ? 0 : 1, f) == t);
       const Vector3d to_apex =
           mesh.corner(t, k) - mesh.vertices.col(faces.vertices(0, f));
-      RC_ASSERT(faces.eta(k, t) * facet_normal(mesh, faces, f).dot(to_apex) < 0);
+      RC_ASSERT(faces.eta(k, t) * facet_normal(mesh, faces, f).dot(to_apex) <
+                0);
     }
 }
 
@@ -94,8 +98,8 @@ RC_GTEST_PROP(Faces, areas_and_normals_of_each_cell_obey_the_divergence_theorem,
     double flux = 0;  // of the position
     for (int k = 0; k < 4; ++k) {
       const int f = faces.of_cell(k, t);
-      const Vector3d outward =
-          faces.eta(k, t) * facet_measure(mesh, faces, f) * facet_normal(mesh, faces, f);
+      const Vector3d outward = faces.eta(k, t) * facet_measure(mesh, faces, f) *
+                               facet_normal(mesh, faces, f);
       closed += outward;
       flux += outward.dot(mesh.vertices.col(faces.vertices(1, f)));
     }
@@ -104,7 +108,8 @@ RC_GTEST_PROP(Faces, areas_and_normals_of_each_cell_obey_the_divergence_theorem,
   }
 }
 
-RC_GTEST_PROP(Faces, outward_normals_and_areas_follow_the_labels, (Random random)) {
+RC_GTEST_PROP(Faces, outward_normals_and_areas_follow_the_labels,
+              (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Facets<3> faces = facets_of(mesh);
   Matrix<double, 6, 1> area = Matrix<double, 6, 1>::Zero();
@@ -112,11 +117,11 @@ RC_GTEST_PROP(Faces, outward_normals_and_areas_follow_the_labels, (Random random
     RC_ASSERT(faces.on_boundary(f) == (faces.boundary_index[f] >= 0));
     if (!faces.on_boundary(f)) continue;
     const int b = faces.boundary_index[f], label = mesh.boundary_label[b];
-    RC_ASSERT(
-        corners(faces, f) ==
-        (std::set<int>{mesh.boundary(0, b), mesh.boundary(1, b), mesh.boundary(2, b)}));
-    const Vector3d outward =
-        Vector3d::Unit((label - low_x) / 2) * ((label - low_x) % 2 == 0 ? -1 : 1);
+    RC_ASSERT(corners(faces, f) ==
+              (std::set<int>{mesh.boundary(0, b), mesh.boundary(1, b),
+                             mesh.boundary(2, b)}));
+    const Vector3d outward = Vector3d::Unit((label - low_x) / 2) *
+                             ((label - low_x) % 2 == 0 ? -1 : 1);
     RC_ASSERT((facet_normal(mesh, faces, f) - outward).norm() < 1e-14);
     area[label - low_x] += facet_measure(mesh, faces, f);
   }

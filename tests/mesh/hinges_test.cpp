@@ -21,8 +21,8 @@ std::string refusal_of(const SimplexMesh<dim>& mesh) {
   return refusal([&] { hinges_of(mesh, facets_of(mesh)); });
 }
 
-std::set<int> facets_at(const std::vector<int>& start, const std::vector<int>& facet,
-                        int hinge) {
+std::set<int> facets_at(const std::vector<int>& start,
+                        const std::vector<int>& facet, int hinge) {
   return {facet.begin() + start[hinge], facet.begin() + start[hinge + 1]};
 }
 
@@ -31,7 +31,8 @@ RC_GTEST_PROP(Hinges, vertices_edges_faces_and_cells_of_a_solid_obey_euler,
   const SolidMesh mesh = irregular_solid(random);
   const Facets<3> faces = facets_of(mesh);
   const int edges = hinges_of(mesh, faces).count();
-  RC_ASSERT(mesh.vertex_count() - edges + faces.count() - mesh.cell_count() == 1);
+  RC_ASSERT(mesh.vertex_count() - edges + faces.count() - mesh.cell_count() ==
+            1);
 }
 
 RC_GTEST_PROP(Hinges, of_a_solid_have_the_faces_that_have_both_their_vertices,
@@ -65,7 +66,8 @@ RC_GTEST_PROP(Hinges, of_a_face_are_opposite_to_its_vertices, (Random random)) {
       const int h = edges.of_facet(k, f);
       const std::set<int> expected{faces.vertices((k + 1) % 3, f),
                                    faces.vertices((k + 2) % 3, f)};
-      RC_ASSERT((std::set<int>{edges.vertices(0, h), edges.vertices(1, h)}) == expected);
+      RC_ASSERT((std::set<int>{edges.vertices(0, h), edges.vertices(1, h)}) ==
+                expected);
     }
 }
 
@@ -93,8 +95,9 @@ TEST(Hinges, refuses_a_body_that_touches_itself_in_a_single_edge) {
   mesh.cells << 0, 0, 2, 4, 3, 5, 1, 1;
   add_boundary(mesh);
   require_valid(mesh);
-  EXPECT_EQ(refusal_of(mesh),
-            "the body touches itself in the single edge between vertices 0 and 1");
+  EXPECT_EQ(
+      refusal_of(mesh),
+      "the body touches itself in the single edge between vertices 0 and 1");
 }
 
 TEST(Hinges, refuses_a_plane_body_that_touches_itself_in_a_single_vertex) {

@@ -28,7 +28,8 @@ TEST(JoinedMesh, numbers_bodies_one_after_the_other) {
   EXPECT_EQ(mesh.vertices.middleCols(6, 8), second.vertices);
   EXPECT_EQ(mesh.cells.middleCols(4, 6), (second.cells.array() + 6).matrix());
   EXPECT_EQ(mesh.cells.rightCols(4), (first.cells.array() + 14).matrix());
-  EXPECT_EQ(mesh.boundary.middleCols(6, 8), (second.boundary.array() + 6).matrix());
+  EXPECT_EQ(mesh.boundary.middleCols(6, 8),
+            (second.boundary.array() + 6).matrix());
 }
 
 TEST(JoinedMesh, shares_no_label_between_bodies) {
@@ -38,14 +39,16 @@ TEST(JoinedMesh, shares_no_label_between_bodies) {
   const JoinedMesh joined = joined_mesh({first, second});
   EXPECT_GT(joined.label(1, -5), joined.label(0, 9));
   for (int b = 0; b < 6; ++b) {
-    EXPECT_EQ(joined.mesh.boundary_label[b], joined.label(0, first.boundary_label[b]));
+    EXPECT_EQ(joined.mesh.boundary_label[b],
+              joined.label(0, first.boundary_label[b]));
     EXPECT_EQ(joined.mesh.boundary_label[6 + b],
               joined.label(1, second.boundary_label[b]));
   }
 }
 
-TEST(JoinedMesh,
-     takes_coordinates_of_far_bodies_from_an_origin_near_them_without_rounding) {
+TEST(
+    JoinedMesh,
+    takes_coordinates_of_far_bodies_from_an_origin_near_them_without_rounding) {
   const Mesh first = at(rotated(rectangle(3, 2, 3, 2), 0.7), 1e6, -3e5),
              second = at(first, 2.5, 0.1);
   const Mesh joined = joined_mesh({first, second}).mesh;

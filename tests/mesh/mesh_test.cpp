@@ -18,7 +18,8 @@ std::string refusal_of(const Mesh& mesh) {
   return refusal([&] { require_valid(mesh); });
 }
 
-RC_GTEST_PROP(Mesh, areas_of_irregular_triangles_add_up_to_the_body, (Random random)) {
+RC_GTEST_PROP(Mesh, areas_of_irregular_triangles_add_up_to_the_body,
+              (Random random)) {
   const Mesh mesh = irregular(4, 3, 8, 6, random);
   double area = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
@@ -49,7 +50,8 @@ TEST(Mesh, refuses_a_mesh_without_triangles) {
 TEST(Mesh, refuses_a_coordinate_that_is_not_finite) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.vertices(1, 2) = std::nan("");
-  EXPECT_EQ(refusal_of(mesh), "the mesh has a vertex whose coordinates are not finite");
+  EXPECT_EQ(refusal_of(mesh),
+            "the mesh has a vertex whose coordinates are not finite");
 }
 
 TEST(Mesh, refuses_a_triangle_that_turns_clockwise) {
@@ -61,7 +63,8 @@ TEST(Mesh, refuses_a_triangle_that_turns_clockwise) {
 TEST(Mesh, refuses_a_vertex_out_of_range) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.cells(2, 0) = 4;
-  EXPECT_EQ(refusal_of(mesh), "triangle 0 names vertex 4 of a mesh with 4 vertices");
+  EXPECT_EQ(refusal_of(mesh),
+            "triangle 0 names vertex 4 of a mesh with 4 vertices");
   mesh = rectangle(1, 1, 1, 1);
   mesh.boundary(0, 3) = -1;
   EXPECT_EQ(refusal_of(mesh),

@@ -22,7 +22,8 @@ Vector2d on_circle(double radius, double angle) {
 std::vector<double> uneven_angles(int steps, double to, std::mt19937& random) {
   std::uniform_real_distribution<double> step(1, 3);
   std::vector<double> angles{0};
-  for (int k = 0; k < steps; ++k) angles.push_back(angles.back() + step(random));
+  for (int k = 0; k < steps; ++k)
+    angles.push_back(angles.back() + step(random));
   for (double& angle : angles) angle *= to / angles.back();
   return angles;
 }
@@ -34,15 +35,16 @@ Matrix2Xd points_at(double radius, const std::vector<double>& angles) {
   return points;
 }
 
-RC_GTEST_PROP(SmoothCurve, through_points_of_a_circle_is_the_circle, (Random random)) {
+RC_GTEST_PROP(SmoothCurve, through_points_of_a_circle_is_the_circle,
+              (Random random)) {
   const std::vector<double> angles = uneven_angles(12, 2, random);
   const SmoothCurve curve = smooth_curve(points_at(50, angles), false);
   double widest = 0;
-  for (int k = 0; k < 12; ++k) widest = std::max(widest, angles[k + 1] - angles[k]);
+  for (int k = 0; k < 12; ++k)
+    widest = std::max(widest, angles[k + 1] - angles[k]);
   for (std::size_t k = 0; k < angles.size(); ++k)
-    RC_ASSERT(
-        curve.tangents.col(static_cast<Index>(k)).dot(on_circle(1, angles[k] + pi / 2)) >
-        1 - 1e-14);
+    RC_ASSERT(curve.tangents.col(static_cast<Index>(k))
+                  .dot(on_circle(1, angles[k] + pi / 2)) > 1 - 1e-14);
   for (int piece = 0; piece < 12; ++piece)
     for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0})
       RC_ASSERT(std::abs(curve.at(piece, s).norm() - 50) <
@@ -56,8 +58,8 @@ RC_GTEST_PROP(SmoothCurve, beside_a_point_is_its_neighbour_on_the_circle,
   std::uniform_real_distribution<double> angle(0, 2), off(-0.1, 0.1);
   for (int k = 0; k < 20; ++k) {
     const double a = angle(random);
-    RC_ASSERT((curve.beside(on_circle(50 + off(random), a)) - on_circle(50, a)).norm() <
-              0.005);
+    RC_ASSERT((curve.beside(on_circle(50 + off(random), a)) - on_circle(50, a))
+                  .norm() < 0.005);
   }
 }
 

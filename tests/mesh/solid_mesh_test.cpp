@@ -52,7 +52,8 @@ RC_GTEST_PROP(SolidMesh, volumes_of_irregular_tetrahedra_add_up_to_the_body,
   RC_ASSERT(std::abs(volume - 12) < 12e-14);
 }
 
-RC_GTEST_PROP(SolidMesh, hat_functions_add_up_to_one_and_reproduce_linear_functions,
+RC_GTEST_PROP(SolidMesh,
+              hat_functions_add_up_to_one_and_reproduce_linear_functions,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Vector3d slope = random_vector(3, random);
@@ -65,14 +66,16 @@ RC_GTEST_PROP(SolidMesh, hat_functions_add_up_to_one_and_reproduce_linear_functi
   }
 }
 
-RC_GTEST_PROP(SolidMesh, outward_vectors_of_the_facets_of_a_cell_add_up_to_nothing,
+RC_GTEST_PROP(SolidMesh,
+              outward_vectors_of_the_facets_of_a_cell_add_up_to_nothing,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   for (int t = 0; t < mesh.cell_count(); ++t) {
     Vector3d sum = Vector3d::Zero();
     for (int k = 0; k < 4; ++k) {
       Matrix3d corners;
-      for (int i = 0; i < 3; ++i) corners.col(i) = mesh.corner(t, facet_corners<3>[k][i]);
+      for (int i = 0; i < 3; ++i)
+        corners.col(i) = mesh.corner(t, facet_corners<3>[k][i]);
       const Vector3d outward = facet_vector(corners);
       RC_ASSERT(outward.dot(mesh.corner(t, k) - corners.col(0)) < 0);
       sum += outward;
@@ -88,7 +91,8 @@ TEST(SolidMesh, refuses_a_mesh_without_tetrahedra) {
 TEST(SolidMesh, refuses_a_tetrahedron_that_is_inverted_or_flat) {
   SolidMesh mesh = unit_tetrahedron();
   mesh.vertices(2, 3) = -0.75;
-  EXPECT_EQ(refusal_of(mesh), "tetrahedron 0 has the volume -0.125, not positive");
+  EXPECT_EQ(refusal_of(mesh),
+            "tetrahedron 0 has the volume -0.125, not positive");
   mesh.vertices(2, 3) = 0;
   EXPECT_EQ(refusal_of(mesh), "tetrahedron 0 has the volume 0, not positive");
 }
@@ -96,7 +100,8 @@ TEST(SolidMesh, refuses_a_tetrahedron_that_is_inverted_or_flat) {
 TEST(SolidMesh, refuses_a_vertex_out_of_range) {
   SolidMesh mesh = unit_tetrahedron();
   mesh.cells(3, 0) = 4;
-  EXPECT_EQ(refusal_of(mesh), "tetrahedron 0 names vertex 4 of a mesh with 4 vertices");
+  EXPECT_EQ(refusal_of(mesh),
+            "tetrahedron 0 names vertex 4 of a mesh with 4 vertices");
   mesh = unit_tetrahedron();
   mesh.boundary(2, 1) = -1;
   EXPECT_EQ(refusal_of(mesh),
@@ -106,7 +111,8 @@ TEST(SolidMesh, refuses_a_vertex_out_of_range) {
 TEST(SolidMesh, refuses_a_coordinate_that_is_not_finite) {
   SolidMesh mesh = unit_tetrahedron();
   mesh.vertices(2, 1) = std::nan("");
-  EXPECT_EQ(refusal_of(mesh), "the mesh has a vertex whose coordinates are not finite");
+  EXPECT_EQ(refusal_of(mesh),
+            "the mesh has a vertex whose coordinates are not finite");
 }
 
 TEST(SolidMesh, refuses_boundary_faces_without_label) {

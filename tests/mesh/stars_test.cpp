@@ -27,7 +27,8 @@ Vector2d spoke_vector(const Topology& body, int vertex, int k) {
 /// Angle from spoke k to the next one, in (-pi, pi].
 double angle(const Topology& body, int vertex, int k) {
   const Vector2d a = spoke_vector(body, vertex, k);
-  const Vector2d b = spoke_vector(body, vertex, (k + 1) % body.stars.spoke_count(vertex));
+  const Vector2d b =
+      spoke_vector(body, vertex, (k + 1) % body.stars.spoke_count(vertex));
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
@@ -57,12 +58,13 @@ RC_GTEST_PROP(Stars, angles_are_positive_and_sum_to_the_angle_of_the_body,
       RC_ASSERT(angle(body, v, k) > 0);
       sum += angle(body, v, k);
     }
-    RC_ASSERT(std::abs(sum - angle_of_rectangle(body.mesh.vertices.col(v), 8, 6)) <
-              1e-12);
+    RC_ASSERT(std::abs(sum - angle_of_rectangle(body.mesh.vertices.col(v), 8,
+                                                6)) < 1e-12);
   }
 }
 
-RC_GTEST_PROP(Stars, triangle_k_lies_between_spokes_k_and_k_plus_one, (Random random)) {
+RC_GTEST_PROP(Stars, triangle_k_lies_between_spokes_k_and_k_plus_one,
+              (Random random)) {
   const Topology body = topology_of(irregular(4, 3, 4, 3, random));
   const Stars& stars = body.stars;
   for (int v = 0; v < body.mesh.vertex_count(); ++v)
@@ -77,7 +79,8 @@ RC_GTEST_PROP(Stars, triangle_k_lies_between_spokes_k_and_k_plus_one, (Random ra
     }
 }
 
-RC_GTEST_PROP(Stars, a_boundary_star_begins_and_ends_at_boundary_edges, (Random random)) {
+RC_GTEST_PROP(Stars, a_boundary_star_begins_and_ends_at_boundary_edges,
+              (Random random)) {
   const Topology body = topology_of(irregular(4, 3, 4, 3, random));
   const Stars& stars = body.stars;
   for (int v = 0; v < body.mesh.vertex_count(); ++v) {
@@ -90,7 +93,8 @@ RC_GTEST_PROP(Stars, a_boundary_star_begins_and_ends_at_boundary_edges, (Random 
   }
 }
 
-RC_GTEST_PROP(Stars, vertices_of_one_colour_share_no_triangle, (Random random)) {
+RC_GTEST_PROP(Stars, vertices_of_one_colour_share_no_triangle,
+              (Random random)) {
   const Mesh mesh = irregular(5, 4, 5, 4, random);
   std::vector<int> times(mesh.vertex_count(), 0);
   for (const std::vector<int>& colour :
@@ -98,7 +102,8 @@ RC_GTEST_PROP(Stars, vertices_of_one_colour_share_no_triangle, (Random random)) 
     RC_ASSERT(share_no_triangle(mesh, colour));
     for (int v : colour) ++times[v];
   }
-  RC_ASSERT(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
+  RC_ASSERT(
+      std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
 }
 
 TEST(Stars, two_colours_put_together_share_triangles) {

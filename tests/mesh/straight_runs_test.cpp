@@ -16,7 +16,8 @@ constexpr double pi = 3.14159265358979323846;
 
 Matrix2Xd along(const Vector2d& first, const Vector2d& last, int edges) {
   Matrix2Xd points(2, edges + 1);
-  for (int k = 0; k <= edges; ++k) points.col(k) = first + (last - first) * k / edges;
+  for (int k = 0; k <= edges; ++k)
+    points.col(k) = first + (last - first) * k / edges;
   return points;
 }
 
@@ -41,8 +42,8 @@ Matrix2Xd arc(double radius, double from, double to, int edges) {
 
 std::vector<int> runs_of(const Matrix2Xd& points) {
   const double size = extent(points);
-  return straight_runs(points,
-                       straight_tolerance(coordinate_precision(points, size), size));
+  return straight_runs(
+      points, straight_tolerance(coordinate_precision(points, size), size));
 }
 
 std::vector<LinePart> parts_of(const Matrix2Xd& points) {
@@ -53,10 +54,12 @@ TEST(CoordinatePrecision, is_the_last_decimal_of_coordinates_with_few) {
   const Matrix2Xd points = along({0.3, -0.2}, {1 / 3.0, std::sqrt(0.7)}, 7);
   EXPECT_NEAR(coordinate_precision(rounded(points, 1e-6), 1), 1e-6, 1e-12);
   EXPECT_NEAR(coordinate_precision(rounded(points, 1e-8), 1), 1e-8, 1e-14);
-  EXPECT_NEAR(coordinate_precision(rounded(points.array() + 1e6, 1e-5), 1), 1e-5, 1e-11);
+  EXPECT_NEAR(coordinate_precision(rounded(points.array() + 1e6, 1e-5), 1),
+              1e-5, 1e-11);
 }
 
-TEST(CoordinatePrecision, is_rounding_where_coordinates_need_all_decimals_or_were_typed) {
+TEST(CoordinatePrecision,
+     is_rounding_where_coordinates_need_all_decimals_or_were_typed) {
   const Matrix2Xd points = along({0.3, -0.2}, {1 / 3.0, std::sqrt(0.7)}, 7);
   EXPECT_LT(coordinate_precision(points, 1), 2e-15);
   EXPECT_LT(coordinate_precision(points.array() + 1e6, 1), 1e-9);
@@ -69,9 +72,10 @@ TEST(StraightRuns, take_rounded_lines_for_straight_and_keep_shallow_corners) {
     const Vector2d corner(std::cos(0.3), std::sin(0.3));
     const Matrix2Xd line = along({0, 0}, corner, 32);
     EXPECT_EQ(runs_of(rounded(line, unit)), (std::vector<int>{0, 32})) << unit;
-    const Matrix2Xd bent =
-        one_after_the_other(line, along(corner, corner + Vector2d(0.955, 0.297), 8));
-    EXPECT_EQ(runs_of(rounded(bent, unit)), (std::vector<int>{0, 32, 40})) << unit;
+    const Matrix2Xd bent = one_after_the_other(
+        line, along(corner, corner + Vector2d(0.955, 0.297), 8));
+    EXPECT_EQ(runs_of(rounded(bent, unit)), (std::vector<int>{0, 32, 40}))
+        << unit;
   }
 }
 
@@ -80,16 +84,17 @@ RC_GTEST_PROP(StraightRuns, hold_far_from_the_origin, (Random random)) {
   const double a = angle(random);
   const Vector2d first(place(random), place(random)),
       corner = first + Vector2d(std::cos(a), std::sin(a));
-  const Vector2d last = corner + Vector2d(std::cos(a + 0.01), std::sin(a + 0.01));
-  RC_ASSERT(
-      runs_of(one_after_the_other(along(first, corner, 20), along(corner, last, 30))) ==
-      (std::vector<int>{0, 20, 50}));
+  const Vector2d last =
+      corner + Vector2d(std::cos(a + 0.01), std::sin(a + 0.01));
+  RC_ASSERT(runs_of(one_after_the_other(along(first, corner, 20),
+                                        along(corner, last, 30))) ==
+            (std::vector<int>{0, 20, 50}));
 }
 
 TEST(StraightRuns, end_where_the_chain_turns_back) {
-  EXPECT_EQ(
-      runs_of(one_after_the_other(along({0, 0}, {1, 0}, 4), along({1, 0}, {0.5, 0}, 2))),
-      (std::vector<int>{0, 4, 6}));
+  EXPECT_EQ(runs_of(one_after_the_other(along({0, 0}, {1, 0}, 4),
+                                        along({1, 0}, {0.5, 0}, 2))),
+            (std::vector<int>{0, 4, 6}));
 }
 
 TEST(LineParts, of_an_arc_between_straight_lines_are_three) {
@@ -109,19 +114,23 @@ TEST(LineParts, of_a_curve_with_a_corner_are_two) {
   const Matrix2Xd first = arc(5, 0, 0.5, 10);
   Matrix2Xd second = arc(5, 0.7, 1.2, 10);
   second.colwise() += first.col(10) - second.col(0).eval();
-  const std::vector<LinePart> parts = parts_of(one_after_the_other(first, second));
+  const std::vector<LinePart> parts =
+      parts_of(one_after_the_other(first, second));
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].last, 10);
 }
 
 TEST(LineParts, of_a_polygon_are_its_sides) {
-  EXPECT_EQ(parts_of(arc(5, 0, 2.4, 4)).size(), 4u) << "34 degrees at each vertex";
-  EXPECT_EQ(parts_of(arc(5, 0, 2.4, 8)).size(), 1u) << "17 degrees at each vertex";
+  EXPECT_EQ(parts_of(arc(5, 0, 2.4, 4)).size(), 4u)
+      << "34 degrees at each vertex";
+  EXPECT_EQ(parts_of(arc(5, 0, 2.4, 8)).size(), 1u)
+      << "17 degrees at each vertex";
   EXPECT_EQ(parts_of(arc(5, 0, 0.2, 2)).size(), 2u) << "two edges are no curve";
   const Matrix2Xd corners = arc(5, 0, 0.6, 4);
   Matrix2Xd sides = corners.leftCols(1);
   for (int k = 0; k < 4; ++k)
-    sides = one_after_the_other(sides, along(corners.col(k), corners.col(k + 1), 3));
+    sides = one_after_the_other(sides,
+                                along(corners.col(k), corners.col(k + 1), 3));
   EXPECT_EQ(parts_of(sides).size(), 4u) << "sides of three edges";
 }
 

@@ -15,10 +15,11 @@ constexpr int nx = 8, ny = 4, finer = 16;
 
 /// 2 mu int (r_n - r_hat_n)(|w_hat_t| - |w_t|) with r, w of the reference: the term of
 /// (2.14) without a sign.
-double coulomb_term(const Problem& coarse, const Estimate& estimate, const Problem& fine,
-                    const ContactSolution& reference) {
+double coulomb_term(const Problem& coarse, const Estimate& estimate,
+                    const Problem& fine, const ContactSolution& reference) {
   const Matrix2Xd w = contact_components(fine.line, reference.displacement);
-  const Matrix2Xd w_hat = contact_components(coarse.line, estimate.displacement);
+  const Matrix2Xd w_hat =
+      contact_components(coarse.line, estimate.displacement);
   double sum = 0;
   for (int e = 0; e < fine.line.edge_count(); ++e) {
     const int E = e / finer;
@@ -28,9 +29,10 @@ double coulomb_term(const Problem& coarse, const Estimate& estimate, const Probl
     };
     const int i = fine.line.edge_node(0, e), j = fine.line.edge_node(1, e);
     const int I = coarse.line.edge_node(0, E), J = coarse.line.edge_node(1, E);
-    const double r = 0.5 * (reference.pressure(0, i) + reference.pressure(0, j));
-    const double r_hat =
-        linear(estimate.tractions.normal(0, E), estimate.tractions.normal(1, E));
+    const double r =
+        0.5 * (reference.pressure(0, i) + reference.pressure(0, j));
+    const double r_hat = linear(estimate.tractions.normal(0, E),
+                                estimate.tractions.normal(1, E));
     const double slip = 0.5 * (std::abs(w(1, i)) + std::abs(w(1, j))),
                  slip_hat = std::abs(linear(w_hat(1, I), w_hat(1, J)));
     sum += 2 * coarse.law.friction[I] * fine.line.length[e] * (r - r_hat) *
@@ -47,7 +49,8 @@ struct Law {
 Problem pressed(int ratio, const Law& law, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> push(-3, 12), press(2, 15);
-  Problem problem = body(rectangle(nx * ratio, ny * ratio, 80, 40), material(13e3, 0.2));
+  Problem problem =
+      body(rectangle(nx * ratio, ny * ratio, 80, 40), material(13e3, 0.2));
   clamp(problem, top, [](const Vector2d&) { return Vector2d(0, -2e-3); });
   const double lateral = push(random);
   add_traction(problem, left, {lateral, 0});
@@ -64,7 +67,8 @@ struct Bound {
 };
 
 Bound bound(const Law& law, unsigned seed) {
-  const Problem coarse = pressed(1, law, seed), fine = pressed(finer, law, seed);
+  const Problem coarse = pressed(1, law, seed),
+                fine = pressed(finer, law, seed);
   const ContactSolution solution = solved(coarse), reference = solved(fine);
   EXPECT_EQ(solution.status, ContactStatus::converged);
   EXPECT_EQ(reference.status, ContactStatus::converged);
@@ -90,12 +94,14 @@ TEST(bound, holds_for_tresca_and_without_friction) {
 
 /// Any mesh and any load: the reference is on the same mesh with every triangle cut into
 /// 64.
-RC_GTEST_PROP(bound, holds_on_random_meshes_under_random_loads, (Random random)) {
+RC_GTEST_PROP(bound, holds_on_random_meshes_under_random_loads,
+              (Random random)) {
   const Mesh mesh =
       irregular(*rc::gen::inRange(2, 6), *rc::gen::inRange(2, 5), 6, 4, random);
   const Vector2d on_left = random_vector(2, random) * 5,
                  on_right = random_vector(2, random) * 5;
-  const double slip_bound = *rc::gen::element(0.0, 0.5, 2.0), nu = *real(0, 0.4);
+  const double slip_bound = *rc::gen::element(0.0, 0.5, 2.0),
+               nu = *real(0, 0.4);
   const Multiplier multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const auto problem_on = [&](const Mesh& body_mesh) {
@@ -103,11 +109,13 @@ RC_GTEST_PROP(bound, holds_on_random_meshes_under_random_loads, (Random random))
     clamp(problem, top, [](const Vector2d&) { return Vector2d(1e-3, -1e-2); });
     add_traction(problem, left, on_left);
     add_traction(problem, right, on_right);
-    if (slip_bound > 0) problem.law.slip_bound = everywhere(problem.line, slip_bound);
+    if (slip_bound > 0)
+      problem.law.slip_bound = everywhere(problem.line, slip_bound);
     problem.law.multiplier = multiplier;
     return problem;
   };
-  const Problem coarse = problem_on(mesh), fine = problem_on(subdivided(mesh, 3));
+  const Problem coarse = problem_on(mesh),
+                fine = problem_on(subdivided(mesh, 3));
   const ContactSolution solution = solved(coarse), reference = solved(fine);
   RC_ASSERT(solution.accepted({}) && reference.accepted({}));
   const Estimate estimate = estimated(coarse, solution, sweeps(2));
@@ -124,8 +132,9 @@ TEST(bound, terms_for_coulomb) {
   for (unsigned seed = 1; seed <= 3; ++seed)
     for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
       const Bound b = bound({0.4, 0, multiplier}, seed);
-      std::printf("mu 0.4 seed %u: %.4e + %.4e %+.4e (integral term) <= %.4e\n", seed,
-                  b.stress_square, b.displacement_square, b.term, b.e_square);
+      std::printf("mu 0.4 seed %u: %.4e + %.4e %+.4e (integral term) <= %.4e\n",
+                  seed, b.stress_square, b.displacement_square, b.term,
+                  b.e_square);
       EXPECT_LE(b.stress_square + b.displacement_square + b.term, b.e_square);
     }
 }

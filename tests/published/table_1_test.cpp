@@ -23,9 +23,11 @@ struct True {
 /// |u_ref - u_h| and |u_ref + u_h| with a reference on squares cut into ratio x ratio.
 True against_reference(const Problem& coarse, const ContactSolution& solution,
                        double friction, int ratio) {
-  const Problem fine = example_2(coarse.law.multiplier, friction, cells * ratio);
+  const Problem fine =
+      example_2(coarse.law.multiplier, friction, cells * ratio);
   const VectorXd reference = solved(fine).displacement;
-  const VectorXd u_h = on_finer_rectangle(solution.displacement, cells, cells, ratio);
+  const VectorXd u_h =
+      on_finer_rectangle(solution.displacement, cells, cells, ratio);
   const double error = energy_norm(fine, reference - u_h);
   return {error / energy_norm(fine, reference + u_h), error};
 }
@@ -33,7 +35,8 @@ True against_reference(const Problem& coarse, const ContactSolution& solution,
 /// The limit of nested references: |u - u_h|^2 = |u_ref - u_h|^2 + |u - u_ref|^2, and the
 /// last term falls geometrically (Aitken's extrapolation over references 4, 8 and 16
 /// times finer).
-True true_error(const Problem& coarse, const ContactSolution& solution, double friction) {
+True true_error(const Problem& coarse, const ContactSolution& solution,
+                double friction) {
   double square[3];
   True finest{};
   for (int k = 0; k < 3; ++k) {
@@ -57,8 +60,8 @@ TEST_P(Table1, true_error_as_printed_and_effectivity_below_1_20) {
   const True exact = true_error(problem, solution, row.friction);
   const double effectivity = estimate.e / exact.error;
   std::printf("| %.1f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", row.friction,
-              100 * estimate.relative, 100 * exact.relative, row.published_error,
-              effectivity, row.published_effectivity);
+              100 * estimate.relative, 100 * exact.relative,
+              row.published_error, effectivity, row.published_effectivity);
   EXPECT_TRUE(estimate.admissible) << estimate.reason;
   EXPECT_NEAR(100 * exact.relative, row.published_error, 0.005);
   EXPECT_LE(effectivity, 1.20);
@@ -66,8 +69,10 @@ TEST_P(Table1, true_error_as_printed_and_effectivity_below_1_20) {
 }
 
 INSTANTIATE_TEST_SUITE_P(frictions, Table1,
-                         testing::Values(Row{0.2, 0.93, 1.36}, Row{0.4, 1.02, 1.48},
-                                         Row{0.6, 1.02, 1.48}, Row{0.8, 1.02, 1.48}));
+                         testing::Values(Row{0.2, 0.93, 1.36},
+                                         Row{0.4, 1.02, 1.48},
+                                         Row{0.6, 1.02, 1.48},
+                                         Row{0.8, 1.02, 1.48}));
 
 }  // namespace
 }  // namespace ffcontact::test

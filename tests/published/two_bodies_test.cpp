@@ -15,19 +15,22 @@ namespace {
 Problem sheared(int ratio, double slip_bound, Multiplier multiplier) {
   Bodies two = bodies({shifted(rectangle(5 * ratio, 3 * ratio, 5, 3), {1, 4}),
                        rectangle(7 * ratio, 4 * ratio, 8, 4)},
-                      {material(70e3, 0.3), material(120e3, 0.2)}, {{0, bottom, 1, top}});
+                      {material(70e3, 0.3), material(120e3, 0.2)},
+                      {{0, bottom, 1, top}});
   Problem& problem = two.problem;
   add_traction(problem, two.label(0, top), {3, -10});
   clamp(problem, two.label(1, bottom));
   prescribe(problem, two.label(0, right), 0);
-  if (slip_bound > 0) problem.law.slip_bound = everywhere(problem.line, slip_bound);
+  if (slip_bound > 0)
+    problem.law.slip_bound = everywhere(problem.line, slip_bound);
   problem.law.multiplier = multiplier;
   return problem;
 }
 
 TEST(two_bodies, bound_holds_for_tresca_and_without_friction) {
   for (const double slip_bound : {0.0, 1.0, 4.0})
-    for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+    for (const Multiplier multiplier :
+         {Multiplier::force, Multiplier::pressure}) {
       const Problem coarse = sheared(1, slip_bound, multiplier),
                     fine = sheared(12, slip_bound, multiplier);
       const ContactSolution solution = solved(coarse), reference = solved(fine);
@@ -45,7 +48,8 @@ TEST(two_bodies, bound_holds_for_tresca_and_without_friction) {
 
 /// Energies of example 3 on meshes that match and that do not.
 TEST(two_bodies, matching_and_non_matching_answers_converge_to_each_other) {
-  for (const Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+  for (const Multiplier multiplier :
+       {Multiplier::force, Multiplier::pressure}) {
     double difference = 0;
     for (const int n : {2, 4, 8}) {
       const auto energy = [&](int lower) {
@@ -57,8 +61,8 @@ TEST(two_bodies, matching_and_non_matching_answers_converge_to_each_other) {
       };
       const double matching = energy(16), before = difference;
       difference = std::abs(energy(17) / matching - 1);
-      std::printf("%d cells: energy %.8e, relative difference %.3e\n", 8 * n, matching,
-                  difference);
+      std::printf("%d cells: energy %.8e, relative difference %.3e\n", 8 * n,
+                  matching, difference);
       if (n > 2) {
         EXPECT_LT(difference, before / 1.9);
       }

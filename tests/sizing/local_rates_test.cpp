@@ -20,10 +20,12 @@ struct Square {
   const Edges& edges = topology.edges;
   BoundaryTractions boundary;
   std::vector<int> contact_edge;
-  explicit Square(int cells) : topology(topology_of(rectangle(cells, cells, 1, 1))) {
+  explicit Square(int cells)
+      : topology(topology_of(rectangle(cells, cells, 1, 1))) {
     boundary.known.setConstant(2, edges.count(), false);
     boundary.moments = EdgeMoments::Zero(4, edges.count());
-    for (int e = 0; e < edges.count(); ++e) boundary.known.col(e) = edges.on_boundary(e);
+    for (int e = 0; e < edges.count(); ++e)
+      boundary.known.col(e) = edges.on_boundary(e);
     contact_edge.assign(edges.count(), -1);
   }
   /// Vertices with exponents for a stress of the size |x|^(alpha - 1), whose energy in
@@ -31,10 +33,12 @@ struct Square {
   std::vector<SingularVertex> singular(double alpha) const {
     Matrix3Xd stress(3, mesh.cells.cols());
     for (int t = 0; t < mesh.cell_count(); ++t) {
-      const Vector2d x = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
+      const Vector2d x =
+          (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
       stress.col(t) = std::pow(x.norm(), alpha - 1) * Vector3d(1, -0.5, 0.3);
     }
-    return singular_vertices(topology, Hooke(mesh.cell_count(), isotropic(1, 1)), stress,
+    return singular_vertices(topology,
+                             Hooke(mesh.cell_count(), isotropic(1, 1)), stress,
                              boundary, contact_edge);
   }
 };
@@ -50,14 +54,17 @@ TEST(SingularVertices, have_the_exponent_of_the_energy_in_discs) {
 
 TEST(SingularVertices, have_exponents_near_one_away_from_the_singularity) {
   const std::vector<SingularVertex> found = Square(40).singular(0.5);
-  for (std::size_t k = 1; k < found.size(); ++k) EXPECT_GT(found[k].exponent, 0.9);
+  for (std::size_t k = 1; k < found.size(); ++k)
+    EXPECT_GT(found[k].exponent, 0.9);
 }
 
-TEST(SingularVertices, have_the_exponent_one_where_the_mesh_is_too_coarse_for_a_fit) {
+TEST(SingularVertices,
+     have_the_exponent_one_where_the_mesh_is_too_coarse_for_a_fit) {
   EXPECT_EQ(Square(6).singular(0.5).front().exponent, 1);
 }
 
-TEST(SingularVertices, are_the_corners_and_where_the_boundary_condition_changes) {
+TEST(SingularVertices,
+     are_the_corners_and_where_the_boundary_condition_changes) {
   Square square(8);
   EXPECT_EQ(square.singular(1).size(), 4u);
   // the bottom is in contact left of x = 1/2
@@ -75,7 +82,8 @@ TEST(SingularVertices, are_the_corners_and_where_the_boundary_condition_changes)
 
 TEST(LocalRates, are_the_exponents_around_the_vertices_and_one_elsewhere) {
   const Square square(4);
-  const VectorXd rates = local_rates(square.topology, {{0, 0.5}, {1, 0.7}, {24, 1.0}});
+  const VectorXd rates =
+      local_rates(square.topology, {{0, 0.5}, {1, 0.7}, {24, 1.0}});
   int half = 0, seventh = 0;
   for (int t = 0; t < square.mesh.cell_count(); ++t) {
     bool at_0 = false, at_1 = false;

@@ -15,7 +15,8 @@ namespace {
 using namespace test;
 
 /// sum eps_E^2 r_E^(2 q_E)
-double squared_error(const VectorXd& error, const VectorXd& rate, const VectorXd& ratio) {
+double squared_error(const VectorXd& error, const VectorXd& rate,
+                     const VectorXd& ratio) {
   return (error.array().square() * ratio.array().pow(2 * rate.array())).sum();
 }
 
@@ -34,41 +35,48 @@ VectorXd random_rates(Index n, Random& random) {
 }
 
 /// The ratios scaled back onto the constraint.
-VectorXd made_feasible(const VectorXd& error, const VectorXd& rate, VectorXd ratio,
-                       double wanted) {
+VectorXd made_feasible(const VectorXd& error, const VectorXd& rate,
+                       VectorXd ratio, double wanted) {
   double low = 1e-3, high = 1e3;
   while (high / low > 1 + 1e-14) {
     const double middle = std::sqrt(low * high);
-    (squared_error(error, rate, middle * ratio) < wanted * wanted ? low : high) = middle;
+    (squared_error(error, rate, middle * ratio) < wanted * wanted ? low
+                                                                  : high) =
+        middle;
   }
   return low * ratio;
 }
 
 RC_GTEST_PROP(SizeRatios, meet_the_wanted_error, (Random random)) {
   const int n = *rc::gen::inRange(1, 60);
-  const VectorXd error = random_errors(n, random), rate = random_rates(n, random);
+  const VectorXd error = random_errors(n, random),
+                 rate = random_rates(n, random);
   const double wanted = *real(1e-4, 1);
   const VectorXd ratio = size_ratios(error, rate, wanted);
-  RC_ASSERT(std::abs(std::sqrt(squared_error(error, rate, ratio)) / wanted - 1) < 1e-11);
+  RC_ASSERT(std::abs(std::sqrt(squared_error(error, rate, ratio)) / wanted -
+                     1) < 1e-11);
 }
 
-RC_GTEST_PROP(SizeRatios, need_fewer_elements_than_any_other_sizes_of_that_error,
+RC_GTEST_PROP(SizeRatios,
+              need_fewer_elements_than_any_other_sizes_of_that_error,
               (Random random)) {
   const int n = *rc::gen::inRange(2, 60);
-  const VectorXd error = random_errors(n, random), rate = random_rates(n, random);
+  const VectorXd error = random_errors(n, random),
+                 rate = random_rates(n, random);
   const double wanted = *real(1e-3, 1);
   const VectorXd ratio = size_ratios(error, rate, wanted);
   for (double size : {1e-3, 0.1, 1.0}) {
-    const VectorXd other =
-        ratio.cwiseProduct((size * random_vector(n, random)).array().exp().matrix());
+    const VectorXd other = ratio.cwiseProduct(
+        (size * random_vector(n, random)).array().exp().matrix());
     RC_ASSERT(element_count(made_feasible(error, rate, other, wanted)) >=
               element_count(ratio) * (1 - 1e-11));
   }
 }
 
-RC_GTEST_PROP(SizeRatios,
-              spread_the_error_evenly_over_the_new_elements_where_the_rate_is_one,
-              (Random random)) {
+RC_GTEST_PROP(
+    SizeRatios,
+    spread_the_error_evenly_over_the_new_elements_where_the_rate_is_one,
+    (Random random)) {
   // r^4 = 1 / (Lambda eps^2): every new element has eps_E^2 r_E^2 / r_E^-2 = 1 / Lambda.
   const int n = *rc::gen::inRange(2, 60);
   const VectorXd error = random_errors(n, random);
@@ -78,12 +86,14 @@ RC_GTEST_PROP(SizeRatios,
 }
 
 TEST(SizeRatios, of_elements_without_error_are_the_largest_of_the_others) {
-  const Vector3d ratio = size_ratios(Vector3d(0.04, 0, 0.01), Vector3d::Ones(), 0.02);
+  const Vector3d ratio =
+      size_ratios(Vector3d(0.04, 0, 0.01), Vector3d::Ones(), 0.02);
   EXPECT_NEAR(ratio[1], ratio[2], 1e-12 * ratio[2]);
 }
 
 TEST(SizeRatios, are_one_where_there_is_no_error) {
-  EXPECT_EQ(size_ratios(Vector2d::Zero(), Vector2d::Ones(), 0.1), Vector2d::Ones());
+  EXPECT_EQ(size_ratios(Vector2d::Zero(), Vector2d::Ones(), 0.1),
+            Vector2d::Ones());
 }
 
 RC_GTEST_PROP(GradedSize, has_no_steeper_slope_and_is_the_largest_such_field,
@@ -94,7 +104,8 @@ RC_GTEST_PROP(GradedSize, has_no_steeper_slope_and_is_the_largest_such_field,
   const VectorXd size = random_errors(mesh.vertex_count(), random) * 100;
   const VectorXd graded = graded_size(mesh, edges, size, gradation);
   RC_ASSERT((size - graded).minCoeff() >= 0);
-  std::vector<char> held(mesh.vertex_count(), 0);  // by its own size or by a neighbour
+  std::vector<char> held(mesh.vertex_count(),
+                         0);  // by its own size or by a neighbour
   for (int v = 0; v < mesh.vertex_count(); ++v) held[v] = graded[v] == size[v];
   for (int e = 0; e < edges.count(); ++e) {
     const double rise = gradation * edge_vector(mesh, edges, e).norm();
@@ -103,7 +114,8 @@ RC_GTEST_PROP(GradedSize, has_no_steeper_slope_and_is_the_largest_such_field,
     if (std::abs(graded[v] - graded[w] - rise) < 1e-14) held[v] = 1;
     if (std::abs(graded[w] - graded[v] - rise) < 1e-14) held[w] = 1;
   }
-  RC_ASSERT(std::all_of(held.begin(), held.end(), [](char h) { return h != 0; }));
+  RC_ASSERT(
+      std::all_of(held.begin(), held.end(), [](char h) { return h != 0; }));
 }
 
 /// A square of n x n cells with a random error on every triangle.
@@ -135,18 +147,21 @@ RC_GTEST_PROP(OptimalSize, is_bounded_and_graded, (Random random)) {
   const OptimalSize result = sized.size(settings);
   RC_ASSERT(result.size.minCoeff() >= 0.2);
   RC_ASSERT(result.size.maxCoeff() <= 1.5);
-  RC_ASSERT((graded_size(sized.mesh, sized.edges, result.size, 0.4) - result.size)
-                .isZero(1e-14));
+  RC_ASSERT(
+      (graded_size(sized.mesh, sized.edges, result.size, 0.4) - result.size)
+          .isZero(1e-14));
 }
 
 RC_GTEST_PROP(OptimalSize, goes_to_far_targets_in_steps, (Random random)) {
   const Sized sized(random);
   const double now = sized.error.norm();
-  RC_ASSERT(std::abs(sized.size(target(now / 2)).wanted - 0.92 * now / 2) < 1e-14);
+  RC_ASSERT(std::abs(sized.size(target(now / 2)).wanted - 0.92 * now / 2) <
+            1e-14);
   RC_ASSERT(std::abs(sized.size(target(now / 100)).wanted - now / 3) < 1e-14);
 }
 
-TEST(OptimalSize, of_an_even_mesh_counts_equilateral_triangles_of_the_wanted_error) {
+TEST(OptimalSize,
+     of_an_even_mesh_counts_equilateral_triangles_of_the_wanted_error) {
   const Mesh mesh = rectangle(8, 8, 8, 8);
   const Edges edges = edges_of(mesh);
   const VectorXd error = VectorXd::Constant(128, 0.01);
@@ -163,7 +178,8 @@ TEST(OptimalSize, of_an_even_mesh_counts_equilateral_triangles_of_the_wanted_err
   }
 }
 
-TEST(OptimalSize, the_closer_a_mesh_has_missed_the_target_the_less_is_asked_for) {
+TEST(OptimalSize,
+     the_closer_a_mesh_has_missed_the_target_the_less_is_asked_for) {
   Random random(3);
   const Sized sized(random);
   const double now = sized.error.norm();
@@ -177,7 +193,8 @@ TEST(OptimalSize, the_closer_a_mesh_has_missed_the_target_the_less_is_asked_for)
   EXPECT_NEAR(part(0.5), 0.92, 1e-12);
 }
 
-TEST(OptimalSize, loops_end_though_every_mesh_has_more_error_than_was_asked_for) {
+TEST(OptimalSize,
+     loops_end_though_every_mesh_has_more_error_than_was_asked_for) {
   Random random(3);
   Sized sized(random);
   for (double more : {1.0, 1.05, 1.1, 1.14})
@@ -186,7 +203,8 @@ TEST(OptimalSize, loops_end_though_every_mesh_has_more_error_than_was_asked_for)
       Sized next = sized;
       int meshes = 0;
       for (; next.error.norm() > wanted && meshes < 10; ++meshes)
-        next.error *= more * next.size(target(wanted)).wanted / next.error.norm();
+        next.error *=
+            more * next.size(target(wanted)).wanted / next.error.norm();
       EXPECT_LE(meshes, first > 3 ? 4 : 2)
           << more << " times, from " << first << " times the target";
     }
@@ -213,19 +231,24 @@ TEST(OptimalSize, refuses_bad_errors_and_settings) {
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings&) {}), "accepted");
   EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e[2] = -1; }),
                    "eps_E must be finite and not negative, but value 2"));
-  EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e[2] = std::nan(""); }),
-                   "eps_E must be finite"));
-  EXPECT_TRUE(says(refusal_of([](Vector& e, SizeSettings&) { e.conservativeResize(3); }),
-                   "eps_E has 3 values"));
+  EXPECT_TRUE(
+      says(refusal_of([](Vector& e, SizeSettings&) { e[2] = std::nan(""); }),
+           "eps_E must be finite"));
+  EXPECT_TRUE(says(
+      refusal_of([](Vector& e, SizeSettings&) { e.conservativeResize(3); }),
+      "eps_E has 3 values"));
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = 0; }),
             "target must be positive, got 0");
-  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = std::nan(""); }),
-            "target must be positive, got nan");
+  EXPECT_EQ(
+      refusal_of([](Vector&, SizeSettings& s) { s.target = std::nan(""); }),
+      "target must be positive, got nan");
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.target = 2; }),
             "target is a part of the solution, 0.02 for 2 %, got 2");
   EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.gradation = 0; }),
             "gradation must be positive, got 0");
-  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) { s.smallest = 3, s.largest = 2; }),
+  EXPECT_EQ(refusal_of([](Vector&, SizeSettings& s) {
+              s.smallest = 3, s.largest = 2;
+            }),
             "hmin 3 exceeds hmax 2");
 }
 

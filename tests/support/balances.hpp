@@ -27,7 +27,8 @@ inline Vector2d centroid(const TriangleCorners& corners) {
 
 /// Rows: force along x and y and moment about the centroid of the twelve edge loads and
 /// the six body loads. All act at the vertices, since x = sum of x_i phi_i.
-inline Matrix<double, 3, 18> balance_conditions(const TriangleCorners& corners) {
+inline Matrix<double, 3, 18> balance_conditions(
+    const TriangleCorners& corners) {
   Matrix<double, 3, 18> conditions;
   for (int force = 0; force < 9; ++force) {
     const int vertex = force < 6 ? (force / 2 + 1 + force % 2) % 3 : force - 6;
@@ -38,7 +39,8 @@ inline Matrix<double, 3, 18> balance_conditions(const TriangleCorners& corners) 
 }
 
 /// Force and moment (divided by the size of the triangle) of all loads.
-inline Vector3d out_of_balance(const TriangleCorners& corners, const EdgeLoads& on_edges,
+inline Vector3d out_of_balance(const TriangleCorners& corners,
+                               const EdgeLoads& on_edges,
                                const BodyLoads& in_body) {
   Matrix<double, 18, 1> loads;
   loads << on_edges, in_body;
@@ -53,8 +55,10 @@ struct Loads {
 };
 
 /// Random loads of about 1 N/mm in equilibrium.
-inline Loads balanced_loads(const TriangleCorners& corners, std::mt19937& random) {
-  const MatrixXd kernel = MatrixXd(balance_conditions(corners)).fullPivLu().kernel();
+inline Loads balanced_loads(const TriangleCorners& corners,
+                            std::mt19937& random) {
+  const MatrixXd kernel =
+      MatrixXd(balance_conditions(corners)).fullPivLu().kernel();
   const VectorXd loads = kernel * random_vector(kernel.cols(), random);
   return {loads.head<12>(), loads.tail<6>()};
 }
@@ -63,7 +67,8 @@ inline Loads balanced_loads(const TriangleCorners& corners, std::mt19937& random
 inline TriangleCorners random_triangle(std::mt19937& random) {
   for (;;) {
     const TriangleCorners corners = random_matrix(2, 3, random);
-    if (cross(corners.col(1) - corners.col(0), corners.col(2) - corners.col(0)) > 0.2)
+    if (cross(corners.col(1) - corners.col(0),
+              corners.col(2) - corners.col(0)) > 0.2)
       return corners;
   }
 }

@@ -28,10 +28,11 @@ struct Case {
 
 inline std::ostream& operator<<(std::ostream& out, const Case& c) {
   return out << "support " << static_cast<int>(c.support) << ", multiplier "
-             << static_cast<int>(c.multiplier) << ", mu " << c.mu << ", nu " << c.nu
-             << ", left " << c.on_left.transpose() << ", right " << c.on_right.transpose()
-             << ", top " << c.on_top.transpose() << ", body " << c.in_body.transpose()
-             << ", motion " << c.top_motion.transpose() << ", " << c.mesh.vertex_count()
+             << static_cast<int>(c.multiplier) << ", mu " << c.mu << ", nu "
+             << c.nu << ", left " << c.on_left.transpose() << ", right "
+             << c.on_right.transpose() << ", top " << c.on_top.transpose()
+             << ", body " << c.in_body.transpose() << ", motion "
+             << c.top_motion.transpose() << ", " << c.mesh.vertex_count()
              << " vertices";
 }
 
@@ -39,7 +40,8 @@ inline Problem problem_of(const Case& c) {
   Problem problem = body(c.mesh, material(1000, c.nu));
   add_traction(problem, left, c.on_left);
   add_traction(problem, top, c.on_top);
-  if (c.support != Support::symmetric_right) add_traction(problem, right, c.on_right);
+  if (c.support != Support::symmetric_right)
+    add_traction(problem, right, c.on_right);
   add_body_force(problem, c.in_body);
   if (c.support == Support::symmetric_right)
     prescribe(problem, right, 0);
@@ -56,15 +58,19 @@ inline Vector2d flipped(const Vector2d& x) { return {-x.x(), x.y()}; }
 template <class Map>
 Case mapped(Case c, const Mesh& image, Map&& map) {
   c.mesh = image;
-  for (Vector2d* load : {&c.on_left, &c.on_right, &c.on_top, &c.in_body, &c.top_motion})
+  for (Vector2d* load :
+       {&c.on_left, &c.on_right, &c.on_top, &c.in_body, &c.top_motion})
     *load = map(*load);
   return c;
 }
 
-inline Case mirrored(const Case& c) { return mapped(c, mirrored(c.mesh), flipped); }
+inline Case mirrored(const Case& c) {
+  return mapped(c, mirrored(c.mesh), flipped);
+}
 
 inline Case scaled(const Case& c, double factor) {
-  return mapped(c, c.mesh, [=](const Vector2d& x) -> Vector2d { return factor * x; });
+  return mapped(c, c.mesh,
+                [=](const Vector2d& x) -> Vector2d { return factor * x; });
 }
 
 /// For supports that prescribe both components.
@@ -75,8 +81,8 @@ inline Case rotated(const Case& c, double angle) {
 }
 
 inline rc::Gen<Vector2d> vector_in(double x, double y) {
-  return rc::gen::apply([](double a, double b) { return Vector2d(a, b); }, real(-x, x),
-                        real(-y, y));
+  return rc::gen::apply([](double a, double b) { return Vector2d(a, b); },
+                        real(-x, x), real(-y, y));
 }
 
 /// Loads of about 1 MPa on an irregular mesh; where only contact holds the body, the top
@@ -85,7 +91,8 @@ inline rc::Gen<Case> random_case(double largest_friction) {
   return rc::gen::exec([=] {
     Case c;
     Random random = *rc::gen::arbitrary<Random>();
-    c.mesh = irregular(*rc::gen::inRange(2, 9), *rc::gen::inRange(2, 6), 6, 4, random);
+    c.mesh = irregular(*rc::gen::inRange(2, 9), *rc::gen::inRange(2, 6), 6, 4,
+                       random);
     c.support = *rc::gen::element(Support::clamped_top, Support::moved_top,
                                   Support::symmetric_right);
     c.multiplier = *rc::gen::element(Multiplier::force, Multiplier::pressure);

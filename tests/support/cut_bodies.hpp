@@ -16,7 +16,8 @@ struct CutBodies {
   explicit CutBodies(std::mt19937& random)
       : two(bodies({shifted(with_random_rows(3, 2, 3, 2, random), {1, 2}),
                     with_random_rows(5, 2, 5, 2, random)},
-                   {material(1000, 0.3), material(200, 0.2)}, {{0, bottom, 1, top}})) {
+                   {material(1000, 0.3), material(200, 0.2)},
+                   {{0, bottom, 1, top}})) {
     Problem& problem = two.problem;
     const ContactLine foundation =
         contact_line(problem.mesh, problem.edges, {two.label(0, left)});

@@ -31,8 +31,10 @@ inline Mesh rectangle(int nx, int ny, double width, double height) {
   mesh.cells.resize(3, 2 * nx * ny);
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
-      mesh.cells.col(2 * (j * nx + i)) << id(i, j), id(i + 1, j), id(i + 1, j + 1);
-      mesh.cells.col(2 * (j * nx + i) + 1) << id(i, j), id(i + 1, j + 1), id(i, j + 1);
+      mesh.cells.col(2 * (j * nx + i)) << id(i, j), id(i + 1, j),
+          id(i + 1, j + 1);
+      mesh.cells.col(2 * (j * nx + i) + 1) << id(i, j), id(i + 1, j + 1),
+          id(i, j + 1);
     }
   mesh.boundary.resize(2, 2 * (nx + ny));
   mesh.boundary_label.resize(2 * (nx + ny));
@@ -51,8 +53,10 @@ inline Mesh rectangle(int nx, int ny, double width, double height) {
 /// A rectangle whose vertices are moved at random, by less than `fraction` of the cell in
 /// each direction; those on a side stay on it. The triangles stay positive for fraction <
 /// 1/4.
-inline Mesh moved(Mesh mesh, double cell, double fraction, std::mt19937& random) {
-  std::uniform_real_distribution<double> shift(-fraction * cell, fraction * cell);
+inline Mesh moved(Mesh mesh, double cell, double fraction,
+                  std::mt19937& random) {
+  std::uniform_real_distribution<double> shift(-fraction * cell,
+                                               fraction * cell);
   const Vector2d low = mesh.vertices.rowwise().minCoeff(),
                  high = mesh.vertices.rowwise().maxCoeff();
   for (int v = 0; v < mesh.vertex_count(); ++v)
@@ -85,7 +89,8 @@ inline Renumbered renumbered(const Mesh& mesh, std::mt19937& random) {
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const int turn = static_cast<int>(random() % 3);
     for (int k = 0; k < 3; ++k)
-      result.mesh.cells((k + turn) % 3, triangle[t]) = result.vertex[mesh.cells(k, t)];
+      result.mesh.cells((k + turn) % 3, triangle[t]) =
+          result.vertex[mesh.cells(k, t)];
   }
   for (Index e = 0; e < mesh.boundary.cols(); ++e) {
     const int turn = static_cast<int>(random() % 2);
@@ -100,7 +105,8 @@ inline Renumbered renumbered(const Mesh& mesh, std::mt19937& random) {
 /// Longest-edge bisection of the marked triangles, closed to a conforming mesh.
 class Bisection {
  public:
-  Bisection(const Mesh& mesh, const std::vector<int>& marked) : old_(mesh), new_(mesh) {
+  Bisection(const Mesh& mesh, const std::vector<int>& marked)
+      : old_(mesh), new_(mesh) {
     for (int t : marked) halve_longest(t);
     for (bool closed = false; !closed;) {
       closed = true;
@@ -139,17 +145,20 @@ class Bisection {
 
   bool is_touched(int t) const {
     for (int k = 0; k < 3; ++k)
-      if (middle(old_.cells(k, t), old_.cells((k + 1) % 3, t)) >= 0) return true;
+      if (middle(old_.cells(k, t), old_.cells((k + 1) % 3, t)) >= 0)
+        return true;
     return false;
   }
 
   /// False when it has been halved before.
   bool halve_longest(int t) {
-    const int k = apex(t), a = old_.cells((k + 1) % 3, t), b = old_.cells((k + 2) % 3, t);
+    const int k = apex(t), a = old_.cells((k + 1) % 3, t),
+              b = old_.cells((k + 2) % 3, t);
     const int number = new_.vertex_count();
     if (!middle_.emplace(key(a, b), number).second) return false;
     new_.vertices.conservativeResize(Eigen::NoChange, number + 1);
-    new_.vertices.col(number) = 0.5 * (old_.vertices.col(a) + old_.vertices.col(b));
+    new_.vertices.col(number) =
+        0.5 * (old_.vertices.col(a) + old_.vertices.col(b));
     return true;
   }
 
@@ -178,8 +187,8 @@ class Bisection {
   void split_boundary() {
     std::vector<Vector3i> pieces;  // two vertices and the label
     for (Index e = 0; e < old_.boundary.cols(); ++e) {
-      const int a = old_.boundary(0, e), b = old_.boundary(1, e), m = middle(a, b),
-                label = old_.boundary_label[e];
+      const int a = old_.boundary(0, e), b = old_.boundary(1, e),
+                m = middle(a, b), label = old_.boundary_label[e];
       pieces.emplace_back(a, m < 0 ? b : m, label);
       if (m >= 0) pieces.emplace_back(m, b, label);
     }
@@ -242,7 +251,8 @@ SimplexMesh<dim> joined(const SimplexMesh<dim>& a, const SimplexMesh<dim>& b) {
 }
 
 /// Moved, locally refined around a random point and renumbered.
-inline Mesh irregular(int nx, int ny, double width, double height, std::mt19937& random) {
+inline Mesh irregular(int nx, int ny, double width, double height,
+                      std::mt19937& random) {
   const double cell = std::min(width / nx, height / ny);
   Mesh mesh = moved(rectangle(nx, ny, width, height), cell, 0.2, random);
   std::uniform_real_distribution<double> part(0, 1);

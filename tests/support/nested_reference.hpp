@@ -15,7 +15,8 @@ namespace ffcontact::test {
 /// Values at the vertices of the `ratio` times finer rectangle of a field on
 /// rectangle(nx, ny, ...), exactly: the diagonals of the fine squares lie on those of the
 /// coarse ones.
-inline VectorXd on_finer_rectangle(const VectorXd& coarse, int nx, int ny, int ratio) {
+inline VectorXd on_finer_rectangle(const VectorXd& coarse, int nx, int ny,
+                                   int ratio) {
   const int fine_x = nx * ratio, fine_y = ny * ratio;
   VectorXd fine(2 * (fine_x + 1) * (fine_y + 1));
   const auto value = [&](int i, int j) {
@@ -23,15 +24,17 @@ inline VectorXd on_finer_rectangle(const VectorXd& coarse, int nx, int ny, int r
   };
   for (int j = 0; j <= fine_y; ++j)
     for (int i = 0; i <= fine_x; ++i) {
-      const int I = std::min(i / ratio, nx - 1), J = std::min(j / ratio, ny - 1);
+      const int I = std::min(i / ratio, nx - 1),
+                J = std::min(j / ratio, ny - 1);
       const double x = static_cast<double>(i) / ratio - I,
                    y = static_cast<double>(j) / ratio - J;
       const Vector2d corner = value(I, J), opposite = value(I + 1, J + 1);
       // below or above the diagonal
       const Vector2d other = x >= y ? value(I + 1, J) : value(I, J + 1);
       fine.segment<2>(2 * (j * (fine_x + 1) + i)) =
-          x >= y ? corner + (x - y) * (other - corner) + y * (opposite - corner)
-                 : corner + (y - x) * (other - corner) + x * (opposite - corner);
+          x >= y
+              ? corner + (x - y) * (other - corner) + y * (opposite - corner)
+              : corner + (y - x) * (other - corner) + x * (opposite - corner);
     }
   return fine;
 }
@@ -45,26 +48,30 @@ inline Mesh subdivided(Mesh mesh, int times) {
     const auto between = [&](int a, int b) {
       const auto [place, is_new] =
           middle.emplace(std::minmax(a, b), static_cast<int>(vertices.size()));
-      if (is_new) vertices.push_back(0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)));
+      if (is_new)
+        vertices.push_back(0.5 * (mesh.vertices.col(a) + mesh.vertices.col(b)));
       return place->second;
     };
     Mesh fine;
     fine.cells.resize(3, 4 * mesh.cells.cols());
     for (int t = 0; t < mesh.cell_count(); ++t) {
       const Vector3i v = mesh.cells.col(t);
-      const Vector3i m(between(v[1], v[2]), between(v[2], v[0]), between(v[0], v[1]));
-      fine.cells.middleCols<4>(4 * t) << v[0], v[1], v[2], m[0], m[2], m[0], m[1], m[1],
-          m[1], m[2], m[0], m[2];
+      const Vector3i m(between(v[1], v[2]), between(v[2], v[0]),
+                       between(v[0], v[1]));
+      fine.cells.middleCols<4>(4 * t) << v[0], v[1], v[2], m[0], m[2], m[0],
+          m[1], m[1], m[1], m[2], m[0], m[2];
     }
     fine.boundary.resize(2, 2 * mesh.boundary.cols());
     fine.boundary_label.resize(2 * mesh.boundary.cols());
     for (Index e = 0; e < mesh.boundary.cols(); ++e) {
-      const int a = mesh.boundary(0, e), b = mesh.boundary(1, e), m = between(a, b);
+      const int a = mesh.boundary(0, e), b = mesh.boundary(1, e),
+                m = between(a, b);
       fine.boundary.middleCols<2>(2 * e) << a, m, m, b;
       fine.boundary_label.segment<2>(2 * e).setConstant(mesh.boundary_label[e]);
     }
     fine.vertices.resize(2, static_cast<Index>(vertices.size()));
-    for (std::size_t v = 0; v < vertices.size(); ++v) fine.vertices.col(v) = vertices[v];
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      fine.vertices.col(v) = vertices[v];
     mesh = std::move(fine);
   }
   return mesh;
@@ -88,7 +95,8 @@ inline double cross(const Vector2d& a, const Vector2d& b) {
 
 /// The part of a convex polygon on the left of the line from a to b (Sutherland,
 /// Hodgman).
-inline Polygon left_part(const Polygon& polygon, const Vector2d& a, const Vector2d& b) {
+inline Polygon left_part(const Polygon& polygon, const Vector2d& a,
+                         const Vector2d& b) {
   Polygon part;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vector2d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
@@ -100,13 +108,15 @@ inline Polygon left_part(const Polygon& polygon, const Vector2d& a, const Vector
   return part;
 }
 
-inline Polygon intersection(const TriangleCorners& a, const TriangleCorners& b) {
+inline Polygon intersection(const TriangleCorners& a,
+                            const TriangleCorners& b) {
   const Eigen::Array2d apart =
       (a.rowwise().minCoeff() - b.rowwise().maxCoeff())
           .cwiseMax(b.rowwise().minCoeff() - a.rowwise().maxCoeff());
   if (apart.maxCoeff() >= 0) return {};
   Polygon part{a.col(0), a.col(1), a.col(2)};
-  for (int k = 0; k < 3; ++k) part = left_part(part, b.col(k), b.col((k + 1) % 3));
+  for (int k = 0; k < 3; ++k)
+    part = left_part(part, b.col(k), b.col((k + 1) % 3));
   return part;
 }
 
@@ -132,10 +142,12 @@ inline Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
 /// Distances, exactly, of an admissible pair from a reference solution whose stress is
 /// constant on the fine triangles. The pair is on the bodies or on their common
 /// refinement.
-inline SquaredDistances squared_distances(const Problem& coarse, const Estimate& estimate,
+inline SquaredDistances squared_distances(const Problem& coarse,
+                                          const Estimate& estimate,
                                           const Problem& fine,
                                           const VectorXd& reference) {
-  const Mesh& mesh = estimate.refinement ? estimate.refinement->mesh : coarse.mesh;
+  const Mesh& mesh =
+      estimate.refinement ? estimate.refinement->mesh : coarse.mesh;
   Hooke hooke = coarse.hooke;
   if (estimate.refinement) {
     hooke.clear();
@@ -149,16 +161,18 @@ inline SquaredDistances squared_distances(const Problem& coarse, const Estimate&
     const Matrix3d compliance = hooke[T].inverse();
     for (int k = 0; k < 3; ++k) {
       TriangleCorners sub;
-      sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
+      sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
+          corners.rowwise().mean();
       for (int t = 0; t < fine.mesh.cell_count(); ++t) {
         const Polygon part = intersection(corners_of(fine.mesh, t), sub);
         if (part.size() < 3) continue;
-        const Vector3d of_fine = sigma.col(t), d_u = of_fine - sigma_of_u_hat.col(T);
-        squares.displacement +=
-            integral(part, [&](const Vector2d&) { return d_u.dot(compliance * d_u); });
+        const Vector3d of_fine = sigma.col(t),
+                       d_u = of_fine - sigma_of_u_hat.col(T);
+        squares.displacement += integral(
+            part, [&](const Vector2d&) { return d_u.dot(compliance * d_u); });
         squares.stress += integral(part, [&](const Vector2d& x) {
-          const Vector3d d =
-              of_fine - estimate.stress[T].middleCols<3>(3 * k) * barycentric(sub, x);
+          const Vector3d d = of_fine - estimate.stress[T].middleCols<3>(3 * k) *
+                                           barycentric(sub, x);
           return d.dot(compliance * d);
         });
       }

@@ -28,8 +28,9 @@ class OddProblem {
       std::vector<int> lines;
       for (int label = 0; label < labels_; ++label)
         if (kind_[label] == contact) lines.push_back(label);
-      const Problem problem = loaded(
-          body(mesh, material(power(-1, 5), number(-0.9, 0.499)), lines), friction);
+      const Problem problem =
+          loaded(body(mesh, material(power(-1, 5), number(-0.9, 0.499)), lines),
+                 friction);
       if (!contact_dofs(problem.line, problem.system()).empty()) return problem;
     }
   }
@@ -40,17 +41,22 @@ class OddProblem {
   double number(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random_);
   }
-  double power(double low, double high) { return std::pow(10, number(low, high)); }
+  double power(double low, double high) {
+    return std::pow(10, number(low, high));
+  }
   int pick(int choices) { return static_cast<int>(random_() % choices); }
   bool chance(double p) { return number(0, 1) < p; }
-  Vector2d vector(double size) { return size * Vector2d(number(-1, 1), number(-1, 1)); }
+  Vector2d vector(double size) {
+    return size * Vector2d(number(-1, 1), number(-1, 1));
+  }
 
   Mesh cells() {
     const int nx = 1 + pick(10), ny = 1 + pick(6);
     width_ = power(-1, 2);
     const double cell = width_ / nx, height = ny * cell * power(-0.5, 0.5);
     Mesh mesh = rectangle(nx, ny, width_, height);
-    return chance(0.8) ? moved(mesh, std::min(cell, height / ny), 0.24, random_) : mesh;
+    return chance(0.8) ? moved(mesh, std::min(cell, height / ny), 0.24, random_)
+                       : mesh;
   }
 
   static std::map<std::pair<int, int>, std::vector<int>> sides(
@@ -58,7 +64,8 @@ class OddProblem {
     std::map<std::pair<int, int>, std::vector<int>> sides;
     for (int t = 0; t < mesh.cell_count(); ++t)
       for (int k = 0; k < 3 && kept[t]; ++k)
-        sides[std::minmax(mesh.cells(k, t), mesh.cells((k + 1) % 3, t))].push_back(t);
+        sides[std::minmax(mesh.cells(k, t), mesh.cells((k + 1) % 3, t))]
+            .push_back(t);
     return sides;
   }
 
@@ -70,7 +77,8 @@ class OddProblem {
     for (int t = 0; t < mesh.cell_count(); ++t)
       for (int k = 0; k < 3 && kept[t]; ++k) {
         const int a = mesh.cells(k, t), b = mesh.cells((k + 1) % 3, t);
-        if (all.at(std::minmax(a, b)).size() == 1) next[a].push_back(b), ++count;
+        if (all.at(std::minmax(a, b)).size() == 1)
+          next[a].push_back(b), ++count;
       }
     for (const auto& [v, after] : next)
       if (after.size() != 1) return false;
@@ -103,7 +111,8 @@ class OddProblem {
     for (std::size_t v = 0; v < vertices.size(); ++v)
       result.vertices.col(v) = vertices[v];
     result.cells.resize(3, static_cast<Index>(triangles.size()));
-    for (std::size_t t = 0; t < triangles.size(); ++t) result.cells.col(t) = triangles[t];
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      result.cells.col(t) = triangles[t];
     return result;
   }
 
@@ -128,7 +137,8 @@ class OddProblem {
 
   /// Some inner edges turned to the other diagonal of their two triangles.
   Mesh flipped(Mesh mesh) {
-    for (int flips = pick(2) * pick(mesh.cell_count() + 1); flips > 0; --flips) {
+    for (int flips = pick(2) * pick(mesh.cell_count() + 1); flips > 0;
+         --flips) {
       const auto all = sides(mesh, std::vector<char>(mesh.cell_count(), 1));
       auto side = all.begin();
       std::advance(side, pick(static_cast<int>(all.size())));
@@ -144,7 +154,8 @@ class OddProblem {
       // c to the left of a b, d to the right
       if (area(mesh, a, b, c) < 0) std::swap(a, b);
       const double whole = area(mesh, a, b, c) + area(mesh, b, a, d);
-      if (area(mesh, a, d, c) < 0.05 * whole || area(mesh, d, b, c) < 0.05 * whole)
+      if (area(mesh, a, d, c) < 0.05 * whole ||
+          area(mesh, d, b, c) < 0.05 * whole)
         continue;
       mesh.cells.col(s) << a, d, c;
       mesh.cells.col(t) << d, b, c;
@@ -180,15 +191,18 @@ class OddProblem {
   }
 
   Problem loaded(Problem problem, double friction) {
-    const double E = problem.hooke[0](2, 2), load = chance(0.25) ? 0 : E * power(-6, -1);
-    std::set<int> in_contact(problem.line.vertex.begin(), problem.line.vertex.end());
+    const double E = problem.hooke[0](2, 2),
+                 load = chance(0.25) ? 0 : E * power(-6, -1);
+    std::set<int> in_contact(problem.line.vertex.begin(),
+                             problem.line.vertex.end());
     std::vector<char> prescribed(2 * problem.mesh.vertex_count(), 0);
-    const Vector2d motion = chance(0.5) ? vector(width_ * power(-6, -1)) : Vector2d(0, 0);
+    const Vector2d motion =
+        chance(0.5) ? vector(width_ * power(-6, -1)) : Vector2d(0, 0);
     const double turn = chance(0.3) ? number(-1, 1) * motion.norm() : 0;
     for (int label = 0; label < labels_; ++label) {
       if (kind_[label] == held && (label == 0 || chance(0.5)))
-        hold(problem, label, label == 0 || chance(0.5) ? 3 : 1 + pick(2), motion, turn,
-             in_contact, prescribed);
+        hold(problem, label, label == 0 || chance(0.5) ? 3 : 1 + pick(2),
+             motion, turn, in_contact, prescribed);
       else if (kind_[label] != contact && chance(0.7))
         add_traction(problem, label, vector(load));
     }
@@ -203,7 +217,8 @@ class OddProblem {
       return values;
     };
     if (friction > 0) law.friction = node_values(0, friction);
-    if (friction == 0 && chance(0.6)) law.slip_bound = node_values(0, E * power(-6, -1));
+    if (friction == 0 && chance(0.6))
+      law.slip_bound = node_values(0, E * power(-6, -1));
     if (chance(0.4)) {
       const double size = width_ * power(-6, -1);
       law.gap = node_values(chance(0.5) ? 0 : -size, size);
@@ -218,7 +233,8 @@ class OddProblem {
 
   /// Contact vertices are held where they are, so that contact is possible.
   void hold(Problem& problem, int label, int components, const Vector2d& motion,
-            double turn, const std::set<int>& in_contact, std::vector<char>& prescribed) {
+            double turn, const std::set<int>& in_contact,
+            std::vector<char>& prescribed) {
     for (Index e = 0; e < problem.mesh.boundary.cols(); ++e) {
       if (problem.mesh.boundary_label[e] != label) continue;
       for (int v : problem.mesh.boundary.col(e))

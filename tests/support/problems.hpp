@@ -33,7 +33,7 @@ struct Problem {
   Hooke hooke;
   RowMatrix A;
   VectorXd b;
-  Matrix4Xd neumann;     ///< moments of the given tractions [4 x Mesh::boundary]
+  Matrix4Xd neumann;  ///< moments of the given tractions [4 x Mesh::boundary]
   Matrix2Xd body_force;  ///< per triangle
   ContactLaw law;
 
@@ -61,13 +61,14 @@ inline Problem body(const Mesh& mesh, const Material& material,
 }
 
 /// Adds a constant traction [MPa] on the edges of a label.
-inline void add_traction(Problem& problem, int label, const Vector2d& traction) {
+inline void add_traction(Problem& problem, int label,
+                         const Vector2d& traction) {
   const Mesh& mesh = problem.mesh;
   for (Index e = 0; e < mesh.boundary.cols(); ++e) {
     if (mesh.boundary_label[e] != label) continue;
-    const double length =
-        (mesh.vertices.col(mesh.boundary(1, e)) - mesh.vertices.col(mesh.boundary(0, e)))
-            .norm();
+    const double length = (mesh.vertices.col(mesh.boundary(1, e)) -
+                           mesh.vertices.col(mesh.boundary(0, e)))
+                              .norm();
     for (int end = 0; end < 2; ++end) {
       problem.neumann.block<2, 1>(2 * end, e) += length / 2 * traction;
       problem.b.segment<2>(2 * mesh.boundary(end, e)) += length / 2 * traction;
@@ -90,7 +91,8 @@ inline void prescribe_dof(Problem& problem, int dof, double value) {
 }
 
 /// Prescribes one component on the vertices of a label.
-inline void prescribe(Problem& problem, int label, int component, const Field& value) {
+inline void prescribe(Problem& problem, int label, int component,
+                      const Field& value) {
   for (Index e = 0; e < problem.mesh.boundary.cols(); ++e)
     if (problem.mesh.boundary_label[e] == label)
       for (int v : problem.mesh.boundary.col(e))
@@ -104,7 +106,8 @@ inline void prescribe(Problem& problem, int label, int component) {
   prescribe(problem, label, component, no_displacement);
 }
 
-inline void clamp(Problem& problem, int label, const Field& value = no_displacement) {
+inline void clamp(Problem& problem, int label,
+                  const Field& value = no_displacement) {
   prescribe(problem, label, 0, value);
   prescribe(problem, label, 1, value);
 }
@@ -116,7 +119,8 @@ inline void set_friction(Problem& problem, double mu) {
 /// Example 1 of [CHH01]: 80 x 40, clamped at the top, pushed from the left by 10 MPa,
 /// symmetric at the right.
 inline Problem example_1(Multiplier multiplier, int cells = 16) {
-  Problem problem = body(rectangle(2 * cells, cells, 80, 40), material(13e3, 0.2));
+  Problem problem =
+      body(rectangle(2 * cells, cells, 80, 40), material(13e3, 0.2));
   add_traction(problem, left, {10, 0});
   clamp(problem, top);
   prescribe(problem, right, 0);
@@ -152,8 +156,8 @@ inline Problem block_with_three_zones(int cells) {
 
 inline ContactSolution solved(const Problem& problem,
                               const ContactSettings& settings = {}) {
-  return solve_contact(problem.mesh, problem.line, problem.law, problem.system(),
-                       settings);
+  return solve_contact(problem.mesh, problem.line, problem.law,
+                       problem.system(), settings);
 }
 
 inline VectorXd nodal_values(const Mesh& mesh, const Field& field) {

@@ -25,7 +25,8 @@ constexpr int cases_a_property = 60;
 inline const bool cases_are_set = [] {
   const char* given = std::getenv("RC_PARAMS");
   const std::string parameters =
-      "max_success=" + std::to_string(cases_a_property) + " " + (given ? given : "");
+      "max_success=" + std::to_string(cases_a_property) + " " +
+      (given ? given : "");
   return setenv("RC_PARAMS", parameters.c_str(), 1) == 0;
 }();
 
@@ -41,8 +42,9 @@ inline std::ostream& operator<<(std::ostream& out, const Random& random) {
 /// Real numbers in [low, high], in steps of a thousandth of the range; they shrink
 /// towards low.
 inline rc::Gen<double> real(double low, double high) {
-  return rc::gen::map(rc::gen::inRange(0, 1001),
-                      [=](int step) { return low + (high - low) * step / 1000; });
+  return rc::gen::map(rc::gen::inRange(0, 1001), [=](int step) {
+    return low + (high - low) * step / 1000;
+  });
 }
 
 /// Entries uniform in [-1, 1].

@@ -16,20 +16,24 @@ namespace ffcontact::test {
 struct Manufactured {
   Material material;
   Field displacement;
-  std::function<Vector3d(const Vector2d&)> strain;  ///< Voigt, engineering shear
+  std::function<Vector3d(const Vector2d&)>
+      strain;  ///< Voigt, engineering shear
 
-  Vector3d stress(const Vector2d& x) const { return material.hooke() * strain(x); }
+  Vector3d stress(const Vector2d& x) const {
+    return material.hooke() * strain(x);
+  }
 };
 
 /// phi = e^x cos y
 inline Manufactured smooth_solution(double nu) {
   return {material(1, nu),
           [](const Vector2d& x) -> Vector2d {
-            return std::exp(x.x()) * Vector2d(std::cos(x.y()), -std::sin(x.y()));
+            return std::exp(x.x()) *
+                   Vector2d(std::cos(x.y()), -std::sin(x.y()));
           },
           [](const Vector2d& x) -> Vector3d {
-            return std::exp(x.x()) *
-                   Vector3d(std::cos(x.y()), -std::cos(x.y()), -2 * std::sin(x.y()));
+            return std::exp(x.x()) * Vector3d(std::cos(x.y()), -std::cos(x.y()),
+                                              -2 * std::sin(x.y()));
           }};
 }
 
@@ -50,7 +54,8 @@ inline Manufactured cubic_solution(double nu) {
 /// Exact displacements on the whole boundary, no contact.
 inline Problem without_contact(const Manufactured& exact, const Mesh& mesh) {
   Problem problem = body(mesh, exact.material);
-  for (int label : {bottom, right, top, left}) clamp(problem, label, exact.displacement);
+  for (int label : {bottom, right, top, left})
+    clamp(problem, label, exact.displacement);
   problem.line = ContactLine{};
   problem.law = ContactLaw{};
   return problem;
@@ -63,7 +68,8 @@ inline VectorXd solved_without_contact(const Problem& problem) {
 /// Frictionless contact at the bottom, exact displacements on the other sides.
 inline Problem with_contact(const Manufactured& exact, const Mesh& mesh) {
   Problem problem = body(mesh, exact.material);
-  for (int label : {right, top, left}) clamp(problem, label, exact.displacement);
+  for (int label : {right, top, left})
+    clamp(problem, label, exact.displacement);
   return problem;
 }
 
@@ -90,7 +96,8 @@ inline Problem loaded_in_contact(const Manufactured& exact, const Mesh& mesh) {
 
 /// Points of a triangle with equal weights that integrate quadratic functions exactly on
 /// its 16 parts: the middles of their sides.
-inline std::vector<Vector2d> sample_points(const Matrix<double, 2, 3>& corners) {
+inline std::vector<Vector2d> sample_points(
+    const Matrix<double, 2, 3>& corners) {
   constexpr int n = 4;
   const Vector2d a = (corners.col(1) - corners.col(0)) / n,
                  b = (corners.col(2) - corners.col(0)) / n;
@@ -119,10 +126,12 @@ inline double distance(const Manufactured& exact, const Mesh& mesh,
           (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
       Matrix3d of_corners;  // (1, x, y)
       of_corners << Eigen::RowVector3d::Ones(), corners;
-      const Matrix3d linear = sigma[t].middleCols<3>(3 * k) * of_corners.inverse();
+      const Matrix3d linear =
+          sigma[t].middleCols<3>(3 * k) * of_corners.inverse();
       const std::vector<Vector2d> points = sample_points(corners);
       for (const Vector2d& x : points) {
-        const Vector3d difference = exact.stress(x) - linear * Vector3d(1, x.x(), x.y());
+        const Vector3d difference =
+            exact.stress(x) - linear * Vector3d(1, x.x(), x.y());
         square += signed_area(mesh, t) / (3.0 * points.size()) *
                   difference.dot(compliance * difference);
       }

@@ -58,15 +58,17 @@ inline SolidMesh brick(const Vector3i& cells, const Vector3d& size) {
     for (int j = 0; j <= cells.y(); ++j)
       for (int i = 0; i <= cells.x(); ++i) {
         const Vector3i at(i, j, k);
-        mesh.vertices.col(id(at)) =
-            size.cwiseProduct(at.cast<double>()).cwiseQuotient(cells.cast<double>());
+        mesh.vertices.col(id(at)) = size.cwiseProduct(at.cast<double>())
+                                        .cwiseQuotient(cells.cast<double>());
         if (((at - cells).array() == 0).any()) continue;
         std::array<int, 3> axes{0, 1, 2};
         do {
           const Vector3i a = at + Vector3i::Unit(axes[0]),
-                         b = a + Vector3i::Unit(axes[1]), c = b + Vector3i::Unit(axes[2]);
+                         b = a + Vector3i::Unit(axes[1]),
+                         c = b + Vector3i::Unit(axes[2]);
           const bool even = (axes[0] + 1) % 3 == axes[1];
-          mesh.cells.col(next++) << id(at), id(even ? a : b), id(even ? b : a), id(c);
+          mesh.cells.col(next++) << id(at), id(even ? a : b), id(even ? b : a),
+              id(c);
         } while (std::next_permutation(axes.begin(), axes.end()));
       }
   add_boundary(mesh);
@@ -78,7 +80,8 @@ inline SolidMesh brick(const Vector3i& cells, const Vector3d& size) {
 /// < 1/6.
 inline SolidMesh moved(SolidMesh mesh, double cell, double fraction,
                        std::mt19937& random) {
-  std::uniform_real_distribution<double> shift(-fraction * cell, fraction * cell);
+  std::uniform_real_distribution<double> shift(-fraction * cell,
+                                               fraction * cell);
   const Vector3d low = mesh.vertices.rowwise().minCoeff(),
                  high = mesh.vertices.rowwise().maxCoeff();
   for (int v = 0; v < mesh.vertex_count(); ++v)

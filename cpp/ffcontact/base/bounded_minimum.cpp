@@ -41,14 +41,17 @@ class FaceByFace {
   }
 
  private:
-  VectorXd clamped(const VectorXd& x) const { return x.cwiseMax(low_).cwiseMin(high_); }
+  VectorXd clamped(const VectorXd& x) const {
+    return x.cwiseMax(low_).cwiseMin(high_);
+  }
   double value() const { return 0.5 * x_.dot(gradient_ + h_); }
 
   void move_to(const VectorXd& x) {
     x_ = x;
     gradient_ = H_ * x + h_;
     tolerance_ =
-        rounding * (H_.diagonal().cwiseProduct(x_.cwiseAbs()) + h_.cwiseAbs()).maxCoeff();
+        rounding *
+        (H_.diagonal().cwiseProduct(x_.cwiseAbs()) + h_.cwiseAbs()).maxCoeff();
   }
 
   /// Fixes the unknowns that their gradient holds at a bound. @return whether another one
@@ -87,7 +90,8 @@ class FaceByFace {
   bool fix_blocked(const VectorXd& step) {
     bool any = false;
     for (Index i = 0; i < x_.size(); ++i)
-      if ((x_[i] <= low_[i] && step[i] < 0) || (x_[i] >= high_[i] && step[i] > 0)) {
+      if ((x_[i] <= low_[i] && step[i] < 0) ||
+          (x_[i] >= high_[i] && step[i] > 0)) {
         fixed_[i] = 1;
         any = true;
       }
@@ -148,9 +152,9 @@ class FaceByFace {
 
 }  // namespace
 
-BoundedMinimum bounded_minimum(const MatrixXd& H, const VectorXd& h, const VectorXd& low,
-                               const VectorXd& high, const VectorXd& start,
-                               int most_steps) {
+BoundedMinimum bounded_minimum(const MatrixXd& H, const VectorXd& h,
+                               const VectorXd& low, const VectorXd& high,
+                               const VectorXd& start, int most_steps) {
   return FaceByFace(H, h, low, high, start, most_steps).solve();
 }
 

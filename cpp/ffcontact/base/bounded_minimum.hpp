@@ -22,8 +22,8 @@ struct BoundedMinimum {
 /// @param low, high   low <= high, may be infinite
 /// @param start       clamped to the bounds
 /// @param most_steps  after which the best x so far comes back
-BoundedMinimum bounded_minimum(const MatrixXd& H, const VectorXd& h, const VectorXd& low,
-                               const VectorXd& high, const VectorXd& start,
-                               int most_steps);
+BoundedMinimum bounded_minimum(const MatrixXd& H, const VectorXd& h,
+                               const VectorXd& low, const VectorXd& high,
+                               const VectorXd& start, int most_steps);
 
 }  // namespace ffcontact

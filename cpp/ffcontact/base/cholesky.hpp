@@ -15,7 +15,8 @@ class Cholesky {
   explicit Cholesky(const MatrixXd& H);
 
   bool is_positive_definite() const { return llt_.info() == Eigen::Success; }
-  double reciprocal_condition() const;  ///< estimate of 1 / (|H| |H^-1|) in the 1-norm
+  double reciprocal_condition()
+      const;  ///< estimate of 1 / (|H| |H^-1|) in the 1-norm
 
   VectorXd solve(const VectorXd& b) const;          ///< H^-1 b
   MatrixXd solve_columns(const MatrixXd& B) const;  ///< H^-1 B

@@ -20,7 +20,8 @@ using Orthogonal = Eigen::CompleteOrthogonalDecomposition<MatrixXd>;
 
 }  // namespace
 
-VectorXd least_squares(const MatrixXd& A, const VectorXd& b, PivotThreshold threshold) {
+VectorXd least_squares(const MatrixXd& A, const VectorXd& b,
+                       PivotThreshold threshold) {
   return decomposed<Orthogonal>(A, threshold).solve(b);
 }
 

@@ -17,7 +17,8 @@ VectorXd passive_solution(const MatrixXd& G, const VectorXd& b,
   for (Index j = 0; j < G.cols(); ++j)
     if (passive[j]) columns.push_back(j);
   MatrixXd selected(G.rows(), static_cast<Index>(columns.size()));
-  for (std::size_t k = 0; k < columns.size(); ++k) selected.col(k) = G.col(columns[k]);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    selected.col(k) = G.col(columns[k]);
   const VectorXd z = least_squares(selected, b);
   VectorXd x = VectorXd::Zero(G.cols());
   for (std::size_t k = 0; k < columns.size(); ++k) x[columns[k]] = z[k];
@@ -26,7 +27,8 @@ VectorXd passive_solution(const MatrixXd& G, const VectorXd& b,
 
 /// Largest step from x towards z that keeps x >= 0; the columns that reach 0 leave the
 /// passive set.
-VectorXd step_inside(const VectorXd& x, const VectorXd& z, std::vector<char>& passive) {
+VectorXd step_inside(const VectorXd& x, const VectorXd& z,
+                     std::vector<char>& passive) {
   double step = 1;
   for (Index j = 0; j < x.size(); ++j)
     if (passive[j] && z[j] <= 0) step = std::min(step, x[j] / (x[j] - z[j]));

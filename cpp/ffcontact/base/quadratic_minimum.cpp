@@ -36,7 +36,8 @@ class LeastDistance {
     for (Index round = 0; round < most; ++round) {
       Index violated = 0;
       const VectorXd missing = h_ - G_ * z_ - rounding * scale_;
-      if (missing.maxCoeff(&violated) <= rounding * z_.norm() || is_active(violated))
+      if (missing.maxCoeff(&violated) <= rounding * z_.norm() ||
+          is_active(violated))
         return true;
       if (!activate(violated)) return false;
     }
@@ -64,8 +65,10 @@ class LeastDistance {
     for (;;) {
       const MatrixXd normals = active_normals();
       const VectorXd g = G_.row(row).transpose();
-      const VectorXd share = active_.empty() ? VectorXd() : least_squares(normals, g);
-      const VectorXd direction = active_.empty() ? g : VectorXd(g - normals * share);
+      const VectorXd share =
+          active_.empty() ? VectorXd() : least_squares(normals, g);
+      const VectorXd direction =
+          active_.empty() ? g : VectorXd(g - normals * share);
       const bool free = direction.norm() > dependent;
       const double full =
           free ? std::max(0.0, h_[row] - g.dot(z_)) / direction.squaredNorm()
@@ -110,7 +113,8 @@ class LeastDistance {
 }  // namespace
 
 std::optional<VectorXd> quadratic_minimum(const MatrixXd& H, const VectorXd& g,
-                                          const MatrixXd& C, const VectorXd& d) {
+                                          const MatrixXd& C,
+                                          const VectorXd& d) {
   const Cholesky cholesky(H);
   if (!cholesky.is_positive_definite()) return std::nullopt;
   const VectorXd free = -cholesky.solve(g);
@@ -125,9 +129,9 @@ std::optional<VectorXd> quadratic_minimum(const MatrixXd& H, const VectorXd& g,
     if (length == 0) continue;
     G.row(row) /= length;
     h[row] /= length;
-    scale[row] =
-        (C.row(row).cwiseAbs().dot(free.transpose().cwiseAbs()) + std::abs(d[row])) /
-        length;
+    scale[row] = (C.row(row).cwiseAbs().dot(free.transpose().cwiseAbs()) +
+                  std::abs(d[row])) /
+                 length;
   }
   LeastDistance least(G, h, scale);
   if (!least.solve()) return std::nullopt;

@@ -21,13 +21,15 @@ template <class... Parts>
 }
 
 /// @throws std::invalid_argument  if `actual` differs from `expected`
-inline void require_size(const std::string& name, Index actual, Index expected) {
+inline void require_size(const std::string& name, Index actual,
+                         Index expected) {
   if (actual != expected)
     refuse(name, " has ", actual, " values where ", expected, " are needed");
 }
 
 /// @throws std::invalid_argument  naming the first value that is NaN or infinite
-inline void require_finite(const std::string& name, const Ref<const VectorXd>& values) {
+inline void require_finite(const std::string& name,
+                           const Ref<const VectorXd>& values) {
   if (values.allFinite()) return;
   for (Index k = 0; k < values.size(); ++k)
     if (!std::isfinite(values[k]))
@@ -39,7 +41,8 @@ inline void require_nonnegative(const std::string& name,
                                 const Ref<const VectorXd>& values) {
   for (Index k = 0; k < values.size(); ++k)
     if (!(values[k] >= 0) || !std::isfinite(values[k]))
-      refuse(name, " must be finite and not negative, but value ", k, " is ", values[k]);
+      refuse(name, " must be finite and not negative, but value ", k, " is ",
+             values[k]);
 }
 
 }  // namespace ffcontact

@@ -18,9 +18,13 @@ SparseLu::~SparseLu() = default;
 
 SparseLu::SparseLu(SparseLu&&) noexcept = default;
 
-bool SparseLu::is_regular() const { return factor_->lu.info() == Eigen::Success; }
+bool SparseLu::is_regular() const {
+  return factor_->lu.info() == Eigen::Success;
+}
 
-VectorXd SparseLu::solve(const VectorXd& b) const { return factor_->lu.solve(b); }
+VectorXd SparseLu::solve(const VectorXd& b) const {
+  return factor_->lu.solve(b);
+}
 
 VectorXd SparseLu::solve_transposed(const VectorXd& b) const {
   return factor_->lu.transpose().solve(b);

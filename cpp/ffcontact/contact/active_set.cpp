@@ -39,7 +39,8 @@ ContactState closed_state(int slip) {
 }
 
 ContactState limited_state(int slip) {
-  return slip > 0 ? ContactState::limited_forward : ContactState::limited_backward;
+  return slip > 0 ? ContactState::limited_forward
+                  : ContactState::limited_backward;
 }
 
 ContactState open_state(int slip) {
@@ -49,7 +50,8 @@ ContactState open_state(int slip) {
 }
 
 /// What the answer makes of the slip of a node that friction holds.
-int next_slip(double Pt, double vt, double bound, int slip, const Rounding& rounding) {
+int next_slip(double Pt, double vt, double bound, int slip,
+              const Rounding& rounding) {
   if (slip != 0) return slip * vt < -rounding.v ? 0 : slip;
   if (std::abs(vt) > rounding.motion) return direction(vt, rounding);
   if (std::abs(Pt) <= bound + rounding.P) return 0;
@@ -66,16 +68,19 @@ ContactState next_state(const NodalLaw& law, int node, ContactState now,
                vt = rows.v[2 * node + 1];
   const bool open = next_open(Pn, rows.v[2 * node], is_open(now), rounding);
   const FrictionCone& cone = law.cone[node];
-  if (cone.frictionless()) return open ? ContactState::open : ContactState::slip_forward;
+  if (cone.frictionless())
+    return open ? ContactState::open : ContactState::slip_forward;
   if (!cone.depends_on_contact()) {
     const int slip = next_slip(Pt, vt, cone.cohesion, slip_sign(now), rounding);
     return open ? open_state(slip) : closed_state(slip);
   }
   if (open) return ContactState::open;
-  const int slip = now == ContactState::open
-                       ? direction(vt, rounding)
-                       : next_slip(Pt, vt, cone.bound(Pn), slip_sign(now), rounding);
-  return slip != 0 && cone.at_limit(Pn) ? limited_state(slip) : closed_state(slip);
+  const int slip =
+      now == ContactState::open
+          ? direction(vt, rounding)
+          : next_slip(Pt, vt, cone.bound(Pn), slip_sign(now), rounding);
+  return slip != 0 && cone.at_limit(Pn) ? limited_state(slip)
+                                        : closed_state(slip);
 }
 
 /// The nearest state that a node may have.
@@ -83,7 +88,8 @@ ContactState start_state(const FrictionCone& cone, ContactState state) {
   if (cone.frictionless())
     return is_open(state) ? ContactState::open : ContactState::slip_forward;
   if (!is_open(state)) return state;
-  return cone.depends_on_contact() ? ContactState::open : open_state(slip_sign(state));
+  return cone.depends_on_contact() ? ContactState::open
+                                   : open_state(slip_sign(state));
 }
 
 Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
@@ -95,13 +101,15 @@ Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
 }
 
 /// The sticking row that moves a dependent row most, -1 if none does.
-int strongest_stick(const CondensedContact& contact, const States& state, Index d) {
+int strongest_stick(const CondensedContact& contact, const States& state,
+                    Index d) {
   int strongest = -1;
   double most = 0;
   for (std::size_t k = 0; k < contact.primary.size(); ++k) {
     const int row = contact.primary[k];
     const double share = std::abs(contact.E(static_cast<Index>(k), d));
-    if (row % 2 == 0 || state[row / 2] != ContactState::stick || share <= most) continue;
+    if (row % 2 == 0 || state[row / 2] != ContactState::stick || share <= most)
+      continue;
     strongest = static_cast<int>(k);
     most = share;
   }
@@ -112,15 +120,18 @@ int strongest_stick(const CondensedContact& contact, const States& state, Index 
 /// them sticks elsewhere the other one penetrates, and nothing is left to move it: the
 /// first one has to slip.
 void release_sticks(const CondensedContact& contact, const States& state,
-                    const ContactRows& rows, const Rounding& rounding, States& next) {
+                    const ContactRows& rows, const Rounding& rounding,
+                    States& next) {
   for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
     const int row = contact.dependent[d];
-    if (row % 2 != 0 || is_open(state[row / 2]) || rows.v[row] <= rounding.motion)
+    if (row % 2 != 0 || is_open(state[row / 2]) ||
+        rows.v[row] <= rounding.motion)
       continue;
     const auto column = static_cast<Index>(d);
     const int k = strongest_stick(contact, state, column);
     if (k >= 0)
-      next[contact.primary[k] / 2] = closed_state(contact.E(k, column) > 0 ? -1 : 1);
+      next[contact.primary[k] / 2] =
+          closed_state(contact.E(k, column) > 0 ? -1 : 1);
   }
 }
 
@@ -135,8 +146,8 @@ States next_states(const CondensedContact& contact, const NodalLaw& law,
 }
 
 int differences(const States& a, const States& b) {
-  return static_cast<int>(std::inner_product(a.begin(), a.end(), b.begin(), 0,
-                                             std::plus<>(), std::not_equal_to<>()));
+  return static_cast<int>(std::inner_product(
+      a.begin(), a.end(), b.begin(), 0, std::plus<>(), std::not_equal_to<>()));
 }
 
 void keep(const States& state, const ContactRows& rows, double violation,
@@ -150,8 +161,9 @@ void keep(const States& state, const ContactRows& rows, double violation,
 /// Where a prescribed end and its neighbour both touch, both are closed: the end's
 /// multiplier is then continued. One of them open may be as good an answer to the
 /// conditions, but leaves the pressures beside it oscillating.
-States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw& law,
-                                 const ContactRows& rows, States state) {
+States with_touching_ends_closed(const CondensedContact& contact,
+                                 const NodalLaw& law, const ContactRows& rows,
+                                 States state) {
   const Rounding rounding = rounding_of(contact, rows);
   const auto touches = [&](int node) {
     return std::abs(rows.v[2 * node]) <= rounding.motion;
@@ -159,15 +171,18 @@ States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw
   for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
     if (contact.dependent[d] % 2 != 0 || contact.continued[d] < 0) continue;
     if (!contact.loads_the_body(static_cast<Index>(d))) continue;
-    const int end = contact.dependent[d] / 2, neighbour = contact.continued[d] / 2;
+    const int end = contact.dependent[d] / 2,
+              neighbour = contact.continued[d] / 2;
     if (is_open(state[end]) == is_open(state[neighbour]) || !touches(end) ||
         !touches(neighbour))
       continue;
     const int node = is_open(state[end]) ? end : neighbour;
     const FrictionCone& cone = law.cone[node];
-    const int slip = cone.depends_on_contact() ? direction(rows.v[2 * node + 1], rounding)
-                                               : slip_sign(state[node]);
-    state[node] = cone.frictionless() ? ContactState::slip_forward : closed_state(slip);
+    const int slip = cone.depends_on_contact()
+                         ? direction(rows.v[2 * node + 1], rounding)
+                         : slip_sign(state[node]);
+    state[node] =
+        cone.frictionless() ? ContactState::slip_forward : closed_state(slip);
   }
   return state;
 }
@@ -177,7 +192,8 @@ States with_touching_ends_closed(const CondensedContact& contact, const NodalLaw
 void close_touching_ends(const CondensedContact& contact, const NodalLaw& law,
                          double tolerance, ActiveSetResult& result) {
   ContactRows rows{result.P, result.v};
-  const States closed = with_touching_ends_closed(contact, law, rows, result.state);
+  const States closed =
+      with_touching_ends_closed(contact, law, rows, result.state);
   if (closed == result.state) return;
   ++result.iterations;
   const SystemKind kind = solve_active_set(contact, law, closed, rows);
@@ -192,22 +208,25 @@ void close_touching_ends(const CondensedContact& contact, const NodalLaw& law,
 
 LawScales law_scales(const CondensedContact& contact, const VectorXd& v) {
   constexpr double share_of_loads = 1e-4;
-  return {motion_scale(contact, v), share_of_loads * contact.g.cwiseAbs().maxCoeff()};
+  return {motion_scale(contact, v),
+          share_of_loads * contact.g.cwiseAbs().maxCoeff()};
 }
 
 double law_violation(const CondensedContact& contact, const NodalLaw& law,
                      const ContactRows& rows) {
   constexpr double most_of_loads = 1e10;
-  const double loads = std::max(contact.g.cwiseAbs().maxCoeff(),
-                                contact.S.diagonal().maxCoeff() *
-                                    contact.dependent_offset.lpNorm<Eigen::Infinity>());
+  const double loads =
+      std::max(contact.g.cwiseAbs().maxCoeff(),
+               contact.S.diagonal().maxCoeff() *
+                   contact.dependent_offset.lpNorm<Eigen::Infinity>());
   if (rows.P.cwiseAbs().maxCoeff() > most_of_loads * loads)
     return std::numeric_limits<double>::infinity();
   return law_violation(law, rows.P, rows.v, law_scales(contact, rows.v));
 }
 
-ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law,
-                                  States state, const NewtonSettings& settings) {
+ActiveSetResult active_set_newton(const CondensedContact& contact,
+                                  const NodalLaw& law, States state,
+                                  const NewtonSettings& settings) {
   for (std::size_t i = 0; i < state.size(); ++i)
     state[i] = start_state(law.cone[i], state[i]);
 
@@ -227,7 +246,8 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
     if (settled || violation < result.violation || result.iterations == 1)
       keep(state, rows, violation, result);
     if (settled) {
-      result.status = held ? ContactStatus::inaccurate : ContactStatus::singular;
+      result.status =
+          held ? ContactStatus::inaccurate : ContactStatus::singular;
       break;
     }
     const int contradictions = differences(state, next);
@@ -241,7 +261,8 @@ ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLa
     }
     state = next;
   }
-  if (result.violation <= settings.tolerance) result.status = ContactStatus::converged;
+  if (result.violation <= settings.tolerance)
+    result.status = ContactStatus::converged;
   if (result.status == ContactStatus::converged) {
     if (result.iterations < settings.max_iterations)
       close_touching_ends(contact, law, settings.tolerance, result);

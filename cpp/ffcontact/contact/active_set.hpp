@@ -49,7 +49,8 @@ struct NewtonSettings {
 /// be no solution where rows depend on each other and their multipliers have more than
 /// one value.
 /// @param state  first guess [p]
-ActiveSetResult active_set_newton(const CondensedContact& contact, const NodalLaw& law,
+ActiveSetResult active_set_newton(const CondensedContact& contact,
+                                  const NodalLaw& law,
                                   std::vector<ContactState> state,
                                   const NewtonSettings& settings = {});
 

@@ -44,7 +44,8 @@ class LinearStep {
   LinearStep(const CondensedContact& contact, const NodalLaw& law,
              const std::vector<ContactState>& state)
       : contact_(contact),
-        v_scale_(contact.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()) {
+        v_scale_(
+            contact.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()) {
     for (int row = 0; row < contact.position.size(); ++row)
       conditions_.push_back(row_condition(law, row, state[row / 2]));
     for (std::size_t k = 0; k < contact.primary.size(); ++k)
@@ -52,8 +53,9 @@ class LinearStep {
         unknown_.push_back(static_cast<int>(k));
     q_scale_.resize(contact.E.cols());
     for (Index d = 0; d < contact.E.cols(); ++d) {
-      const double reach = std::hypot(contact.E.col(d).cwiseProduct(v_scale_).norm(),
-                                      std::sqrt(contact.F(d, d)));
+      const double reach =
+          std::hypot(contact.E.col(d).cwiseProduct(v_scale_).norm(),
+                     std::sqrt(contact.F(d, d)));
       q_scale_[d] = 1 / (reach > 0 ? reach : v_scale_.mean());
     }
   }
@@ -80,7 +82,8 @@ class LinearStep {
       return;
     }
     for (Index j = 0; j < n; ++j)
-      matrix_(e, j) += factor * contact_.S(unknown_[j], k) * v_scale_[unknown_[j]];
+      matrix_(e, j) +=
+          factor * contact_.S(unknown_[j], k) * v_scale_[unknown_[j]];
     for (Index d = 0; d < contact_.E.cols(); ++d)
       matrix_(e, n + d) -= factor * contact_.E(k, d) * q_scale_[d];
     right_[e] += factor * contact_.g[k];
@@ -90,14 +93,16 @@ class LinearStep {
     const RowCondition& condition = conditions_[row];
     right_[e] = row_scale * condition.value;
     add_multiplier(e, row, row_scale);
-    if (condition.ratio != 0) add_multiplier(e, row - 1, -row_scale * condition.ratio);
+    if (condition.ratio != 0)
+      add_multiplier(e, row - 1, -row_scale * condition.ratio);
   }
 
   void dependent_displacement_equation(Index e, Index d) {
     const auto n = static_cast<Index>(unknown_.size());
     double steering = 0;
     for (Index j = 0; j < n; ++j) {
-      matrix_(e, j) = q_scale_[d] * contact_.E(unknown_[j], d) * v_scale_[unknown_[j]];
+      matrix_(e, j) =
+          q_scale_[d] * contact_.E(unknown_[j], d) * v_scale_[unknown_[j]];
       steering += std::abs(contact_.E(unknown_[j], d));
     }
     for (Index j = 0; j < contact_.F.cols(); ++j) {
@@ -120,7 +125,8 @@ class LinearStep {
     matrix_ = MatrixXd::Zero(n + d, n + d);
     right_ = VectorXd::Zero(n + d);
     for (Index e = 0; e < n; ++e)
-      multiplier_equation(e, contact_.primary[unknown_[e]], v_scale_[unknown_[e]]);
+      multiplier_equation(e, contact_.primary[unknown_[e]],
+                          v_scale_[unknown_[e]]);
     for (Index k = 0; k < d; ++k) {
       const int row = contact_.dependent[k];
       if (conditions_[row].on_displacement)
@@ -136,7 +142,8 @@ class LinearStep {
     if (lu.reciprocal_condition() > singular) return lu.solve(right_);
     const VectorXd smallest = least_squares(matrix_, right_, {10 * singular});
     kind = SystemKind::consistent;
-    if ((matrix_ * smallest - right_).norm() <= solved * right_.norm()) return smallest;
+    if ((matrix_ * smallest - right_).norm() <= solved * right_.norm())
+      return smallest;
     kind = SystemKind::inconsistent;
     for (std::size_t j = 0; j < unknown_.size(); ++j) matrix_(j, j) += leash;
     return matrix_.partialPivLu().solve(right_);
@@ -155,8 +162,9 @@ class LinearStep {
       rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
       // exactly, so that a body without contact has no forces of rounding size
       if (!condition.on_displacement)
-        rows.P[row] = condition.value +
-                      (condition.ratio != 0 ? condition.ratio * rows.P[row - 1] : 0);
+        rows.P[row] =
+            condition.value +
+            (condition.ratio != 0 ? condition.ratio * rows.P[row - 1] : 0);
     }
   }
 
@@ -170,8 +178,10 @@ class LinearStep {
 
 }  // namespace
 
-SystemKind solve_active_set(const CondensedContact& contact, const NodalLaw& law,
-                            const std::vector<ContactState>& state, ContactRows& rows) {
+SystemKind solve_active_set(const CondensedContact& contact,
+                            const NodalLaw& law,
+                            const std::vector<ContactState>& state,
+                            ContactRows& rows) {
   return LinearStep(contact, law, state).solve(rows);
 }
 

@@ -36,7 +36,9 @@ enum class SystemKind {
 /// load the body either, as nodal forces on prescribed dofs.
 /// @param state  of each node [p]
 /// @param rows   the answer; not touched if the system is not finite
-SystemKind solve_active_set(const CondensedContact& contact, const NodalLaw& law,
-                            const std::vector<ContactState>& state, ContactRows& rows);
+SystemKind solve_active_set(const CondensedContact& contact,
+                            const NodalLaw& law,
+                            const std::vector<ContactState>& state,
+                            ContactRows& rows);
 
 }  // namespace ffcontact

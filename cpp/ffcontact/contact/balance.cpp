@@ -59,7 +59,8 @@ MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
       forces.row(dof) /= row_sum;
   }
   // descending
-  const Eigen::JacobiSVD<MatrixXd> svd(forces, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<MatrixXd> svd(
+      forces, Eigen::ComputeThinU | Eigen::ComputeThinV);
   Index held = 0;
   while (held < motions.cols() &&
          svd.singularValues()[held] >
@@ -68,8 +69,8 @@ MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
   return motions * svd.matrixV().rightCols(motions.cols() - held);
 }
 
-void require_balance(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
-                     const ElasticSystem& system) {
+void require_balance(const Mesh& mesh, const ContactLine& line,
+                     const ContactLaw& law, const ElasticSystem& system) {
   const MatrixXd motions = unheld_motions(mesh, system);
   if (motions.cols() == 0) return;
   const VectorXd pushed = motions.transpose() * system.load;
@@ -77,11 +78,13 @@ void require_balance(const Mesh& mesh, const ContactLine& line, const ContactLaw
   if (pushed.cwiseAbs().maxCoeff() <= unbalanced * scale) return;
 
   const MatrixXd forces = extreme_forces(line, law, motions);
-  const VectorXd left = pushed + forces * nonnegative_least_squares(forces, -pushed);
+  const VectorXd left =
+      pushed + forces * nonnegative_least_squares(forces, -pushed);
   if (left.norm() > unbalanced * scale)
-    refuse("no equilibrium: the loads push the body in a ",
-           motion_in_words(mesh, motions * left),
-           ", which neither prescribed displacements nor contact forces oppose");
+    refuse(
+        "no equilibrium: the loads push the body in a ",
+        motion_in_words(mesh, motions * left),
+        ", which neither prescribed displacements nor contact forces oppose");
 }
 
 }  // namespace ffcontact

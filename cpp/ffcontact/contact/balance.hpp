@@ -19,7 +19,7 @@ MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system);
 /// loads push and no admissible force opposes. With Tresca's law the bounded tangential
 /// forces are taken at their largest in either direction.
 /// @throws std::invalid_argument  naming that motion
-void require_balance(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
-                     const ElasticSystem& system);
+void require_balance(const Mesh& mesh, const ContactLine& line,
+                     const ContactLaw& law, const ElasticSystem& system);
 
 }  // namespace ffcontact

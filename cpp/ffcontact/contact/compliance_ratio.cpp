@@ -14,19 +14,23 @@ constexpr double along_the_line = 1e-3;
 constexpr double largest_ratio = 1e12;
 
 /// 1 / (n' K_vv n) on the free components, or 0 at a vertex that none moves along n.
-double nodal_compliance(const ElasticSystem& system, int vertex, const Vector2d& n) {
+double nodal_compliance(const ElasticSystem& system, int vertex,
+                        const Vector2d& n) {
   double stiffness = 0;
   for (int i = 0; i < 2; ++i) {
-    if (system.prescribed[2 * vertex + i] || std::abs(n[i]) < along_the_line) continue;
+    if (system.prescribed[2 * vertex + i] || std::abs(n[i]) < along_the_line)
+      continue;
     for (int j = 0; j < 2; ++j)
       if (!system.prescribed[2 * vertex + j])
-        stiffness += n[i] * system.stiffness.coeff(2 * vertex + i, 2 * vertex + j) * n[j];
+        stiffness += n[i] *
+                     system.stiffness.coeff(2 * vertex + i, 2 * vertex + j) *
+                     n[j];
   }
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-double edge_compliance(const Edges& edges, const ElasticSystem& system, int edge,
-                       double length, const Vector2d& n) {
+double edge_compliance(const Edges& edges, const ElasticSystem& system,
+                       int edge, double length, const Vector2d& n) {
   return length * 0.5 *
          (nodal_compliance(system, edges.vertices(0, edge), n) +
           nodal_compliance(system, edges.vertices(1, edge), n));
@@ -34,14 +38,16 @@ double edge_compliance(const Edges& edges, const ElasticSystem& system, int edge
 
 }  // namespace
 
-double compliance_ratio(const Mesh& mesh, const Edges& edges, const ContactLine& line,
-                        const ElasticSystem& system) {
+double compliance_ratio(const Mesh& mesh, const Edges& edges,
+                        const ContactLine& line, const ElasticSystem& system) {
   double sum = 0, weight = 0;
   for (const FacingPiece& piece : line.pieces) {
-    const int e = piece.contact_edge, own = line.edge[e], opposite = piece.opposite_edge;
+    const int e = piece.contact_edge, own = line.edge[e],
+              opposite = piece.opposite_edge;
     const Vector2d n = line.normal.col(line.edge_node(0, e));
     const double own_length = edge_vector(mesh, edges, own).norm();
-    const double own_compliance = edge_compliance(edges, system, own, own_length, n);
+    const double own_compliance =
+        edge_compliance(edges, system, own, own_length, n);
     const double opposite_compliance = edge_compliance(
         edges, system, opposite, edge_vector(mesh, edges, opposite).norm(), n);
     if (own_compliance == 0 && opposite_compliance == 0) continue;

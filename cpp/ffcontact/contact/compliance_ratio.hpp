@@ -18,8 +18,8 @@ namespace ffcontact {
 /// A multiplier a node of a trace that yields much less than the other one asks the other
 /// trace for more than it can do between its own nodes: contact opens and closes from
 /// node to node. The trace that yields more follows the other without that.
-double compliance_ratio(const Mesh& mesh, const Edges& edges, const ContactLine& line,
-                        const ElasticSystem& system);
+double compliance_ratio(const Mesh& mesh, const Edges& edges,
+                        const ContactLine& line, const ElasticSystem& system);
 
 /// From this ratio on the opposite body is to carry the multipliers.
 constexpr double much_softer = 3;

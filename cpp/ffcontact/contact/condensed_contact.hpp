@@ -54,10 +54,11 @@ struct CondensedContact {
   VectorXd v_prescribed;
   /// w_o = opposite_offset + opposite_of_v v + opposite_of_q q [o]
   VectorXd opposite_offset;
-  MatrixXd opposite_of_v;                      ///< [o x f]
-  MatrixXd opposite_of_q;                      ///< [o x d]
-  VectorXd opposite_scale;                     ///< R = diag(S~_oo)^-1/2 [o]
-  std::optional<Cholesky> opposite_stiffness;  ///< of R S~_oo R; nothing if o = 0
+  MatrixXd opposite_of_v;   ///< [o x f]
+  MatrixXd opposite_of_q;   ///< [o x d]
+  VectorXd opposite_scale;  ///< R = diag(S~_oo)^-1/2 [o]
+  std::optional<Cholesky>
+      opposite_stiffness;  ///< of R S~_oo R; nothing if o = 0
 
   bool is_primary(int row) const { return position[row] >= 0; }
   /// Does the multiplier of dependent row d do anything to a body? Nodal forces on
@@ -69,7 +70,8 @@ struct CondensedContact {
 
 /// The free dofs of the vertices on the line, in the order of its nodes, then those of
 /// the opposite vertices.
-std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& system);
+std::vector<int> contact_dofs(const ContactLine& line,
+                              const ElasticSystem& system);
 
 /// What v is small against: its largest value, or what the loads would move a node alone,
 /// max |g_i| / S_ii with the S_ii of the stiffer component of the node (that of a
@@ -78,13 +80,15 @@ std::vector<int> contact_dofs(const ContactLine& line, const ElasticSystem& syst
 double motion_scale(const CondensedContact& contact, const VectorXd& v);
 
 /// @throws std::invalid_argument  if the contact line has no free dof
-CondensedContact condensed_contact(const ContactLine& line, const ContactLaw& law,
+CondensedContact condensed_contact(const ContactLine& line,
+                                   const ContactLaw& law,
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness);
 
 /// The same relation for another load on all dofs and other v of the prescribed values:
 /// that of a correction, for instance.
-CondensedContact with_loads(CondensedContact contact, const CondensedStiffness& stiffness,
+CondensedContact with_loads(CondensedContact contact,
+                            const CondensedStiffness& stiffness,
                             const VectorXd& load, const VectorXd& v_prescribed);
 
 /// Displacement of the kept dofs that has the given v on the primary rows under the

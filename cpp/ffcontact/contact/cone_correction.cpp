@@ -15,16 +15,19 @@ namespace {
 /// and left in peace.
 constexpr double rounding = 1e-13;
 
-void require_fitting(const ContactLine& line, const ContactDensities& densities) {
+void require_fitting(const ContactLine& line,
+                     const ContactDensities& densities) {
   require_size("normal densities", densities.normal.cols(), line.edge_count());
-  require_size("tangential densities", densities.tangential.cols(), line.edge_count());
+  require_size("tangential densities", densities.tangential.cols(),
+               line.edge_count());
   require_finite("normal density", densities.normal.reshaped());
   require_finite("tangential density", densities.tangential.reshaped());
 }
 
 void require_fixed_direction(const ContactLine& line) {
   for (int e = 0; e < line.edge_count(); ++e)
-    if (line.normal.col(line.edge_node(0, e)) != line.normal.col(line.edge_node(1, e)))
+    if (line.normal.col(line.edge_node(0, e)) !=
+        line.normal.col(line.edge_node(1, e)))
       refuse("the contact direction turns along contact edge ", e,
              ": its tractions need a fixed normal=");
 }
@@ -34,23 +37,27 @@ double largest_sum(const ConesAtEnds& cones, const Vector2d& normal) {
   const Vector2d p = (-normal).cwiseMax(0.0);
   const double ends = cones[0].bound(normal[0]) + cones[1].bound(normal[1]);
   if (cones[0].friction == cones[1].friction) return ends;
-  const double middle = cones[0].cohesion + cones[1].cohesion + cones[0].friction * p[1] +
-                        cones[1].friction * p[0];
+  const double middle = cones[0].cohesion + cones[1].cohesion +
+                        cones[0].friction * p[1] + cones[1].friction * p[0];
   return std::min(ends, middle);
 }
 
 /// d of (4.1) [MPa]: 0 where none is needed, nothing where there is none.
-std::optional<double> smallest_shift(const ConesAtEnds& cones, const Vector2d& normal,
-                                     const Vector2d& tangential, double tolerance) {
+std::optional<double> smallest_shift(const ConesAtEnds& cones,
+                                     const Vector2d& normal,
+                                     const Vector2d& tangential,
+                                     double tolerance) {
   const double ti = tangential[0], tj = tangential[1];
   const double ci = cones[0].bound(normal[0]), cj = cones[1].bound(normal[1]);
   const bool tensile = normal.maxCoeff() > tolerance;
   if (tensile || std::abs(ti + tj) > largest_sum(cones, normal) + tolerance)
     return std::nullopt;
-  if (std::abs(ti) <= ci + tolerance && std::abs(tj) <= cj + tolerance) return 0;
+  if (std::abs(ti) <= ci + tolerance && std::abs(tj) <= cj + tolerance)
+    return 0;
   // d must lie in [ti - ci, ti + ci] and in [-tj - cj, -tj + cj]; the point of their
   // intersection nearest to 0 is taken.
-  const double low = std::max(ti - ci, -tj - cj), high = std::min(ti + ci, -tj + cj);
+  const double low = std::max(ti - ci, -tj - cj),
+               high = std::min(ti + ci, -tj + cj);
   const double d = low > high ? 0.5 * (low + high) : std::clamp(0.0, low, high);
   return d;
 }
@@ -64,8 +71,9 @@ ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law,
   ConeCorrection result{densities, VectorXd::Zero(line.edge_count()), {}};
   const double tolerance = rounding * largest_traction(densities);
   for (int e = 0; e < line.edge_count(); ++e) {
-    const auto d = smallest_shift(least_cones(line, law, e), densities.normal.col(e),
-                                  densities.tangential.col(e), tolerance);
+    const auto d =
+        smallest_shift(least_cones(line, law, e), densities.normal.col(e),
+                       densities.tangential.col(e), tolerance);
     if (!d) result.uncorrected.push_back(e);
     if (!d || *d == 0) continue;
     result.shift[e] = *d;

@@ -26,7 +26,9 @@ struct ConeCorrection {
   VectorXd shift;
   std::vector<int> uncorrected;  ///< edges without a shift, ascending
 
-  int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
+  int corrected_count() const {
+    return static_cast<int>((shift.array() != 0).count());
+  }
 };
 
 /// @throws std::invalid_argument  if sizes differ, a value is not finite, or the given

@@ -21,9 +21,11 @@ inline Vector4d interleaved(const Vector2d& a, const Vector2d& b) {
 
 /// r = (r_n,i, r_t,i, r_n,j, r_t,j) on one edge.
 inline Vector4d end_values(const ContactDensities& densities, int edge) {
-  return interleaved(densities.normal.col(edge), densities.tangential.col(edge));
+  return interleaved(densities.normal.col(edge),
+                     densities.tangential.col(edge));
 }
-inline void set_end_values(ContactDensities& densities, int edge, const Vector4d& r) {
+inline void set_end_values(ContactDensities& densities, int edge,
+                           const Vector4d& r) {
   densities.normal.col(edge) = Vector2d(r[0], r[2]);
   densities.tangential.col(edge) = Vector2d(r[1], r[3]);
 }

@@ -115,8 +115,9 @@ SparseMatrix weight_of_rows(Multiplier multiplier, const ContactLine& line);
 
 /// (u_n - gap, u_t - previous) at the nodes [2 x p] of a displacement on all dofs; jumps
 /// where the line faces another body.
-Matrix2Xd displacement_against_foundation(const ContactLine& line, const ContactLaw& law,
-                                          const Ref<const VectorXd>& displacement);
+Matrix2Xd displacement_against_foundation(
+    const ContactLine& line, const ContactLaw& law,
+    const Ref<const VectorXd>& displacement);
 
 /// The largest gap or displacement of the load step before [mm]; 0 without.
 double largest_given(const ContactLaw& law);

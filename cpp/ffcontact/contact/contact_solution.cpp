@@ -17,13 +17,16 @@ namespace {
 
 /// Newton; where it does not converge, the convex minimum, or with Coulomb's law the
 /// fixed point helped by Newton.
-FixedPointResult safeguarded_newton(const CondensedContact& contact, const NodalLaw& law,
+FixedPointResult safeguarded_newton(const CondensedContact& contact,
+                                    const NodalLaw& law,
                                     const std::vector<ContactState>& start,
                                     const NewtonSettings& settings) {
   if (law.is_convex()) return {solve_convex(contact, law, start, settings), {}};
   FixedPointResult newton{active_set_newton(contact, law, start, settings), {}};
-  const int systems = newton.answer.iterations, left = settings.max_iterations - systems;
-  if (newton.answer.status == ContactStatus::converged || left <= 0) return newton;
+  const int systems = newton.answer.iterations,
+            left = settings.max_iterations - systems;
+  if (newton.answer.status == ContactStatus::converged || left <= 0)
+    return newton;
   FixedPointResult path =
       fixed_point(contact, law, start, {left, settings.tolerance}, true);
   const bool better = path.answer.status == ContactStatus::converged ||
@@ -44,15 +47,18 @@ struct Judged {
 
 /// Refined until rounding is all that is left of the residual.
 Judged refined_answer(const ContactLine& line, const ContactLaw& law,
-                      const ElasticSystem& system, const CondensedStiffness& stiffness,
+                      const ElasticSystem& system,
+                      const CondensedStiffness& stiffness,
                       const CondensedContact& contact,
                       const std::vector<ContactState>& state, Judged best) {
   constexpr int most_steps = 3;
   const NodalLaw nodal = nodal_law(law, line);
   for (int k = 0; k < most_steps && best.residual > rounding; ++k) {
-    BodyAnswer next = refined(line, law, system, stiffness, contact, state, best.answer);
+    BodyAnswer next =
+        refined(line, law, system, stiffness, contact, state, best.answer);
     put_into_law(nodal, state, next.P);
-    const double residual = residual_defect(line, law, system, contact.held, next);
+    const double residual =
+        residual_defect(line, law, system, contact.held, next);
     if (!(residual < 0.5 * best.residual)) break;
     best = {std::move(next), residual};
   }
@@ -65,24 +71,29 @@ Judged without_rounding(const ContactLine& line, const ContactLaw& law,
                         const ElasticSystem& system, const HeldRows& held,
                         Judged judged) {
   if (law.tresca()) return judged;
-  BodyAnswer none{judged.answer.displacement, VectorXd::Zero(judged.answer.P.size())};
+  BodyAnswer none{judged.answer.displacement,
+                  VectorXd::Zero(judged.answer.P.size())};
   const double residual = residual_defect(line, law, system, held, none);
   return residual <= rounding ? Judged{std::move(none), residual} : judged;
 }
 
 /// The whole body of a condensed answer.
 Judged body_answer(const ContactLine& line, const ContactLaw& law,
-                   const ElasticSystem& system, const CondensedStiffness& stiffness,
-                   const CondensedContact& contact, const ActiveSetResult& condensed) {
+                   const ElasticSystem& system,
+                   const CondensedStiffness& stiffness,
+                   const CondensedContact& contact,
+                   const ActiveSetResult& condensed) {
   const VectorXd kept = kept_displacement(contact, condensed.v(contact.primary),
                                           condensed.P(contact.dependent));
-  BodyAnswer answer{stiffness.extended(contact.load, kept) + system.prescribed_value,
-                    condensed.P};
-  const double residual = residual_defect(line, law, system, contact.held, answer);
+  BodyAnswer answer{
+      stiffness.extended(contact.load, kept) + system.prescribed_value,
+      condensed.P};
+  const double residual =
+      residual_defect(line, law, system, contact.held, answer);
   Judged judged{std::move(answer), residual};
   if (condensed.status != ContactStatus::converged) return judged;
-  judged = refined_answer(line, law, system, stiffness, contact, condensed.state,
-                          std::move(judged));
+  judged = refined_answer(line, law, system, stiffness, contact,
+                          condensed.state, std::move(judged));
   return without_rounding(line, law, system, contact.held, std::move(judged));
 }
 
@@ -90,7 +101,8 @@ Judged body_answer(const ContactLine& line, const ContactLaw& law,
 ContactState answered(ContactState state) {
   if (is_open(state)) return ContactState::open;
   if (!is_limited(state)) return state;
-  return slip_sign(state) > 0 ? ContactState::slip_forward : ContactState::slip_backward;
+  return slip_sign(state) > 0 ? ContactState::slip_forward
+                              : ContactState::slip_backward;
 }
 
 /// The pressures and forces of the multipliers that were solved for.
@@ -106,8 +118,9 @@ void put_multipliers(const ContactLine& line, const ContactLaw& law,
   }
 }
 
-void require_sound(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
-                   const ElasticSystem& system, const ContactSettings& settings) {
+void require_sound(const Mesh& mesh, const ContactLine& line,
+                   const ContactLaw& law, const ElasticSystem& system,
+                   const ContactSettings& settings) {
   require_valid(law, line);
   require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
   if (settings.max_iterations < 1)
@@ -119,7 +132,8 @@ void require_sound(const Mesh& mesh, const ContactLine& line, const ContactLaw& 
 }
 
 /// By the chosen solver, from the chosen states.
-FixedPointResult condensed_answer(const CondensedContact& contact, const NodalLaw& law,
+FixedPointResult condensed_answer(const CondensedContact& contact,
+                                  const NodalLaw& law,
                                   const ContactSettings& settings) {
   std::vector<ContactState> start = settings.initial_state;
   if (start.empty()) start.assign(law.node_count(), ContactState::stick);
@@ -130,13 +144,15 @@ FixedPointResult condensed_answer(const CondensedContact& contact, const NodalLa
 }
 
 /// What the measures of a solution make of the status of its condensed answer.
-ContactStatus judged_status(ContactStatus condensed, const ContactSolution& solution,
-                            double tolerance) {
+ContactStatus judged_status(ContactStatus condensed,
+                            const ContactSolution& solution, double tolerance) {
   const bool fulfilled =
       solution.complementarity <= tolerance && solution.residual <= tolerance;
   if (fulfilled)
-    return condensed == ContactStatus::singular ? condensed : ContactStatus::converged;
-  return condensed == ContactStatus::converged ? ContactStatus::inaccurate : condensed;
+    return condensed == ContactStatus::singular ? condensed
+                                                : ContactStatus::converged;
+  return condensed == ContactStatus::converged ? ContactStatus::inaccurate
+                                               : condensed;
 }
 
 }  // namespace
@@ -152,9 +168,9 @@ const char* in_words(ContactStatus status) {
   return "";
 }
 
-std::vector<ContactState> states_at(const ContactLine& line,
-                                    const Ref<const VectorXd>& old_abscissa,
-                                    const std::vector<ContactState>& old_state) {
+std::vector<ContactState> states_at(
+    const ContactLine& line, const Ref<const VectorXd>& old_abscissa,
+    const std::vector<ContactState>& old_state) {
   require_size("abscissa of the initial states", old_abscissa.size(),
                static_cast<Index>(old_state.size()));
   if (old_state.empty()) return {};
@@ -168,18 +184,22 @@ std::vector<ContactState> states_at(const ContactLine& line,
 }
 
 ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
-                              const ContactLaw& law, const ElasticSystem& system,
+                              const ContactLaw& law,
+                              const ElasticSystem& system,
                               const ContactSettings& settings) {
   require_sound(mesh, line, law, system, settings);
 
   // 1. The body as the contact line sees it, P = S v - g.
-  const auto stiffness = settings.stiffness ? settings.stiffness
-                                            : std::make_shared<const CondensedStiffness>(
-                                                  system, contact_dofs(line, system));
-  const CondensedContact contact = condensed_contact(line, law, system, *stiffness);
+  const auto stiffness = settings.stiffness
+                             ? settings.stiffness
+                             : std::make_shared<const CondensedStiffness>(
+                                   system, contact_dofs(line, system));
+  const CondensedContact contact =
+      condensed_contact(line, law, system, *stiffness);
 
   // 2. The conditions of Prop. 3.4 / 3.5.
-  FixedPointResult condensed = condensed_answer(contact, nodal_law(law, line), settings);
+  FixedPointResult condensed =
+      condensed_answer(contact, nodal_law(law, line), settings);
   const ActiveSetResult& answer = condensed.answer;
 
   // 3. Back to the whole body.
@@ -190,13 +210,15 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
   solution.displacement = std::move(whole.answer.displacement);
-  for (ContactState state : answer.state) solution.state.push_back(answered(state));
+  for (ContactState state : answer.state)
+    solution.state.push_back(answered(state));
   put_multipliers(line, law, system.prescribed, P, solution);
 
   // 4. What the theory promises, measured.
   solution.residual = whole.residual;
-  solution.complementarity = complementarity_defect(
-      line, law, contact.held, solution.displacement, P, law_scales(contact, answer.v));
+  solution.complementarity =
+      complementarity_defect(line, law, contact.held, solution.displacement, P,
+                             law_scales(contact, answer.v));
   solution.status = judged_status(answer.status, solution, settings.tolerance);
   return solution;
 }

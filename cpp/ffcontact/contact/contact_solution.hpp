@@ -50,7 +50,8 @@ struct ContactSolution {
   std::shared_ptr<const CondensedStiffness> stiffness;
 
   bool accepted(const ContactSettings& settings) const {
-    return status == ContactStatus::converged && complementarity <= settings.tolerance &&
+    return status == ContactStatus::converged &&
+           complementarity <= settings.tolerance &&
            residual <= settings.tolerance;
   }
 };
@@ -78,7 +79,8 @@ struct ContactSolution {
 ///                                loads that contact cannot balance (with the motion named)
 /// @throws std::runtime_error     if a part of the body is held by nothing
 ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
-                              const ContactLaw& law, const ElasticSystem& system,
+                              const ContactLaw& law,
+                              const ElasticSystem& system,
                               const ContactSettings& settings = {});
 
 /// States of a new line from those of an earlier one (the mesh before adaptation): of the

@@ -27,7 +27,8 @@ constexpr double settled = 1e-13;
 /// are measured in units that give C a diagonal of 1.
 class ProximalPasses {
  public:
-  ProximalPasses(const CondensedContact& contact, const NodalLaw& law, double proximal)
+  ProximalPasses(const CondensedContact& contact, const NodalLaw& law,
+                 double proximal)
       : contact_(contact),
         law_(law),
         proximal_(proximal),
@@ -35,7 +36,8 @@ class ProximalPasses {
         primary_(contact.S.rows()),
         dependent_(contact.E.cols()) {
     rows_ = contact.primary;
-    rows_.insert(rows_.end(), contact.dependent.begin(), contact.dependent.end());
+    rows_.insert(rows_.end(), contact.dependent.begin(),
+                 contact.dependent.end());
     put_compliance();
     put_bounds();
     x_ = VectorXd::Zero(low_.size());
@@ -44,14 +46,18 @@ class ProximalPasses {
 
   /// @return Cholesky factorisations
   int pass(int most_steps) {
-    compliance_.diagonal().tail(dependent_).setConstant(1 + dependent_proximal_);
+    compliance_.diagonal()
+        .tail(dependent_)
+        .setConstant(1 + dependent_proximal_);
     dependent_proximal_ = std::max(fall * dependent_proximal_, least_proximal);
     const VectorXd h =
         unit_.cwiseProduct(displacement_of_multipliers()) - compliance_ * x_;
-    BoundedMinimum minimum = bounded_minimum(compliance_, h, low_, high_, x_, most_steps);
+    BoundedMinimum minimum =
+        bounded_minimum(compliance_, h, low_, high_, x_, most_steps);
     x_ = std::move(minimum.x);
-    const VectorXd v =
-        (compliance_ * x_ + h).head(primary_).cwiseQuotient(unit_.head(primary_));
+    const VectorXd v = (compliance_ * x_ + h)
+                           .head(primary_)
+                           .cwiseQuotient(unit_.head(primary_));
     change_ = (v - v_).cwiseAbs().maxCoeff();
     v_ = v;
     return minimum.steps;
@@ -89,7 +95,8 @@ class ProximalPasses {
       const bool open = x_[place(2 * node)] == 0;
       const Index t = place(2 * node + 1);
       if (law_.cone[node].frictionless())
-        states.push_back(open ? ContactState::open : ContactState::slip_forward);
+        states.push_back(open ? ContactState::open
+                              : ContactState::slip_forward);
       else if (x_[t] == -bound(t))
         states.push_back(open ? ContactState::open_slip_forward
                               : ContactState::slip_forward);
@@ -122,11 +129,13 @@ class ProximalPasses {
     C.resize(primary_ + dependent_, primary_ + dependent_);
     C.topLeftCorner(primary_, primary_) =
         stiffness_.solve_columns(MatrixXd::Identity(primary_, primary_));
-    C.topRightCorner(primary_, dependent_) = stiffness_.solve_columns(contact_.E);
+    C.topRightCorner(primary_, dependent_) =
+        stiffness_.solve_columns(contact_.E);
     C.bottomLeftCorner(dependent_, primary_) =
         C.topRightCorner(primary_, dependent_).transpose();
     C.bottomRightCorner(dependent_, dependent_) =
-        contact_.F + contact_.E.transpose() * C.topRightCorner(primary_, dependent_);
+        contact_.F +
+        contact_.E.transpose() * C.topRightCorner(primary_, dependent_);
     const double softest = C.diagonal().head(primary_).maxCoeff();
     for (Index k = primary_; k < C.rows(); ++k)
       if (C(k, k) == 0) C(k, k) = softest;
@@ -135,7 +144,9 @@ class ProximalPasses {
   }
 
   /// b of a tangential position in its unit; the law has no other friction.
-  double bound(Index k) const { return law_.cone[rows_[k] / 2].cohesion / unit_[k]; }
+  double bound(Index k) const {
+    return law_.cone[rows_[k] / 2].cohesion / unit_[k];
+  }
 
   void put_bounds() {
     low_.resize(unit_.size());
@@ -160,7 +171,8 @@ class ProximalPasses {
   }
 
   VectorXd dependent_displacement(const VectorXd& v, const VectorXd& q) const {
-    return contact_.E.transpose() * v + contact_.F * q + contact_.dependent_offset;
+    return contact_.E.transpose() * v + contact_.F * q +
+           contact_.dependent_offset;
   }
 
   /// v of all rows under the multipliers of the last pass, by what they still lack of
@@ -197,7 +209,8 @@ void keep(std::vector<ContactState> state, ContactRows rows, double violation,
 
 /// Whether the face that a pass ended on fulfils the law without the proximal terms.
 bool keep_face(const CondensedContact& contact, const NodalLaw& law,
-               const ProximalPasses& passes, double tolerance, ActiveSetResult& result) {
+               const ProximalPasses& passes, double tolerance,
+               ActiveSetResult& result) {
   ContactRows rows;
   const SystemKind kind = solve_active_set(contact, law, passes.states(), rows);
   if (kind == SystemKind::inconsistent) return false;
@@ -212,24 +225,28 @@ bool pass_to_the_minimum(const CondensedContact& contact, const NodalLaw& law,
                          double proximal, const NewtonSettings& settings,
                          ActiveSetResult& result) {
   ProximalPasses passes(contact, law, proximal);
-  for (int k = 0; k < most_passes && result.iterations < settings.max_iterations; ++k) {
+  for (int k = 0;
+       k < most_passes && result.iterations < settings.max_iterations; ++k) {
     const int left = settings.max_iterations - result.iterations;
     result.iterations += std::max(1, passes.pass(left));
     ContactRows rows = passes.answer();
     const double violation =
         std::max(law_violation(contact, law, rows), passes.imbalance());
-    const bool ends = violation <= settings.tolerance &&
-                      passes.change() <= settled * motion_scale(contact, rows.v);
+    const bool ends =
+        violation <= settings.tolerance &&
+        passes.change() <= settled * motion_scale(contact, rows.v);
     if (violation < result.violation || ends)
       keep(passes.states(), std::move(rows), violation, result);
-    if (ends || keep_face(contact, law, passes, settings.tolerance, result)) return true;
+    if (ends || keep_face(contact, law, passes, settings.tolerance, result))
+      return true;
   }
   return false;
 }
 
 }  // namespace
 
-ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law,
+ActiveSetResult convex_contact(const CondensedContact& contact,
+                               const NodalLaw& law,
                                const NewtonSettings& settings) {
   ActiveSetResult result;
   result.violation = std::numeric_limits<double>::infinity();
@@ -242,17 +259,20 @@ ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& 
   return result;
 }
 
-ActiveSetResult solve_convex(const CondensedContact& contact, const NodalLaw& law,
+ActiveSetResult solve_convex(const CondensedContact& contact,
+                             const NodalLaw& law,
                              std::vector<ContactState> state,
                              const NewtonSettings& settings) {
-  ActiveSetResult newton = active_set_newton(contact, law, std::move(state), settings);
+  ActiveSetResult newton =
+      active_set_newton(contact, law, std::move(state), settings);
   const int left = settings.max_iterations - newton.iterations;
   if (newton.status == ContactStatus::converged || left <= 0) return newton;
-  ActiveSetResult convex = convex_contact(contact, law, {left, settings.tolerance});
-  ActiveSetResult& better =
-      convex.status == ContactStatus::converged || convex.violation < newton.violation
-          ? convex
-          : newton;
+  ActiveSetResult convex =
+      convex_contact(contact, law, {left, settings.tolerance});
+  ActiveSetResult& better = convex.status == ContactStatus::converged ||
+                                    convex.violation < newton.violation
+                                ? convex
+                                : newton;
   better.iterations = newton.iterations + convex.iterations;
   return better;
 }

@@ -25,12 +25,14 @@ namespace ffcontact {
 /// bound against v, or 0.
 /// @param law  frictionless at every node, or Tresca's
 /// @return iterations: Cholesky factorisations of all passes, active sets not counted
-ActiveSetResult convex_contact(const CondensedContact& contact, const NodalLaw& law,
+ActiveSetResult convex_contact(const CondensedContact& contact,
+                               const NodalLaw& law,
                                const NewtonSettings& settings = {});
 
 /// active_set_newton, which needs a few steps as a rule; where it does not converge,
 /// convex_contact.
-ActiveSetResult solve_convex(const CondensedContact& contact, const NodalLaw& law,
+ActiveSetResult solve_convex(const CondensedContact& contact,
+                             const NodalLaw& law,
                              std::vector<ContactState> state,
                              const NewtonSettings& settings = {});
 

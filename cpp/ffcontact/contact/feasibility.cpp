@@ -28,24 +28,26 @@ struct Station {
   std::vector<std::pair<int, double>> weights;
 };
 
-Station station_at_node(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
-                        int node) {
+Station station_at_node(const Mesh& mesh, const ContactLine& line,
+                        const ContactLaw& law, int node) {
   const int vertex = line.vertex[node];
   Station station{mesh.vertices.col(vertex),
                   line.normal.col(node),
                   node,
                   law.gap.size() > 0 ? law.gap[node] : 0,
                   {{vertex, 1.0}}};
-  visit_opposite(line, node,
-                 [&](int v, double weight) { station.weights.emplace_back(v, -weight); });
+  visit_opposite(line, node, [&](int v, double weight) {
+    station.weights.emplace_back(v, -weight);
+  });
   return station;
 }
 
 /// @param x, y  places on the mesh edge of the contact edge and on the opposite one
-Station station_on_piece(const Mesh& mesh, const Edges& edges, const ContactLine& line,
-                         const ContactLaw& law, const FacingPiece& piece, double x,
-                         double y) {
-  const int e = piece.contact_edge, a = line.edge_node(0, e), b = line.edge_node(1, e);
+Station station_on_piece(const Mesh& mesh, const Edges& edges,
+                         const ContactLine& line, const ContactLaw& law,
+                         const FacingPiece& piece, double x, double y) {
+  const int e = piece.contact_edge, a = line.edge_node(0, e),
+            b = line.edge_node(1, e);
   const int first = edges.vertices(0, line.edge[e]),
             second = edges.vertices(1, line.edge[e]);
   const double s = line.share(e, x);
@@ -72,10 +74,10 @@ std::vector<Station> stations(const Mesh& mesh, const ContactLine& line,
   }
   const Edges edges = edges_of(mesh);
   for (const FacingPiece& piece : line.pieces) {
-    result.push_back(station_on_piece(mesh, edges, line, law, piece, piece.begin,
-                                      piece.opposite_begin));
-    result.push_back(
-        station_on_piece(mesh, edges, line, law, piece, piece.end, piece.opposite_end));
+    result.push_back(station_on_piece(mesh, edges, line, law, piece,
+                                      piece.begin, piece.opposite_begin));
+    result.push_back(station_on_piece(mesh, edges, line, law, piece, piece.end,
+                                      piece.opposite_end));
   }
   return result;
 }
@@ -98,7 +100,8 @@ Clearance clearance_of(const std::vector<Station>& stations,
       for (int k = 0; k < 2; ++k) {
         const double component = weight * station.normal[k];
         if (system.prescribed[2 * vertex + k])
-          clearance.c[row] += component * system.prescribed_value[2 * vertex + k];
+          clearance.c[row] +=
+              component * system.prescribed_value[2 * vertex + k];
         else if (std::abs(component) > held)
           entries.emplace_back(row, 2 * vertex + k, component);
       }
@@ -108,7 +111,8 @@ Clearance clearance_of(const std::vector<Station>& stations,
 }
 
 /// Penetration that rounding explains [mm].
-double accepted_penetration(const Mesh& mesh, const std::vector<Station>& stations,
+double accepted_penetration(const Mesh& mesh,
+                            const std::vector<Station>& stations,
                             const ElasticSystem& system) {
   const Vector2d extent =
       mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
@@ -116,9 +120,9 @@ double accepted_penetration(const Mesh& mesh, const std::vector<Station>& statio
   for (const Station& station : stations) {
     scale = std::max(scale, std::abs(station.gap));
     for (const auto& part : station.weights)
-      scale = std::max(
-          scale,
-          system.prescribed_value.segment<2>(2 * part.first).cwiseAbs().maxCoeff());
+      scale = std::max(scale, system.prescribed_value.segment<2>(2 * part.first)
+                                  .cwiseAbs()
+                                  .maxCoeff());
   }
   return rounding * scale + coordinate_rounding * extent.maxCoeff();
 }
@@ -127,10 +131,13 @@ double accepted_penetration(const Mesh& mesh, const std::vector<Station>& statio
 /// its side, too?
 bool prescribed_on_both_sides(const ContactLine& line,
                               const std::vector<char>& prescribed) {
-  const auto is_held = [&](int v) { return prescribed[2 * v] || prescribed[2 * v + 1]; };
+  const auto is_held = [&](int v) {
+    return prescribed[2 * v] || prescribed[2 * v + 1];
+  };
   const std::vector<int> opposite = opposite_vertices(line);
   return std::any_of(line.vertex.begin(), line.vertex.end(), is_held) &&
-         (opposite.empty() || std::any_of(opposite.begin(), opposite.end(), is_held));
+         (opposite.empty() ||
+          std::any_of(opposite.begin(), opposite.end(), is_held));
 }
 
 /// Is it enough that every free dof retreats, each as the mean of its rows asks for?
@@ -138,13 +145,15 @@ bool clear_by_retreat(const Clearance& clearance) {
   const VectorXd ones = VectorXd::Ones(clearance.c.size());
   const VectorXd sum = clearance.G.transpose() * ones,
                  total = clearance.G.cwiseAbs().transpose() * ones;
-  const VectorXd retreat = -(total.array() > 0).select(sum.array() / total.array(), 0.0);
+  const VectorXd retreat =
+      -(total.array() > 0).select(sum.array() / total.array(), 0.0);
   const VectorXd moved = clearance.G * retreat;
   double step = 0;
   for (Index i = 0; i < moved.size(); ++i)
     if (clearance.c[i] > 0 && moved[i] < -held)
       step = std::max(step, -clearance.c[i] / moved[i]);
-  return (clearance.c + step * moved).maxCoeff() <= rounding * clearance.c.maxCoeff();
+  return (clearance.c + step * moved).maxCoeff() <=
+         rounding * clearance.c.maxCoeff();
 }
 
 /// The rows that no dof can lower without raising another of them. A dof that lowers all
@@ -160,7 +169,9 @@ std::vector<int> bound_rows(const WeightsByNode& G) {
           for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
             action(i, entry.col(), entry.value());
     };
-    visit([&](int, Index dof, double value) { (value > 0 ? up : down)[dof] = 1; });
+    visit([&](int, Index dof, double value) {
+      (value > 0 ? up : down)[dof] = 1;
+    });
     visit([&](int i, Index dof, double) {
       if (up[dof] && down[dof]) return;
       bound[i] = 0;
@@ -174,7 +185,8 @@ std::vector<int> bound_rows(const WeightsByNode& G) {
 }
 
 /// Some rows of G as columns, dofs without an entry left out [dofs x selected].
-MatrixXd transposed_rows(const WeightsByNode& G, const std::vector<int>& selected) {
+MatrixXd transposed_rows(const WeightsByNode& G,
+                         const std::vector<int>& selected) {
   std::map<Index, Index> place;
   for (int i : selected)
     for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
@@ -205,8 +217,8 @@ VectorXd shares_in_contradiction(const Clearance& clearance,
 
 }  // namespace
 
-void require_feasible(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
-                      const ElasticSystem& system) {
+void require_feasible(const Mesh& mesh, const ContactLine& line,
+                      const ContactLaw& law, const ElasticSystem& system) {
   if (!prescribed_on_both_sides(line, system.prescribed)) return;
   const std::vector<Station> all = stations(mesh, line, law);
   Clearance clearance = clearance_of(all, system);
@@ -222,9 +234,9 @@ void require_feasible(const Mesh& mesh, const ContactLine& line, const ContactLa
   const Station& station = all[bound[worst]];
   const bool bodies = line.against_a_body();
   refuse("prescribed displacements hold ", bodies ? "contact node " : "vertex ",
-         bodies ? station.node : line.vertex[station.node], " at (", station.point.x(),
-         ", ", station.point.y(), ") ", inside[bound[worst]], " inside ",
-         bodies ? "the opposite body" : "the foundation",
+         bodies ? station.node : line.vertex[station.node], " at (",
+         station.point.x(), ", ", station.point.y(), ") ", inside[bound[worst]],
+         " inside ", bodies ? "the opposite body" : "the foundation",
          ": change them or gap= there, or free a dof that moves it along n");
 }
 

@@ -21,7 +21,7 @@ namespace ffcontact {
 /// displacement.
 /// @throws std::invalid_argument  naming the place, how far it is inside, and what to
 ///                                change
-void require_feasible(const Mesh& mesh, const ContactLine& line, const ContactLaw& law,
-                      const ElasticSystem& system);
+void require_feasible(const Mesh& mesh, const ContactLine& line,
+                      const ContactLaw& law, const ElasticSystem& system);
 
 }  // namespace ffcontact

@@ -20,12 +20,14 @@ VectorXd normal_multipliers(const VectorXd& P) {
 
 double relative_change(const VectorXd& g, const VectorXd& image) {
   const double scale = image.cwiseAbs().maxCoeff();
-  return scale > 0 ? (image - g).cwiseAbs().maxCoeff() / scale : g.cwiseAbs().maxCoeff();
+  return scale > 0 ? (image - g).cwiseAbs().maxCoeff() / scale
+                   : g.cwiseAbs().maxCoeff();
 }
 
 /// Where g is 0 P(g) is frictionless, and its states know no direction. Coulomb's law has
 /// one as soon as P_n is not quite 0.
-void follow_slip(const NodalLaw& law, const NodalLaw& given, ActiveSetResult& answer) {
+void follow_slip(const NodalLaw& law, const NodalLaw& given,
+                 ActiveSetResult& answer) {
   for (std::size_t i = 0; i < answer.state.size(); ++i) {
     const int node = static_cast<int>(i);
     if (law.cone[node].frictionless() || !given.cone[node].frictionless() ||
@@ -40,7 +42,8 @@ void follow_slip(const NodalLaw& law, const NodalLaw& given, ActiveSetResult& an
 
 }  // namespace
 
-FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& law,
+FixedPointResult fixed_point(const CondensedContact& contact,
+                             const NodalLaw& law,
                              std::vector<ContactState> state,
                              const NewtonSettings& settings, bool with_newton) {
   FixedPointResult result;
@@ -67,8 +70,10 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     g += damping * (image - g);
 
     step.violation = law_violation(contact, law, {step.P, step.v});
-    const bool found = solved && (convex || step.violation <= settings.tolerance);
-    if (found || step.violation < result.answer.violation || result.history.size() == 1)
+    const bool found =
+        solved && (convex || step.violation <= settings.tolerance);
+    if (found || step.violation < result.answer.violation ||
+        result.history.size() == 1)
       result.answer = std::move(step);
     if (found) {  // the law at g is Coulomb's but for the last digits
       follow_slip(law, given, result.answer);
@@ -78,7 +83,8 @@ FixedPointResult fixed_point(const CondensedContact& contact, const NodalLaw& la
     result.answer.status = ContactStatus::not_converged;
     if (!with_newton || same_states || left() <= 0) continue;
     ActiveSetResult newton = active_set_newton(
-        contact, law, state, {std::min(newton_systems, left()), settings.tolerance});
+        contact, law, state,
+        {std::min(newton_systems, left()), settings.tolerance});
     systems += newton.iterations;
     if (newton.status != ContactStatus::converged) continue;
     result.answer = std::move(newton);

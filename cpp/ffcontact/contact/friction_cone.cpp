@@ -9,8 +9,8 @@ namespace {
 
 /// The end values of a bound along an edge, which is linear between the nodes where it is
 /// not given.
-Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound, const VectorXd& nodal,
-                 int edge) {
+Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound,
+                 const VectorXd& nodal, int edge) {
   if (bound.size() > 0) return bound.col(edge);
   return {nodal[line.edge_node(0, edge)], nodal[line.edge_node(1, edge)]};
 }
@@ -18,10 +18,12 @@ Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound, const VectorXd
 using Bound = Matrix2Xd EdgeRange::*;
 
 /// The cones by the least or the most of what the law has along an edge.
-ConesAtEnds cones(const ContactLine& line, const ContactLaw& law, Bound bound, int edge) {
+ConesAtEnds cones(const ContactLine& line, const ContactLaw& law, Bound bound,
+                  int edge) {
   ConesAtEnds result;
   const VectorXd& coefficient = law.tresca() ? law.slip_bound : law.friction;
-  const Vector2d values = at_ends(line, law.between_nodes.*bound, coefficient, edge);
+  const Vector2d values =
+      at_ends(line, law.between_nodes.*bound, coefficient, edge);
   for (int end = 0; end < 2; ++end)
     (law.tresca() ? result[end].cohesion : result[end].friction) = values[end];
   if (!law.limited()) return result;
@@ -43,7 +45,8 @@ double largest_value(Quadratic&& f) {
   const double start = f(0.0), middle = f(0.5), end = f(1.0);
   const double ends = std::max({0.0, start, end});
   const double bend = start - 2 * middle + end;
-  const double slope = -3 * start + 4 * middle - end;  // of 2 bend s^2 + slope s + start
+  const double slope =
+      -3 * start + 4 * middle - end;  // of 2 bend s^2 + slope s + start
   const bool peak_inside = bend < 0 && slope > 0 && slope < -4 * bend;
   return peak_inside ? std::max(ends, f(-slope / (4 * bend))) : ends;
 }
@@ -58,10 +61,10 @@ double excess_of_friction(const ConesAtEnds& cones, const Vector2d& normal,
   };
   double largest = 0;
   for (const int sign : {1, -1})
-    largest =
-        std::max(largest, largest_value([&](double s) {
-                   return sign * between(tangential[0], tangential[1], s) - bound(s);
-                 }));
+    largest = std::max(
+        largest, largest_value([&](double s) {
+          return sign * between(tangential[0], tangential[1], s) - bound(s);
+        }));
   return largest;
 }
 
@@ -100,7 +103,8 @@ Bernstein bernstein(const ConesAtEnds& cones, int sign) {
   const double ci = cones[0].cohesion, cj = cones[1].cohesion;
   const double half = 0.5 * sign;
   Bernstein b{{}, {ci, 0.5 * (ci + cj), cj}};
-  b.rows << -mi, -sign, 0, 0, -0.5 * mj, -half, -0.5 * mi, -half, 0, 0, -mj, -sign;
+  b.rows << -mi, -sign, 0, 0, -0.5 * mj, -half, -0.5 * mi, -half, 0, 0, -mj,
+      -sign;
   return b;
 }
 
@@ -129,11 +133,13 @@ void add_between(const ConesAtEnds& cones, EdgeCone& edge, Index& rows) {
 
 }  // namespace
 
-ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law, int edge) {
+ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
+                        int edge) {
   return cones(line, law, &EdgeRange::least, edge);
 }
 
-ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law, int edge) {
+ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
+                       int edge) {
   return cones(line, law, &EdgeRange::most, edge);
 }
 
@@ -150,20 +156,23 @@ EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
   return result;
 }
 
-Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edge,
-                         const Vector4d& r) {
+Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
+                         int edge, const Vector4d& r) {
   const ConesAtEnds cones = least_cones(line, law, edge);
   const Vector2d first = cones[0].clamped(r.head<2>()),
                  second = cones[1].clamped(r.tail<2>());
   const Vector2d normal(first[0], second[0]), tangential(first[1], second[1]);
-  if (cones[0].friction == cones[1].friction) return interleaved(normal, tangential);
+  if (cones[0].friction == cones[1].friction)
+    return interleaved(normal, tangential);
   // r_n alone is in the cone, which is convex
   const EdgeCone cone = edge_cone(line, law, edge);
-  const VectorXd without = cone.C * interleaved(normal, Vector2d::Zero()) - cone.d;
+  const VectorXd without =
+      cone.C * interleaved(normal, Vector2d::Zero()) - cone.d;
   const VectorXd with = cone.C * interleaved(normal, tangential) - cone.d;
   double part = 1;
   for (Index row = 0; row < with.size(); ++row)
-    if (with[row] < 0) part = std::min(part, without[row] / (without[row] - with[row]));
+    if (with[row] < 0)
+      part = std::min(part, without[row] / (without[row] - with[row]));
   return interleaved(normal, part * tangential);
 }
 

@@ -24,7 +24,9 @@ struct FrictionCone {
     return std::min(cohesion + friction * std::max(0.0, -Pn), limit);
   }
   bool at_limit(double Pn) const { return cohesion - friction * Pn > limit; }
-  bool frictionless() const { return (cohesion == 0 && friction == 0) || limit == 0; }
+  bool frictionless() const {
+    return (cohesion == 0 && friction == 0) || limit == 0;
+  }
   /// Does friction ask for contact? A bound that is given holds open places, too.
   bool depends_on_contact() const { return friction > 0; }
   /// The nearest P with P_n = min(P_n, 0) and P_t in what that allows.
@@ -37,8 +39,10 @@ struct FrictionCone {
 /// The cones at the ends of a contact edge. Between them c, mu and k are linear: nowhere
 /// above those of the law (least), or nowhere below (most).
 using ConesAtEnds = std::array<FrictionCone, 2>;
-ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law, int edge);
-ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law, int edge);
+ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
+                        int edge);
+ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
+                       int edge);
 
 /// The law on one contact edge as linear conditions C r >= d on the end values r =
 /// (r_n,i, r_t,i, r_n,j, r_t,j).
@@ -64,8 +68,8 @@ struct EdgeCone {
 EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge);
 
 /// Cuts off the rounding of end values r that are in the cone of their edge but for it.
-Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law, int edge,
-                         const Vector4d& r);
+Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
+                         int edge, const Vector4d& r);
 
 /// Largest of r_n and |r_t| - c along all edges, with c from the lower bound of the
 /// coefficient, relative to the largest traction; 0 inside the cone.

@@ -32,7 +32,8 @@ std::vector<char> held_rows(const ContactLine& line,
       if (std::abs(weight) < faced) return;
       for (int c = 0; c < 2; ++c)
         for (int k = 0; k < 2; ++k)
-          if (!prescribed[2 * vertex + k] && std::abs(weight * direction[c][k]) > moved)
+          if (!prescribed[2 * vertex + k] &&
+              std::abs(weight * direction[c][k]) > moved)
             held[2 * i + c] = 0;
     };
     moves_with(line.vertex[i], 1);

@@ -16,7 +16,8 @@ namespace ffcontact {
 /// not count: where prescribed vertices all but face prescribed ones, as in meshes that
 /// were written with a few digits, a force would have to be as many times larger than
 /// all others to act through it.
-std::vector<char> held_rows(const ContactLine& line, const std::vector<char>& prescribed);
+std::vector<char> held_rows(const ContactLine& line,
+                            const std::vector<char>& prescribed);
 
 /// The nodal forces that load a body: none on held rows [2 x p].
 Matrix2Xd loading_forces(const std::vector<char>& held, Matrix2Xd force);

@@ -13,8 +13,9 @@ namespace {
 
 /// What turns nodal pressures into the multipliers of the law.
 VectorXd weights(const ContactLine& line, const ContactLaw& law) {
-  return law.multiplier == Multiplier::pressure ? VectorXd::Ones(line.node_count())
-                                                : nodal_lengths(line);
+  return law.multiplier == Multiplier::pressure
+             ? VectorXd::Ones(line.node_count())
+             : nodal_lengths(line);
 }
 
 /// The law with the bound that g gives, in units of P.
@@ -22,14 +23,16 @@ NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law,
                      const VectorXd& given_pressure) {
   const NodalLaw nodal = nodal_law(law, line);
   if (given_pressure.size() == 0) return nodal;
-  return with_given_slip_limit(nodal, weights(line, law).cwiseProduct(given_pressure));
+  return with_given_slip_limit(nodal,
+                               weights(line, law).cwiseProduct(given_pressure));
 }
 
 }  // namespace
 
-MultiplierProjection projected_multipliers(const ContactLine& line, const ContactLaw& law,
-                                           const Ref<const Matrix2Xd>& pressure,
-                                           const Ref<const VectorXd>& given_pressure) {
+MultiplierProjection projected_multipliers(
+    const ContactLine& line, const ContactLaw& law,
+    const Ref<const Matrix2Xd>& pressure,
+    const Ref<const VectorXd>& given_pressure) {
   require_valid(law, line);
   require_size("contact pressures", pressure.cols(), line.node_count());
   require_finite("contact pressure", pressure.reshaped());

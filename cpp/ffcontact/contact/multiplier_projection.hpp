@@ -24,7 +24,8 @@ struct MultiplierProjection {
 /// @throws std::invalid_argument  if sizes differ from the line's or a value is not
 ///                                finite
 MultiplierProjection projected_multipliers(
-    const ContactLine& line, const ContactLaw& law, const Ref<const Matrix2Xd>& pressure,
+    const ContactLine& line, const ContactLaw& law,
+    const Ref<const Matrix2Xd>& pressure,
     const Ref<const VectorXd>& given_pressure = VectorXd());
 
 }  // namespace ffcontact

@@ -11,7 +11,9 @@ namespace ffcontact {
 
 namespace {
 
-double relative(double value, double scale) { return scale > 0 ? value / scale : 0; }
+double relative(double value, double scale) {
+  return scale > 0 ? value / scale : 0;
+}
 Vector2d relative(const Vector2d& values, double scale) {
   return {relative(values[0], scale), relative(values[1], scale)};
 }
@@ -20,7 +22,8 @@ Vector2d relative(const Vector2d& values, double scale) {
 double both(double P, double v) { return std::min(std::abs(P), std::abs(v)); }
 
 /// Violation by P and v at one node, all of them and the cone's c and k relative.
-double violation(const FrictionCone& cone, const Vector2d& P, const Vector2d& v) {
+double violation(const FrictionCone& cone, const Vector2d& P,
+                 const Vector2d& v) {
   const double Pn = P[0], Pt = P[1], vn = v[0], vt = v[1];
   const double bound = std::min(cone.cohesion - cone.friction * Pn, cone.limit);
   const double along = Pt * vt > 0 ? both(Pt, vt) : 0.0;
@@ -33,8 +36,9 @@ double violation(const FrictionCone& cone, const Vector2d& P, const Vector2d& v)
 }  // namespace
 
 bool NodalLaw::is_convex() const {
-  return std::none_of(cone.begin(), cone.end(),
-                      [](const FrictionCone& c) { return c.depends_on_contact(); });
+  return std::none_of(cone.begin(), cone.end(), [](const FrictionCone& c) {
+    return c.depends_on_contact();
+  });
 }
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
@@ -55,7 +59,8 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
   return nodal;
 }
 
-NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& normal) {
+NodalLaw with_given_slip_limit(const NodalLaw& law,
+                               const Ref<const VectorXd>& normal) {
   NodalLaw given{std::vector<FrictionCone>(law.cone.size())};
   for (int i = 0; i < law.node_count(); ++i)
     given.cone[i].cohesion = law.cone[i].bound(normal[i]);
@@ -64,7 +69,8 @@ NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& n
 
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                      const Ref<const VectorXd>& v, const LawScales& scales) {
-  if (!P.allFinite() || !v.allFinite()) return std::numeric_limits<double>::infinity();
+  if (!P.allFinite() || !v.allFinite())
+    return std::numeric_limits<double>::infinity();
   const double p_scale = std::max(scales.P, P.cwiseAbs().maxCoeff());
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {
@@ -72,8 +78,8 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
     cone.cohesion = relative(cone.cohesion, p_scale);
     cone.limit = relative(cone.limit, p_scale);
     const Vector2d P_i = P.segment<2>(2 * i), v_i = v.segment<2>(2 * i);
-    largest = std::max(largest,
-                       violation(cone, relative(P_i, p_scale), relative(v_i, scales.v)));
+    largest = std::max(largest, violation(cone, relative(P_i, p_scale),
+                                          relative(v_i, scales.v)));
   }
   return largest;
 }
@@ -84,12 +90,14 @@ double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                               const Ref<const Matrix2Xd>& multiplier,
                               const LawScales& least) {
   const SparseMatrix W = weight_of_rows(law.multiplier, line);
-  const VectorXd v = W * steered_displacement(line, law, held, displacement).reshaped();
+  const VectorXd v =
+      W * steered_displacement(line, law, held, displacement).reshaped();
   const VectorXd weight =
       weight_matrix(law.multiplier, line) * VectorXd::Ones(line.node_count());
   const double largest = largest_displacement(law, displacement);
   const double scale = std::max(least.v, largest * weight.maxCoeff());
-  return law_violation(nodal_law(law, line), multiplier.reshaped(), v, {scale, least.P});
+  return law_violation(nodal_law(law, line), multiplier.reshaped(), v,
+                       {scale, least.P});
 }
 
 void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state,

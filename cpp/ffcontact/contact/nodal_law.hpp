@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
+#include "ffcontact/contact/held_rows.hpp"
 
 namespace ffcontact {
 
@@ -24,7 +24,8 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
 /// Tresca's law of the problem P(g) [CHH01, (3.1)]: the bound of Coulomb's law at given
 /// normal multipliers.
 /// @param normal  g_n in units of P [p]; what is above 0 counts as 0
-NodalLaw with_given_slip_limit(const NodalLaw& law, const Ref<const VectorXd>& normal);
+NodalLaw with_given_slip_limit(const NodalLaw& law,
+                               const Ref<const VectorXd>& normal);
 
 /// What violations of the law are relative to.
 struct LawScales {

@@ -21,7 +21,8 @@ VectorXi neighbours(const ContactLine& line) {
 
 /// The row whose equation gives the value of each row: its own, that it is continued
 /// from, or -1 for a value of 0 [2 p].
-std::vector<int> sources(const ContactLine& line, const std::vector<char>& prescribed) {
+std::vector<int> sources(const ContactLine& line,
+                         const std::vector<char>& prescribed) {
   const std::vector<char> held = held_rows(line, prescribed);
   const std::vector<int> continued = continued_rows(line, prescribed);
   std::vector<int> source(held.size());
@@ -42,11 +43,13 @@ VectorXd nodal_lengths(const ContactLine& line) {
   return lengths;
 }
 
-Matrix2Xd lumped_pressures(const ContactLine& line, const Ref<const Matrix2Xd>& force) {
+Matrix2Xd lumped_pressures(const ContactLine& line,
+                           const Ref<const Matrix2Xd>& force) {
   return force * nodal_lengths(line).cwiseInverse().asDiagonal();
 }
 
-Matrix2Xd forces_of(const ContactLine& line, const Ref<const Matrix2Xd>& density) {
+Matrix2Xd forces_of(const ContactLine& line,
+                    const Ref<const Matrix2Xd>& density) {
   return (weight_of_rows(Multiplier::pressure, line) * density.reshaped())
       .reshaped(2, line.node_count());
 }
@@ -77,7 +80,8 @@ Matrix2Xd consistent_pressures(const ContactLine& line,
   return pressure.reshaped(2, line.node_count());
 }
 
-Matrix2Xd lumped_pressures(const ContactLine& line, const std::vector<char>& prescribed,
+Matrix2Xd lumped_pressures(const ContactLine& line,
+                           const std::vector<char>& prescribed,
                            const Ref<const Matrix2Xd>& force) {
   const std::vector<int> source = sources(line, prescribed);
   const VectorXd lumped = lumped_pressures(line, force).reshaped();
@@ -103,8 +107,9 @@ std::vector<int> continued_rows(const ContactLine& line,
     const int v = line.vertex[row / 2];
     const bool clamped = prescribed[2 * v] && prescribed[2 * v + 1],
                held = prescribed[2 * v] || prescribed[2 * v + 1];
-    continued[row] =
-        clamped || (held && row % 2 == 0) ? 2 * neighbour[row / 2] + row % 2 : -1;
+    continued[row] = clamped || (held && row % 2 == 0)
+                         ? 2 * neighbour[row / 2] + row % 2
+                         : -1;
   }
   return continued;
 }

@@ -17,10 +17,12 @@ namespace ffcontact {
 VectorXd nodal_lengths(const ContactLine& line);
 
 /// p_i = F_i / len_i [2 x p].
-Matrix2Xd lumped_pressures(const ContactLine& line, const Ref<const Matrix2Xd>& force);
+Matrix2Xd lumped_pressures(const ContactLine& line,
+                           const Ref<const Matrix2Xd>& force);
 
 /// The forces F_i = int lambda_h psi_i of a density with these nodal values [2 x p].
-Matrix2Xd forces_of(const ContactLine& line, const Ref<const Matrix2Xd>& density);
+Matrix2Xd forces_of(const ContactLine& line,
+                    const Ref<const Matrix2Xd>& density);
 
 /// lambda_h with M lambda_h = F on the rows whose forces load a body [2 x p]. On
 /// held_rows F is not read:
@@ -33,7 +35,8 @@ Matrix2Xd consistent_pressures(const ContactLine& line,
 
 /// p_i = F_i / len_i on the rows whose forces load a body, on the others 0 or continued
 /// as above [2 x p].
-Matrix2Xd lumped_pressures(const ContactLine& line, const std::vector<char>& prescribed,
+Matrix2Xd lumped_pressures(const ContactLine& line,
+                           const std::vector<char>& prescribed,
                            const Ref<const Matrix2Xd>& force);
 
 /// lambda_h of the nodal pressures p that a script knows: p itself for M'_h,

@@ -33,8 +33,10 @@ double residual_defect(const ContactLine& line, const ContactLaw& law,
 /// @param state  the states that the answer was solved for [p]
 /// @return the answer itself if the states leave a motion free
 BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
-                   const ElasticSystem& system, const CondensedStiffness& stiffness,
+                   const ElasticSystem& system,
+                   const CondensedStiffness& stiffness,
                    const CondensedContact& contact,
-                   const std::vector<ContactState>& state, const BodyAnswer& answer);
+                   const std::vector<ContactState>& state,
+                   const BodyAnswer& answer);
 
 }  // namespace ffcontact

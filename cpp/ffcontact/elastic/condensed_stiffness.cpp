@@ -8,9 +8,10 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/sparse_cholesky.hpp"
 
-extern "C" void dgemm_(const char* transpose_a, const char* transpose_b, const int* rows,
-                       const int* columns, const int* depth, const double* alpha,
-                       const double* a, const int* stride_of_a, const double* b,
+extern "C" void dgemm_(const char* transpose_a, const char* transpose_b,
+                       const int* rows, const int* columns, const int* depth,
+                       const double* alpha, const double* a,
+                       const int* stride_of_a, const double* b,
                        const int* stride_of_b, const double* beta, double* c,
                        const int* stride_of_c);
 
@@ -26,9 +27,10 @@ MatrixXd lower_product(const MatrixXd& L) {
   const double one = 1, zero = 0;
   MatrixXd product(n, n);
   for (int first = 0; first < n; first += block) {
-    const int rows = n - first, columns = std::min(block, rows), depth = first + columns;
-    dgemm_("N", "T", &rows, &columns, &depth, &one, &L(first, 0), &n, &L(first, 0), &n,
-           &zero, &product(first, first), &n);
+    const int rows = n - first, columns = std::min(block, rows),
+              depth = first + columns;
+    dgemm_("N", "T", &rows, &columns, &depth, &one, &L(first, 0), &n,
+           &L(first, 0), &n, &zero, &product(first, first), &n);
   }
   return product;
 }
@@ -88,7 +90,8 @@ class Interior {
   const ElasticSystem& system_;
   std::vector<char> is_kept_;
   std::vector<int> vertices_;
-  std::vector<int> number_;  ///< of each vertex among those of the interior, or -1
+  std::vector<int>
+      number_;  ///< of each vertex among those of the interior, or -1
 };
 
 /// Free dofs in elimination order: the interior by vertices, then the kept dofs.
@@ -97,7 +100,8 @@ std::vector<int> elimination_order(const ElasticSystem& system,
   const Interior interior(system, kept);
   std::vector<int> order;
   for (int k : dissection_order(interior.graph()))
-    for (int dof : interior.dofs_of(interior.vertices()[k])) order.push_back(dof);
+    for (int dof : interior.dofs_of(interior.vertices()[k]))
+      order.push_back(dof);
   order.insert(order.end(), kept.begin(), kept.end());
   return order;
 }
@@ -105,7 +109,8 @@ std::vector<int> elimination_order(const ElasticSystem& system,
 /// Place of each dof in the elimination order; prescribed ones -1.
 std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {
   std::vector<int> place(dofs, -1);
-  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    place[order[k]] = static_cast<int>(k);
   return place;
 }
 
@@ -114,7 +119,8 @@ std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {
 VectorXd inverse_roots(const ElasticSystem& system) {
   VectorXd roots = VectorXd::Ones(system.dof_count());
   for (int dof = 0; dof < system.dof_count(); ++dof) {
-    const double own = system.prescribed[dof] ? 0 : system.stiffness.coeff(dof, dof);
+    const double own =
+        system.prescribed[dof] ? 0 : system.stiffness.coeff(dof, dof);
     if (own > 0) roots[dof] = 1 / std::sqrt(own);
   }
   return roots;
@@ -176,7 +182,8 @@ SparseCholesky factorised(const SparseMatrix& upper) {
   SparseCholesky factor(upper);
   if (factor.reciprocal_condition() < 1e-15)
     throw std::runtime_error(
-        "the stiffness matrix is singular: a part of the body is held neither by "
+        "the stiffness matrix is singular: a part of the body is held neither "
+        "by "
         "prescribed "
         "displacements nor by contact");
   return factor;
@@ -186,8 +193,9 @@ SparseCholesky factorised(const SparseMatrix& upper) {
 
 struct CondensedStiffness::Factor {
   std::vector<int> kept;
-  VectorXd scale;          ///< R, so that R K R has a diagonal of 1 [all dofs]
-  std::vector<int> order;  ///< the free dofs as they are eliminated, the kept ones last
+  VectorXd scale;  ///< R, so that R K R has a diagonal of 1 [all dofs]
+  std::vector<int>
+      order;  ///< the free dofs as they are eliminated, the kept ones last
   std::vector<int> place;  ///< of each dof in it; -1 where prescribed
   SparseCholesky cholesky;
   MatrixXd trailing_factor;  ///< L_cc, lower triangular
@@ -199,9 +207,11 @@ struct CondensedStiffness::Factor {
         scale(inverse_roots(system)),
         order(elimination_order(system, kept)),
         place(places(order, system.prescribed.size())),
-        cholesky(factorised(
-            Eliminated{system.stiffness, order, place, added, scale}.upper_triangle())),
-        trailing_factor(cholesky.trailing_block(static_cast<int>(kept.size()))) {
+        cholesky(
+            factorised(Eliminated{system.stiffness, order, place, added, scale}
+                           .upper_triangle())),
+        trailing_factor(
+            cholesky.trailing_block(static_cast<int>(kept.size()))) {
     compute_schur(added);
   }
 
@@ -240,19 +250,21 @@ struct CondensedStiffness::Factor {
   VectorXd backward(const VectorXd& y) const {
     const VectorXd x = cholesky.other_half_solve(y);
     VectorXd u = VectorXd::Zero(static_cast<Index>(place.size()));
-    for (std::size_t k = 0; k < order.size(); ++k) u[order[k]] = scale[order[k]] * x[k];
+    for (std::size_t k = 0; k < order.size(); ++k)
+      u[order[k]] = scale[order[k]] * x[k];
     return u;
   }
 };
 
 CondensedStiffness::CondensedStiffness(const ElasticSystem& system,
                                        const std::vector<int>& kept)
-    : factor_(std::make_unique<Factor>(system, kept, added_diagonal(system, kept))) {}
+    : factor_(std::make_unique<Factor>(system, kept,
+                                       added_diagonal(system, kept))) {}
 
 CondensedStiffness::~CondensedStiffness() = default;
 CondensedStiffness::CondensedStiffness(CondensedStiffness&&) noexcept = default;
-CondensedStiffness& CondensedStiffness::operator=(CondensedStiffness&&) noexcept =
-    default;
+CondensedStiffness& CondensedStiffness::operator=(
+    CondensedStiffness&&) noexcept = default;
 
 const MatrixXd& CondensedStiffness::schur() const { return factor_->schur; }
 

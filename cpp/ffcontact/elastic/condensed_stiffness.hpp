@@ -46,7 +46,8 @@ class CondensedStiffness {
 
   /// The displacement on all dofs (0 on prescribed ones) that has u_c on the kept dofs
   /// and balances the load on the others.
-  VectorXd extended(Load load, const Ref<const VectorXd>& kept_displacement) const;
+  VectorXd extended(Load load,
+                    const Ref<const VectorXd>& kept_displacement) const;
 
  private:
   struct Factor;

@@ -24,7 +24,8 @@ struct RowSums {
 RowSums row_sums(const RowMatrixView& A, Index row) {
   RowSums sums;
   for (RowIterator entry(A, row); entry; ++entry)
-    (entry.col() == row ? sums.diagonal : sums.others) += std::abs(entry.value());
+    (entry.col() == row ? sums.diagonal : sums.others) +=
+        std::abs(entry.value());
   return sums;
 }
 
@@ -72,20 +73,23 @@ void require_finite_entries(const RowMatrixView& A) {
   for (Index row = 0; row < A.rows(); ++row)
     for (RowIterator entry(A, row); entry; ++entry)
       if (!std::isfinite(entry.value()))
-        refuse("A(", row, ",", entry.col(), ") is ", entry.value(), ", not finite");
+        refuse("A(", row, ",", entry.col(), ") is ", entry.value(),
+               ", not finite");
 }
 
 /// A fixed vector without structure, zero on prescribed dofs.
-VectorXd arbitrary(const std::vector<char>& prescribed, double start, double step,
-                   int period) {
+VectorXd arbitrary(const std::vector<char>& prescribed, double start,
+                   double step, int period) {
   VectorXd x = VectorXd::Zero(static_cast<Index>(prescribed.size()));
   for (Index i = 0; i < x.size(); ++i)
-    if (!prescribed[i]) x[i] = std::sin(start + step * static_cast<double>(i % period));
+    if (!prescribed[i])
+      x[i] = std::sin(start + step * static_cast<double>(i % period));
   return x;
 }
 
 /// |x' (K y) - y' (K x)| vanishes for a symmetric K.
-void require_symmetric(const RowMatrixView& A, const std::vector<char>& prescribed) {
+void require_symmetric(const RowMatrixView& A,
+                       const std::vector<char>& prescribed) {
   const VectorXd x = arbitrary(prescribed, 1.0, 0.7, 1009);
   const VectorXd y = arbitrary(prescribed, 3.5, 1.3, 1013);
   const VectorXd Ax = A * x, Ay = A * y;
@@ -97,35 +101,43 @@ void require_symmetric(const RowMatrixView& A, const std::vector<char>& prescrib
 /// Refuses values other than zero where the columns of all prescribed dofs are gone: what
 /// they load the body with is lost. One column that couples shows that the others were
 /// kept, too.
-void require_columns(const RowMatrixView& A, const std::vector<char>& prescribed,
+void require_columns(const RowMatrixView& A,
+                     const std::vector<char>& prescribed,
                      const VectorXd& prescribed_value) {
   for (Index row = 0; row < A.rows(); ++row)
     for (RowIterator entry(A, row); entry; ++entry)
-      if (entry.col() != row && prescribed[entry.col()] && entry.value() != 0) return;
+      if (entry.col() != row && prescribed[entry.col()] && entry.value() != 0)
+        return;
   Index dof = 0;
   while (prescribed_value[dof] == 0) ++dof;
   refuse("dof ", dof, " is prescribed to ", prescribed_value[dof],
-         " but its column of A is gone: assemble A and b with tgv=-1 or the default tgv");
+         " but its column of A is gone: assemble A and b with tgv=-1 or the "
+         "default tgv");
 }
 
-void require_shape(const RowMatrixView& A, const Ref<const VectorXd>& b, int dimension) {
+void require_shape(const RowMatrixView& A, const Ref<const VectorXd>& b,
+                   int dimension) {
   if (A.rows() != A.cols())
-    refuse("A has ", A.rows(), " rows and ", A.cols(), " columns, it must be square");
+    refuse("A has ", A.rows(), " rows and ", A.cols(),
+           " columns, it must be square");
   require_size("b", b.size(), A.rows());
   if (A.rows() % dimension != 0)
-    refuse("A has ", A.rows(), " rows, no multiple of the dimension ", dimension);
+    refuse("A has ", A.rows(), " rows, no multiple of the dimension ",
+           dimension);
 }
 
-void read_prescribed_values(const RowMatrixView& A, const Ref<const VectorXd>& b,
+void read_prescribed_values(const RowMatrixView& A,
+                            const Ref<const VectorXd>& b,
                             ElasticSystem& system) {
   for (Index dof = 0; dof < A.rows(); ++dof)
-    if (system.prescribed[dof]) system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
+    if (system.prescribed[dof])
+      system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
 }
 
 /// B with eps(u_h) = B u for the dofs of one cell.
 template <int dim>
-Matrix<double, voigt_size<dim>, dim*(dim + 1)> strain_matrix(const SimplexMesh<dim>& mesh,
-                                                             int cell) {
+Matrix<double, voigt_size<dim>, dim*(dim + 1)> strain_matrix(
+    const SimplexMesh<dim>& mesh, int cell) {
   const auto hats = hat_gradients(mesh, cell);
   Matrix<double, voigt_size<dim>, dim*(dim + 1)> B;
   B.setZero();
@@ -161,7 +173,8 @@ ElasticSystem room_for(const std::vector<ElasticSystem>& bodies) {
     dofs += body.dof_count();
     entries += body.stiffness.nonZeros();
   }
-  ElasticSystem joined{RowMatrix(dofs, dofs), VectorXd(dofs), {}, VectorXd(dofs)};
+  ElasticSystem joined{
+      RowMatrix(dofs, dofs), VectorXd(dofs), {}, VectorXd(dofs)};
   if (!bodies.empty()) joined.dimension = bodies.front().dimension;
   joined.stiffness.reserve(entries);
   return joined;
@@ -187,20 +200,22 @@ std::vector<char> prescribed_dofs(const RowMatrixView& A) {
     if (sums.diagonal == 0) continue;
     const bool alone = sums.others == 0 && !others.in_column[row];
     const double scale = alone ? others.largest : sums.others;
-    prescribed[row] = sums.diagonal > penalty_ratio * scale && !(alone && scale == 0);
+    prescribed[row] =
+        sums.diagonal > penalty_ratio * scale && !(alone && scale == 0);
     if (alone && !prescribed[row]) isolated.push_back(row);
   }
   mark_isolated(A, isolated, prescribed);
   return prescribed;
 }
 
-ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b,
-                             int dimension) {
+ElasticSystem elastic_system(const RowMatrixView& A,
+                             const Ref<const VectorXd>& b, int dimension) {
   require_shape(A, b, dimension);
   require_finite("b", b);
   require_finite_entries(A);
 
-  ElasticSystem system{A, b, prescribed_dofs(A), VectorXd::Zero(A.rows()), dimension};
+  ElasticSystem system{A, b, prescribed_dofs(A), VectorXd::Zero(A.rows()),
+                       dimension};
   require_symmetric(A, system.prescribed);
   read_prescribed_values(A, b, system);
   if (!system.prescribed_value.isZero(0)) {
@@ -213,7 +228,8 @@ ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& 
 }
 
 template <int dim>
-RowMatrix stiffness(const SimplexMesh<dim>& mesh, const HookeTensors<dim>& hooke) {
+RowMatrix stiffness(const SimplexMesh<dim>& mesh,
+                    const HookeTensors<dim>& hooke) {
   constexpr int size = dim * (dim + 1);
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(size * size * static_cast<std::size_t>(mesh.cell_count()));

@@ -37,8 +37,8 @@ struct ElasticSystem {
 ///                                the free dofs, a prescribed value is not zero where the
 ///                                columns of A are gone (tgv = -2), or such a matrix was
 ///                                scaled and has free dofs without free neighbours
-ElasticSystem elastic_system(const RowMatrixView& A, const Ref<const VectorXd>& b,
-                             int dimension = 2);
+ElasticSystem elastic_system(const RowMatrixView& A,
+                             const Ref<const VectorXd>& b, int dimension = 2);
 
 /// Several bodies as one system of separate blocks, in the order of joined_mesh.
 /// @throws std::invalid_argument  if their dimensions differ
@@ -50,6 +50,7 @@ std::vector<char> prescribed_dofs(const RowMatrixView& A);
 
 /// K without boundary conditions, K_ij = int C eps(phi_i) : eps(phi_j).
 template <int dim>
-RowMatrix stiffness(const SimplexMesh<dim>& mesh, const HookeTensors<dim>& hooke);
+RowMatrix stiffness(const SimplexMesh<dim>& mesh,
+                    const HookeTensors<dim>& hooke);
 
 }  // namespace ffcontact

@@ -28,7 +28,8 @@ void require_all_elliptic(const HookeTensors<dim>& hooke, int cell_count) {
 /// du_i / dx_j
 template <int dim>
 Matrix<double, dim, dim> gradient(const SimplexMesh<dim>& mesh,
-                                  const Ref<const VectorXd>& displacement, int cell) {
+                                  const Ref<const VectorXd>& displacement,
+                                  int cell) {
   const auto hats = hat_gradients(mesh, cell);
   Matrix<double, dim, dim> result = Matrix<double, dim, dim>::Zero();
   for (int k = 0; k <= dim; ++k) {
@@ -74,7 +75,8 @@ template <int dim>
 Matrix<double, voigt_size<dim>, Dynamic> stresses(
     const SimplexMesh<dim>& mesh, const HookeTensors<dim>& hooke,
     const Ref<const VectorXd>& displacement) {
-  Matrix<double, voigt_size<dim>, Dynamic> result(voigt_size<dim>, mesh.cells.cols());
+  Matrix<double, voigt_size<dim>, Dynamic> result(voigt_size<dim>,
+                                                  mesh.cells.cols());
 #pragma omp parallel for
   for (int t = 0; t < mesh.cell_count(); ++t)
     result.col(t) = hooke[t] * strain(mesh, displacement, t);
@@ -84,10 +86,13 @@ Matrix<double, voigt_size<dim>, Dynamic> stresses(
 template VoigtMatrix<2> isotropic<2>(double, double);
 template VoigtMatrix<3> isotropic<3>(double, double);
 template VoigtVector<2> strain(const Mesh&, const Ref<const VectorXd>&, int);
-template VoigtVector<3> strain(const SolidMesh&, const Ref<const VectorXd>&, int);
-template Matrix<double, 3, Dynamic> stresses<2>(const Mesh&, const HookeTensors<2>&,
+template VoigtVector<3> strain(const SolidMesh&, const Ref<const VectorXd>&,
+                               int);
+template Matrix<double, 3, Dynamic> stresses<2>(const Mesh&,
+                                                const HookeTensors<2>&,
                                                 const Ref<const VectorXd>&);
-template Matrix<double, 6, Dynamic> stresses<3>(const SolidMesh&, const HookeTensors<3>&,
+template Matrix<double, 6, Dynamic> stresses<3>(const SolidMesh&,
+                                                const HookeTensors<3>&,
                                                 const Ref<const VectorXd>&);
 
 }  // namespace ffcontact

@@ -18,7 +18,8 @@ constexpr int voigt_size = dim*(dim + 1) / 2;
 template <int dim>
 constexpr std::array<std::array<int, dim>, dim> voigt_place{};
 template <>
-inline constexpr std::array<std::array<int, 2>, 2> voigt_place<2>{{{0, 2}, {2, 1}}};
+inline constexpr std::array<std::array<int, 2>, 2> voigt_place<2>{
+    {{0, 2}, {2, 1}}};
 template <>
 inline constexpr std::array<std::array<int, 3>, 3> voigt_place<3>{
     {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}}};

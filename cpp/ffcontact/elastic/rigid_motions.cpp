@@ -29,7 +29,8 @@ std::vector<int> roots_of(const SimplexMesh<dim>& mesh) {
   std::iota(parent.begin(), parent.end(), 0);
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < dim; ++k)
-      parent[root(parent, mesh.cells(k, t))] = root(parent, mesh.cells(k + 1, t));
+      parent[root(parent, mesh.cells(k, t))] =
+          root(parent, mesh.cells(k + 1, t));
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (const int v : mesh.cells.col(t)) roots[v] = root(parent, v);
   return roots;
@@ -82,9 +83,11 @@ struct Frame {
 template <int dim>
 Frame<dim> frame_of(const SimplexMesh<dim>& mesh, const Vertices& part) {
   Matrix<double, dim, 1> centre = Matrix<double, dim, 1>::Zero();
-  for (int v : part) centre += mesh.vertices.col(v) / static_cast<double>(part.size());
+  for (int v : part)
+    centre += mesh.vertices.col(v) / static_cast<double>(part.size());
   double radius = 0;
-  for (int v : part) radius = std::max(radius, (mesh.vertices.col(v) - centre).norm());
+  for (int v : part)
+    radius = std::max(radius, (mesh.vertices.col(v) - centre).norm());
   return {centre, radius};
 }
 
@@ -107,10 +110,12 @@ Matrix<double, motion_count<dim>, motion_count<dim>> stopped(
 /// Coefficients of the combinations of the motions that vanish on the prescribed dofs.
 template <int dim>
 MatrixXd unstopped(const SimplexMesh<dim>& mesh, const Vertices& part,
-                   const Frame<dim>& frame, const std::vector<char>& prescribed) {
+                   const Frame<dim>& frame,
+                   const std::vector<char>& prescribed) {
   const auto squares = stopped(mesh, part, frame, prescribed);
   // eigenvalues ascending
-  const Eigen::SelfAdjointEigenSolver<std::decay_t<decltype(squares)>> eigen(squares);
+  const Eigen::SelfAdjointEigenSolver<std::decay_t<decltype(squares)>> eigen(
+      squares);
   const auto& values = eigen.eigenvalues();
   // A motion is free when it is 1e-5 of the largest on all prescribed dofs; the
   // eigenvalues are sums of squares.
@@ -122,13 +127,18 @@ MatrixXd unstopped(const SimplexMesh<dim>& mesh, const Vertices& part,
 
 /// A rigid motion in space, or in the plane z = 0: u(x) = shift + turn x (x - centre).
 struct Motion {
-  Vector3d centre = Vector3d::Zero(), shift = Vector3d::Zero(), turn = Vector3d::Zero();
+  Vector3d centre = Vector3d::Zero(), shift = Vector3d::Zero(),
+           turn = Vector3d::Zero();
   double radius = 0;  ///< of the body
 
   bool turns() const { return turn.norm() * radius > 1e-6 * shift.norm(); }
-  Vector3d axis_point() const { return centre + turn.cross(shift) / turn.squaredNorm(); }
+  Vector3d axis_point() const {
+    return centre + turn.cross(shift) / turn.squaredNorm();
+  }
   /// Along the axis, by a full turn.
-  double pitch() const { return 2 * M_PI * turn.dot(shift) / turn.squaredNorm(); }
+  double pitch() const {
+    return 2 * M_PI * turn.dot(shift) / turn.squaredNorm();
+  }
 };
 
 template <class Vector>
@@ -140,8 +150,9 @@ Vector3d in_space(const Vector& v) {
 
 template <int dim>
 bool moves(const Vertices& part, const Ref<const VectorXd>& motion) {
-  return std::any_of(part.begin(), part.end(),
-                     [&](int v) { return !vector_at<dim>(motion, v).isZero(0); });
+  return std::any_of(part.begin(), part.end(), [&](int v) {
+    return !vector_at<dim>(motion, v).isZero(0);
+  });
 }
 
 /// By least squares, which for a rigid motion leave nothing: J turn = sum r x (u - shift)
@@ -154,7 +165,8 @@ Motion motion_of(const SimplexMesh<dim>& mesh, const Vertices& part,
   motion.centre = in_space(frame.centre);
   motion.radius = frame.radius;
   for (int v : part)
-    motion.shift += in_space(vector_at<dim>(field, v)) / static_cast<double>(part.size());
+    motion.shift +=
+        in_space(vector_at<dim>(field, v)) / static_cast<double>(part.size());
 
   Matrix3d J = Matrix3d::Zero();
   Vector3d moment = Vector3d::Zero();
@@ -211,21 +223,24 @@ template <int dim>
 std::string motion_in_words(const SimplexMesh<dim>& mesh,
                             const Ref<const VectorXd>& motion) {
   const std::vector<Vertices> parts = connected_parts(mesh);
-  const auto part = std::find_if(parts.begin(), parts.end(), [&](const Vertices& each) {
-    return moves<dim>(each, motion);
-  });
+  const auto part = std::find_if(
+      parts.begin(), parts.end(),
+      [&](const Vertices& each) { return moves<dim>(each, motion); });
   const Motion rigid = motion_of(mesh, *part, motion);
   if (!rigid.turns())
     return "translation along " + in_words<dim>(rigid.shift.normalized());
-  const std::string point = in_words<dim>(in_space(mesh.origin) + rigid.axis_point());
+  const std::string point =
+      in_words<dim>(in_space(mesh.origin) + rigid.axis_point());
   if (dim == 2) return "rotation about " + point;
-  return "rotation about " + in_words<dim>(rigid.turn.normalized()) + " through " +
-         point + pitch_in_words(rigid);
+  return "rotation about " + in_words<dim>(rigid.turn.normalized()) +
+         " through " + point + pitch_in_words(rigid);
 }
 
 template MatrixXd free_rigid_motions(const Mesh&, const std::vector<char>&);
-template MatrixXd free_rigid_motions(const SolidMesh&, const std::vector<char>&);
+template MatrixXd free_rigid_motions(const SolidMesh&,
+                                     const std::vector<char>&);
 template std::string motion_in_words(const Mesh&, const Ref<const VectorXd>&);
-template std::string motion_in_words(const SolidMesh&, const Ref<const VectorXd>&);
+template std::string motion_in_words(const SolidMesh&,
+                                     const Ref<const VectorXd>&);
 
 }  // namespace ffcontact

@@ -26,7 +26,8 @@ class Session {
     // the trailing block is read from the supernodes
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix comes in elimination order
+    common.method[0].ordering =
+        CHOLMOD_NATURAL;  // the matrix comes in elimination order
     common.postorder = 0;
   }
   ~Session() { cholmod_finish(&common); }
@@ -34,7 +35,8 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   void require_memory() const {
-    if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
+    if (common.status == CHOLMOD_OUT_OF_MEMORY ||
+        common.status == CHOLMOD_TOO_LARGE)
       throw std::bad_alloc();
   }
   mutable cholmod_common common;
@@ -44,7 +46,8 @@ class Session {
 template <class T, int (*Free)(T**, cholmod_common*)>
 class Owned {
  public:
-  Owned(T* object, const Session& session) : object_(object), session_(session) {
+  Owned(T* object, const Session& session)
+      : object_(object), session_(session) {
     if (object_) return;
     session.require_memory();
     throw std::runtime_error("CHOLMOD failed with status " +
@@ -89,11 +92,12 @@ cholmod_sparse* pattern(const Graph& graph, const Session& session) {
   const std::size_t n = graph.vertex_count(),
                     most = std::max<std::size_t>(1, graph.neighbours.size());
   constexpr int sorted = 1, packed = 1, lower = -1;
-  cholmod_sparse* result = cholmod_allocate_sparse(n, n, most, sorted, packed, lower,
-                                                   CHOLMOD_PATTERN, &session.common);
+  cholmod_sparse* result = cholmod_allocate_sparse(
+      n, n, most, sorted, packed, lower, CHOLMOD_PATTERN, &session.common);
   if (!result) throw std::bad_alloc();
   std::copy(graph.start.begin(), graph.start.end(), indices(result->p));
-  std::copy(graph.neighbours.begin(), graph.neighbours.end(), indices(result->i));
+  std::copy(graph.neighbours.begin(), graph.neighbours.end(),
+            indices(result->i));
   return result;
 }
 
@@ -154,7 +158,8 @@ std::vector<int> dissection_order(const Graph& graph) {
   const Session session;
   const OwnedSparse sparse(pattern(graph, session), session);
   constexpr int postorder = 1;
-  if (cholmod_metis(sparse.get(), nullptr, 0, postorder, order.data(), &session.common))
+  if (cholmod_metis(sparse.get(), nullptr, 0, postorder, order.data(),
+                    &session.common))
     return order;
   session.require_memory();
   if (!cholmod_amd(sparse.get(), nullptr, 0, order.data(), &session.common))
@@ -175,7 +180,8 @@ struct SparseCholesky::Factor {
 
   VectorXd solve(int system, const VectorXd& b) const {
     cholmod_dense right = view_of(b);
-    const OwnedDense x(cholmod_solve(system, L.get(), &right, &session.common), session);
+    const OwnedDense x(cholmod_solve(system, L.get(), &right, &session.common),
+                       session);
     return Map<VectorXd>(values(x->x), b.size());
   }
 };

@@ -25,13 +25,15 @@ struct AiryEnergy {
 
 /// The sum of products of all unknowns.
 inline double dot(const LocalAiry& x, const LocalAiry& y) {
-  return x.at_vertices.cwiseProduct(y.at_vertices).sum() + x.on_edges.dot(y.on_edges);
+  return x.at_vertices.cwiseProduct(y.at_vertices).sum() +
+         x.on_edges.dot(y.on_edges);
 }
 
 /// @param compliance  C^-1 in Voigt order with engineering shear [1/MPa]
 /// @param difference  edge loads of tau
 /// @param body_loads  body loads of tau
-AiryEnergy airy_energy(const AirySpace& space, int triangle, const Matrix3d& compliance,
-                       const EdgeLoads& difference, const BodyLoads& body_loads);
+AiryEnergy airy_energy(const AirySpace& space, int triangle,
+                       const Matrix3d& compliance, const EdgeLoads& difference,
+                       const BodyLoads& body_loads);
 
 }  // namespace ffcontact

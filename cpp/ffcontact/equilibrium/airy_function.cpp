@@ -15,26 +15,30 @@ AirySpace::AirySpace(const Mesh& m, const Edges& e) : mesh(m), edges(e) {
       ++count[edges.vertices(end, edge)];
     }
   }
-  for (int v = 0; v < mesh.vertex_count(); ++v) length[v] /= std::max(count[v], 1);
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    length[v] /= std::max(count[v], 1);
 }
 
 Vector4d airy_moments(const AirySpace& space, const VectorXd& airy, int edge) {
-  const int i = space.edges.vertices(0, edge), j = space.edges.vertices(1, edge);
+  const int i = space.edges.vertices(0, edge),
+            j = space.edges.vertices(1, edge);
   const auto at_i = airy.segment<3>(space.of_vertex(i)),
              at_j = airy.segment<3>(space.of_vertex(j));
   const Vector2d side = edge_vector(space.mesh, space.edges, edge),
                  gradient_i = at_i.tail<2>(), gradient_j = at_j.tail<2>();
   const double l = side.norm();
   const Vector2d s = side / l, n(s.y(), -s.x());
-  const double along = 1.5 * (space.length[j] * at_j[0] - space.length[i] * at_i[0]) / l -
-                       0.25 * s.dot(gradient_i + gradient_j);
+  const double along =
+      1.5 * (space.length[j] * at_j[0] - space.length[i] * at_i[0]) / l -
+      0.25 * s.dot(gradient_i + gradient_j);
   const Vector2d gradient_m = along * s + airy[space.of_edge(edge)] * n;
   const Vector2d first = (-5 * gradient_i + 4 * gradient_m + gradient_j) / 6,
                  second = (-gradient_i - 4 * gradient_m + 5 * gradient_j) / 6;
   return {first.y(), -first.x(), second.y(), -second.x()};
 }
 
-void add_airy_loads(const AirySpace& space, const VectorXd& airy, EdgeLoadsOfAll& loads) {
+void add_airy_loads(const AirySpace& space, const VectorXd& airy,
+                    EdgeLoadsOfAll& loads) {
   const Edges& edges = space.edges;
 #pragma omp parallel for
   for (int t = 0; t < space.mesh.cell_count(); ++t)

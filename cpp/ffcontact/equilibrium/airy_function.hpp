@@ -40,8 +40,8 @@ struct LocalAiry {
 };
 
 /// @param first  the local vertex to count from
-inline LocalAiry local_airy(const AirySpace& space, const VectorXd& airy, int triangle,
-                            int first = 0) {
+inline LocalAiry local_airy(const AirySpace& space, const VectorXd& airy,
+                            int triangle, int first = 0) {
   LocalAiry local;
   for (int r = 0; r < 3; ++r) {
     const int k = (first + r) % 3;
@@ -59,6 +59,7 @@ Vector4d airy_moments(const AirySpace& space, const VectorXd& airy, int edge);
 
 /// Adds the edge loads of an Airy function; the two sides of an edge get the same digits
 /// with opposite signs.
-void add_airy_loads(const AirySpace& space, const VectorXd& airy, EdgeLoadsOfAll& loads);
+void add_airy_loads(const AirySpace& space, const VectorXd& airy,
+                    EdgeLoadsOfAll& loads);
 
 }  // namespace ffcontact

@@ -22,7 +22,8 @@ struct Group {
   std::vector<StarCorrections> stars;
   std::vector<int> first;  ///< unknown of each star, and the number of all
 
-  Group(const StarSetting& setting, const std::vector<int>& vertices) : first(1, 0) {
+  Group(const StarSetting& setting, const std::vector<int>& vertices)
+      : first(1, 0) {
     for (int v : vertices) {
       stars.emplace_back(setting.space, setting.stars, v);
       first.push_back(first.back() + stars.back().unknowns());
@@ -43,7 +44,9 @@ struct Spoke {
   bool runs_along_edge() const { return number == 0; }
   /// Moments of the traction at the vertex and at the other end for the four unknowns of
   /// the spoke.
-  Matrix4d moments() const { return (runs_along_edge() ? 1 : -1) * star.moments(number); }
+  Matrix4d moments() const {
+    return (runs_along_edge() ? 1 : -1) * star.moments(number);
+  }
   /// Adds the four columns of a matrix for the spoke's unknowns to one for all unknowns.
   template <class Local, class All>
   void spread(const Local& local, All&& all) const {
@@ -80,8 +83,9 @@ class Conditions {
   /// when b_i and b_j do.
   void fix(const Spoke& spoke, const Vector2d& component) {
     for (int end = 0; end < 2; ++end)
-      spoke.spread(component.transpose() * spoke.moments().middleRows<2>(2 * end),
-                   rows_.row(count_++));
+      spoke.spread(
+          component.transpose() * spoke.moments().middleRows<2>(2 * end),
+          rows_.row(count_++));
   }
   /// Both bodies feel opposite forces.
   void balance(const Spoke& one, const Spoke& other) {
@@ -107,7 +111,8 @@ bool frictionless(const FreeContact& contact, int e) {
 
 /// Basis of the corrections that leave known boundary tractions alone and load both
 /// bodies of a contact edge oppositely [unknowns x n].
-MatrixXd admissible_corrections(const Group& group, const BoundaryTractions& boundary,
+MatrixXd admissible_corrections(const Group& group,
+                                const BoundaryTractions& boundary,
                                 const FreeContact* contact) {
   Conditions conditions(group);
   const std::vector<Spoke> spokes = boundary_spokes(group);
@@ -115,9 +120,11 @@ MatrixXd admissible_corrections(const Group& group, const BoundaryTractions& bou
     const int e = free_edge(spoke, contact);
     if (e < 0) {
       for (int c = 0; c < 2; ++c)
-        if (boundary.known(c, spoke.edge())) conditions.fix(spoke, Vector2d::Unit(c));
+        if (boundary.known(c, spoke.edge()))
+          conditions.fix(spoke, Vector2d::Unit(c));
     } else if (carries_multipliers(spoke, e, *contact)) {
-      if (frictionless(*contact, e)) conditions.fix(spoke, contact->line.edge_tangent(e));
+      if (frictionless(*contact, e))
+        conditions.fix(spoke, contact->line.edge_tangent(e));
       for (const Spoke& other : spokes)
         if (other.edge() != spoke.edge() && free_edge(other, contact) == e)
           conditions.balance(spoke, other);
@@ -133,7 +140,8 @@ struct EdgeEnds {
   Matrix<double, 4, Dynamic> change;  ///< [4 x unknowns]
 };
 
-std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) {
+std::vector<EdgeEnds> free_ends(const Group& group,
+                                const FreeContact& contact) {
   std::vector<EdgeEnds> result;
   for (const Spoke& spoke : boundary_spokes(group)) {
     const int e = free_edge(spoke, &contact);
@@ -144,13 +152,14 @@ std::vector<EdgeEnds> free_ends(const Group& group, const FreeContact& contact) 
     const Matrix4d moments = spoke.moments();
     Matrix4d density;
     for (int c = 0; c < 4; ++c)
-      density.col(c) = density_of_moments(moments.col(c), contact.line.length[e]);
+      density.col(c) =
+          density_of_moments(moments.col(c), contact.line.length[e]);
     EdgeEnds ends{e, {}};
     ends.change.setZero(4, group.unknowns());
     for (int end = 0; end < 2; ++end)
-      spoke.spread(
-          frame * density.middleRows<2>(2 * (spoke.runs_along_edge() ? end : 1 - end)),
-          ends.change.middleRows<2>(2 * end));
+      spoke.spread(frame * density.middleRows<2>(
+                               2 * (spoke.runs_along_edge() ? end : 1 - end)),
+                   ends.change.middleRows<2>(2 * end));
     result.push_back(ends);
   }
   return result;
@@ -166,13 +175,15 @@ struct ContactTerms {
 ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns,
                            const FreeContact* contact) {
   const auto most = EdgeCone::most_rows * static_cast<Index>(ends.size());
-  ContactTerms terms{VectorXd::Zero(unknowns), MatrixXd(most, unknowns), VectorXd(most)};
+  ContactTerms terms{VectorXd::Zero(unknowns), MatrixXd(most, unknowns),
+                     VectorXd(most)};
   Index row = 0;
   for (const auto& [e, change] : ends) {
     const FreeTractions& tractions = contact->tractions;
     const EdgeCone cone = edge_cone(contact->line, contact->law, e);
-    terms.cost += change.transpose() * interleaved(tractions.normal_cost.col(e),
-                                                   tractions.tangential_cost.col(e));
+    terms.cost +=
+        change.transpose() * interleaved(tractions.normal_cost.col(e),
+                                         tractions.tangential_cost.col(e));
     terms.C.middleRows(row, cone.C.rows()) = cone.C * change;
     terms.d.segment(row, cone.d.size()) =
         // r is inside: the rest is rounding
@@ -200,8 +211,9 @@ void restrict(const MatrixXd& Z, ContactTerms& terms) {
 
 }  // namespace
 
-double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices,
-                      VectorXd& airy, FreeContact* contact) {
+double relax_boundary(const StarSetting& setting,
+                      const std::vector<int>& vertices, VectorXd& airy,
+                      FreeContact* contact) {
   const Group group(setting, vertices);
   const MatrixXd Z = admissible_corrections(group, setting.boundary, contact);
   if (Z.cols() == 0) return 0;
@@ -253,7 +265,8 @@ std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
   for (int i = 0; i < line.node_count(); ++i) {
     groups.emplace_back();
     join(line.vertex[i], groups.size() - 1);
-    visit_opposite(line, i, [&](int vertex, double) { join(vertex, groups.size() - 1); });
+    visit_opposite(
+        line, i, [&](int vertex, double) { join(vertex, groups.size() - 1); });
   }
   groups.erase(std::remove_if(groups.begin(), groups.end(),
                               [](const auto& group) { return group.empty(); }),

@@ -18,8 +18,9 @@ namespace ffcontact {
 /// @param airy     unknowns of AirySpace, changed in place
 /// @param contact  r_hat, relaxed in place; null: all contact tractions are known
 /// @return by how much e^2 fell
-double relax_boundary(const StarSetting& setting, const std::vector<int>& vertices,
-                      VectorXd& airy, FreeContact* contact);
+double relax_boundary(const StarSetting& setting,
+                      const std::vector<int>& vertices, VectorXd& airy,
+                      FreeContact* contact);
 
 /// The vertices to relax together on a line: that of each node and what it faces, joined
 /// where nodes share a vertex.

@@ -17,7 +17,9 @@ std::map<int, std::array<bool, 2>> prescribed_labels(
   std::map<int, std::array<bool, 2>> labels;
   for (Index e = 0; e < mesh.boundary.cols(); ++e) {
     std::array<bool, 2>& fixed =
-        labels.try_emplace(mesh.boundary_label[e], std::array<bool, 2>{true, true})
+        labels
+            .try_emplace(mesh.boundary_label[e],
+                         std::array<bool, 2>{true, true})
             .first->second;
     for (int end = 0; end < 2; ++end)
       for (int c = 0; c < 2; ++c)
@@ -48,14 +50,16 @@ BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
   require_size("tractions", neumann.cols(), mesh.boundary.cols());
   require_finite("traction", neumann.reshaped());
 
-  const std::map<int, std::array<bool, 2>> fixed = prescribed_labels(mesh, prescribed);
+  const std::map<int, std::array<bool, 2>> fixed =
+      prescribed_labels(mesh, prescribed);
   BoundaryTractions given;
   given.known.setConstant(2, edges.count(), false);
   given.moments = EdgeMoments::Zero(4, edges.count());
   for (int e = 0; e < edges.count(); ++e) {
     if (!edges.on_boundary(e)) continue;
     const int b = edges.boundary_index[e];
-    const std::array<bool, 2>& prescribed_here = fixed.at(mesh.boundary_label[b]);
+    const std::array<bool, 2>& prescribed_here =
+        fixed.at(mesh.boundary_label[b]);
     const bool same_direction = mesh.boundary(0, b) == edges.vertices(0, e);
     for (int c = 0; c < 2; ++c) {
       given.known(c, e) = !prescribed_here[c];
@@ -67,9 +71,10 @@ BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
   return given;
 }
 
-Vector4d contact_moments(const ContactLine& line, const ContactDensities& densities,
-                         int contact_edge) {
-  const Vector2d n = line.edge_normal(contact_edge), t = line.edge_tangent(contact_edge);
+Vector4d contact_moments(const ContactLine& line,
+                         const ContactDensities& densities, int contact_edge) {
+  const Vector2d n = line.edge_normal(contact_edge),
+                 t = line.edge_tangent(contact_edge);
   const Vector4d r = end_values(densities, contact_edge);
   Vector4d density;
   density << r[0] * n + r[1] * t, r[2] * n + r[3] * t;
@@ -81,7 +86,8 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
                                      const Ref<const Matrix4Xd>& neumann,
                                      const ContactLine& line,
                                      const ContactDensities& contact) {
-  BoundaryTractions boundary = given_tractions(mesh, edges, prescribed, neumann);
+  BoundaryTractions boundary =
+      given_tractions(mesh, edges, prescribed, neumann);
   for (int k = 0; k < line.edge_count(); ++k) {
     const Vector4d moments = contact_moments(line, contact, k);
     add(moments, line.edge[k], boundary);

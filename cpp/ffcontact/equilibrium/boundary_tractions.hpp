@@ -24,7 +24,7 @@ using EdgeMoments = Matrix4Xd;
 /// with the same label: a single Neumann edge between two supports stays Neumann.
 struct BoundaryTractions {
   Eigen::Array<bool, 2, Dynamic> known;  ///< [2 x edges], false inside the body
-  EdgeMoments moments;                   ///< of the known components, 0 elsewhere
+  EdgeMoments moments;  ///< of the known components, 0 elsewhere
 };
 
 /// The given tractions alone; contact edges are as any others.
@@ -48,7 +48,7 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
                                      const ContactDensities& contact);
 
 /// int r phi at the first and the second node of a contact edge, Cartesian [N/mm].
-Vector4d contact_moments(const ContactLine& line, const ContactDensities& densities,
-                         int contact_edge);
+Vector4d contact_moments(const ContactLine& line,
+                         const ContactDensities& densities, int contact_edge);
 
 }  // namespace ffcontact

@@ -21,8 +21,8 @@ using StressMap =
 std::array<int, 3> subtriangle(int k) { return {(k + 1) % 3, (k + 2) % 3, 3}; }
 
 /// Adds factor * (sigma n) at one corner to two rows of the conditions.
-void add_traction(MatrixXd& conditions, int row, int k, int corner, const Vector2d& n,
-                  double factor) {
+void add_traction(MatrixXd& conditions, int row, int k, int corner,
+                  const Vector2d& n, double factor) {
   const int first = 9 * k + 3 * corner;
   conditions(row, first) += factor * n.x();
   conditions(row, first + 2) += factor * n.y();
@@ -42,14 +42,17 @@ Matrix3d force_per_moment(double area) {
 /// tractions: divergences times the root of the area, jumps of unit normals, moments over
 /// lengths.
 struct Conditions {
-  MatrixXd matrix = MatrixXd::Zero(30, 27), right = MatrixXd::Zero(30, all_loads);
+  MatrixXd matrix = MatrixXd::Zero(30, 27),
+           right = MatrixXd::Zero(30, all_loads);
 
   explicit Conditions(const TriangleCorners& corners) {
     x_ << corners, corners.rowwise().mean();
-    twice_area_ = turned_right(x_.col(2) - x_.col(0)).dot(x_.col(1) - x_.col(0));
+    twice_area_ =
+        turned_right(x_.col(2) - x_.col(0)).dot(x_.col(1) - x_.col(0));
     int row = 0;
     for (int k = 0; k < 3; ++k, row += 2) add_divergence(row, k);
-    for (int vertex = 0; vertex < 3; ++vertex, row += 4) add_continuity(row, vertex);
+    for (int vertex = 0; vertex < 3; ++vertex, row += 4)
+      add_continuity(row, vertex);
     for (int k = 0; k < 3; ++k, row += 4) add_edge(row, k);
   }
 
@@ -60,7 +63,8 @@ struct Conditions {
     const double root = std::sqrt(twice_area_ / 2);
     for (int c = 0; c < 3; ++c) {
       const Vector2d opposite = x_.col(s[(c + 2) % 3]) - x_.col(s[(c + 1) % 3]);
-      add_traction(matrix, row, k, c, -turned_right(opposite) / (twice_area_ / 3), root);
+      add_traction(matrix, row, k, c,
+                   -turned_right(opposite) / (twice_area_ / 3), root);
     }
     const Matrix3d forces = root * force_per_moment(twice_area_ / 2);
     for (int i = 0; i < 3; ++i)
@@ -87,7 +91,8 @@ struct Conditions {
     for (int end = 0; end < 2; ++end, row += 2) {
       add_traction(matrix, row, k, end, n, 2.0 / 6);
       add_traction(matrix, row, k, 1 - end, n, 1.0 / 6);
-      right(row, 4 * k + 2 * end) = right(row + 1, 4 * k + 2 * end + 1) = 1 / side.norm();
+      right(row, 4 * k + 2 * end) = right(row + 1, 4 * k + 2 * end + 1) =
+          1 / side.norm();
     }
   }
 
@@ -130,8 +135,8 @@ constexpr double thin = 0.06;
 bool is_thin(const TriangleCorners& corners) {
   double longest = 0;
   for (int k = 0; k < 3; ++k)
-    longest =
-        std::max(longest, (corners.col((k + 1) % 3) - corners.col(k)).squaredNorm());
+    longest = std::max(
+        longest, (corners.col((k + 1) % 3) - corners.col(k)).squaredNorm());
   return piola_matrix(corners).determinant() < thin * longest;
 }
 
@@ -147,20 +152,23 @@ Matrix3d piola_voigt(const Matrix2d& B) {
 }
 
 CompositeStress composite_stress(const TriangleCorners& corners,
-                                 const EdgeLoads& on_edges, const BodyLoads& body_loads) {
+                                 const EdgeLoads& on_edges,
+                                 const BodyLoads& body_loads) {
   Matrix<double, all_loads, 1> loads;
   loads << on_edges, body_loads;
   // backward stable: what is left of each condition is of the size of rounding
   if (is_thin(corners)) {
     const Conditions conditions(corners.colwise() - corners.rowwise().mean());
-    const VectorXd stress = least_squares(conditions.matrix, conditions.right * loads);
+    const VectorXd stress =
+        least_squares(conditions.matrix, conditions.right * loads);
     return Map<const CompositeStress>(stress.data());
   }
   const Matrix2d B = piola_matrix(corners);
   Map<Matrix<double, 2, all_loads / 2>> forces(loads.data());
   forces = (B.inverse() * forces).eval();
   const Matrix<double, 27, 1> s = reference_map() * loads;
-  return piola_voigt(B) / B.determinant() * Map<const CompositeStress>(s.data());
+  return piola_voigt(B) / B.determinant() *
+         Map<const CompositeStress>(s.data());
 }
 
 Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area) {

@@ -37,7 +37,8 @@ using TriangleCorners = Matrix<double, 2, 3>;
 /// which keeps symmetry, equilibrium and edge forces. On triangles thinner than 1 : 16
 /// the conditions are solved directly.
 CompositeStress composite_stress(const TriangleCorners& corners,
-                                 const EdgeLoads& on_edges, const BodyLoads& body_loads);
+                                 const EdgeLoads& on_edges,
+                                 const BodyLoads& body_loads);
 
 /// T with sigma = T s / det B in Voigt order, for Piola's map sigma = B s B' / det B.
 Matrix3d piola_voigt(const Matrix2d& B);

@@ -40,13 +40,14 @@ EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
 
 void put_boundary_loads(const Mesh& mesh, const Edges& edges,
                         const BoundaryTractions& boundary,
-                        const Ref<const Matrix3Xd>& stress, EdgeLoadsOfAll& loads) {
+                        const Ref<const Matrix3Xd>& stress,
+                        EdgeLoadsOfAll& loads) {
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int edge = edges.of_cell(k, t);
       if (!edges.on_boundary(edge)) continue;
-      const Vector4d known =
-          loads_of_side(mesh, edges, t, k, boundary.moments.col(edge), stress.col(t));
+      const Vector4d known = loads_of_side(
+          mesh, edges, t, k, boundary.moments.col(edge), stress.col(t));
       for (int c = 0; c < 4; ++c)
         if (boundary.known(c % 2, edge)) loads(4 * k + c, t) = known[c];
     }

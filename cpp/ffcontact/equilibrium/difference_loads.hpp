@@ -21,7 +21,8 @@ EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
 /// edge beside it, which is too much for a short one.
 void put_boundary_loads(const Mesh& mesh, const Edges& edges,
                         const BoundaryTractions& boundary,
-                        const Ref<const Matrix3Xd>& stress, EdgeLoadsOfAll& loads);
+                        const Ref<const Matrix3Xd>& stress,
+                        EdgeLoadsOfAll& loads);
 
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 

@@ -13,7 +13,8 @@ double direction(const Edges& edges, int spoke, int vertex) {
   return edges.vertices(0, spoke) == vertex ? 1 : -1;
 }
 
-Vector3d mean_stress(const Edges& edges, int edge, const Ref<const Matrix3Xd>& stress) {
+Vector3d mean_stress(const Edges& edges, int edge,
+                     const Ref<const Matrix3Xd>& stress) {
   const int left = edges.cells(0, edge), right = edges.cells(1, edge);
   if (right < 0) return stress.col(left);
   return 0.5 * (stress.col(left) + stress.col(right));
@@ -39,14 +40,16 @@ Matrix2Xd mean_moments(const Topology& topology, int vertex,
 /// sum(k).
 Matrix2Xd sums_before(const Matrix2Xd& loads, int spokes) {
   Matrix2Xd sums = Matrix2Xd::Zero(2, spokes);
-  for (int k = 0; k + 1 < spokes; ++k) sums.col(k + 1) = sums.col(k) + loads.col(k);
+  for (int k = 0; k + 1 < spokes; ++k)
+    sums.col(k + 1) = sums.col(k) + loads.col(k);
   return sums;
 }
 
 /// The moments of the spokes of one star.
-void put_star(const Topology& topology, int vertex, const Ref<const Matrix3Xd>& stress,
-              const BodyLoadsOfAll& body_loads, const BoundaryTractions& boundary,
-              EdgeMoments& moments) {
+void put_star(const Topology& topology, int vertex,
+              const Ref<const Matrix3Xd>& stress,
+              const BodyLoadsOfAll& body_loads,
+              const BoundaryTractions& boundary, EdgeMoments& moments) {
   const auto& [mesh, edges, stars] = topology;
   const int* spokes = stars.spoke.data() + stars.spoke_start[vertex];
   const int count = stars.spoke_count(vertex), last = count - 1;

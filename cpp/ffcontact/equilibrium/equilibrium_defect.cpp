@@ -21,7 +21,8 @@ SubtriangleCorners subtriangle_corners(const Mesh& mesh, int t, int k) {
   return x;
 }
 
-Vector2d divergence(const SubtriangleCorners& x, const Matrix3d& corner_stress) {
+Vector2d divergence(const SubtriangleCorners& x,
+                    const Matrix3d& corner_stress) {
   const Vector2d a = x.col(1) - x.col(0), b = x.col(2) - x.col(0);
   const double twice_area = a.x() * b.y() - a.y() * b.x();
   Vector2d sum = Vector2d::Zero();
@@ -34,16 +35,19 @@ Vector2d divergence(const SubtriangleCorners& x, const Matrix3d& corner_stress) 
 }
 
 /// Largest divergence times size over the subtriangles of one triangle.
-double divergence_of_triangle(const Mesh& mesh, int t, const CompositeStress& stress,
+double divergence_of_triangle(const Mesh& mesh, int t,
+                              const CompositeStress& stress,
                               const BodyLoads& body_loads) {
-  const Matrix<double, 2, 3> f = body_force_of(body_loads, signed_area(mesh, t));
+  const Matrix<double, 2, 3> f =
+      body_force_of(body_loads, signed_area(mesh, t));
   double worst = 0, longest = 0;
   for (int k = 0; k < 3; ++k) {
-    const Vector2d left_over =
-        divergence(subtriangle_corners(mesh, t, k), stress.middleCols<3>(3 * k)) +
-        f.col(k);
+    const Vector2d left_over = divergence(subtriangle_corners(mesh, t, k),
+                                          stress.middleCols<3>(3 * k)) +
+                               f.col(k);
     worst = std::max(worst, left_over.norm());
-    longest = std::max(longest, (mesh.corner(t, k) - mesh.corner(t, (k + 1) % 3)).norm());
+    longest = std::max(
+        longest, (mesh.corner(t, k) - mesh.corner(t, (k + 1) % 3)).norm());
   }
   return worst * signed_area(mesh, t) / longest;
 }
@@ -54,14 +58,17 @@ double jump_inside(const Mesh& mesh, int t, const CompositeStress& stress) {
   for (int vertex = 0; vertex < 3; ++vertex) {
     const int before = (vertex + 2) % 3, after = (vertex + 1) % 3;
     const Vector2d along =
-        (subtriangle_corners(mesh, t, 0).col(2) - mesh.corner(t, vertex)).normalized();
+        (subtriangle_corners(mesh, t, 0).col(2) - mesh.corner(t, vertex))
+            .normalized();
     const Vector2d n(along.y(), -along.x());
     // The vertex is corner 1 of the subtriangle opposite to its predecessor, and corner 0
     // of the other one.
-    const Vector3d at_vertex = stress.col(3 * after + 1) - stress.col(3 * before);
-    const Vector3d at_centroid = stress.col(3 * before + 2) - stress.col(3 * after + 2);
-    worst =
-        std::max({worst, traction(at_vertex, n).norm(), traction(at_centroid, n).norm()});
+    const Vector3d at_vertex =
+        stress.col(3 * after + 1) - stress.col(3 * before);
+    const Vector3d at_centroid =
+        stress.col(3 * before + 2) - stress.col(3 * after + 2);
+    worst = std::max({worst, traction(at_vertex, n).norm(),
+                      traction(at_centroid, n).norm()});
   }
   return worst;
 }
@@ -96,22 +103,25 @@ EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges,
   double divergence = 0, jump = 0, at_boundary = 0, largest_traction = 0;
 #pragma omp parallel for reduction(max : divergence, jump)
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    divergence = std::max(divergence,
-                          divergence_of_triangle(mesh, t, stress[t], body_loads.col(t)));
+    divergence =
+        std::max(divergence,
+                 divergence_of_triangle(mesh, t, stress[t], body_loads.col(t)));
     jump = std::max(jump, jump_inside(mesh, t, stress[t]));
   }
 #pragma omp parallel for reduction(max : jump, at_boundary, largest_traction)
   for (int e = 0; e < edges.count(); ++e) {
-    const Vector4d left = traction_beside(mesh, edges, e, edges.cells(0, e), stress);
+    const Vector4d left =
+        traction_beside(mesh, edges, e, edges.cells(0, e), stress);
     largest_traction = std::max(largest_traction, left.cwiseAbs().maxCoeff());
     if (edges.on_boundary(e)) {
-      const Vector4d given =
-          density_of_moments(boundary.moments.col(e), edge_vector(mesh, edges, e).norm());
+      const Vector4d given = density_of_moments(
+          boundary.moments.col(e), edge_vector(mesh, edges, e).norm());
       for (int k = 0; k < 4; ++k)
         if (boundary.known(k % 2, e))
           at_boundary = std::max(at_boundary, std::abs(left[k] - given[k]));
     } else {
-      const Vector4d right = traction_beside(mesh, edges, e, edges.cells(1, e), stress);
+      const Vector4d right =
+          traction_beside(mesh, edges, e, edges.cells(1, e), stress);
       jump = std::max(jump, (left - right).cwiseAbs().maxCoeff());
     }
   }

@@ -3,7 +3,8 @@
 
 namespace ffcontact {
 
-std::vector<int> contact_edge_numbers(const ContactLine& line, const Edges& edges) {
+std::vector<int> contact_edge_numbers(const ContactLine& line,
+                                      const Edges& edges) {
   std::vector<int> numbers(edges.count(), -1);
   for (int e = 0; e < line.edge_count(); ++e) {
     numbers[line.edge[e]] = e;

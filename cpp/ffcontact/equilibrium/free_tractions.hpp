@@ -17,8 +17,10 @@ namespace ffcontact {
 ///     2 int (mu |r_n||w_t| + r_t w_t + r_n w_n) = sum over edge ends of cost_n r_n + cost_t r_t.
 /// In the cone means the conditions of EdgeCone.
 struct FreeTractions {
-  ContactDensities densities;  ///< r_hat, inside the cone before and after [MPa]
-  Matrix2Xd normal_cost;       ///< cost_n at the two ends of each contact edge [mm^2]
+  ContactDensities
+      densities;  ///< r_hat, inside the cone before and after [MPa]
+  Matrix2Xd
+      normal_cost;  ///< cost_n at the two ends of each contact edge [mm^2]
   Matrix2Xd tangential_cost;
   std::vector<int> contact_edge;  ///< contact_edge_numbers
 };
@@ -32,6 +34,7 @@ struct FreeContact {
 
 /// Number on the contact line of each mesh edge, that of an opposite body which a contact
 /// edge faces included, or -1.
-std::vector<int> contact_edge_numbers(const ContactLine& line, const Edges& edges);
+std::vector<int> contact_edge_numbers(const ContactLine& line,
+                                      const Edges& edges);
 
 }  // namespace ffcontact

@@ -61,10 +61,11 @@ Vector2d boundary_forces(const Topology& topology, int vertex,
 
 }  // namespace
 
-double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke, int vertex,
-                 int component) {
+double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
+                 int vertex, int component) {
   const bool starts_here = edges.vertices(0, spoke) == vertex;
-  return starts_here ? moments(component, spoke) : -moments(2 + component, spoke);
+  return starts_here ? moments(component, spoke)
+                     : -moments(2 + component, spoke);
 }
 
 Matrix2Xd star_loads(const Topology& topology, int vertex,
@@ -80,7 +81,8 @@ Matrix2Xd star_loads(const Topology& topology, int vertex,
   return loads;
 }
 
-NodalResidual nodal_residual(const Topology& topology, const Ref<const Matrix3Xd>& stress,
+NodalResidual nodal_residual(const Topology& topology,
+                             const Ref<const Matrix3Xd>& stress,
                              const BodyLoadsOfAll& body_loads,
                              const BoundaryTractions& boundary) {
   const Stars& stars = topology.stars;
@@ -126,14 +128,17 @@ NodalResidual less_stress(const Topology& topology, NodalResidual residual,
 void require_balanced(const Mesh& mesh, const NodalResidual& residual,
                       double least_scale) {
   Index component, vertex;
-  const double worst = residual.missing.cwiseAbs().maxCoeff(&component, &vertex);
+  const double worst =
+      residual.missing.cwiseAbs().maxCoeff(&component, &vertex);
   if (worst <= unbalanced * std::max(least_scale, residual.scale)) return;
   const Vector2d x = mesh.place(static_cast<int>(vertex));
   std::ostringstream sentence;
   sentence.precision(10);
-  sentence << "the loads do not balance the stresses at vertex " << vertex << " ("
-           << x.x() << ", " << x.y() << "): " << worst << " N/mm are left over";
-  throw Imbalance(sentence.str(), static_cast<int>(vertex), static_cast<int>(component));
+  sentence << "the loads do not balance the stresses at vertex " << vertex
+           << " (" << x.x() << ", " << x.y() << "): " << worst
+           << " N/mm are left over";
+  throw Imbalance(sentence.str(), static_cast<int>(vertex),
+                  static_cast<int>(component));
 }
 
 }  // namespace ffcontact

@@ -23,7 +23,8 @@ struct NodalResidual {
 /// @param stress      per triangle, Voigt [MPa]
 /// @param body_loads  int_E f phi_i at the three vertices of each triangle [N/mm, 6 x
 ///                    triangles]
-NodalResidual nodal_residual(const Topology& topology, const Ref<const Matrix3Xd>& stress,
+NodalResidual nodal_residual(const Topology& topology,
+                             const Ref<const Matrix3Xd>& stress,
                              const BodyLoadsOfAll& body_loads,
                              const BoundaryTractions& boundary);
 
@@ -44,8 +45,8 @@ Matrix2Xd star_loads(const Topology& topology, int vertex,
 
 /// The moment at a vertex of a component of a spoke's traction, seen along vertex ->
 /// neighbour with the normal to the right [N/mm].
-double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke, int vertex,
-                 int component);
+double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
+                 int vertex, int component);
 
 /// Given tractions that do not balance the stresses at a vertex.
 struct Imbalance : std::invalid_argument {

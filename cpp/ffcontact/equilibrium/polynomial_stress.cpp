@@ -75,7 +75,8 @@ LongProducts products_of_derivatives(int a, int b) {
     for (int j = 0; j < monomials; ++j) {
       const auto [di, m] = derivative(i, a);
       const auto [dj, k] = derivative(j, b);
-      products(i, j) = di * dj == 0 ? 0 : di * dj * integral(m.p + k.p, m.q + k.q);
+      products(i, j) =
+          di * dj == 0 ? 0 : di * dj * integral(m.p + k.p, m.q + k.q);
     }
   return products;
 }
@@ -83,17 +84,21 @@ LongProducts products_of_derivatives(int a, int b) {
 /// int (1 - s) m_i ds and int s m_i ds on the three edges, by Gauss points that are exact
 /// up to degree 5.
 Matrix<long double, monomials, 6> edge_integrals() {
-  Matrix<long double, monomials, 6> edges = Matrix<long double, monomials, 6>::Zero();
+  Matrix<long double, monomials, 6> edges =
+      Matrix<long double, monomials, 6>::Zero();
   const Matrix<long double, 2, 3> vertex =
       (Matrix<long double, 2, 3>() << 0, 1, 0, 0, 0, 1).finished();
-  const long double root = std::sqrt(0.15L), gauss[] = {0.5L - root, 0.5L, 0.5L + root};
+  const long double root = std::sqrt(0.15L),
+                    gauss[] = {0.5L - root, 0.5L, 0.5L + root};
   const long double weight[] = {5.0L / 18, 8.0L / 18, 5.0L / 18};
   for (int k = 0; k < 3; ++k)
     for (int g = 0; g < 3; ++g) {
       const long double s = gauss[g];
-      const Point x = (1 - s) * vertex.col((k + 1) % 3) + s * vertex.col((k + 2) % 3);
+      const Point x =
+          (1 - s) * vertex.col((k + 1) % 3) + s * vertex.col((k + 2) % 3);
       for (int i = 0; i < monomials; ++i) {
-        const long double value = weight[g] * monomial(exponents[i].p, exponents[i].q, x);
+        const long double value =
+            weight[g] * monomial(exponents[i].p, exponents[i].q, x);
         edges(i, 2 * k) += (1 - s) * value;
         edges(i, 2 * k + 1) += s * value;
       }
@@ -122,7 +127,9 @@ Reference solve_reference() {
   const Eigen::LLT<LongProducts> llt(gram);
   const LongProducts T = llt.matrixL().solve(LongProducts::Identity());
   const Matrix<long double, 3, 3> hat_mass =
-      (Matrix<long double, 3, 3>::Ones() + Matrix<long double, 3, 3>::Identity()) / 24;
+      (Matrix<long double, 3, 3>::Ones() +
+       Matrix<long double, 3, 3>::Identity()) /
+      24;
   Reference result;
   result.basis = T.cast<double>();
   for (int a = 0; a < 2; ++a)
@@ -133,7 +140,8 @@ Reference solve_reference() {
   result.edges = (T * edge_integrals()).cast<double>();
   result.body = (T * hats * hat_mass.inverse()).cast<double>();
   // m = L b
-  result.linear = LongProducts(llt.matrixL()).topRows<3>().transpose().cast<double>();
+  result.linear =
+      LongProducts(llt.matrixL()).topRows<3>().transpose().cast<double>();
   return result;
 }
 
@@ -162,11 +170,12 @@ MatrixXd stiffness_of(const Matrix2d& B, const Matrix3d& hooke) {
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
       const Matrix2d block = B.determinant() *
-                             strain_operator(inverse.row(a)).transpose() * hooke *
-                             strain_operator(inverse.row(b));
+                             strain_operator(inverse.row(a)).transpose() *
+                             hooke * strain_operator(inverse.row(b));
       for (int i = 0; i < monomials; ++i)
         for (int j = 0; j < monomials; ++j)
-          K.block<2, 2>(2 * i, 2 * j) += reference().gradients[a][b](i, j) * block;
+          K.block<2, 2>(2 * i, 2 * j) +=
+              reference().gradients[a][b](i, j) * block;
     }
   return K;
 }
@@ -190,8 +199,8 @@ VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
     // times the edge's length
     const Vector4d density = density_of_moments(on_edges.segment<4>(4 * k), 1);
     for (int end = 0; end < 2; ++end)
-      load +=
-          density.segment<2>(2 * end) * reference().edges.col(2 * k + end).transpose();
+      load += density.segment<2>(2 * end) *
+              reference().edges.col(2 * k + end).transpose();
     load += body_loads.segment<2>(2 * k) * reference().body.col(k).transpose();
   }
   return load.reshaped();
@@ -199,7 +208,8 @@ VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
 
 }  // namespace
 
-PolynomialStress polynomial_stress(const TriangleCorners& corners, const Matrix3d& hooke,
+PolynomialStress polynomial_stress(const TriangleCorners& corners,
+                                   const Matrix3d& hooke,
                                    const EdgeLoads& on_edges,
                                    const BodyLoads& body_loads) {
   const Matrix2d B = map_of(corners);
@@ -208,7 +218,8 @@ PolynomialStress polynomial_stress(const TriangleCorners& corners, const Matrix3
   // balanced loads: w without rigid motion solves both systems
   K += K.trace() / unknowns * Z * Z.transpose();
   PolynomialStress stress{corners, hooke, {}};
-  stress.displacement.reshaped() = Cholesky(K).solve(load_of(on_edges, body_loads));
+  stress.displacement.reshaped() =
+      Cholesky(K).solve(load_of(on_edges, body_loads));
   return stress;
 }
 
@@ -216,13 +227,14 @@ Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point) {
   const Matrix2d inverse = map_of(stress.corners).inverse();
   const Vector2d xi = inverse * (point - stress.corners.col(0));
   // on the monomials
-  const Matrix<double, 2, monomials> w = stress.displacement * reference().basis;
+  const Matrix<double, 2, monomials> w =
+      stress.displacement * reference().basis;
   Vector3d strain = Vector3d::Zero();
   for (int i = 0; i < monomials; ++i)
     for (int a = 0; a < 2; ++a) {
       const auto [factor, m] = derivative(i, a);
-      const auto value =
-          static_cast<double>(factor * monomial(m.p, m.q, xi.cast<long double>()));
+      const auto value = static_cast<double>(
+          factor * monomial(m.p, m.q, xi.cast<long double>()));
       strain += value * strain_operator(inverse.row(a)) * w.col(i);
     }
   return stress.hooke * strain;
@@ -232,7 +244,8 @@ CompositeStress corner_values(const PolynomialStress& stress) {
   CompositeStress values;
   for (int k = 0; k < 3; ++k) {
     for (int c = 0; c < 2; ++c)
-      values.col(3 * k + c) = stress_at(stress, stress.corners.col((k + 1 + c) % 3));
+      values.col(3 * k + c) =
+          stress_at(stress, stress.corners.col((k + 1 + c) % 3));
     values.col(3 * k + 2) = stress_at(stress, stress.corners.rowwise().mean());
   }
   return values;

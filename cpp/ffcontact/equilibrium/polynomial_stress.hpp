@@ -28,7 +28,8 @@ struct PolynomialStress {
 ///                    with the body loads [N/mm]
 /// @param body_loads  int f phi_i at the three vertices; f is taken as the linear
 ///                    function with these moments
-PolynomialStress polynomial_stress(const TriangleCorners& corners, const Matrix3d& hooke,
+PolynomialStress polynomial_stress(const TriangleCorners& corners,
+                                   const Matrix3d& hooke,
                                    const EdgeLoads& on_edges,
                                    const BodyLoads& body_loads);
 

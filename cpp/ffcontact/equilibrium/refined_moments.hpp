@@ -29,7 +29,8 @@ BoundaryTractions tractions_of_parts(const Edges& old_edges,
 /// @param old_stress   of the old triangles [MPa]
 /// @param body_loads   int f phi_i on the refinement, with the same sums as on the old
 ///                     mesh
-EdgeMoments refined_moments(const Edges& old_edges, const CommonRefinement& refinement,
+EdgeMoments refined_moments(const Edges& old_edges,
+                            const CommonRefinement& refinement,
                             const EdgeMoments& old_moments,
                             const Ref<const Matrix3Xd>& old_stress,
                             const BodyLoadsOfAll& body_loads,

@@ -22,14 +22,16 @@ Matrix4d spoke_moments(const Vector2d& spoke, double l0, double sign) {
 
 }  // namespace
 
-StarCorrections::StarCorrections(const AirySpace& space, const Stars& stars, int vertex)
+StarCorrections::StarCorrections(const AirySpace& space, const Stars& stars,
+                                 int vertex)
     : vertex_(vertex),
       spoke_(stars.spoke.data() + stars.spoke_start[vertex]),
       moments_(stars.spoke_count(vertex)) {
   for (int k = 0; k < spoke_count(); ++k) {
     const double sign = space.edges.vertices(0, spoke_[k]) == vertex ? 1 : -1;
-    moments_[k] = spoke_moments(sign * edge_vector(space.mesh, space.edges, spoke_[k]),
-                                space.length[vertex], sign);
+    moments_[k] =
+        spoke_moments(sign * edge_vector(space.mesh, space.edges, spoke_[k]),
+                      space.length[vertex], sign);
   }
 }
 

@@ -32,7 +32,8 @@ StarSetting star_setting(const Topology& topology, const Hooke& hooke,
 /// spokes need no memory of their own.
 template <int Max>
 struct StarEnergy {
-  Matrix<double, Dynamic, Dynamic, Eigen::ColMajor, Max, Max> H;  ///< lower triangle
+  Matrix<double, Dynamic, Dynamic, Eigen::ColMajor, Max, Max>
+      H;  ///< lower triangle
   Matrix<double, Dynamic, 1, Eigen::ColMajor, Max, 1> g;
 
   /// @param airy  the corrections made so far
@@ -51,14 +52,15 @@ struct StarEnergy {
  private:
   /// A triangle with the vertex as its local vertex i, edge i + 2 as its right spoke and
   /// edge i + 1 as its left one.
-  void add(const StarSetting& setting, int t, int i, const VectorXd& airy, int right,
-           int left) {
+  void add(const StarSetting& setting, int t, int i, const VectorXd& airy,
+           int right, int left) {
     const AiryEnergy& K = setting.energies[t];
     const LocalAiry x = local_airy(setting.space, airy, t, i);
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     for (int c = 0; c < 3; ++c) {
-      double slope = K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] +
-                     K.edge[a](c, 2) * x.on_edges[1] + K.edge[b](c, 1) * x.on_edges[2];
+      double slope =
+          K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] +
+          K.edge[a](c, 2) * x.on_edges[1] + K.edge[b](c, 1) * x.on_edges[2];
       for (int d = 0; d < 3; ++d)
         slope += K.own[i](c, d) * x.at_vertices(d, 0) +
                  K.next[i](c, d) * x.at_vertices(d, 1) +
@@ -79,8 +81,8 @@ struct StarEnergy {
     }
     g[right] += on_right + K.edge_own[b] * x.on_edges[2] +
                 K.edge_next[b] * x.on_edges[0] + K.edge_next[a] * x.on_edges[1];
-    g[left] += on_left + K.edge_own[a] * x.on_edges[1] + K.edge_next[a] * x.on_edges[2] +
-               K.edge_next[i] * x.on_edges[0];
+    g[left] += on_left + K.edge_own[a] * x.on_edges[1] +
+               K.edge_next[a] * x.on_edges[2] + K.edge_next[i] * x.on_edges[0];
     H(right, right) += K.edge_own[b];
     H(left, left) += K.edge_own[a];
     H(std::max(right, left), std::min(right, left)) += K.edge_next[a];

@@ -55,8 +55,8 @@ double relax(const StarSetting& setting, int vertex, VectorXd& airy,
              : relax_inner<Dynamic>(setting, vertex, airy);
 }
 
-double relax(const StarSetting& setting, const std::vector<int>& group, VectorXd& airy,
-             FreeContact* contact) {
+double relax(const StarSetting& setting, const std::vector<int>& group,
+             VectorXd& airy, FreeContact* contact) {
   return relax_boundary(setting, group, airy, contact);
 }
 
@@ -120,9 +120,9 @@ Colours<int> other_vertices(const StarSetting& setting,
       for (int v : group) in_group[v] = 1;
   Colours<int> others = vertex_colours(setting.space.mesh, setting.stars);
   for (std::vector<int>& colour : others)
-    colour.erase(
-        std::remove_if(colour.begin(), colour.end(), [&](int v) { return in_group[v]; }),
-        colour.end());
+    colour.erase(std::remove_if(colour.begin(), colour.end(),
+                                [&](int v) { return in_group[v]; }),
+                 colour.end());
   return others;
 }
 
@@ -146,7 +146,8 @@ double contact_square(const FreeContact* contact) {
 class Acceleration {
  public:
   /// @param before  the unknowns before the sweep; the memory is used up
-  double operator()(const StarSetting& setting, VectorXd&& before, VectorXd& airy) {
+  double operator()(const StarSetting& setting, VectorXd&& before,
+                    VectorXd& airy) {
     VectorXd sweep = airy - before;
     if (direction_.size() == 0) direction_ = VectorXd::Zero(airy.size());
     const Products products = products_of(setting, sweep, airy);
@@ -214,12 +215,14 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
                                 const BoundaryTractions& boundary,
                                 const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings,
-                                EdgeLoadsOfAll& difference, FreeContact* contact) {
+                                EdgeLoadsOfAll& difference,
+                                FreeContact* contact) {
   if (settings.sweeps == 0) return {};
   const StarSetting setting =
       star_setting(topology, hooke, boundary, body_loads, difference);
   const Colours<std::vector<int>> on_contact =
-      contact ? coloured_groups(setting, contact->line) : Colours<std::vector<int>>{};
+      contact ? coloured_groups(setting, contact->line)
+              : Colours<std::vector<int>>{};
   const Colours<int> others = other_vertices(setting, on_contact);
   VectorXd airy = VectorXd::Zero(setting.space.unknowns());
   Acceleration accelerate;

@@ -45,6 +45,7 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
                                 const BoundaryTractions& boundary,
                                 const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings,
-                                EdgeLoadsOfAll& difference, FreeContact* contact);
+                                EdgeLoadsOfAll& difference,
+                                FreeContact* contact);
 
 }  // namespace ffcontact

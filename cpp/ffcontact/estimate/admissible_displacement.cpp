@@ -27,7 +27,8 @@ class MovingVertices {
                  const std::vector<int>& vertices)
       : line_(line), vertices_(vertices) {
     for (const int v : vertices)
-      if (const auto nodes = nodes_of_vertex.find(v); nodes != nodes_of_vertex.end())
+      if (const auto nodes = nodes_of_vertex.find(v);
+          nodes != nodes_of_vertex.end())
         nodes_.insert(nodes_.end(), nodes->second.begin(), nodes->second.end());
   }
 
@@ -41,8 +42,9 @@ class MovingVertices {
     const auto size = 2 * static_cast<Index>(vertices_.size());
     const VectorXd deep = penetration(nodes_);
     if (deep.maxCoeff() <= 0) return Matrix2Xd(Matrix2Xd::Zero(2, size / 2));
-    const auto change = quadratic_minimum(MatrixXd::Identity(size, size),
-                                          VectorXd::Zero(size), away(prescribed), deep);
+    const auto change =
+        quadratic_minimum(MatrixXd::Identity(size, size), VectorXd::Zero(size),
+                          away(prescribed), deep);
     if (!change || change->cwiseAbs().maxCoeff() > largest) return std::nullopt;
     return Matrix2Xd(change->reshaped(2, size / 2));
   }
@@ -53,8 +55,9 @@ class MovingVertices {
     MatrixXd rows = MatrixXd::Zero(nodes_.size(), 2 * vertices_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       add(k, line_.vertex[nodes_[k]], -1, rows);
-      visit_opposite(line_, nodes_[k],
-                     [&](int vertex, double weight) { add(k, vertex, weight, rows); });
+      visit_opposite(line_, nodes_[k], [&](int vertex, double weight) {
+        add(k, vertex, weight, rows);
+      });
     }
     for (std::size_t j = 0; j < vertices_.size(); ++j)
       for (int c = 0; c < 2; ++c)
@@ -86,10 +89,12 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
 
   VectorXd admissible = displacement;
   const auto penetration = [&] {
-    return VectorXd(displacement_against_foundation(line, law, admissible).row(0));
+    return VectorXd(
+        displacement_against_foundation(line, law, admissible).row(0));
   };
   const double scale = largest_displacement(law, displacement);
-  const auto lower = [&](const std::vector<int>& vertices, const VectorXd& deep) {
+  const auto lower = [&](const std::vector<int>& vertices,
+                         const VectorXd& deep) {
     const auto change = MovingVertices(line, nodes_of_vertex, vertices)
                             .lowering(deep, prescribed, farthest * scale);
     for (std::size_t j = 0; change && j < vertices.size(); ++j)
@@ -102,18 +107,20 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
     if (!lower({vertex}, before)) stuck.push_back(vertex);
   if (stuck.empty() || !line.against_a_body()) return admissible;
   for (const std::vector<int>& group : contact_groups(line))
-    if (std::find_first_of(group.begin(), group.end(), stuck.begin(), stuck.end()) !=
-        group.end())
+    if (std::find_first_of(group.begin(), group.end(), stuck.begin(),
+                           stuck.end()) != group.end())
       lower(group, penetration());
   return admissible;
 }
 
-PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
+PenetrationDefect penetration_defect(const ContactLine& line,
+                                     const ContactLaw& law,
                                      const Ref<const VectorXd>& displacement) {
   const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
   PenetrationDefect defect;
   const double deepest = w.row(0).maxCoeff(&defect.node);
-  if (deepest > 0) defect.value = deepest / largest_displacement(law, displacement);
+  if (deepest > 0)
+    defect.value = deepest / largest_displacement(law, displacement);
   return defect;
 }
 

@@ -29,7 +29,8 @@ struct PenetrationDefect {
   double value = 0;
   int node = 0;  ///< where
 };
-PenetrationDefect penetration_defect(const ContactLine& line, const ContactLaw& law,
+PenetrationDefect penetration_defect(const ContactLine& line,
+                                     const ContactLaw& law,
                                      const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

@@ -16,14 +16,17 @@ struct Linear {
   double first, second;
   double at(double x) const { return first + x * (second - first); }
   /// Where it changes sign on (0, 1), or 0.
-  double zero() const { return first * second < 0 ? first / (first - second) : 0; }
+  double zero() const {
+    return first * second < 0 ? first / (first - second) : 0;
+  }
 };
 
 /// Where a quadratic vanishes within (0, 1).
 template <class Quadratic>
 std::vector<double> zeros(Quadratic&& f) {
   const double start = f(0.0), middle = f(0.5), end = f(1.0);
-  const double a = 2 * (start - 2 * middle + end), b = -3 * start + 4 * middle - end;
+  const double a = 2 * (start - 2 * middle + end),
+               b = -3 * start + 4 * middle - end;
   const double root = std::sqrt(std::max(0.0, b * b - 4 * a * start)),
                q = -0.5 * (b + std::copysign(root, b));
   std::vector<double> inside;
@@ -39,7 +42,8 @@ struct EdgeFields {
   Linear limit;  ///< the shear limit of Coulomb's law, if it is limited
 
   double density(double x) const {
-    return bound(x) * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) + rn.at(x) * wn.at(x);
+    return bound(x) * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) +
+           rn.at(x) * wn.at(x);
   }
   double bound(double x) const {
     if (at_limit(x)) return limit.at(x);
@@ -54,8 +58,9 @@ struct EdgeFields {
     std::vector<double> places{wt.zero(), rn.zero()};
     if (!limited) return places;
     for (const int sign : {1, -1})
-      for (double x : zeros(
-               [&](double s) { return sign * friction.at(s) * rn.at(s) - limit.at(s); }))
+      for (double x : zeros([&](double s) {
+             return sign * friction.at(s) * rn.at(s) - limit.at(s);
+           }))
         places.push_back(x);
     return places;
   }
@@ -72,13 +77,15 @@ double integral(std::vector<double> breaks, Function&& f) {
   for (std::size_t piece = 0; piece + 1 < breaks.size(); ++piece) {
     const double width = breaks[piece + 1] - breaks[piece],
                  middle = 0.5 * (breaks[piece] + breaks[piece + 1]);
-    sum += 0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
+    sum +=
+        0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
   }
   return sum;
 }
 
 EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
-                       const ContactDensities& densities, const Matrix2Xd& w, int e) {
+                       const ContactDensities& densities, const Matrix2Xd& w,
+                       int e) {
   const int i = line.edge_node(0, e), j = line.edge_node(1, e);
   EdgeFields edge{};
   edge.wn = {w(0, i), w(0, j)};
@@ -102,8 +109,9 @@ VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
   VectorXd error(line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, densities, w, e);
-    error[e] = 2 * line.length[e] *
-               integral(edge.breaks(), [&](double x) { return edge.density(x); });
+    error[e] = 2 * line.length[e] * integral(edge.breaks(), [&](double x) {
+                 return edge.density(x);
+               });
   }
   return error;
 }
@@ -112,7 +120,8 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
                              const ContactDensities& densities,
                              const Ref<const VectorXd>& displacement) {
   const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-  TractionCosts costs{Matrix2Xd(2, line.edge_count()), Matrix2Xd(2, line.edge_count())};
+  TractionCosts costs{Matrix2Xd(2, line.edge_count()),
+                      Matrix2Xd(2, line.edge_count())};
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, densities, w, e);
     for (int end = 0; end < 2; ++end) {
@@ -122,10 +131,11 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
         const double slip = slope * std::abs(edge.wt.at(x));
         return phi.at(x) * (edge.wn.at(x) - slip);
       };
-      costs.normal(end, e) = 2 * line.length[e] * integral(edge.breaks(), normal);
-      costs.tangential(end, e) = 2 * line.length[e] * integral({}, [&](double x) {
-                                   return phi.at(x) * edge.wt.at(x);
-                                 });
+      costs.normal(end, e) =
+          2 * line.length[e] * integral(edge.breaks(), normal);
+      costs.tangential(end, e) =
+          2 * line.length[e] *
+          integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
     }
   }
   return costs;

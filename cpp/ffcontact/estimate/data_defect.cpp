@@ -68,22 +68,25 @@ Row row_of(const RowMatrix& A, const VectorXd& z, Index dof) {
 
 /// Forces on all dofs that the loads leave over for contact pressures of the other
 /// multiplier.
-VectorXd left_over_with_other_multiplier(const Mesh& mesh, const ContactLine& line,
+VectorXd left_over_with_other_multiplier(const Mesh& mesh,
+                                         const ContactLine& line,
                                          const ElasticSystem& system,
                                          const SolvedBody& body) {
   const bool by_force = body.law.multiplier == Multiplier::force;
   const Matrix2Xd other =
-      by_force
-          ? lumped_pressures(line, forces_of(line, body.pressure))
-          : multiplier_density(line, Multiplier::force, system.prescribed, body.pressure);
+      by_force ? lumped_pressures(line, forces_of(line, body.pressure))
+               : multiplier_density(line, Multiplier::force, system.prescribed,
+                                    body.pressure);
   VectorXd left = inner_forces(mesh, body.hooke, body.displacement) -
                   nodal_forces(mesh, line, edge_densities(line, other));
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k)
-      left.segment<2>(2 * mesh.cells(k, t)) -= body.body_loads.block<2, 1>(2 * k, t);
+      left.segment<2>(2 * mesh.cells(k, t)) -=
+          body.body_loads.block<2, 1>(2 * k, t);
   for (Index e = 0; e < mesh.boundary.cols(); ++e)
     for (int end = 0; end < 2; ++end)
-      left.segment<2>(2 * mesh.boundary(end, e)) -= body.neumann.block<2, 1>(2 * end, e);
+      left.segment<2>(2 * mesh.boundary(end, e)) -=
+          body.neumann.block<2, 1>(2 * end, e);
   for (Index dof = 0; dof < left.size(); ++dof)
     if (system.prescribed[dof]) left[dof] = 0;
   return left;
@@ -97,8 +100,10 @@ const char* name_of(Multiplier multiplier) {
 
 void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                            const Hooke& hooke) {
-  const VectorXd z = probe(system.prescribed), of_law = inner_forces(mesh, hooke, z);
-  VectorXd of_matrix = VectorXd::Zero(z.size()), off = of_matrix, terms = of_matrix;
+  const VectorXd z = probe(system.prescribed),
+                 of_law = inner_forces(mesh, hooke, z);
+  VectorXd of_matrix = VectorXd::Zero(z.size()), off = of_matrix,
+           terms = of_matrix;
 #pragma omp parallel for
   for (Index dof = 0; dof < z.size(); ++dof) {
     if (system.prescribed[dof]) continue;
@@ -111,29 +116,32 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
   if (off.maxCoeff(&worst) <= tolerance) return;
 
   const double more = (of_matrix[worst] - of_law[worst]) / z[worst];
-  const double added =
-      system.stiffness.coeff(worst, worst) - diagonal_of_law(mesh, hooke, worst);
+  const double added = system.stiffness.coeff(worst, worst) -
+                       diagonal_of_law(mesh, hooke, worst);
   if (std::abs(more - added) <= 1e-3 * std::abs(added))
     refuse("A has ", added, " more on its diagonal at ", at_vertex(mesh, worst),
-           " than lambda and G (or hooke) give: a penalty in place of a prescribed "
+           " than lambda and G (or hooke) give: a penalty in place of a "
+           "prescribed "
            "displacement, or a spring; "
            "prescribe with "
            "on() and tgv 1e30, -1 or -2");
   const auto elsewhere = (off.array() <= tolerance).cast<double>();
-  const double factor = ((1 - elsewhere) * of_matrix.array() * of_law.array()).sum() /
-                        ((1 - elsewhere) * of_law.array().square()).sum();
-  const bool multiple =
-      (((of_matrix - factor * of_law).array().abs() <= tolerance * terms.array()) ||
-       (off.array() <= tolerance))
-          .all();
+  const double factor =
+      ((1 - elsewhere) * of_matrix.array() * of_law.array()).sum() /
+      ((1 - elsewhere) * of_law.array().square()).sum();
+  const bool multiple = (((of_matrix - factor * of_law).array().abs() <=
+                          tolerance * terms.array()) ||
+                         (off.array() <= tolerance))
+                            .all();
   if (multiple)
     refuse("lambda and G (or hooke) are not those of A: A is ", factor,
            " times the stiffness of the law at ", at_vertex(mesh, worst),
            "; give the constants of the script's varf");
-  refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
-         at_vertex(mesh, worst), " is off by ", off[worst],
-         " of its terms; give the law of the script's varf in every region, and A "
-         "without springs");
+  refuse(
+      "A is not the stiffness of lambda and G (or hooke): its row of ",
+      at_vertex(mesh, worst), " is off by ", off[worst],
+      " of its terms; give the law of the script's varf in every region, and A "
+      "without springs");
 }
 
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
@@ -141,11 +149,13 @@ std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
                      const SolvedBody& body) {
   const int dof = 2 * imbalance.vertex + imbalance.component;
   if (system.prescribed[dof])
-    return "it is the reaction of a point support, which no admissible stress has: "
+    return "it is the reaction of a point support, which no admissible stress "
+           "has: "
            "prescribe displacements on whole "
            "edges";
   const bool on_line = (line.vertex.array() == imbalance.vertex).any();
-  const VectorXd with_other = left_over_with_other_multiplier(mesh, line, system, body);
+  const VectorXd with_other =
+      left_over_with_other_multiplier(mesh, line, system, body);
   const double scale =
       inner_forces(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
   if (on_line && std::abs(with_other[dof]) <= tolerance * scale) {
@@ -157,15 +167,19 @@ std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
   }
   bool on_boundary = false;
   for (Index e = 0; e < mesh.boundary.cols(); ++e)
-    on_boundary = on_boundary || (mesh.boundary.col(e).array() == imbalance.vertex).any();
+    on_boundary =
+        on_boundary || (mesh.boundary.col(e).array() == imbalance.vertex).any();
   if (!on_boundary)
-    return "inside the body: give the bodyforce= u was computed with; loads of thermal "
+    return "inside the body: give the bodyforce= u was computed with; loads of "
+           "thermal "
            "or initial strains are not "
            "known here";
   if (on_line)
-    return "on the contact line: give pn and pt of the solution u, and the same label=, "
+    return "on the contact line: give pn and pt of the solution u, and the "
+           "same label=, "
            "normal= and traction=";
-  return "on the boundary: give the traction= u was computed with; loads of thermal or "
+  return "on the boundary: give the traction= u was computed with; loads of "
+         "thermal or "
          "initial strains are not known "
          "here";
 }

@@ -19,7 +19,8 @@ constexpr double equilibrium_tolerance = 1e-10;
 constexpr double cone_tolerance = 1e-12;
 constexpr double penetration_tolerance = 1e-12;
 
-void require_valid(const SolvedProblem& solved, const RelaxationSettings& relaxation) {
+void require_valid(const SolvedProblem& solved,
+                   const RelaxationSettings& relaxation) {
   const auto& [topology, line, system, body] = solved;
   const Mesh& mesh = topology.mesh;
   require_elliptic(body.hooke, mesh.cell_count());
@@ -56,7 +57,8 @@ Compared compared(const MatchedBodies& bodies, const StressTerms& terms,
                   const VectorXd& u_hat) {
   const SolvedBody& body = bodies.body();
   const Mesh& mesh = bodies.topology().mesh;
-  if (!terms.unstressed) return {u_hat, body.law, stresses(mesh, body.hooke, u_hat)};
+  if (!terms.unstressed)
+    return {u_hat, body.law, stresses(mesh, body.hooke, u_hat)};
   Compared change{u_hat - body.displacement, body.law, {}};
   change.law.gap.resize(0);
   change.law.previous.resize(0);
@@ -73,7 +75,8 @@ Compared compared(const MatchedBodies& bodies, const StressTerms& terms,
 void clamp_rounding(const ContactLine& line, const ContactLaw& law,
                     ContactDensities& densities) {
   for (int e = 0; e < line.edge_count(); ++e)
-    set_end_values(densities, e, clamped_to_cone(line, law, e, end_values(densities, e)));
+    set_end_values(densities, e,
+                   clamped_to_cone(line, law, e, end_values(densities, e)));
 }
 
 /// sigma_hat and r_hat: by its edge loads less those of the compared stress.
@@ -84,12 +87,14 @@ struct RelaxedTractions {
 };
 
 RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
-                         const FirstTractions& first, const EstimateSettings& settings,
+                         const FirstTractions& first,
+                         const EstimateSettings& settings,
                          bool contact_is_free) {
   const auto& [mesh, edges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
-  const BoundaryTractions boundary = bodies.boundary_with(first.contact.densities);
+  const BoundaryTractions boundary =
+      bodies.boundary_with(first.contact.densities);
   const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
   EdgeMoments moments = first.moments;
   for (int e = 0; e < edges.count(); ++e)
@@ -97,24 +102,26 @@ RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
 
   RelaxedTractions result{
       difference_loads(mesh, edges, moments, compared.stress), {}, {}};
-  const TractionCosts costs =
-      traction_costs(line, compared.law, first.contact.densities, compared.displacement);
-  FreeTractions tractions{first.contact.densities, costs.normal, costs.tangential,
-                          contact_edge};
+  const TractionCosts costs = traction_costs(
+      line, compared.law, first.contact.densities, compared.displacement);
+  FreeTractions tractions{first.contact.densities, costs.normal,
+                          costs.tangential, contact_edge};
   FreeContact contact{line, body.law, tractions};
-  result.falls = relax_stars(bodies.topology(), body.hooke, boundary, body.body_loads,
-                             settings.relaxation, result.difference,
-                             contact_is_free ? &contact : nullptr);
+  result.falls =
+      relax_stars(bodies.topology(), body.hooke, boundary, body.body_loads,
+                  settings.relaxation, result.difference,
+                  contact_is_free ? &contact : nullptr);
   result.contact = std::move(tractions.densities);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
-  put_boundary_loads(mesh, edges, bodies.boundary_with(result.contact), compared.stress,
-                     result.difference);
+  put_boundary_loads(mesh, edges, bodies.boundary_with(result.contact),
+                     compared.stress, result.difference);
   return result;
 }
 
 /// e after every sweep from the last square and what every sweep took off.
-std::vector<double> error_history(double last_square, const std::vector<double>& falls) {
+std::vector<double> error_history(double last_square,
+                                  const std::vector<double>& falls) {
   std::vector<double> squares(falls.size() + 1, last_square);
   for (std::size_t k = falls.size(); k > 0; --k)
     squares[k - 1] = squares[k] + falls[k - 1];
@@ -128,7 +135,8 @@ void share_contact_part(const Edges& edges, const ContactLine& line,
                         const VectorXd& contact_part, VectorXd& local) {
   for (int e = 0; e < line.edge_count(); ++e) {
     const int opposite = line.against_a_body() ? line.opposite_edge[e] : -1;
-    local[edges.cells(0, line.edge[e])] += (opposite < 0 ? 1 : 0.5) * contact_part[e];
+    local[edges.cells(0, line.edge[e])] +=
+        (opposite < 0 ? 1 : 0.5) * contact_part[e];
     if (opposite >= 0) local[edges.cells(0, opposite)] += 0.5 * contact_part[e];
   }
 }
@@ -139,34 +147,39 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
                Estimate& estimate) {
   const Topology& topology = bodies.topology();
   const SolvedBody& body = bodies.body();
-  const VectorXd contact_part =
-      contact_error(bodies.line(), compared.law, relaxed.contact, compared.displacement);
+  const VectorXd contact_part = contact_error(
+      bodies.line(), compared.law, relaxed.contact, compared.displacement);
   estimate.contact = contact_part.sum();
 
   const auto norms_by = [&](auto construct) {
-    return construct(topology.mesh, body.hooke, compared.stress, relaxed.difference,
-                     body.body_loads);
+    return construct(topology.mesh, body.hooke, compared.stress,
+                     relaxed.difference, body.body_loads);
   };
   StressNorms norms = norms_by(composite_norms);
   estimate.history =
       error_history(norms.difference.sum() + estimate.contact, relaxed.falls);
-  if (construction == Construction::polynomial) norms = norms_by(polynomial_norms);
+  if (construction == Construction::polynomial)
+    norms = norms_by(polynomial_norms);
 
   estimate.elastic = std::sqrt(norms.difference.sum());
-  estimate.e = std::sqrt(std::max(0.0, norms.difference.sum() + estimate.contact));
+  estimate.e =
+      std::sqrt(std::max(0.0, norms.difference.sum() + estimate.contact));
   const double scale = norms.sum > 0 ? norms.sum : 1;
   estimate.relative = estimate.e / std::sqrt(scale);
   VectorXd local = norms.difference;
   share_contact_part(topology.edges, bodies.line(), contact_part, local);
-  estimate.local = (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
+  estimate.local =
+      (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
   estimate.stress = std::move(norms.stress);
 }
 
 /// Contact tractions beside the largest stress: makes what is relative to the former
 /// relative to the latter, where an open contact line carries nothing but rounding.
-double share_of_contact(const ContactDensities& densities, const Matrix3Xd& stress) {
+double share_of_contact(const ContactDensities& densities,
+                        const Matrix3Xd& stress) {
   const double contact = largest_traction(densities);
-  return contact > 0 ? contact / std::max(contact, stress.cwiseAbs().maxCoeff()) : 0;
+  return contact > 0 ? contact / std::max(contact, stress.cwiseAbs().maxCoeff())
+                     : 0;
 }
 
 std::string in_digits(double value) {
@@ -184,17 +197,21 @@ std::string reason_against(const Estimate& estimate, Construction construction,
            in_digits(deepest.y()) + "), where displacements are prescribed";
   if (estimate.cone > cone_tolerance) {
     const auto edges = estimate.unmended.size();
-    return "contact tractions leave the friction cone by " + in_digits(estimate.cone) +
-           " of the largest stress" +
-           (edges == 0 ? "" : ": (4.1) cannot mend " + std::to_string(edges) + " edges");
+    return "contact tractions leave the friction cone by " +
+           in_digits(estimate.cone) + " of the largest stress" +
+           (edges == 0
+                ? ""
+                : ": (4.1) cannot mend " + std::to_string(edges) + " edges");
   }
   if (construction == Construction::polynomial)
-    return "the polynomial construction is in equilibrium in the mean only: its "
+    return "the polynomial construction is in equilibrium in the mean only: "
+           "its "
            "tractions jump by " +
            in_digits(estimate.equilibrium.jump) + " of the largest";
   if (estimate.equilibrium.largest() > equilibrium_tolerance)
     return "the stress is out of equilibrium by " +
-           in_digits(estimate.equilibrium.largest()) + " of the largest traction";
+           in_digits(estimate.equilibrium.largest()) +
+           " of the largest traction";
   return {};
 }
 
@@ -205,16 +222,18 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
   const VectorXd& u_hat = estimate.displacement;
-  const double terms = largest_stress_terms(bodies.topology(), line, body, u_hat);
+  const double terms =
+      largest_stress_terms(bodies.topology(), line, body, u_hat);
   const double least =
-      std::max({compared.stress.cwiseAbs().maxCoeff(), largest_value(estimate.stress),
-                least_part_of_terms * terms});
+      std::max({compared.stress.cwiseAbs().maxCoeff(),
+                largest_value(estimate.stress), least_part_of_terms * terms});
   estimate.equilibrium =
       equilibrium_defect(mesh, edges, estimate.stress, body.body_loads,
                          bodies.boundary_with(estimate.tractions), least);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) *
                   share_of_contact(estimate.tractions, compared.stress);
-  const PenetrationDefect penetration = penetration_defect(line, body.law, u_hat);
+  const PenetrationDefect penetration =
+      penetration_defect(line, body.law, u_hat);
   estimate.penetration = penetration.value;
   const Vector2d deepest = mesh.place(line.vertex[penetration.node]);
   estimate.reason = reason_against(estimate, construction, deepest);
@@ -229,12 +248,14 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
   Estimate estimate;
 
   // 1. Admissible displacement [CHH01, 4.1].
-  estimate.displacement = admissible_displacement(
-      bodies.line(), bodies.body().law, bodies.body().displacement, bodies.prescribed());
+  estimate.displacement =
+      admissible_displacement(bodies.line(), bodies.body().law,
+                              bodies.body().displacement, bodies.prescribed());
   const Compared u_hat = compared(bodies, terms, estimate.displacement);
 
   // 2., 3. Contact tractions in the cone, edge tractions in equilibrium with them.
-  const FirstTractions first = first_tractions(solved, bodies, terms, settings.tractions);
+  const FirstTractions first =
+      first_tractions(solved, bodies, terms, settings.tractions);
   estimate.shift = first.contact.shift;
   estimate.unmended = first.contact.unmended;
 

@@ -41,17 +41,19 @@ struct Estimate {
   /// sigma_hat [MPa]; of the polynomial construction its values at these corners
   std::vector<CompositeStress> stress;
   ContactDensities tractions;  ///< r_hat [MPa]
-  VectorXd shift;              ///< d of (4.1) per contact edge [MPa], 0 where none
+  VectorXd shift;  ///< d of (4.1) per contact edge [MPa], 0 where none
   /// contact edges left outside the cone (Tractions::published only)
   std::vector<int> unmended;
   EquilibriumDefect equilibrium;
-  double cone = 0;         ///< cone_defect of r_hat, relative to the largest stress
+  double cone = 0;  ///< cone_defect of r_hat, relative to the largest stress
   double penetration = 0;  ///< penetration_defect of u_hat
   /// in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
   bool admissible = false;
   std::string reason;  ///< why not, one sentence without a full stop
 
-  int corrected_count() const { return static_cast<int>((shift.array() != 0).count()); }
+  int corrected_count() const {
+    return static_cast<int>((shift.array() != 0).count());
+  }
 };
 
 /// Builds the admissible pair and evaluates it, as the numbered steps in the body.

@@ -27,7 +27,8 @@ constexpr int most_refinements = 3;
 /// edge of a thin triangle that balances it is larger by the ratio of its sides.
 constexpr double balanced = 1e-13;
 
-Matrix3Xd computed_stresses(const SolvedProblem& solved, const StressTerms& terms) {
+Matrix3Xd computed_stresses(const SolvedProblem& solved,
+                            const StressTerms& terms) {
   const Mesh& mesh = solved.topology.mesh;
   if (terms.unstressed) return Matrix3Xd::Zero(3, mesh.cell_count());
   return stresses(mesh, solved.body.hooke, solved.body.displacement);
@@ -36,7 +37,8 @@ Matrix3Xd computed_stresses(const SolvedProblem& solved, const StressTerms& term
 double longest_edge(const Topology& topology) {
   double longest = 0;
   for (int e = 0; e < topology.edges.count(); ++e)
-    longest = std::max(longest, edge_vector(topology.mesh, topology.edges, e).norm());
+    longest =
+        std::max(longest, edge_vector(topology.mesh, topology.edges, e).norm());
   return longest;
 }
 
@@ -52,10 +54,10 @@ BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
 /// Forces of lambda_h on all dofs.
 VectorXd computed_forces(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
-  return nodal_load(
-      line,
-      loading_forces(held_rows(line, system.prescribed), forces_of(line, body.pressure)),
-      system.dof_count());
+  return nodal_load(line,
+                    loading_forces(held_rows(line, system.prescribed),
+                                   forces_of(line, body.pressure)),
+                    system.dof_count());
 }
 
 /// What the stresses of u_h lack beside the given loads; contact tractions are not among
@@ -65,11 +67,12 @@ NodalResidual residual_without_contact(const SolvedProblem& solved,
                                        const StressTerms& terms,
                                        const Matrix3Xd& stress) {
   const auto& [topology, line, system, body] = solved;
-  const NodalResidual residual = nodal_residual(topology, stress, body.body_loads,
-                                                tractions_without_contact(solved));
+  const NodalResidual residual = nodal_residual(
+      topology, stress, body.body_loads, tractions_without_contact(solved));
   try {
-    require_balanced(topology.mesh, with_forces(residual, computed_forces(solved)),
-                     least_part_of_terms * terms.stress * longest_edge(topology));
+    require_balanced(
+        topology.mesh, with_forces(residual, computed_forces(solved)),
+        least_part_of_terms * terms.stress * longest_edge(topology));
   } catch (const Imbalance& imbalance) {
     refuse(imbalance.what(), ", ",
            cause_of(imbalance, topology.mesh, line, system, body));
@@ -85,10 +88,12 @@ NodalResidual residual_without_contact(const SolvedProblem& solved,
   const int v = solved.line.vertex[node];
   const Vector2d x = solved.topology.mesh.place(v);
   refuse(
-      "no tractions in the cone have the resultant and the moment of the loads; most of "
+      "no tractions in the cone have the resultant and the moment of the "
+      "loads; most of "
       "the contact force acts at vertex ",
       v, " (", x.x(), ", ", x.y(),
-      "), as where a body stands on one end of its line; hold it otherwise, or let the "
+      "), as where a body stands on one end of its line; hold it otherwise, or "
+      "let the "
       "line go on there");
 }
 
@@ -96,18 +101,21 @@ NodalResidual residual_without_contact(const SolvedProblem& solved,
 /// that balance lambda_h balance r_hat.
 ContactTractions tractions_as_published(const MatchedBodies& bodies) {
   const SolvedBody& body = bodies.body();
-  const ContactDensities computed = edge_densities(bodies.line(), body.pressure);
-  const ConeCorrection correction =
-      published_tractions(bodies.topology().mesh, bodies.line(), body.law, computed);
-  return {correction.densities, computed, correction.shift, correction.uncorrected};
+  const ContactDensities computed =
+      edge_densities(bodies.line(), body.pressure);
+  const ConeCorrection correction = published_tractions(
+      bodies.topology().mesh, bodies.line(), body.law, computed);
+  return {correction.densities, computed, correction.shift,
+          correction.uncorrected};
 }
 
 /// What contact forces must do along rigid motions to balance the loads [k].
-VectorXd resultants_of_loads(const SolvedProblem& solved, const MatrixXd& motions) {
+VectorXd resultants_of_loads(const SolvedProblem& solved,
+                             const MatrixXd& motions) {
   const auto& [topology, line, system, body] = solved;
   const Matrix3Xd no_stress = Matrix3Xd::Zero(3, topology.mesh.cell_count());
-  const NodalResidual loads = nodal_residual(topology, no_stress, body.body_loads,
-                                             tractions_without_contact(solved));
+  const NodalResidual loads = nodal_residual(
+      topology, no_stress, body.body_loads, tractions_without_contact(solved));
   return -motions.transpose() * loads.missing.reshaped();
 }
 
@@ -118,9 +126,10 @@ struct HeldMotions {
   VectorXd of_forces;  ///< that the contact forces of u_h do
 };
 
-HeldMotions held_motions(const SolvedProblem& solved, const MatchedBodies& bodies,
-                         const MatrixXd& motions) {
-  if (motions.cols() == 0) return {bodies.fields(motions), VectorXd(0), VectorXd(0)};
+HeldMotions held_motions(const SolvedProblem& solved,
+                         const MatchedBodies& bodies, const MatrixXd& motions) {
+  if (motions.cols() == 0)
+    return {bodies.fields(motions), VectorXd(0), VectorXd(0)};
   return {bodies.fields(motions), resultants_of_loads(solved, motions),
           motions.transpose() * computed_forces(solved)};
 }
@@ -134,14 +143,17 @@ struct Candidate {
 /// Tractions in the cone nearest to given ones, if there are any: with the resultants of
 /// the loads, or, where these are on the boundary of what the cone allows and leave it by
 /// their rounding, as little as it takes towards those of the contact forces.
-std::optional<Candidate> candidate(const ContactLine& line, const ContactLaw& law,
+std::optional<Candidate> candidate(const ContactLine& line,
+                                   const ContactLaw& law,
                                    const HeldMotions& held,
                                    const ContactDensities& near) {
   for (const double share : {0.0, 1e-3, 0.03, 1.0}) {
-    const VectorXd resultants = (1 - share) * held.of_loads + share * held.of_forces;
+    const VectorXd resultants =
+        (1 - share) * held.of_loads + share * held.of_forces;
     const auto r = nearest_in_cone(line, law, near, held.fields, resultants);
     if (!r) continue;
-    const VectorXd missed = resultants_of(line, *r, held.fields) - held.of_loads;
+    const VectorXd missed =
+        resultants_of(line, *r, held.fields) - held.of_loads;
     const double scale = line.length.sum() * largest_traction(*r);
     return Candidate{*r, scale > 0 ? missed.norm() / scale : 0};
   }
@@ -155,7 +167,8 @@ std::optional<Candidate> candidate(const ContactLine& line, const ContactLaw& la
 /// (nearest_in_cone). On the boundary of what the cone allows there may be but one, which
 /// is found from lambda_h rather than from p.
 ContactTractions tractions_in_cone(const SolvedProblem& solved,
-                                   const MatchedBodies& bodies, const MatrixXd& motions) {
+                                   const MatchedBodies& bodies,
+                                   const MatrixXd& motions) {
   const SolvedBody& body = solved.body;
   const Matrix2Xd p = lumped_pressures(solved.line, solved.system.prescribed,
                                        forces_of(solved.line, body.pressure));
@@ -170,7 +183,8 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
     if (other && (!best || other->off < best->off)) best = other;
   }
   if (!best) refuse_unheld(solved);
-  return {best->densities, best->densities, VectorXd::Zero(bodies.line().edge_count())};
+  return {best->densities, best->densities,
+          VectorXd::Zero(bodies.line().edge_count())};
 }
 
 double largest_missing(const NodalResidual& residual) {
@@ -185,14 +199,16 @@ bool is_balanced(const NodalResidual& residual) {
 /// of the small displacement that makes up for what they lack; its own rounding once
 /// more.
 /// @param forces  of the contact tractions on all dofs
-Matrix3Xd balanced_stresses(const SolvedProblem& solved, const MatrixXd& motions,
-                            const NodalResidual& without_contact, const VectorXd& forces,
-                            Matrix3Xd stress) {
+Matrix3Xd balanced_stresses(const SolvedProblem& solved,
+                            const MatrixXd& motions,
+                            const NodalResidual& without_contact,
+                            const VectorXd& forces, Matrix3Xd stress) {
   const auto& [topology, line, system, body] = solved;
   NodalResidual residual = with_forces(without_contact, forces);
   if (is_balanced(residual)) return stress;
   const Rebalancing rebalancing(system, line, motions, body.stiffness);
-  for (int step = 0; step < most_refinements && !is_balanced(residual); ++step) {
+  for (int step = 0; step < most_refinements && !is_balanced(residual);
+       ++step) {
     const double missing = largest_missing(residual);
     const VectorXd u = rebalancing.displacement(residual.missing.reshaped());
     const Matrix3Xd added = stresses(topology.mesh, body.hooke, u);
@@ -205,21 +221,25 @@ Matrix3Xd balanced_stresses(const SolvedProblem& solved, const MatrixXd& motions
 
 }  // namespace
 
-FirstTractions first_tractions(const SolvedProblem& solved, const MatchedBodies& bodies,
+FirstTractions first_tractions(const SolvedProblem& solved,
+                               const MatchedBodies& bodies,
                                const StressTerms& terms, Tractions kind) {
   const Matrix3Xd computed = computed_stresses(solved, terms);
   const MatrixXd motions =
       free_rigid_motions(solved.topology.mesh, solved.system.prescribed);
-  const NodalResidual without = residual_without_contact(solved, terms, computed);
+  const NodalResidual without =
+      residual_without_contact(solved, terms, computed);
   ContactTractions contact = kind == Tractions::published
                                  ? tractions_as_published(bodies)
                                  : tractions_in_cone(solved, bodies, motions);
 
-  const Matrix3Xd stress = balanced_stresses(
-      solved, motions, without, bodies.solved_forces(contact.balanced), computed);
+  const Matrix3Xd stress =
+      balanced_stresses(solved, motions, without,
+                        bodies.solved_forces(contact.balanced), computed);
   const BoundaryTractions boundary = bodies.boundary_with(contact.balanced);
-  const EdgeMoments on_solved = equilibrated_moments(
-      solved.topology, stress, solved.body.body_loads, bodies.solved_boundary(boundary));
+  const EdgeMoments on_solved =
+      equilibrated_moments(solved.topology, stress, solved.body.body_loads,
+                           bodies.solved_boundary(boundary));
   return {std::move(contact), bodies.moments(on_solved, stress, boundary)};
 }
 

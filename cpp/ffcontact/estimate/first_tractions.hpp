@@ -29,7 +29,8 @@ struct FirstTractions {
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with
 ///                                the cause, or where no tractions in the cone hold the
 ///                                body
-FirstTractions first_tractions(const SolvedProblem& solved, const MatchedBodies& bodies,
+FirstTractions first_tractions(const SolvedProblem& solved,
+                               const MatchedBodies& bodies,
                                const StressTerms& terms, Tractions kind);
 
 }  // namespace ffcontact

@@ -12,12 +12,14 @@ MatchedBodies::MatchedBodies(const SolvedProblem& solved) : solved_(solved) {
   if (line.matches()) return;
   refinement_ = common_refinement(topology.mesh, topology.edges, line);
   const Stars stars = stars_of(refinement_->mesh, refinement_->edges);
-  cut_ = Cut{{refinement_->mesh, refinement_->edges, stars},
-             refined_prescribed(*refinement_, system.prescribed),
-             refined_body(topology.mesh, topology.edges, line, body, *refinement_)};
+  cut_ = Cut{
+      {refinement_->mesh, refinement_->edges, stars},
+      refined_prescribed(*refinement_, system.prescribed),
+      refined_body(topology.mesh, topology.edges, line, body, *refinement_)};
 }
 
-BoundaryTractions MatchedBodies::boundary_with(const ContactDensities& densities) const {
+BoundaryTractions MatchedBodies::boundary_with(
+    const ContactDensities& densities) const {
   return boundary_tractions(topology().mesh, topology().edges, prescribed(),
                             body().neumann, line(), densities);
 }
@@ -26,8 +28,8 @@ BoundaryTractions MatchedBodies::solved_boundary(
     const BoundaryTractions& boundary) const {
   if (!cut_) return boundary;
   const auto& [mesh, edges, stars] = solved_.topology;
-  const BoundaryTractions given =
-      given_tractions(mesh, edges, solved_.system.prescribed, solved_.body.neumann);
+  const BoundaryTractions given = given_tractions(
+      mesh, edges, solved_.system.prescribed, solved_.body.neumann);
   return tractions_of_parts(edges, *refinement_, boundary, given);
 }
 
@@ -49,7 +51,8 @@ MatrixXd MatchedBodies::fields(const MatrixXd& solved) const {
   return cut;
 }
 
-EdgeMoments MatchedBodies::moments(const EdgeMoments& solved, const Matrix3Xd& stress,
+EdgeMoments MatchedBodies::moments(const EdgeMoments& solved,
+                                   const Matrix3Xd& stress,
                                    const BoundaryTractions& boundary) const {
   if (!cut_) return solved;
   return refined_moments(solved_.topology.edges, *refinement_, solved, stress,
@@ -59,7 +62,8 @@ EdgeMoments MatchedBodies::moments(const EdgeMoments& solved, const Matrix3Xd& s
 VectorXd MatchedBodies::sums_of_parts(const VectorXd& values) const {
   if (!cut_) return values;
   VectorXd sums = VectorXd::Zero(solved_.topology.mesh.cell_count());
-  for (Index t = 0; t < values.size(); ++t) sums[refinement_->parent[t]] += values[t];
+  for (Index t = 0; t < values.size(); ++t)
+    sums[refinement_->parent[t]] += values[t];
   return sums;
 }
 

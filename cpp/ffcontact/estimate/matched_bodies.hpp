@@ -26,8 +26,12 @@ class MatchedBodies {
   /// @param solved  stays where it is
   explicit MatchedBodies(const SolvedProblem& solved);
 
-  const Topology& topology() const { return cut_ ? cut_->topology : solved_.topology; }
-  const ContactLine& line() const { return cut_ ? refinement_->line : solved_.line; }
+  const Topology& topology() const {
+    return cut_ ? cut_->topology : solved_.topology;
+  }
+  const ContactLine& line() const {
+    return cut_ ? refinement_->line : solved_.line;
+  }
   const SolvedBody& body() const { return cut_ ? cut_->body : solved_.body; }
   const std::vector<char>& prescribed() const {
     return cut_ ? cut_->prescribed : solved_.system.prescribed;
@@ -56,7 +60,9 @@ class MatchedBodies {
   /// Sums over the parts of the solved triangles.
   VectorXd sums_of_parts(const VectorXd& values) const;
 
-  std::optional<CommonRefinement> take_refinement() { return std::move(refinement_); }
+  std::optional<CommonRefinement> take_refinement() {
+    return std::move(refinement_);
+  }
 
  private:
   struct Cut {

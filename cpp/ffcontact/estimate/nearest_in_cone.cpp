@@ -50,8 +50,8 @@ Matrix4d mass_of(const ContactLine& line, int e) {
 /// The projection Pi_C on the cone of one edge, in L2 of the edge.
 class EdgeProjection {
  public:
-  EdgeProjection(const ContactLine& line, const ContactLaw& law, const MatrixXd& motions,
-                 int e)
+  EdgeProjection(const ContactLine& line, const ContactLaw& law,
+                 const MatrixXd& motions, int e)
       : line_(line),
         law_(law),
         edge_(e),
@@ -65,10 +65,11 @@ class EdgeProjection {
   }
 
   Vector4d operator()(const Vector4d& r) const {
-    const auto y =
-        quadratic_minimum(basis_.transpose() * mass_ * basis_,
-                          -basis_.transpose() * mass_ * r, cone_.C * basis_, cone_.d);
-    return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y) : Vector4d::Zero();
+    const auto y = quadratic_minimum(basis_.transpose() * mass_ * basis_,
+                                     -basis_.transpose() * mass_ * r,
+                                     cone_.C * basis_, cone_.d);
+    return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y)
+             : Vector4d::Zero();
   }
 
   /// r_0 + sum eta_k [z_k].
@@ -91,15 +92,19 @@ class EdgeProjection {
 
  private:
   /// The motions in the coordinates y = half' x of the free end values x [b x k].
-  MatrixXd moving() const { return lower().solve(basis_.transpose() * mass_ * motions_); }
+  MatrixXd moving() const {
+    return lower().solve(basis_.transpose() * mass_ * motions_);
+  }
 
   /// What is left of them where the conditions that are tight at r stay so. Where r is
   /// the apex of the cone it is rounding, small against `outside` only.
   MatrixXd moving_on_face(const Vector4d& r, const Vector4d& outside) const {
-    const double scale = outside.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
+    const double scale =
+        outside.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
     std::vector<int> held;
     for (int row = 0; row < cone_.d.size(); ++row)
-      if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale) held.push_back(row);
+      if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale)
+        held.push_back(row);
     const MatrixXd all = moving();
     if (held.empty()) return all;
     const MatrixXd normals =
@@ -124,8 +129,9 @@ class EdgeProjection {
 /// The dual problem.
 class Dual {
  public:
-  Dual(const ContactLine& line, const ContactLaw& law, const ContactDensities& densities,
-       const MatrixXd& motions, const VectorXd& resultants)
+  Dual(const ContactLine& line, const ContactLaw& law,
+       const ContactDensities& densities, const MatrixXd& motions,
+       const VectorXd& resultants)
       : densities_(densities), resultants_(resultants) {
     for (int e = 0; e < line.edge_count(); ++e)
       edges_.emplace_back(line, law, motions, e);
@@ -140,7 +146,8 @@ class Dual {
   Point at(const VectorXd& eta) const {
     Point point{eta, densities_, -resultants_};
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      const Vector4d r = edges_[e](edges_[e].moved(end_values(densities_, e), eta));
+      const Vector4d r =
+          edges_[e](edges_[e].moved(end_values(densities_, e), eta));
       set_end_values(point.r, e, r);
       point.off += edges_[e].resultants(r);
     }
@@ -152,8 +159,9 @@ class Dual {
   MatrixXd slope(const Point& point) const {
     MatrixXd sum = MatrixXd::Zero(resultants_.size(), resultants_.size());
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
-      sum += edges_[e].slope(end_values(point.r, e),
-                             edges_[e].moved(end_values(densities_, e), point.eta));
+      sum += edges_[e].slope(
+          end_values(point.r, e),
+          edges_[e].moved(end_values(densities_, e), point.eta));
     return sum;
   }
 
@@ -161,7 +169,8 @@ class Dual {
   double scale() const {
     double sum = resultants_.cwiseAbs().maxCoeff();
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
-      sum += edges_[e].terms_of_resultants(end_values(densities_, e)).maxCoeff();
+      sum +=
+          edges_[e].terms_of_resultants(end_values(densities_, e)).maxCoeff();
     return sum;
   }
 
@@ -214,7 +223,8 @@ std::optional<Dual::Point> minimum(const Dual& dual, double length) {
     // last ones are Newton's. [z] is of size 1: `length` is what the slope is where
     // nothing is held.
     const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
-    const MatrixXd slope = dual.slope(point) + regular * MatrixXd::Identity(k, k);
+    const MatrixXd slope =
+        dual.slope(point) + regular * MatrixXd::Identity(k, k);
     point = dual.moved(point, -slope.ldlt().solve(point.off));
     if (point.off.norm() < closest.off.norm()) closest = point;
   }
@@ -223,22 +233,24 @@ std::optional<Dual::Point> minimum(const Dual& dual, double length) {
 
 }  // namespace
 
-std::optional<ContactDensities> nearest_in_cone(const ContactLine& line,
-                                                const ContactLaw& law,
-                                                const ContactDensities& densities,
-                                                const MatrixXd& motions,
-                                                const VectorXd& resultants) {
+std::optional<ContactDensities> nearest_in_cone(
+    const ContactLine& line, const ContactLaw& law,
+    const ContactDensities& densities, const MatrixXd& motions,
+    const VectorXd& resultants) {
   const double length = line.length.sum();
   const Dual dual(line, law, densities, motions, resultants);
   if (motions.cols() == 0) return dual.start().r;
   const auto nearest = minimum(dual, length);
   if (!nearest) return std::nullopt;
   // Where eta is large the resultants have its rounding, from r itself they have not.
-  const auto closer = minimum(Dual(line, law, nearest->r, motions, resultants), length);
-  return closer && closer->off.norm() < nearest->off.norm() ? closer->r : nearest->r;
+  const auto closer =
+      minimum(Dual(line, law, nearest->r, motions, resultants), length);
+  return closer && closer->off.norm() < nearest->off.norm() ? closer->r
+                                                            : nearest->r;
 }
 
-VectorXd resultants_of(const ContactLine& line, const ContactDensities& densities,
+VectorXd resultants_of(const ContactLine& line,
+                       const ContactDensities& densities,
                        const MatrixXd& motions) {
   VectorXd sum = VectorXd::Zero(motions.cols());
   for (int e = 0; e < line.edge_count(); ++e)

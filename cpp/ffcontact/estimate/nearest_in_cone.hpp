@@ -19,14 +19,14 @@ namespace ffcontact {
 /// @param motions     vertex fields z_k, linear on the edges [2 * vertices x k]
 /// @param resultants  R_k [k]
 /// @return nothing if there are no such tractions
-std::optional<ContactDensities> nearest_in_cone(const ContactLine& line,
-                                                const ContactLaw& law,
-                                                const ContactDensities& densities,
-                                                const MatrixXd& motions,
-                                                const VectorXd& resultants);
+std::optional<ContactDensities> nearest_in_cone(
+    const ContactLine& line, const ContactLaw& law,
+    const ContactDensities& densities, const MatrixXd& motions,
+    const VectorXd& resultants);
 
 /// int [z_k] . r over all edges [k].
-VectorXd resultants_of(const ContactLine& line, const ContactDensities& densities,
+VectorXd resultants_of(const ContactLine& line,
+                       const ContactDensities& densities,
                        const MatrixXd& motions);
 
 }  // namespace ffcontact

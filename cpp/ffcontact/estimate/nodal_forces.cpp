@@ -12,7 +12,8 @@ VectorXd nodal_forces(const Mesh& mesh, const ContactLine& line,
   for (int e = 0; e < line.edge_count(); ++e) {
     const Vector4d moments = contact_moments(line, densities, e);
     for (int end = 0; end < 2; ++end)
-      add_nodal_force(line, line.edge_node(end, e), moments.segment<2>(2 * end), forces);
+      add_nodal_force(line, line.edge_node(end, e), moments.segment<2>(2 * end),
+                      forces);
   }
   return forces;
 }

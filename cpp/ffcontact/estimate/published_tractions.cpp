@@ -21,9 +21,10 @@ Vector2d own_side(const Mesh& mesh, const ContactLine& line, int e) {
 Vector2d opposite_side(const Mesh& mesh, const ContactLine& line, int e) {
   Vector2d side = Vector2d::Zero();
   for (int end = 0; end < 2; ++end)
-    visit_opposite(line, line.edge_node(end, e), [&](int vertex, double weight) {
-      side += (end == 0 ? -weight : weight) * mesh.vertices.col(vertex);
-    });
+    visit_opposite(
+        line, line.edge_node(end, e), [&](int vertex, double weight) {
+          side += (end == 0 ? -weight : weight) * mesh.vertices.col(vertex);
+        });
   return side;
 }
 

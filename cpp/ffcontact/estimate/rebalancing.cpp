@@ -10,7 +10,8 @@ Rebalancing::Rebalancing(const ElasticSystem& system, const ContactLine& line,
                          std::shared_ptr<const CondensedStiffness> stiffness)
     : stiffness_(std::move(stiffness)) {
   const std::vector<int> kept = contact_dofs(line, system);
-  if (!stiffness_) stiffness_ = std::make_shared<const CondensedStiffness>(system, kept);
+  if (!stiffness_)
+    stiffness_ = std::make_shared<const CondensedStiffness>(system, kept);
   const MatrixXd Z = motions(kept, Eigen::all);
   const double scale = stiffness_->schur().diagonal().mean();
   const MatrixXd S = stiffness_->schur() + scale * Z * Z.transpose();

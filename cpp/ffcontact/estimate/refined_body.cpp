@@ -7,13 +7,16 @@ namespace ffcontact {
 
 namespace {
 
-VectorXd refined_values(const CommonRefinement& refinement, const VectorXd& values) {
-  return values.size() > 0 ? VectorXd(refinement.node_weights * values) : values;
+VectorXd refined_values(const CommonRefinement& refinement,
+                        const VectorXd& values) {
+  return values.size() > 0 ? VectorXd(refinement.node_weights * values)
+                           : values;
 }
 
 /// A bound that is linear on the old contact edges at the ends of the new ones.
 Matrix2Xd refined_bound(const Edges& old_edges, const ContactLine& old_line,
-                        const CommonRefinement& refinement, const Matrix2Xd& bound) {
+                        const CommonRefinement& refinement,
+                        const Matrix2Xd& bound) {
   if (bound.size() == 0) return {};
   const ContactLine& line = refinement.line;
   Matrix2Xd refined(2, line.edge_count());
@@ -21,8 +24,8 @@ Matrix2Xd refined_bound(const Edges& old_edges, const ContactLine& old_line,
     const int k = refinement.parent_contact_edge[e];
     for (int end = 0; end < 2; ++end) {
       const int vertex = line.vertex[line.edge_node(end, e)];
-      const double share =
-          old_line.share(k, refinement.place(old_edges, vertex, old_line.edge[k]));
+      const double share = old_line.share(
+          k, refinement.place(old_edges, vertex, old_line.edge[k]));
       refined(end, e) = (1 - share) * bound(0, k) + share * bound(1, k);
     }
   }
@@ -30,15 +33,18 @@ Matrix2Xd refined_bound(const Edges& old_edges, const ContactLine& old_line,
 }
 
 EdgeRange refined_range(const Edges& old_edges, const ContactLine& old_line,
-                        const CommonRefinement& refinement, const EdgeRange& range) {
+                        const CommonRefinement& refinement,
+                        const EdgeRange& range) {
   return {refined_bound(old_edges, old_line, refinement, range.least),
           refined_bound(old_edges, old_line, refinement, range.most)};
 }
 
 }  // namespace
 
-VectorXd refined_field(const CommonRefinement& refinement, const VectorXd& field) {
-  return (field.reshaped(2, field.size() / 2) * refinement.vertex_weights.transpose())
+VectorXd refined_field(const CommonRefinement& refinement,
+                       const VectorXd& field) {
+  return (field.reshaped(2, field.size() / 2) *
+          refinement.vertex_weights.transpose())
       .reshaped();
 }
 
@@ -48,7 +54,8 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
   SolvedBody body;
   for (int t : refinement.parent) body.hooke.push_back(old.hooke[t]);
   body.displacement = refined_field(refinement, old.displacement);
-  body.pressure = (refinement.node_weights * old.pressure.transpose()).transpose();
+  body.pressure =
+      (refinement.node_weights * old.pressure.transpose()).transpose();
   body.law = {
       old.law.multiplier,
       refined_values(refinement, old.law.friction),
@@ -57,7 +64,8 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
       refined_values(refinement, old.law.previous),
       refined_range(old_edges, old_line, refinement, old.law.between_nodes),
       refined_values(refinement, old.law.shear_limit),
-      refined_range(old_edges, old_line, refinement, old.law.limit_between_nodes)};
+      refined_range(old_edges, old_line, refinement,
+                    old.law.limit_between_nodes)};
   body.neumann = refined_boundary_moments(old_mesh, refinement, old.neumann);
   body.body_loads = refined_body_loads(old_mesh, refinement, old.body_loads);
   return body;
@@ -67,14 +75,18 @@ std::vector<char> refined_prescribed(const CommonRefinement& refinement,
                                      const std::vector<char>& old) {
   std::vector<char> prescribed(2 * refinement.mesh.vertices.cols(), 1);
   for (int v = 0; v < refinement.mesh.vertex_count(); ++v)
-    for (WeightsByNode::InnerIterator part(refinement.vertex_weights, v); part; ++part)
+    for (WeightsByNode::InnerIterator part(refinement.vertex_weights, v); part;
+         ++part)
       for (int c = 0; c < 2; ++c)
-        prescribed[2 * v + c] = prescribed[2 * v + c] && old[2 * part.col() + c];
+        prescribed[2 * v + c] =
+            prescribed[2 * v + c] && old[2 * part.col() + c];
   return prescribed;
 }
 
-VectorXd unrefined_forces(const CommonRefinement& refinement, const VectorXd& forces) {
-  return (forces.reshaped(2, forces.size() / 2) * refinement.vertex_weights).reshaped();
+VectorXd unrefined_forces(const CommonRefinement& refinement,
+                          const VectorXd& forces) {
+  return (forces.reshaped(2, forces.size() / 2) * refinement.vertex_weights)
+      .reshaped();
 }
 
 }  // namespace ffcontact

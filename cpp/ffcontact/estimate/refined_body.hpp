@@ -15,7 +15,8 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
                         const CommonRefinement& refinement);
 
 /// A vertex field, linear in between, at the vertices of the refinement.
-VectorXd refined_field(const CommonRefinement& refinement, const VectorXd& field);
+VectorXd refined_field(const CommonRefinement& refinement,
+                       const VectorXd& field);
 
 /// 1 where a dof of the refinement is prescribed: a new vertex is held where both ends of
 /// its edge are.
@@ -24,6 +25,7 @@ std::vector<char> refined_prescribed(const CommonRefinement& refinement,
 
 /// Forces on the vertices of the refinement as forces on the old vertices, with the same
 /// work on fields linear in between.
-VectorXd unrefined_forces(const CommonRefinement& refinement, const VectorXd& forces);
+VectorXd unrefined_forces(const CommonRefinement& refinement,
+                          const VectorXd& forces);
 
 }  // namespace ffcontact

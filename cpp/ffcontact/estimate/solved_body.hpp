@@ -19,7 +19,8 @@ struct SolvedBody {
   ContactLaw law;
   /// moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
   Matrix4Xd neumann;
-  BodyLoadsOfAll body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
+  BodyLoadsOfAll
+      body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of the solution on the contact line; null: factorised if needed
 };

@@ -16,7 +16,8 @@ struct TriangleNorms {
 
 template <class OfTriangle>
 StressNorms norms_of_all(int triangles, const OfTriangle& of_triangle) {
-  StressNorms norms{VectorXd(triangles), 0, std::vector<CompositeStress>(triangles)};
+  StressNorms norms{VectorXd(triangles), 0,
+                    std::vector<CompositeStress>(triangles)};
   VectorXd sum(triangles);
 #pragma omp parallel for
   for (int t = 0; t < triangles; ++t) {
@@ -31,7 +32,8 @@ StressNorms norms_of_all(int triangles, const OfTriangle& of_triangle) {
 
 }  // namespace
 
-StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke, const Matrix3Xd& stress,
+StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke,
+                            const Matrix3Xd& stress,
                             const EdgeLoadsOfAll& difference,
                             const BodyLoadsOfAll& body_loads) {
   return norms_of_all(mesh.cell_count(), [&](int t) -> TriangleNorms {
@@ -46,11 +48,12 @@ StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke, const Matrix3X
 }
 
 StressNorms polynomial_norms(const Mesh& mesh, const Hooke& hooke,
-                             const Matrix3Xd& stress, const EdgeLoadsOfAll& difference,
+                             const Matrix3Xd& stress,
+                             const EdgeLoadsOfAll& difference,
                              const BodyLoadsOfAll& body_loads) {
   return norms_of_all(mesh.cell_count(), [&](int t) -> TriangleNorms {
-    const PolynomialStress tau = polynomial_stress(corners_of(mesh, t), hooke[t],
-                                                   difference.col(t), body_loads.col(t));
+    const PolynomialStress tau = polynomial_stress(
+        corners_of(mesh, t), hooke[t], difference.col(t), body_loads.col(t));
     return {energy(tau, Vector3d::Zero()), energy(tau, 2 * stress.col(t)),
             corner_values(tau) + stress.col(t).replicate<1, 9>()};
   });

@@ -21,13 +21,15 @@ struct StressNorms {
 /// @param stress      sigma, constant per triangle [MPa]
 /// @param difference  edge loads of sigma_hat - sigma
 /// @param body_loads  int f phi_i per triangle
-StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke, const Matrix3Xd& stress,
+StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke,
+                            const Matrix3Xd& stress,
                             const EdgeLoadsOfAll& difference,
                             const BodyLoadsOfAll& body_loads);
 
 /// The same for the polynomial construction.
 StressNorms polynomial_norms(const Mesh& mesh, const Hooke& hooke,
-                             const Matrix3Xd& stress, const EdgeLoadsOfAll& difference,
+                             const Matrix3Xd& stress,
+                             const EdgeLoadsOfAll& difference,
                              const BodyLoadsOfAll& body_loads);
 
 }  // namespace ffcontact

@@ -32,7 +32,8 @@ Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& stress,
   place.minCoeff(&k);
   const TriangleCorners corners = corners_of(mesh, best);
   TriangleCorners sub;
-  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), corners.rowwise().mean();
+  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
+      corners.rowwise().mean();
   return stress[best].middleCols<3>(3 * k) * barycentric(sub, x);
 }
 
@@ -42,8 +43,8 @@ std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh,
                                                  const Estimate& estimate) {
   if (!estimate.refinement) return estimate.stress;
   const CommonRefinement& refinement = *estimate.refinement;
-  std::vector<CompositeStress> stress(estimate.stress.begin(),
-                                      estimate.stress.begin() + mesh.cell_count());
+  std::vector<CompositeStress> stress(
+      estimate.stress.begin(), estimate.stress.begin() + mesh.cell_count());
   std::map<int, std::vector<int>> parts;
   for (int t = mesh.cell_count(); t < refinement.mesh.cell_count(); ++t) {
     std::vector<int>& of_parent = parts[refinement.parent[t]];

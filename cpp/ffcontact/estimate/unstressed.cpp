@@ -11,8 +11,8 @@ namespace {
 
 /// What a displacement of the length `given` along each contact edge would stress on
 /// either side.
-double terms_along_line(const Edges& edges, const ContactLine& line, const Hooke& hooke,
-                        double given) {
+double terms_along_line(const Edges& edges, const ContactLine& line,
+                        const Hooke& hooke, double given) {
   double largest = 0;
   const auto count = [&](int edge, int e) {
     const double stiffness = hooke[edges.cells(0, edge)].cwiseAbs().maxCoeff();
@@ -29,8 +29,8 @@ double strain_terms(const Mesh& mesh, const VectorXd& displacement, int t) {
   const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
   double strain = 0;
   for (int k = 0; k < 3; ++k)
-    strain +=
-        gradients.col(k).norm() * displacement.segment<2>(2 * mesh.cells(k, t)).norm();
+    strain += gradients.col(k).norm() *
+              displacement.segment<2>(2 * mesh.cells(k, t)).norm();
   return strain;
 }
 
@@ -57,10 +57,12 @@ bool has_loads(const Topology& topology, const std::vector<char>& prescribed,
 }  // namespace
 
 double largest_stress_terms(const Topology& topology, const ContactLine& line,
-                            const SolvedBody& body, const VectorXd& displacement) {
+                            const SolvedBody& body,
+                            const VectorXd& displacement) {
   const auto& [mesh, edges, stars] = topology;
   const Hooke& hooke = body.hooke;
-  double largest = terms_along_line(edges, line, hooke, largest_given(body.law));
+  double largest =
+      terms_along_line(edges, line, hooke, largest_given(body.law));
 #pragma omp parallel for reduction(max : largest)
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     const double strain = strain_terms(topology.mesh, displacement, t);
@@ -73,8 +75,9 @@ bool is_unstressed(const Topology& topology, const ContactLine& line,
                    const std::vector<char>& prescribed, const SolvedBody& body,
                    double stress_terms) {
   if (has_loads(topology, prescribed, body)) return false;
-  const double stress =
-      stresses(topology.mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
+  const double stress = stresses(topology.mesh, body.hooke, body.displacement)
+                            .cwiseAbs()
+                            .maxCoeff();
   const double traction = body.pressure.cwiseAbs().maxCoeff();
   return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
          !slides(line, body);

@@ -25,7 +25,8 @@ struct StressTerms {
 /// gap and the displacement of the load step before come to as strains along the line
 /// [MPa].
 double largest_stress_terms(const Topology& topology, const ContactLine& line,
-                            const SolvedBody& body, const VectorXd& displacement);
+                            const SolvedBody& body,
+                            const VectorXd& displacement);
 
 /// Bodies without loads whose stresses and tractions are rounding, and that slide nowhere
 /// against Tresca's friction: rigid motions.

@@ -87,7 +87,8 @@ class WithoutSlivers {
   std::vector<FacingPiece> pieces_;
 };
 
-bool same(const std::vector<FacingPiece>& a, const std::vector<FacingPiece>& b) {
+bool same(const std::vector<FacingPiece>& a,
+          const std::vector<FacingPiece>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const FacingPiece& p, const FacingPiece& q) {
                       return p.begin == q.begin && p.end == q.end &&
@@ -134,14 +135,16 @@ class Refiner {
   void cut(int edge, double place) {
     CutEdge& places = cuts_[edge];
     if (places.empty())
-      places = {{0.0, old_edges_.vertices(0, edge)}, {1.0, old_edges_.vertices(1, edge)}};
+      places = {{0.0, old_edges_.vertices(0, edge)},
+                {1.0, old_edges_.vertices(1, edge)}};
     if (find(places, place) == places.end()) places.emplace(place, -1);
   }
 
   static CutEdge::const_iterator find(const CutEdge& places, double place) {
     const auto found = places.lower_bound(place - same_place);
-    return found != places.end() && found->first < place + same_place ? found
-                                                                      : places.end();
+    return found != places.end() && found->first < place + same_place
+               ? found
+               : places.end();
   }
 
   int vertex_at(int edge, double place) const {
@@ -182,7 +185,8 @@ class Refiner {
         const Vector3i triangle = triangles_[part];
         if (triangle[k] != first || triangle[(k + 1) % 3] != second) continue;
         const int apex = triangle[(k + 2) % 3];
-        for (auto a = places.begin(), b = std::next(a); b != places.end(); ++a, ++b) {
+        for (auto a = places.begin(), b = std::next(a); b != places.end();
+             ++a, ++b) {
           const Vector3i piece(a->second, b->second, apex);
           if (a == places.begin()) {
             triangles_[part] = piece;
@@ -203,11 +207,13 @@ class Refiner {
     for (std::size_t v = 0; v < vertices_.size(); ++v)
       mesh.vertices.col(v) = vertices_[v];
     mesh.cells.resize(3, static_cast<Index>(triangles_.size()));
-    for (std::size_t t = 0; t < triangles_.size(); ++t) mesh.cells.col(t) = triangles_[t];
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      mesh.cells.col(t) = triangles_[t];
     result.parent =
         Map<const VectorXi>(parent_.data(), static_cast<Index>(parent_.size()));
     result.vertex_weights.resize(mesh.vertices.cols(), old_.vertices.cols());
-    result.vertex_weights.setFromTriplets(vertex_weights_.begin(), vertex_weights_.end());
+    result.vertex_weights.setFromTriplets(vertex_weights_.begin(),
+                                          vertex_weights_.end());
 
     std::vector<int> edge_of_column(old_.boundary.cols(), -1);
     for (const auto& [edge, places] : cuts_)
@@ -222,8 +228,8 @@ class Refiner {
         continue;
       }
       const CutEdge& places = cuts_.at(edge);
-      for (auto first = places.begin(), second = std::next(first); second != places.end();
-           ++first, ++second) {
+      for (auto first = places.begin(), second = std::next(first);
+           second != places.end(); ++first, ++second) {
         boundary.emplace_back(first->second, second->second);
         parent.push_back(b);
       }
@@ -266,9 +272,10 @@ class Refiner {
   /// hollow, have no common refinement.
   [[noreturn]] void refuse_shared(int vertex) const {
     const Vector2d x = old_.origin + vertices_[vertex];
-    refuse("two contact edges face the same part of the opposite body near (", x.x(),
-           ", ", x.y(),
-           "), because the contact direction jumps between them: give one direction for "
+    refuse("two contact edges face the same part of the opposite body near (",
+           x.x(), ", ", x.y(),
+           "), because the contact direction jumps between them: give one "
+           "direction for "
            "both with normal=[nx, ny]");
   }
 
@@ -277,27 +284,32 @@ class Refiner {
     for (int e = 0; e < result.edges.count(); ++e)
       if (result.edges.on_boundary(e))
         boundary_edge.emplace(
-            std::pair(result.edges.vertices(0, e), result.edges.vertices(1, e)), e);
+            std::pair(result.edges.vertices(0, e), result.edges.vertices(1, e)),
+            e);
 
     LineParts parts(old_line_);
     auto piece = pieces_.begin();
     for (int e = 0; e < old_line_.edge_count(); ++e) {
       const int edge = old_line_.edge[e];
       if (piece == pieces_.end() || piece->contact_edge != e) {
-        const std::pair ends(old_edges_.vertices(0, edge), old_edges_.vertices(1, edge));
+        const std::pair ends(old_edges_.vertices(0, edge),
+                             old_edges_.vertices(1, edge));
         parts.add_edge(e, old_line_.edge_node(0, e), old_line_.edge_node(1, e),
                        boundary_edge.find(ends)->second, -1, 1);
         continue;
       }
-      int node = ends_at_its_node(old_line_, 0, e)
-                     ? old_line_.edge_node(0, e)
-                     : parts.add_node(vertex_at(edge, piece->begin), e, 0, old_line_);
+      int node =
+          ends_at_its_node(old_line_, 0, e)
+              ? old_line_.edge_node(0, e)
+              : parts.add_node(vertex_at(edge, piece->begin), e, 0, old_line_);
       parts.vertex[node] = vertex_at(edge, piece->begin);
       for (; piece != pieces_.end() && piece->contact_edge == e; ++piece) {
         const int first = vertex_at(edge, piece->begin),
                   second = vertex_at(edge, piece->end);
-        const int facing_first = vertex_at(piece->opposite_edge, piece->opposite_begin);
-        const int facing_second = vertex_at(piece->opposite_edge, piece->opposite_end);
+        const int facing_first =
+            vertex_at(piece->opposite_edge, piece->opposite_begin);
+        const int facing_second =
+            vertex_at(piece->opposite_edge, piece->opposite_end);
         const double begin = old_line_.share(e, piece->begin),
                      end = old_line_.share(e, piece->end);
         const bool at_node = end == 1 && ends_at_its_node(old_line_, 1, e);
@@ -308,7 +320,8 @@ class Refiner {
         parts.face(next, facing_second);
         const auto facing = boundary_edge.find({facing_second, facing_first});
         if (facing == boundary_edge.end()) refuse_shared(facing_first);
-        parts.add_edge(e, node, next, boundary_edge.find({first, second})->second,
+        parts.add_edge(e, node, next,
+                       boundary_edge.find({first, second})->second,
                        facing->second, end - begin);
         node = next;
       }
@@ -328,7 +341,8 @@ class Refiner {
     explicit LineParts(const ContactLine& line)
         : vertex(line.vertex.begin(), line.vertex.end()),
           abscissa(line.abscissa.begin(), line.abscissa.end()) {
-      for (int i = 0; i < line.node_count(); ++i) weights.emplace_back(i, i, 1.0);
+      for (int i = 0; i < line.node_count(); ++i)
+        weights.emplace_back(i, i, 1.0);
     }
     int add_node(int at, int e, double share, const ContactLine& line) {
       const int node = static_cast<int>(vertex.size());
@@ -340,9 +354,11 @@ class Refiner {
       weights.emplace_back(node, line.edge_node(1, e), share);
       return node;
     }
-    void face(int node, int opposite_vertex) { facing.emplace(node, opposite_vertex); }
-    void add_edge(int parent, int first, int second, int mesh_edge, int opposite,
-                  double part) {
+    void face(int node, int opposite_vertex) {
+      facing.emplace(node, opposite_vertex);
+    }
+    void add_edge(int parent, int first, int second, int mesh_edge,
+                  int opposite, double part) {
       parent_edge.push_back(parent);
       edge_node.emplace_back(first, second);
       edge.push_back(mesh_edge);
@@ -359,8 +375,8 @@ class Refiner {
       line.normal.resize(2, p);
       line.normal.leftCols(old.node_count()) = old.normal;
       for (Index node = old.node_count(); node < p; ++node)
-        line.normal.col(node) =
-            old.normal.col(WeightsByNode::InnerIterator(result.node_weights, node).col());
+        line.normal.col(node) = old.normal.col(
+            WeightsByNode::InnerIterator(result.node_weights, node).col());
       line.abscissa = Map<const VectorXd>(abscissa.data(), p);
       line.precision = old.precision;
       line.edge = Map<const VectorXi>(edge.data(), m);
@@ -372,7 +388,8 @@ class Refiner {
         line.edge_node.col(e) = edge_node[e];
         line.length[e] = share[e] * old.length[parent_edge[e]];
         if (opposite_edge[e] >= 0)
-          line.pieces.push_back({static_cast<int>(e), 0, 1, opposite_edge[e], 1, 0});
+          line.pieces.push_back(
+              {static_cast<int>(e), 0, 1, opposite_edge[e], 1, 0});
       }
       Triplets selection;
       for (const auto& [node, opposite_vertex] : facing)

@@ -28,7 +28,7 @@ struct CommonRefinement {
       /// a fan
       parent_edge;
   VectorXi parent_contact_edge;  ///< old contact edge of each contact edge
-  VectorXi parent_boundary;      ///< old column of Mesh::boundary of each column
+  VectorXi parent_boundary;  ///< old column of Mesh::boundary of each column
   /// old vertices that each vertex lies between [vertices x old vertices]
   WeightsByNode vertex_weights;
   /// old contact nodes that each node lies between [p x old p]

@@ -22,7 +22,8 @@ std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
   for (int e = 0; e < edges.count(); ++e) {
     if (!edges.on_boundary(e)) continue;
     const int label = mesh.boundary_label[edges.boundary_index[e]];
-    if (std::find(labels.begin(), labels.end(), label) == labels.end()) continue;
+    if (std::find(labels.begin(), labels.end(), label) == labels.end())
+      continue;
     found.push_back(e);
     used.insert(label);
   }
@@ -34,7 +35,8 @@ std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
 
 /// Closed loops start at a corner: at the smallest of their vertices where they turn
 /// about as much as anywhere.
-void start_at_corner(const Mesh& mesh, const Edges& edges, std::vector<int>& loop) {
+void start_at_corner(const Mesh& mesh, const Edges& edges,
+                     std::vector<int>& loop) {
   std::vector<double> turn;
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const int before = loop[(k + loop.size() - 1) % loop.size()];
@@ -42,8 +44,9 @@ void start_at_corner(const Mesh& mesh, const Edges& edges, std::vector<int>& loo
                                  edge_vector(mesh, edges, loop[k])));
   }
   const double sharpest = *std::max_element(turn.begin(), turn.end());
-  const auto start = std::find_if(turn.begin(), turn.end(),
-                                  [&](double angle) { return angle >= 0.9 * sharpest; });
+  const auto start = std::find_if(turn.begin(), turn.end(), [&](double angle) {
+    return angle >= 0.9 * sharpest;
+  });
   std::rotate(loop.begin(), loop.begin() + (start - turn.begin()), loop.end());
 }
 
@@ -124,20 +127,22 @@ class LineBuilder {
       for (const LinePart& part :
            line_parts(points, tolerance, largest_turn,
                       shape_ == Shape::polygon ? edges + 1 : fewest_edges)) {
-        const Matrix2Xd normals =
-            normals_of(points.middleCols(part.first, part.edges() + 1), part.straight);
+        const Matrix2Xd normals = normals_of(
+            points.middleCols(part.first, part.edges() + 1), part.straight);
         const double next_turn = angle_between(normals.col(0), normals.col(1));
         const bool one_curve = (turn > 0) != (next_turn > 0);
-        add_part(
-            chain, part.first, normals,
-            part.first > 0 && one_curve && goes_on(normals.col(0), turn + next_turn));
-        turn = angle_between(normals.col(part.edges() - 1), normals.col(part.edges()));
+        add_part(chain, part.first, normals,
+                 part.first > 0 && one_curve &&
+                     goes_on(normals.col(0), turn + next_turn));
+        turn = angle_between(normals.col(part.edges() - 1),
+                             normals.col(part.edges()));
       }
     }
     const bool closed = edges > 1 && vertex_.back() == vertex_[first_node];
-    if (closed && (shape_ == Shape::curve ||
-                   goes_on(normal_[first_node],
-                           angle_between(normal_[first_node], normal_[first_node + 1]))))
+    if (closed &&
+        (shape_ == Shape::curve ||
+         goes_on(normal_[first_node],
+                 angle_between(normal_[first_node], normal_[first_node + 1]))))
       join_loop(first_node);
   }
 
@@ -170,8 +175,9 @@ class LineBuilder {
     const bool closed = points.col(0) == points.col(last);
     const Matrix2Xd tangents =
         straight
-            ? Matrix2Xd(
-                  (points.col(last) - points.col(0)).normalized().replicate(1, last + 1))
+            ? Matrix2Xd((points.col(last) - points.col(0))
+                            .normalized()
+                            .replicate(1, last + 1))
             : smooth_curve(points, closed && closes_smoothly(points)).tangents;
     Matrix2Xd normals(2, last + 1);
     normals << tangents.row(1), -tangents.row(0);
@@ -187,10 +193,11 @@ class LineBuilder {
   /// @param normals  at the vertices of the chain's edges from `first` on
   /// @param shared  the last node so far is the first one of the part as well; it has the
   ///                normal of the straight one of both
-  void add_part(const std::vector<int>& chain, int first, const Matrix2Xd& normals,
-                bool shared) {
-    int node = shared ? static_cast<int>(vertex_.size()) - 1
-                      : add_node(edges_.vertices(0, chain[first]), normals.col(0));
+  void add_part(const std::vector<int>& chain, int first,
+                const Matrix2Xd& normals, bool shared) {
+    int node = shared
+                   ? static_cast<int>(vertex_.size()) - 1
+                   : add_node(edges_.vertices(0, chain[first]), normals.col(0));
     if (normals.col(0) == normals.col(1)) normal_[node] = normals.col(0);
     for (Index k = 1; k < normals.cols(); ++k) {
       const int e = chain[first + k - 1];
@@ -225,7 +232,8 @@ ContactLine built_line(const Mesh& mesh, const Edges& edges,
                        const std::vector<int>& labels, Shape shape) {
   const std::vector<int> boundary = labelled_boundary(mesh, edges, labels);
   const double size = extent(mesh.vertices);
-  const double precision = coordinate_precision(places_of(mesh, edges, boundary), size);
+  const double precision =
+      coordinate_precision(places_of(mesh, edges, boundary), size);
   LineBuilder builder(mesh, edges, shape);
   for (const std::vector<int>& chain : chains(mesh, edges, boundary))
     builder.add_chain(chain, straight_tolerance(precision, size));
@@ -257,13 +265,15 @@ ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges,
   return line;
 }
 
-ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
+ContactLine along_directions(const Mesh& mesh, const Edges& edges,
+                             ContactLine line,
                              const Ref<const Matrix2Xd>& direction) {
   require_size("contact directions", direction.cols(), line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
     for (int node : line.edge_node.col(e)) {
       const Vector2d d = direction.col(node), x = mesh.place(line.vertex[node]);
-      if (!d.allFinite() || !(d.dot(edge_normal(mesh, edges, line.edge[e])) > 0))
+      if (!d.allFinite() ||
+          !(d.dot(edge_normal(mesh, edges, line.edge[e])) > 0))
         refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ",
                line.vertex[node], " (", x.x(), ", ", x.y(),
                ") does not point out of the body");
@@ -275,7 +285,8 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine l
 std::vector<int> opposite_vertices(const ContactLine& line) {
   std::set<int> vertices;
   for (int i = 0; i < line.node_count(); ++i)
-    visit_opposite(line, i, [&](int vertex, double) { vertices.insert(vertex); });
+    visit_opposite(line, i,
+                   [&](int vertex, double) { vertices.insert(vertex); });
   return {vertices.begin(), vertices.end()};
 }
 
@@ -292,14 +303,16 @@ SparseMatrix contact_mass(const ContactLine& line) {
   return mass;
 }
 
-Matrix2Xd contact_components(const ContactLine& line, const Ref<const VectorXd>& field) {
+Matrix2Xd contact_components(const ContactLine& line,
+                             const Ref<const VectorXd>& field) {
   Matrix2Xd components(2, line.node_count());
   for (int i = 0; i < line.node_count(); ++i) {
     Vector2d value = field.segment<2>(2 * line.vertex[i]);
     visit_opposite(line, i, [&](int vertex, double weight) {
       value -= weight * field.segment<2>(2 * vertex);
     });
-    components.col(i) << value.dot(line.normal.col(i)), value.dot(line.tangent(i));
+    components.col(i) << value.dot(line.normal.col(i)),
+        value.dot(line.tangent(i));
   }
   return components;
 }

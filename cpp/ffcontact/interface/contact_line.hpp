@@ -72,7 +72,9 @@ struct ContactLine {
   int node_count() const { return static_cast<int>(vertex.size()); }
   int edge_count() const { return static_cast<int>(edge.size()); }
   bool against_a_body() const { return opposite.rows() > 0; }
-  double place(int end, int e) const { return part.size() > 0 ? part(end, e) : end; }
+  double place(int end, int e) const {
+    return part.size() > 0 ? part(end, e) : end;
+  }
   /// Share of a contact edge at a place on its mesh edge.
   double share(int e, double at) const {
     return (at - place(0, e)) / (place(1, e) - place(0, e));
@@ -82,7 +84,9 @@ struct ContactLine {
     return std::all_of(pieces.begin(), pieces.end(),
                        [](const FacingPiece& p) { return p.is_whole(); });
   }
-  Vector2d tangent(int node) const { return {-normal(1, node), normal(0, node)}; }
+  Vector2d tangent(int node) const {
+    return {-normal(1, node), normal(0, node)};
+  }
   /// Both nodes of a contact edge have the normal of its straight line, except on a line
   /// of given directions.
   Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
@@ -106,7 +110,8 @@ ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges,
 ///                   [2 x p]
 /// @throws std::invalid_argument  naming the first vertex whose direction is zero, not
 ///                                finite, or points into the body
-ContactLine along_directions(const Mesh& mesh, const Edges& edges, ContactLine line,
+ContactLine along_directions(const Mesh& mesh, const Edges& edges,
+                             ContactLine line,
                              const Ref<const Matrix2Xd>& direction);
 
 /// Calls visit(vertex, weight) for the entries of ContactLine::opposite at a node.
@@ -127,6 +132,7 @@ SparseMatrix contact_mass(const ContactLine& line);
 /// Normal and tangential components at the nodes [2 x p] of a vertex field (2 * vertex +
 /// component) against the opposite body: [u] . n and [u] . t for [u] = u - opposite u,
 /// with u = 0 in a rigid foundation. [u] . n > 0 is penetration.
-Matrix2Xd contact_components(const ContactLine& line, const Ref<const VectorXd>& field);
+Matrix2Xd contact_components(const ContactLine& line,
+                             const Ref<const VectorXd>& field);
 
 }  // namespace ffcontact

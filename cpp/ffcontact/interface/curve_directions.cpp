@@ -54,13 +54,15 @@ Spot smallest_gap(const ContactLine& line, const Nodes& curve,
   if (!(a < 0 && b > 0 && bend > 0)) return {curve[k], n};
   const double s = -(left - bend * a) / (2 * bend);
   const Vector2d other = line.normal.col(s < 0 ? before : after);
-  const Vector2d direction = (n + s / (s < 0 ? a : b) * (other - n)).normalized();
+  const Vector2d direction =
+      (n + s / (s < 0 ? a : b) * (other - n)).normalized();
   return {curve[k], snapped_to_axis(direction, 0.05 * (other - n).norm())};
 }
 
 /// The straight line that shares an end with a curve gives its normal; of two with
 /// different normals neither does.
-std::optional<Spot> neighbouring_line(const ContactLine& line, const Nodes& curve) {
+std::optional<Spot> neighbouring_line(const ContactLine& line,
+                                      const Nodes& curve) {
   std::optional<Spot> found;
   for (int e = 0; e < line.edge_count(); ++e)
     for (int node : line.edge_node.col(e))
@@ -72,14 +74,16 @@ std::optional<Spot> neighbouring_line(const ContactLine& line, const Nodes& curv
   return found;
 }
 
-bool stands_for_all(const Mesh& mesh, const ContactLine& line, const Nodes& curve,
-                    const Spot& spot, const Ref<const VectorXd>& gap) {
+bool stands_for_all(const Mesh& mesh, const ContactLine& line,
+                    const Nodes& curve, const Spot& spot,
+                    const Ref<const VectorXd>& gap) {
   if (spot.node < 0) return false;
   const Vector2d x0 = mesh.vertices.col(line.vertex[spot.node]);
   const double g0 = gap[spot.node];
   bool falls_back = false;
   for (int node : curve) {
-    const double fall = (x0 - mesh.vertices.col(line.vertex[node])).dot(spot.direction),
+    const double fall = (x0 - mesh.vertices.col(line.vertex[node]))
+                            .dot(spot.direction),
                  opened = gap[node] - g0;
     if (!(line.normal.col(node).dot(spot.direction) > 0.5)) return false;
     // Beside a spot between two nodes the curve may reach beyond x_0.
@@ -105,12 +109,14 @@ ContactLine polygon_where_it_turns(const Mesh& mesh, const Edges& edges,
       if (now < 0) {
         now = static_cast<int>(origin.size());
         origin.push_back(node);
-        normals.push_back(turns(line, e) ? edge_normal(mesh, edges, line.edge[e])
-                                         : line.normal.col(node));
+        normals.push_back(turns(line, e)
+                              ? edge_normal(mesh, edges, line.edge[e])
+                              : line.normal.col(node));
         // A closed curve ends where it begins, at another abscissa.
-        abscissae.push_back(turns(line, e) ? line.abscissa[line.edge_node(0, e)] +
-                                                 end * line.length[e]
-                                           : line.abscissa[node]);
+        abscissae.push_back(turns(line, e)
+                                ? line.abscissa[line.edge_node(0, e)] +
+                                      end * line.length[e]
+                                : line.abscissa[node]);
       }
       result.edge_node(end, e) = now;
     }
@@ -136,7 +142,8 @@ bool turns(const ContactLine& line) {
 }
 
 ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges,
-                                       ContactLine line, const Ref<const VectorXd>& gap) {
+                                       ContactLine line,
+                                       const Ref<const VectorXd>& gap) {
   require_size("gap", gap.size(), line.node_count());
   for (const Nodes& curve : curves_of(line)) {
     const Spot spot =

@@ -34,6 +34,7 @@ bool turns(const ContactLine& line);
 /// nodes a vertex, each with the normal of its edge.
 /// @param gap  at the line's nodes [mm]
 ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges,
-                                       ContactLine line, const Ref<const VectorXd>& gap);
+                                       ContactLine line,
+                                       const Ref<const VectorXd>& gap);
 
 }  // namespace ffcontact

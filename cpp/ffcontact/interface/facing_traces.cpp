@@ -63,9 +63,11 @@ struct Hit {
 };
 
 std::optional<Hit> hit(const Rays& rays, double x, const Segment& target) {
-  const Vector2d origin = rays.edge.at(x), d = target.b - target.a, n = rays.direction(x);
+  const Vector2d origin = rays.edge.at(x), d = target.b - target.a,
+                 n = rays.direction(x);
   const double turn = cross(d, n);
-  if (!(turn > 0)) return std::nullopt;  // the outward normal (d_y, -d_x) must oppose n
+  if (!(turn > 0))
+    return std::nullopt;  // the outward normal (d_y, -d_x) must oppose n
   const double parameter = cross(origin - target.a, n) / turn;
   return Hit{parameter, (target.at(parameter) - origin).dot(n) / n.norm()};
 }
@@ -81,7 +83,8 @@ std::optional<double> ray_through(const Rays& rays, const Vector2d& y) {
   if (!(root >= 0)) return std::nullopt;
   // The root that stays finite as c2 -> 0.
   const double x = -2 * c0 / (c1 + (c1 < 0 ? -1 : 1) * std::sqrt(root));
-  if (!std::isfinite(x) || x <= at_vertex || x >= 1 - at_vertex) return std::nullopt;
+  if (!std::isfinite(x) || x <= at_vertex || x >= 1 - at_vertex)
+    return std::nullopt;
   return x;
 }
 
@@ -116,7 +119,8 @@ void put_begin(const FacingPiece& sliver, FacingPiece& after) {
 void without_slivers(std::vector<DirectedPiece>& pieces) {
   std::vector<DirectedPiece> kept;
   for (std::size_t k = 0, next = 0; k < pieces.size(); k = next) {
-    for (next = k + 1; next < pieces.size() && go_on(pieces[next - 1], pieces[next]);)
+    for (next = k + 1;
+         next < pieces.size() && go_on(pieces[next - 1], pieces[next]);)
       ++next;
     FacingPiece &first = pieces[k].piece, &last = pieces[next - 1].piece;
     if (last.end <= sliver) {
@@ -152,7 +156,8 @@ class Pairing {
     if (pieces.empty()) refuse_unfaced();
     ContactLine faced = line_;
     faced.pieces.clear();
-    for (const DirectedPiece& directed : pieces) faced.pieces.push_back(directed.piece);
+    for (const DirectedPiece& directed : pieces)
+      faced.pieces.push_back(directed.piece);
     return {faced.pieces, facing_gap(faced)};
   }
 
@@ -167,7 +172,8 @@ class Pairing {
     std::vector<double> result{0, 1};
     for (const Segment& segment : segment_)
       for (const Vector2d& end : {segment.a, segment.b})
-        if (const std::optional<double> x = ray_through(rays, end)) result.push_back(*x);
+        if (const std::optional<double> x = ray_through(rays, end))
+          result.push_back(*x);
     std::sort(result.begin(), result.end());
     const auto same = [](double a, double b) { return b - a < at_vertex; };
     result.erase(std::unique(result.begin(), result.end(), same), result.end());
@@ -178,13 +184,15 @@ class Pairing {
   /// that which it misses least.
   int nearest(const Rays& rays, double x) const {
     int best = -1;
-    double distance = std::numeric_limits<double>::infinity(), least_missed = distance;
+    double distance = std::numeric_limits<double>::infinity(),
+           least_missed = distance;
     for (std::size_t k = 0; k < segment_.size(); ++k) {
       const std::optional<Hit> found = hit(rays, x, segment_[k]);
       const double length = segment_[k].length();
       if (!found) continue;
       const double far = std::abs(found->distance),
-                   missed = std::max({0.0, -found->parameter, found->parameter - 1});
+                   missed =
+                       std::max({0.0, -found->parameter, found->parameter - 1});
       if (missed > std::max(beside, off_ / length)) continue;
       const double equal = std::max(off_, touching * length);
       if (far > distance + equal ||
@@ -200,7 +208,8 @@ class Pairing {
   [[noreturn]] void refuse_unfaced() const {
     const Vector2d point = mesh_.origin + rays(0).edge.at(0.5);
     refuse("no point of the contact line, as (", point.x(), ", ", point.y(),
-           "), faces an edge of the opposite body along its contact direction: give the "
+           "), faces an edge of the opposite body along its contact direction: "
+           "give the "
            "labels of two sides that lie "
            "opposite to each other, or normal=");
   }
@@ -213,17 +222,19 @@ class Pairing {
       if (facing < 0) continue;
       const Hit first = *hit(ray, x[k], segment_[facing]),
                 second = *hit(ray, x[k + 1], segment_[facing]);
-      append({{e, x[k], x[k + 1], target_[facing], clamped(first.parameter),
-               clamped(second.parameter), gap_of(first, ray), gap_of(second, ray)},
-              ray.direction(x[k]),
-              ray.direction(x[k + 1])},
-             pieces);
+      append(
+          {{e, x[k], x[k + 1], target_[facing], clamped(first.parameter),
+            clamped(second.parameter), gap_of(first, ray), gap_of(second, ray)},
+           ray.direction(x[k]),
+           ray.direction(x[k + 1])},
+          pieces);
     }
   }
 
   /// Pieces of the same two edges are one: the break between them was a vertex that no
   /// ray of the edge hits first.
-  static void append(const DirectedPiece& next, std::vector<DirectedPiece>& pieces) {
+  static void append(const DirectedPiece& next,
+                     std::vector<DirectedPiece>& pieces) {
     if (pieces.empty() || !go_on(pieces.back(), next) ||
         pieces.back().piece.opposite_edge != next.piece.opposite_edge) {
       pieces.push_back(next);
@@ -250,7 +261,8 @@ class Pairing {
   const Edges& edges_;
   const ContactLine& line_;
   VectorXi target_;
-  double off_;  ///< what the coordinates' precision makes of distances between the traces
+  double
+      off_;  ///< what the coordinates' precision makes of distances between the traces
   std::vector<Segment> segment_;
 };
 
@@ -258,10 +270,12 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// Takes the displacement of the own trace from D where it is not that of the nodes: the
 /// density is constant on short ends of the line, but the trace is not.
-void add_own_trace(const Edges& edges, const ContactLine& line, Triplets& entries) {
+void add_own_trace(const Edges& edges, const ContactLine& line,
+                   Triplets& entries) {
   for (int e = 0; e < line.edge_count(); ++e) {
     if (!is_constant_on(line, e)) continue;
-    const int node = line.edge_node(0, e), first = edges.vertices(0, line.edge[e]),
+    const int node = line.edge_node(0, e),
+              first = edges.vertices(0, line.edge[e]),
               second = edges.vertices(1, line.edge[e]);
     const double middle = 0.5 * (line.place(0, e) + line.place(1, e));
     entries.emplace_back(node, line.vertex[node], line.length[e]);
@@ -272,23 +286,26 @@ void add_own_trace(const Edges& edges, const ContactLine& line, Triplets& entrie
 
 /// D_ij = int psi_i phi_j over the pieces, phi_j the hat functions of the opposite trace
 /// [p x vertices]; two Gauss points are exact.
-SparseMatrix coupling(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+SparseMatrix coupling(const Mesh& mesh, const Edges& edges,
+                      const ContactLine& line,
                       const std::vector<FacingPiece>& pieces) {
   const double gauss = 0.5 / std::sqrt(3.0);
   Triplets entries;
   for (const FacingPiece& piece : pieces)
     for (const double s : {0.5 - gauss, 0.5 + gauss}) {
       const int e = piece.contact_edge;
-      const double x = line.share(e, piece.begin + s * (piece.end - piece.begin));
-      const double y =
-          piece.opposite_begin + s * (piece.opposite_end - piece.opposite_begin);
+      const double x =
+          line.share(e, piece.begin + s * (piece.end - piece.begin));
+      const double y = piece.opposite_begin +
+                       s * (piece.opposite_end - piece.opposite_begin);
       const double weight =
-          0.5 * line.length[e] * (line.share(e, piece.end) - line.share(e, piece.begin));
+          0.5 * line.length[e] *
+          (line.share(e, piece.end) - line.share(e, piece.begin));
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b)
-          entries.emplace_back(line.edge_node(a, e),
-                               edges.vertices(b, piece.opposite_edge),
-                               weight * (a == 0 ? 1 - x : x) * (b == 0 ? 1 - y : y));
+          entries.emplace_back(
+              line.edge_node(a, e), edges.vertices(b, piece.opposite_edge),
+              weight * (a == 0 ? 1 - x : x) * (b == 0 ? 1 - y : y));
     }
   add_own_trace(edges, line, entries);
   SparseMatrix D(line.node_count(), mesh.vertex_count());
@@ -307,13 +324,15 @@ void add_shares_of_vertices(const Edges& edges, const ContactLine& line,
       const int node = line.edge_node(end, e), near = place < 0.5 ? 0 : 1;
       const double share = near == 0 ? place : 1 - place;
       entries.emplace_back(node, edges.vertices(near, line.edge[e]), share);
-      entries.emplace_back(node, edges.vertices(1 - near, line.edge[e]), -share);
+      entries.emplace_back(node, edges.vertices(1 - near, line.edge[e]),
+                           -share);
     }
 }
 
 /// Pi = M^-1 D; its entries decay by a factor of about four a node, and those below
 /// rounding are dropped.
-WeightsByNode projection(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+WeightsByNode projection(const Mesh& mesh, const Edges& edges,
+                         const ContactLine& line,
                          const std::vector<FacingPiece>& pieces) {
   constexpr double rounding = 1e-18;
   const Eigen::SimplicialLDLT<SparseMatrix> mass(contact_mass(line));
@@ -388,15 +407,18 @@ class PieceJoiner {
 
   bool share_a_node(const Run& run, const Run& next) const {
     return run.end() == 1 && next.begin() == 0 &&
-           whole_.edge_node(1, run.edge()) == whole_.edge_node(0, next.edge()) &&
+           whole_.edge_node(1, run.edge()) ==
+               whole_.edge_node(0, next.edge()) &&
            same(run.last.n_end, next.first.n_begin);
   }
 
   /// @param continues, precedes  whether the edge takes its density from the larger part
   ///                   of an edge before or after it
   void add_edge(const Run& run, bool continues, bool precedes) {
-    const int node = precedes ? -1 : node_at(run.edge(), run.begin(), run.first.n_begin);
-    const int next = continues ? node : node_at(run.edge(), run.end(), run.last.n_end);
+    const int node =
+        precedes ? -1 : node_at(run.edge(), run.begin(), run.first.n_begin);
+    const int next =
+        continues ? node : node_at(run.edge(), run.end(), run.last.n_end);
     edge_node_.emplace_back(precedes ? next : node, next);
     part_.emplace_back(run.begin(), run.end());
     edge_.push_back(run.edge());
@@ -406,7 +428,8 @@ class PieceJoiner {
   /// one direction.
   int node_at(int e, double place, const Vector2d& n) {
     if (place > 0 && place < 1)
-      return add_node(edges_.vertices(place < 0.5 ? 0 : 1, whole_.edge[e]), e, place, n);
+      return add_node(edges_.vertices(place < 0.5 ? 0 : 1, whole_.edge[e]), e,
+                      place, n);
     const int at = whole_.edge_node(static_cast<int>(place), e);
     std::vector<int>& there = nodes_at_[at];
     for (int node : there)
@@ -463,10 +486,12 @@ Vector2d direction_at(const ContactLine& line, int e, double place) {
                  second = line.normal.col(line.edge_node(1, e));
   const double share = line.share(e, place);
   if (first == second || share == 0) return first;
-  return share == 1 ? second : Vector2d(first + share * (second - first)).normalized();
+  return share == 1 ? second
+                    : Vector2d(first + share * (second - first)).normalized();
 }
 
-ContactLine with_opposite(const Mesh& mesh, const Edges& edges, ContactLine line) {
+ContactLine with_opposite(const Mesh& mesh, const Edges& edges,
+                          ContactLine line) {
   line.opposite_edge = VectorXi::Constant(line.edge_count(), -1);
   if (line.matches()) {
     line.opposite = facing_vertices(mesh, edges, line, line.pieces);
@@ -483,7 +508,8 @@ std::vector<DirectedPiece> directed(const ContactLine& line,
                                     const std::vector<FacingPiece>& pieces) {
   std::vector<DirectedPiece> result;
   for (const FacingPiece& piece : pieces)
-    result.push_back({piece, direction_at(line, piece.contact_edge, piece.begin),
+    result.push_back({piece,
+                      direction_at(line, piece.contact_edge, piece.begin),
                       direction_at(line, piece.contact_edge, piece.end)});
   return result;
 }
@@ -496,10 +522,11 @@ std::optional<std::vector<DirectedPiece>> turned(const ContactLine& line,
   for (int e = 0; e < opposite.edge_count(); ++e) number[opposite.edge[e]] = e;
   std::vector<DirectedPiece> result;
   for (const auto& [p, n_begin, n_end] : directed(line, line.pieces))
-    result.push_back({{number.at(p.opposite_edge), p.opposite_end, p.opposite_begin,
-                       line.edge[p.contact_edge], p.end, p.begin, p.gap_end, p.gap_begin},
-                      -n_end,
-                      -n_begin});
+    result.push_back(
+        {{number.at(p.opposite_edge), p.opposite_end, p.opposite_begin,
+          line.edge[p.contact_edge], p.end, p.begin, p.gap_end, p.gap_begin},
+         -n_end,
+         -n_begin});
   std::sort(result.begin(), result.end(),
             [](const DirectedPiece& a, const DirectedPiece& b) {
               return std::pair(a.piece.contact_edge, a.piece.begin) <
@@ -518,7 +545,8 @@ std::optional<std::vector<DirectedPiece>> turned(const ContactLine& line,
 
 }  // namespace
 
-FacingTraces facing_traces(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+FacingTraces facing_traces(const Mesh& mesh, const Edges& edges,
+                           const ContactLine& line,
                            const std::vector<int>& opposite_labels) {
   return Pairing(mesh, edges, line, opposite_labels).traces();
 }
@@ -532,8 +560,8 @@ bool ends_at_its_node(const ContactLine& line, int end, int e) {
 }
 
 VectorXd facing_gap(const ContactLine& line) {
-  VectorXd gap =
-      VectorXd::Constant(line.node_count(), std::numeric_limits<double>::infinity());
+  VectorXd gap = VectorXd::Constant(line.node_count(),
+                                    std::numeric_limits<double>::infinity());
   const auto note = [&](int end, int e, double place, double distance) {
     double& least = gap[line.edge_node(end, e)];
     if (place == line.place(end, e) && ends_at_its_node(line, end, e))
@@ -553,15 +581,16 @@ double abscissa_at(const ContactLine& line, int e, double place) {
   return place == 1 && !closes ? second : first + place * line.length[e];
 }
 
-ContactLine facing_line(const Mesh& mesh, const Edges& edges, const ContactLine& line,
-                        const FacingTraces& traces) {
-  return with_opposite(mesh, edges,
-                       PieceJoiner(edges, line).line(directed(line, traces.pieces)));
+ContactLine facing_line(const Mesh& mesh, const Edges& edges,
+                        const ContactLine& line, const FacingTraces& traces) {
+  return with_opposite(
+      mesh, edges,
+      PieceJoiner(edges, line).line(directed(line, traces.pieces)));
 }
 
-std::optional<ContactLine> exchanged_line(const Mesh& mesh, const Edges& edges,
-                                          const ContactLine& line,
-                                          const std::vector<int>& opposite_labels) {
+std::optional<ContactLine> exchanged_line(
+    const Mesh& mesh, const Edges& edges, const ContactLine& line,
+    const std::vector<int>& opposite_labels) {
   ContactLine whole = smooth_contact_line(mesh, edges, opposite_labels);
   whole.precision = std::max(whole.precision, line.precision);
   const auto pieces = turned(line, whole);
@@ -594,12 +623,15 @@ ContactLine joined_lines(const std::vector<ContactLine>& lines) {
     joined.normal.middleCols(node, line.node_count()) = line.normal;
     joined.abscissa.segment(node, line.node_count()) = line.abscissa;
     joined.precision = std::max(joined.precision, line.precision);
-    joined.edge_node.middleCols(edge, line.edge_count()) = line.edge_node.array() + node;
+    joined.edge_node.middleCols(edge, line.edge_count()) =
+        line.edge_node.array() + node;
     joined.edge.segment(edge, line.edge_count()) = line.edge;
     joined.length.segment(edge, line.edge_count()) = line.length;
-    if (line.part.size() > 0) joined.part.middleCols(edge, line.edge_count()) = line.part;
+    if (line.part.size() > 0)
+      joined.part.middleCols(edge, line.edge_count()) = line.part;
     if (line.against_a_body())
-      joined.opposite_edge.segment(edge, line.edge_count()) = line.opposite_edge;
+      joined.opposite_edge.segment(edge, line.edge_count()) =
+          line.opposite_edge;
     for (FacingPiece piece : line.pieces) {
       piece.contact_edge += edge;
       joined.pieces.push_back(piece);

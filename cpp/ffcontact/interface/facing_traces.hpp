@@ -22,7 +22,8 @@ struct FacingTraces {
 
 /// @param opposite_labels  boundary labels of the opposite body
 /// @throws std::invalid_argument  if no point of the line faces an opposite edge
-FacingTraces facing_traces(const Mesh& mesh, const Edges& edges, const ContactLine& line,
+FacingTraces facing_traces(const Mesh& mesh, const Edges& edges,
+                           const ContactLine& line,
                            const std::vector<int>& opposite_labels);
 
 /// The part of the line that faces the opposite body, with that body behind it
@@ -44,16 +45,16 @@ FacingTraces facing_traces(const Mesh& mesh, const Edges& edges, const ContactLi
 /// v = M (u - Pi u_opposite) are the exact integrals int psi_i [u] on the common
 /// refinement, for any mesh of either body [CHH01, reference 5]. Where traces match Pi
 /// picks the facing vertex.
-ContactLine facing_line(const Mesh& mesh, const Edges& edges, const ContactLine& line,
-                        const FacingTraces& traces);
+ContactLine facing_line(const Mesh& mesh, const Edges& edges,
+                        const ContactLine& line, const FacingTraces& traces);
 
 /// The opposite trace of a facing line as the line, with the same pieces: what faces each
 /// other, the gap, u_n, u_t and tractions stay what they are, n turns its sign with the
 /// body. Nothing where two parts of the line face one place of the opposite body.
 /// @param opposite_labels  those of facing_traces
-std::optional<ContactLine> exchanged_line(const Mesh& mesh, const Edges& edges,
-                                          const ContactLine& line,
-                                          const std::vector<int>& opposite_labels);
+std::optional<ContactLine> exchanged_line(
+    const Mesh& mesh, const Edges& edges, const ContactLine& line,
+    const std::vector<int>& opposite_labels);
 
 /// Whether the density is constant on a contact edge, its node that of the whole edge
 /// beside it.

@@ -34,8 +34,8 @@ struct Chain {
   bool closed() const { return vertices.front() == vertices.back(); }
 };
 
-Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex, int column,
-                 std::set<int>& used) {
+Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex,
+                 int column, std::set<int>& used) {
   Chain chain{{vertex}, {}};
   while (used.insert(column).second) {
     chain.columns.push_back(column);
@@ -52,7 +52,8 @@ Matrix2Xd points_of(const Mesh& mesh, const std::vector<int>& vertices) {
   return mesh.vertices(Eigen::all, vertices);
 }
 
-double turn_at(const Vector2d& before, const Vector2d& at, const Vector2d& after) {
+double turn_at(const Vector2d& before, const Vector2d& at,
+               const Vector2d& after) {
   return angle_between(at - before, after - at);
 }
 
@@ -113,8 +114,9 @@ double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
   for (const BoundaryPart& part : parts)
     for (std::size_t k = 1; k + 1 < part.curve.size(); ++k) {
       const int* const v = &part.curve[k];
-      const double turn = turn_at(mesh.vertices.col(v[-1]), mesh.vertices.col(v[0]),
-                                  mesh.vertices.col(v[1]));
+      const double turn =
+          turn_at(mesh.vertices.col(v[-1]), mesh.vertices.col(v[0]),
+                  mesh.vertices.col(v[1]));
       largest = std::max(largest, turn);
     }
   return largest;
@@ -128,19 +130,22 @@ class Places {
         mesh.vertices.col(part.vertices.back());
     if (part.straight()) return;
     const Matrix2Xd points = points_of(mesh, part.curve);
-    curve_ = smooth_curve(
-        points, part.curve.front() == part.curve.back() && closes_smoothly(points));
+    curve_ = smooth_curve(points, part.curve.front() == part.curve.back() &&
+                                      closes_smoothly(points));
   }
 
   Vector2d beside(const Vector2d& x) const {
     if (curve_) return curve_->beside(x);
     const Vector2d first = ends_.col(0), along = ends_.col(1) - first;
     return first +
-           std::clamp((x - first).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+           std::clamp((x - first).dot(along) / along.squaredNorm(), 0.0, 1.0) *
+               along;
   }
   Vector2d nearest_end(const Vector2d& x) const {
-    return ends_.col(
-        (x - ends_.col(0)).squaredNorm() < (x - ends_.col(1)).squaredNorm() ? 0 : 1);
+    return ends_.col((x - ends_.col(0)).squaredNorm() <
+                             (x - ends_.col(1)).squaredNorm()
+                         ? 0
+                         : 1);
   }
 
  private:
@@ -149,7 +154,8 @@ class Places {
 };
 
 /// The parts that each vertex is on, by labels that count from `first_label`.
-std::map<int, std::set<int>> parts_at_vertices(const Mesh& fine, int first_label,
+std::map<int, std::set<int>> parts_at_vertices(const Mesh& fine,
+                                               int first_label,
                                                int part_count) {
   std::map<int, std::set<int>> parts_at;
   for (int b = 0; b < fine.boundary.cols(); ++b) {
@@ -171,7 +177,8 @@ std::map<int, Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
        parts_at_vertices(fine, part_label(mesh, 0), part_count)) {
     const Vector2d x = fine.vertices.col(vertex);
     const Places& place = places[*at.begin()];
-    wanted.emplace(vertex, at.size() > 1 ? place.nearest_end(x) : place.beside(x));
+    wanted.emplace(vertex,
+                   at.size() > 1 ? place.nearest_end(x) : place.beside(x));
   }
   return wanted;
 }
@@ -188,7 +195,8 @@ std::pair<int, double> worst_triangle(const Mesh& before, const Mesh& after) {
 }
 
 /// Moves of the other vertices become the mean of their neighbours' moves.
-void spread(const Mesh& mesh, const std::vector<char>& given, Matrix2Xd& moves) {
+void spread(const Mesh& mesh, const std::vector<char>& given,
+            Matrix2Xd& moves) {
   Matrix2Xd sum = Matrix2Xd::Zero(2, moves.cols());
   VectorXd count = VectorXd::Zero(moves.cols());
   for (int t = 0; t < mesh.cell_count(); ++t)
@@ -206,17 +214,20 @@ void spread(const Mesh& mesh, const std::vector<char>& given, Matrix2Xd& moves) 
 /// Appends the parts of one label each that a line or curve of a chain has.
 void add_parts(const Mesh& mesh, const Chain& chain, const LinePart& line,
                std::vector<BoundaryPart>& parts) {
-  const auto label = [&](int k) { return mesh.boundary_label[chain.columns[k]]; };
+  const auto label = [&](int k) {
+    return mesh.boundary_label[chain.columns[k]];
+  };
   const auto vertices = [&](int first, int last) {
     return std::vector<int>(chain.vertices.begin() + first,
                             chain.vertices.begin() + last + 1);
   };
   for (int first = line.first, last = first; first < line.last; first = last) {
     while (last < line.last && label(last) == label(first)) ++last;
-    parts.push_back({vertices(first, last),
-                     {chain.columns.begin() + first, chain.columns.begin() + last},
-                     line.straight ? std::vector<int>{} : vertices(line.first, line.last),
-                     label(first)});
+    parts.push_back(
+        {vertices(first, last),
+         {chain.columns.begin() + first, chain.columns.begin() + last},
+         line.straight ? std::vector<int>{} : vertices(line.first, line.last),
+         label(first)});
   }
 }
 
@@ -226,8 +237,8 @@ struct PartEnd {
   bool straight;
 };
 
-std::map<int, std::vector<PartEnd>> ends_of(const Mesh& mesh,
-                                            const std::vector<BoundaryPart>& parts) {
+std::map<int, std::vector<PartEnd>> ends_of(
+    const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
   std::map<int, std::vector<PartEnd>> ends;
   for (const BoundaryPart& part : parts)
     for (const bool backwards : {false, true}) {
@@ -242,7 +253,8 @@ void require_none_turned(const Mesh& before, const Mesh& after) {
   if (kept > 0) return;
   const Vector2d x = before.place(before.cells(0, triangle));
   refuse("the triangle at (", x.x(), ", ", x.y(),
-         ") turns over when the boundary is put on its curve: the curve has too few "
+         ") turns over when the boundary is put on its curve: the curve has "
+         "too few "
          "vertices for sizes that small");
 }
 
@@ -253,8 +265,10 @@ std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
   std::vector<BoundaryPart> parts;
   for (const Chain& chain : chains_of(mesh)) {
     const Matrix2Xd points = points_of(mesh, chain.vertices);
-    const double tolerance = straight_tolerance(coordinate_precision(points, size), size);
-    for (const LinePart& line : line_parts(points, tolerance, corner, fewest_edges))
+    const double tolerance =
+        straight_tolerance(coordinate_precision(points, size), size);
+    for (const LinePart& line :
+         line_parts(points, tolerance, corner, fewest_edges))
       add_parts(mesh, chain, line, parts);
   }
   return parts;
@@ -277,11 +291,13 @@ double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
 }
 
 int part_label(const Mesh& mesh, int part) {
-  const int highest = mesh.boundary_label.size() > 0 ? mesh.boundary_label.maxCoeff() : 0;
+  const int highest =
+      mesh.boundary_label.size() > 0 ? mesh.boundary_label.maxCoeff() : 0;
   return std::max(0, highest) + 1 + part;
 }
 
-VectorXi labelled_by_parts(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+VectorXi labelled_by_parts(const Mesh& mesh,
+                           const std::vector<BoundaryPart>& parts) {
   VectorXi labels = mesh.boundary_label;
   for (std::size_t k = 0; k < parts.size(); ++k)
     for (int column : parts[k].columns)
@@ -301,7 +317,8 @@ Mesh moved_onto_parts(Mesh fine, const Mesh& mesh,
   }
   Mesh moved = fine;
   moved.vertices += moves;
-  for (int sweep = 0; sweep < most_sweeps && worst_triangle(fine, moved).second < enough;
+  for (int sweep = 0;
+       sweep < most_sweeps && worst_triangle(fine, moved).second < enough;
        ++sweep) {
     spread(fine, given, moves);
     moved.vertices = fine.vertices + moves;

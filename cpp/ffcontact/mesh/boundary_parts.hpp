@@ -14,8 +14,9 @@ namespace ffcontact {
 /// when every part has a label of its own (labelled_by_parts); what it makes of their
 /// inside is then put on them (moved_onto_parts).
 struct BoundaryPart {
-  std::vector<int> vertices;  ///< in order; the first again at the end of a closed curve
-  std::vector<int> columns;   ///< of Mesh::boundary
+  std::vector<int>
+      vertices;  ///< in order; the first again at the end of a closed curve
+  std::vector<int> columns;  ///< of Mesh::boundary
   /// vertices of the whole curve that it is a part of; none if it is straight
   std::vector<int> curve;
   int label;  ///< in the mesh
@@ -34,7 +35,8 @@ double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
 /// The label that a part has in labelled_by_parts: above all labels of the mesh.
 int part_label(const Mesh& mesh, int part);
 
-VectorXi labelled_by_parts(const Mesh& mesh, const std::vector<BoundaryPart>& parts);
+VectorXi labelled_by_parts(const Mesh& mesh,
+                           const std::vector<BoundaryPart>& parts);
 
 /// A mesh of the same body with labels of parts, its vertices on them: where two parts
 /// meet on their common end, otherwise on the chord of a straight line, or on the smooth

@@ -24,7 +24,8 @@ struct Side {
 
   bool operator<(const Side& other) const {
     for (int i = 0; i < dim; ++i)
-      if (vertices[i] != other.vertices[i]) return vertices[i] < other.vertices[i];
+      if (vertices[i] != other.vertices[i])
+        return vertices[i] < other.vertices[i];
     return cell > other.cell;  // labelled facets come last among equals
   }
 };
@@ -42,7 +43,8 @@ bool is_odd(const Vertices& vertices) {
 template <int dim>
 Corners<dim> outward_corners(const SimplexMesh<dim>& mesh, int cell, int k) {
   Corners<dim> vertices;
-  for (int i = 0; i < dim; ++i) vertices[i] = mesh.cells(facet_corners<dim>[k][i], cell);
+  for (int i = 0; i < dim; ++i)
+    vertices[i] = mesh.cells(facet_corners<dim>[k][i], cell);
   return vertices;
 }
 
@@ -94,7 +96,8 @@ class Gathering {
   /// A new facet, in the order in which this side of it points outward.
   void begin(const Side<dim>& side) {
     if (side.cell < 0)
-      refuse("labelled ", Words::facet, " ", side.local, " belongs to no ", Words::cell);
+      refuse("labelled ", Words::facet, " ", side.local, " belongs to no ",
+             Words::cell);
     const Corners<dim> corners = outward_corners(mesh_, side.cell, side.local);
     for (int i = 0; i < dim; ++i) facets_.vertices(i, count_) = corners[i];
     facets_.cells.col(count_) << side.cell, -1;
@@ -143,8 +146,8 @@ class Gathering {
 };
 
 template <int dim>
-Matrix<double, dim, 1> vector_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
-                                 int facet) {
+Matrix<double, dim, 1> vector_of(const SimplexMesh<dim>& mesh,
+                                 const Facets<dim>& facets, int facet) {
   Matrix<double, dim, dim> corners;
   for (int i = 0; i < dim; ++i)
     corners.col(i) = mesh.vertices.col(facets.vertices(i, facet));
@@ -155,7 +158,8 @@ Matrix<double, dim, 1> vector_of(const SimplexMesh<dim>& mesh, const Facets<dim>
 
 template <int dim>
 Facets<dim> facets_of(const SimplexMesh<dim>& mesh) {
-  const std::vector<Side<dim>> sides = sorted_parts(sides_of(mesh), mesh.vertex_count());
+  const std::vector<Side<dim>> sides =
+      sorted_parts(sides_of(mesh), mesh.vertex_count());
   Gathering<dim> gathering(mesh);
   for (auto side = sides.begin(); side != sides.end();) {
     const Side<dim>& first = *side;
@@ -168,7 +172,8 @@ Facets<dim> facets_of(const SimplexMesh<dim>& mesh) {
 }
 
 template <int dim>
-double facet_measure(const SimplexMesh<dim>& mesh, const Facets<dim>& facets, int facet) {
+double facet_measure(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
+                     int facet) {
   return vector_of(mesh, facets, facet).norm();
 }
 

@@ -17,9 +17,10 @@ template <int dim>
 struct Facets {
   Matrix<int, dim, Dynamic> vertices;
   Matrix2Xi cells;  ///< both sides; the second is -1 on the boundary
-  Matrix<int, dim + 1, Dynamic> of_cell;  ///< facet opposite to each local vertex
-  Matrix<double, dim + 1, Dynamic> eta;   ///< +1 or -1, same layout as of_cell
-  VectorXi boundary_index;                ///< column of Mesh::boundary, or -1
+  Matrix<int, dim + 1, Dynamic>
+      of_cell;  ///< facet opposite to each local vertex
+  Matrix<double, dim + 1, Dynamic> eta;  ///< +1 or -1, same layout as of_cell
+  VectorXi boundary_index;               ///< column of Mesh::boundary, or -1
 
   int count() const { return static_cast<int>(vertices.cols()); }
   bool on_boundary(int facet) const { return cells(1, facet) < 0; }
@@ -34,7 +35,8 @@ Facets<dim> facets_of(const SimplexMesh<dim>& mesh);
 
 /// Length of an edge [mm], area of a face [mm^2].
 template <int dim>
-double facet_measure(const SimplexMesh<dim>& mesh, const Facets<dim>& facets, int facet);
+double facet_measure(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
+                     int facet);
 
 /// Unit normal of a facet: outward on the boundary, from cells(0) to cells(1) inside.
 template <int dim>

@@ -31,7 +31,8 @@ std::vector<HingeSide<dim>> sides_of(const Facets<dim>& facets) {
   for (int f = 0; f < facets.count(); ++f)
     for (int k = 0; k < dim; ++k) {
       std::array<int, dim - 1> vertices;
-      for (int i = 1; i < dim; ++i) vertices[i - 1] = facets.vertices((k + i) % dim, f);
+      for (int i = 1; i < dim; ++i)
+        vertices[i - 1] = facets.vertices((k + i) % dim, f);
       sides.push_back({ascending(vertices), f, k});
     }
   return sides;
@@ -57,13 +58,15 @@ std::string in_words(const std::array<int, 2>& vertices) {
 /// A body has two boundary facets at a hinge, or none.
 template <int dim>
 void require_one_fan(const std::vector<HingeSide<dim>>& sides,
-                     const std::vector<int>& numbers, const Facets<dim>& facets) {
+                     const std::vector<int>& numbers,
+                     const Facets<dim>& facets) {
   int on_boundary = 0;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     if (s > 0 && numbers[s] != numbers[s - 1]) on_boundary = 0;
     on_boundary += facets.on_boundary(sides[s].facet);
     if (on_boundary > 2)
-      refuse("the body touches itself in the single ", in_words(sides[s].vertices));
+      refuse("the body touches itself in the single ",
+             in_words(sides[s].vertices));
   }
 }
 
@@ -89,7 +92,8 @@ Hinges<dim> hinges_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets) {
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const HingeSide<dim>& side = sides[s];
     const int hinge = numbers[s];
-    for (int i = 0; i < dim - 1; ++i) hinges.vertices(i, hinge) = side.vertices[i];
+    for (int i = 0; i < dim - 1; ++i)
+      hinges.vertices(i, hinge) = side.vertices[i];
     hinges.of_facet(side.local, side.facet) = hinge;
     hinges.facet.push_back(side.facet);
     hinges.facet_start[hinge + 1] = static_cast<int>(hinges.facet.size());

@@ -15,11 +15,15 @@ struct Hinges {
   Matrix<int, dim - 1, Dynamic> vertices;  ///< ascending, and so are the hinges
   /// facets of hinge h, ascending: facet[facet_start[h] .. facet_start[h + 1])
   std::vector<int> facet_start, facet;
-  Matrix<int, dim, Dynamic> of_facet;  ///< hinge opposite to each vertex of a facet
-  std::vector<char> on_boundary;       ///< 1 where two of the facets are on the boundary
+  Matrix<int, dim, Dynamic>
+      of_facet;  ///< hinge opposite to each vertex of a facet
+  std::vector<char>
+      on_boundary;  ///< 1 where two of the facets are on the boundary
 
   int count() const { return static_cast<int>(vertices.cols()); }
-  int facet_count(int hinge) const { return facet_start[hinge + 1] - facet_start[hinge]; }
+  int facet_count(int hinge) const {
+    return facet_start[hinge + 1] - facet_start[hinge];
+  }
 };
 
 /// @throws std::invalid_argument  if the body touches itself in a single hinge: more than

@@ -33,17 +33,21 @@ Vector2d origin_near(const Matrix2Xd& vertices) {
   if (vertices.cols() == 0) return Vector2d::Zero();
   const Vector2d lowest = vertices.rowwise().minCoeff(),
                  highest = vertices.rowwise().maxCoeff();
-  const double step = std::exp2(std::ceil(std::log2((highest - lowest).norm())) + 3);
+  const double step =
+      std::exp2(std::ceil(std::log2((highest - lowest).norm())) + 3);
   const Vector2d middle = 0.5 * (lowest + highest);
   if (!middle.allFinite() || !std::isnormal(step)) return Vector2d::Zero();
-  return {std::rint(middle.x() / step) * step, std::rint(middle.y() / step) * step};
+  return {std::rint(middle.x() / step) * step,
+          std::rint(middle.y() / step) * step};
 }
 
 /// Where each body begins, and room for all of them.
 JoinedMesh room_for(const std::vector<Mesh>& bodies) {
   JoinedMesh joined;
-  joined.first_vertex = offsets(bodies, [](const Mesh& m) { return m.vertices.cols(); });
-  joined.first_triangle = offsets(bodies, [](const Mesh& m) { return m.cells.cols(); });
+  joined.first_vertex =
+      offsets(bodies, [](const Mesh& m) { return m.vertices.cols(); });
+  joined.first_triangle =
+      offsets(bodies, [](const Mesh& m) { return m.cells.cols(); });
   joined.first_boundary =
       offsets(bodies, [](const Mesh& m) { return m.boundary.cols(); });
   joined.label_stride = span_of_labels(bodies);

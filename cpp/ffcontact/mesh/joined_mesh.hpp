@@ -21,7 +21,9 @@ struct JoinedMesh {
 
   int body_count() const { return static_cast<int>(first_vertex.size()) - 1; }
   /// The joined mesh's label for a label of one body.
-  int label(int body, int own_label) const { return own_label + body * label_stride; }
+  int label(int body, int own_label) const {
+    return own_label + body * label_stride;
+  }
 };
 
 JoinedMesh joined_mesh(const std::vector<Mesh>& bodies);

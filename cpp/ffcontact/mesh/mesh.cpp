@@ -11,7 +11,8 @@ namespace {
 
 /// The facet opposite to local vertex k of a cell; outward.
 template <int dim>
-Matrix<double, dim, 1> outward_vector(const SimplexMesh<dim>& mesh, int cell, int k) {
+Matrix<double, dim, 1> outward_vector(const SimplexMesh<dim>& mesh, int cell,
+                                      int k) {
   Matrix<double, dim, dim> corners;
   for (int i = 0; i < dim; ++i)
     corners.col(i) = mesh.corner(cell, facet_corners<dim>[k][i]);
@@ -23,7 +24,8 @@ void require_indices(const char* what, const Vertices& vertices, int count) {
   for (Index c = 0; c < vertices.cols(); ++c)
     for (const int v : vertices.col(c))
       if (v < 0 || v >= count)
-        refuse(what, " ", c, " names vertex ", v, " of a mesh with ", count, " vertices");
+        refuse(what, " ", c, " names vertex ", v, " of a mesh with ", count,
+               " vertices");
 }
 
 template <int dim>
@@ -61,14 +63,17 @@ Vector3d facet_vector(const Matrix3d& corners) {
 template <int dim>
 double signed_volume(const SimplexMesh<dim>& mesh, int cell) {
   // base times height / dim
-  const Matrix<double, dim, 1> height = mesh.corner(cell, 0) - mesh.corner(cell, dim);
+  const Matrix<double, dim, 1> height =
+      mesh.corner(cell, 0) - mesh.corner(cell, dim);
   return outward_vector(mesh, cell, dim).dot(height) / dim;
 }
 
 template <int dim>
-Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh, int cell) {
+Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh,
+                                           int cell) {
   Matrix<double, dim, dim + 1> gradients;
-  for (int k = 0; k <= dim; ++k) gradients.col(k) = -outward_vector(mesh, cell, k);
+  for (int k = 0; k <= dim; ++k)
+    gradients.col(k) = -outward_vector(mesh, cell, k);
   return gradients / (dim * signed_volume(mesh, cell));
 }
 
@@ -77,7 +82,8 @@ void require_valid(const SimplexMesh<dim>& mesh) {
   if (mesh.cell_count() == 0) refuse("the mesh has no ", MeshWords<dim>::cells);
   if (!mesh.vertices.allFinite())
     refuse("the mesh has a vertex whose coordinates are not finite");
-  require_size("boundary_label", mesh.boundary_label.size(), mesh.boundary.cols());
+  require_size("boundary_label", mesh.boundary_label.size(),
+               mesh.boundary.cols());
   require_vertices(mesh);
   require_positive(mesh);
 }

@@ -44,8 +44,8 @@ struct MeshWords<2> {
 };
 template <>
 struct MeshWords<3> {
-  static constexpr auto cell = "tetrahedron", cells = "tetrahedra", facet = "face",
-                        volume = "volume";
+  static constexpr auto cell = "tetrahedron", cells = "tetrahedra",
+                        facet = "face", volume = "volume";
 };
 
 /// Local vertices of the facet opposite to each local vertex of a cell, in the order in
@@ -78,7 +78,8 @@ inline double signed_area(const Mesh& mesh, int triangle) {
 /// Columns are the gradients [1/mm] of the hat functions on one cell: with the outward
 /// vectors A_k n_k of its facets, grad phi_k = -A_k n_k / (dim |T|).
 template <int dim>
-Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh, int cell);
+Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh,
+                                           int cell);
 
 /// @throws std::invalid_argument  if the mesh is empty, an index is out of range, a
 ///                                coordinate is not finite, or a cell has no positive

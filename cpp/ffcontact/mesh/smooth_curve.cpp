@@ -28,8 +28,8 @@ std::optional<double> foot(const Vector2d& point, const Vector2d& first,
                            const Vector2d& last_tangent) {
   constexpr double rounding = 1e-9;
   const Vector2d r = point - first, m = last_tangent - first_tangent;
-  const double c0 = r.dot(first_tangent), c1 = r.dot(m) - chord.dot(first_tangent),
-               c2 = -chord.dot(m);
+  const double c0 = r.dot(first_tangent),
+               c1 = r.dot(m) - chord.dot(first_tangent), c2 = -chord.dot(m);
   const double root = c1 * c1 - 4 * c0 * c2;
   if (!(root >= 0)) return std::nullopt;
   // the root that stays finite as c2 -> 0
@@ -41,7 +41,8 @@ std::optional<double> foot(const Vector2d& point, const Vector2d& first,
 }  // namespace
 
 Vector2d SmoothCurve::at(int piece, double s) const {
-  const Vector2d first = points.col(piece), chord = points.col(piece + 1) - first;
+  const Vector2d first = points.col(piece),
+                 chord = points.col(piece + 1) - first;
   const double quarter =
       std::cos(angle_between(tangents.col(piece), tangents.col(piece + 1)) / 4);
   const double length = chord.norm() / (quarter * quarter);
@@ -74,7 +75,8 @@ bool closes_smoothly(const Ref<const Matrix2Xd>& points) {
     return angle_between(points.col(at) - points.col(before),
                          points.col(after) - points.col(at));
   };
-  return turn(n - 1, 0, 1) <= 2 * std::max(turn(0, 1, 2), turn(n - 2, n - 1, n));
+  return turn(n - 1, 0, 1) <=
+         2 * std::max(turn(0, 1, 2), turn(n - 2, n - 1, n));
 }
 
 SmoothCurve smooth_curve(const Ref<const Matrix2Xd>& points, bool closed) {
@@ -89,8 +91,8 @@ SmoothCurve smooth_curve(const Ref<const Matrix2Xd>& points, bool closed) {
   } else {
     curve.tangents.col(0) =
         mirrored(curve.tangents.col(1), points.col(1) - points.col(0));
-    curve.tangents.col(last) =
-        mirrored(curve.tangents.col(last - 1), points.col(last) - points.col(last - 1));
+    curve.tangents.col(last) = mirrored(
+        curve.tangents.col(last - 1), points.col(last) - points.col(last - 1));
   }
   return curve;
 }

@@ -17,7 +17,7 @@ namespace ffcontact {
 /// and theta the angle between the tangents: points of a circle of radius R give the
 /// circle to within 4e-5 theta^6 R.
 struct SmoothCurve {
-  Matrix2Xd points;    ///< in order; the first again at the end of a closed curve
+  Matrix2Xd points;  ///< in order; the first again at the end of a closed curve
   Matrix2Xd tangents;  ///< unit vectors
 
   int pieces() const { return static_cast<int>(points.cols()) - 1; }

@@ -19,7 +19,8 @@ std::array<int, size> ascending(std::array<int, size> vertices) {
 /// Parts of a mesh in ascending order, of which part.vertices[0] comes first: by that it
 /// is counting, and few parts have the same.
 template <class Part>
-std::vector<Part> sorted_parts(const std::vector<Part>& parts, int vertex_count) {
+std::vector<Part> sorted_parts(const std::vector<Part>& parts,
+                               int vertex_count) {
   std::vector<std::size_t> start(vertex_count + 1, 0);
   for (const Part& part : parts) ++start[part.vertices[0] + 1];
   for (int v = 0; v < vertex_count; ++v) start[v + 1] += start[v];

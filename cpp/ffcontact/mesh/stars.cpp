@@ -9,7 +9,8 @@ namespace {
 
 /// The triangle on the other side of an edge, or -1.
 int neighbour(const Edges& edges, int edge, int triangle) {
-  return edges.cells(0, edge) == triangle ? edges.cells(1, edge) : edges.cells(0, edge);
+  return edges.cells(0, edge) == triangle ? edges.cells(1, edge)
+                                          : edges.cells(0, edge);
 }
 
 int local_number(const Mesh& mesh, int triangle, int vertex) {
@@ -29,11 +30,13 @@ int left_spoke(const Edges& edges, int triangle, int k) {
 
 /// Turns clockwise around a vertex to the triangle behind a boundary edge; an inner star
 /// comes back to where it started.
-int first_triangle(const Mesh& mesh, const Edges& edges, int vertex, int start) {
+int first_triangle(const Mesh& mesh, const Edges& edges, int vertex,
+                   int start) {
   int triangle = start;
   for (;;) {
     const int next = neighbour(
-        edges, right_spoke(edges, triangle, local_number(mesh, triangle, vertex)),
+        edges,
+        right_spoke(edges, triangle, local_number(mesh, triangle, vertex)),
         triangle);
     if (next < 0 || next == start) return next < 0 ? triangle : start;
     triangle = next;
@@ -88,7 +91,8 @@ Stars stars_of(const Mesh& mesh, const Edges& edges) {
   stars.spoke_start.assign(1, 0);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     const int any = triangles.any[v];
-    if (any >= 0) append_star(mesh, edges, v, first_triangle(mesh, edges, v, any), stars);
+    if (any >= 0)
+      append_star(mesh, edges, v, first_triangle(mesh, edges, v, any), stars);
     stars.triangle_start.push_back(static_cast<int>(stars.triangle.size()));
     stars.spoke_start.push_back(static_cast<int>(stars.spoke.size()));
     if (stars.triangle_count(v) != triangles.count[v])
@@ -97,10 +101,12 @@ Stars stars_of(const Mesh& mesh, const Edges& edges) {
   return stars;
 }
 
-std::vector<std::vector<int>> vertex_colours(const Mesh& mesh, const Stars& stars) {
+std::vector<std::vector<int>> vertex_colours(const Mesh& mesh,
+                                             const Stars& stars) {
   std::vector<std::vector<int>> groups;
   std::vector<int> colour(mesh.vertex_count(), -1);
-  std::vector<int> taken_by;  // per colour: the last vertex that saw it in its star
+  std::vector<int>
+      taken_by;  // per colour: the last vertex that saw it in its star
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
       for (const int w : mesh.cells.col(stars.triangle[s])) {

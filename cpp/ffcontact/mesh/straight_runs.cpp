@@ -45,7 +45,8 @@ class Sleeve {
     farthest_ = std::max(farthest_, distance);
     if (distance <= 2 * tolerance_) return true;
     if (axis_.isZero(0)) axis_ = d / distance;
-    const double along = axis_.dot(d), across = axis_.x() * d.y() - axis_.y() * d.x();
+    const double along = axis_.dot(d),
+                 across = axis_.x() * d.y() - axis_.y() * d.x();
     if (!(along > 0)) return false;
     const double angle = std::atan2(across, along),
                  half = std::asin(tolerance_ / distance);
@@ -68,14 +69,15 @@ class Sleeve {
 VectorXd turns_of(const Ref<const Matrix2Xd>& chain) {
   VectorXd turn = VectorXd::Zero(chain.cols());
   for (Index k = 1; k + 1 < chain.cols(); ++k)
-    turn[k] =
-        angle_between(chain.col(k) - chain.col(k - 1), chain.col(k + 1) - chain.col(k));
+    turn[k] = angle_between(chain.col(k) - chain.col(k - 1),
+                            chain.col(k + 1) - chain.col(k));
   return turn;
 }
 
 /// Whether a chain has a corner at a point, seen from the curvature of the neighbours
 /// that it turns at as well.
-bool sticks_out(const Ref<const Matrix2Xd>& chain, const VectorXd& turn, int k) {
+bool sticks_out(const Ref<const Matrix2Xd>& chain, const VectorXd& turn,
+                int k) {
   constexpr double smallest = 2 * M_PI / 180, times = 4;
   const auto reach = [&](int i) {
     return 0.5 * ((chain.col(i + 1) - chain.col(i)).norm() +
@@ -96,13 +98,15 @@ double coordinate_precision(const Ref<const Matrix2Xd>& points, double size) {
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest;
   int decimals = 0;
   for (Index k = 0; k < points.size() && decimals < all; ++k)
-    decimals = std::max(decimals, significant_decimals(points.data()[k], rounding, all));
+    decimals = std::max(decimals,
+                        significant_decimals(points.data()[k], rounding, all));
   if (decimals == 0 || decimals == all) return rounding;
   const double unit = std::pow(10.0, decimals_before_point(largest) - decimals);
   return unit > coarsest_rounding * size ? rounding : std::max(unit, rounding);
 }
 
-std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain, double tolerance) {
+std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain,
+                               double tolerance) {
   const int last = static_cast<int>(chain.cols()) - 1;
   std::vector<int> starts;
   for (int start = 0; start < last;) {
@@ -117,8 +121,8 @@ std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain, double toleran
   return starts;
 }
 
-std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain, double tolerance,
-                                 double corner, int fewest) {
+std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
+                                 double tolerance, double corner, int fewest) {
   const std::vector<int> runs = straight_runs(chain, tolerance);
   const VectorXd turn = turns_of(chain);
   const auto single = [&](std::size_t r) { return runs[r + 1] - runs[r] == 1; };

@@ -19,7 +19,8 @@ double coordinate_precision(const Ref<const Matrix2Xd>& points, double size);
 /// have: within `tolerance` of a line through their first point, from which their
 /// distance grows. Parts are as long as possible, from the first point on.
 /// @return the first point of each part, and the last point of the chain
-std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain, double tolerance);
+std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain,
+                               double tolerance);
 
 /// What straight_runs may allow points of this precision: two of them are off by half a
 /// unit in both coordinates; and at least 1e-9 of the body's size.
@@ -39,8 +40,8 @@ struct LinePart {
 /// no two on one straight line; at each of its points it turns by less than `corner`
 /// [rad], and by less than four times what its neighbours' curvature makes likely, or 2
 /// degrees. All other points between straight runs are corners, whatever their angle.
-std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain, double tolerance,
-                                 double corner, int fewest);
+std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
+                                 double tolerance, double corner, int fewest);
 
 /// Angle between two vectors [rad].
 double angle_between(const Vector2d& a, const Vector2d& b);

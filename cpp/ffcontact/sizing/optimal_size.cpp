@@ -48,7 +48,8 @@ void require_valid(const Mesh& mesh, const Ref<const VectorXd>& local_error,
   if (!(settings.target > 0) || !std::isfinite(settings.target))
     refuse("target must be positive, got ", settings.target);
   if (settings.target >= 1)
-    refuse("target is a part of the solution, 0.02 for 2 %, got ", settings.target);
+    refuse("target is a part of the solution, 0.02 for 2 %, got ",
+           settings.target);
   if (!(settings.largest_step > 1))
     refuse("the largest step must exceed 1, got ", settings.largest_step);
   if (!(settings.gradation > 0))
@@ -66,7 +67,8 @@ void require_valid(const Mesh& mesh, const Ref<const VectorXd>& local_error,
 VectorXd vertex_sizes(const Mesh& mesh, const VectorXd& ratio) {
   VectorXd density = VectorXd::Zero(mesh.vertices.cols()), weight = density;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const double area = signed_area(mesh, t), h = ratio[t] * triangle_size(area);
+    const double area = signed_area(mesh, t),
+                 h = ratio[t] * triangle_size(area);
     for (int k = 0; k < 3; ++k) {
       density[mesh.cells(k, t)] += area / (h * h);
       weight[mesh.cells(k, t)] += area;
@@ -81,7 +83,8 @@ VectorXd vertex_sizes(const Mesh& mesh, const VectorXd& ratio) {
 /// Mean of h^-2 on a triangle.
 double density(const Mesh& mesh, const VectorXd& size, int t) {
   double sum = 0;
-  for (int k = 0; k < 3; ++k) sum += 1 / (3 * std::pow(size[mesh.cells(k, t)], 2));
+  for (int k = 0; k < 3; ++k)
+    sum += 1 / (3 * std::pow(size[mesh.cells(k, t)], 2));
   return sum;
 }
 
@@ -97,8 +100,8 @@ double predicted_error(const Mesh& mesh, const VectorXd& size,
                        const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const double ratio =
-        1 / (triangle_size(signed_area(mesh, t)) * std::sqrt(density(mesh, size, t)));
+    const double ratio = 1 / (triangle_size(signed_area(mesh, t)) *
+                              std::sqrt(density(mesh, size, t)));
     square += std::pow(local_error[t] * std::pow(ratio, rate[t]), 2);
   }
   return std::sqrt(square);
@@ -106,7 +109,8 @@ double predicted_error(const Mesh& mesh, const VectorXd& size,
 
 /// The error to ask for on the way to the target.
 double wanted_error(double now, const SizeSettings& settings) {
-  const double distance = std::min(1.0, std::abs(now / settings.target - 1) / closeness);
+  const double distance =
+      std::min(1.0, std::abs(now / settings.target - 1) / closeness);
   const double part = part_at + distance * (part_far - part_at);
   return std::max(part * settings.target, now / settings.largest_step);
 }
@@ -124,7 +128,9 @@ VectorXd size_ratios(const Ref<const VectorXd>& local_error,
     return (inverse_lambda / (q * bounded)).pow(1 / (2 * q + 2));
   };
   const double root = increasing_root([&](double inverse_lambda) {
-    return (squared * ratios(inverse_lambda).pow(2 * q)).sum() / (wanted * wanted) - 1;
+    return (squared * ratios(inverse_lambda).pow(2 * q)).sum() /
+               (wanted * wanted) -
+           1;
   });
   VectorXd result = ratios(root);
   const double coarsest = (squared > 0).select(result.array(), 0).maxCoeff();
@@ -137,12 +143,14 @@ VectorXd graded_size(const Mesh& mesh, const Edges& edges, VectorXd size,
   for (int e = 0; e < edges.count(); ++e) {
     const double length = edge_vector(mesh, edges, e).norm();
     for (int end = 0; end < 2; ++end)
-      neighbours[edges.vertices(end, e)].emplace_back(edges.vertices(1 - end, e), length);
+      neighbours[edges.vertices(end, e)].emplace_back(
+          edges.vertices(1 - end, e), length);
   }
   // Dijkstra's algorithm: the smallest size is final and bounds its neighbours.
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for (Index v = 0; v < size.size(); ++v) queue.emplace(size[v], static_cast<int>(v));
+  for (Index v = 0; v < size.size(); ++v)
+    queue.emplace(size[v], static_cast<int>(v));
   while (!queue.empty()) {
     const auto [h, v] = queue.top();
     queue.pop();
@@ -161,17 +169,19 @@ VectorXd shape_quality(const Mesh& mesh) {
   for (int t = 0; t < mesh.cell_count(); ++t) {
     double squares = 0;
     for (int k = 0; k < 3; ++k)
-      squares += (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
+      squares +=
+          (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
     quality[t] = std::sqrt(16 * equilateral * signed_area(mesh, t) / squares);
   }
   return quality;
 }
 
 OptimalSize optimal_size(const Mesh& mesh, const Edges& edges,
-                         const Ref<const VectorXd>& local_error, const VectorXd& rate,
-                         const SizeSettings& settings) {
+                         const Ref<const VectorXd>& local_error,
+                         const VectorXd& rate, const SizeSettings& settings) {
   require_size("eps_E", local_error.size(), mesh.cell_count());
-  const VectorXd rates = rate.size() > 0 ? rate : VectorXd::Ones(local_error.size());
+  const VectorXd rates =
+      rate.size() > 0 ? rate : VectorXd::Ones(local_error.size());
   require_valid(mesh, local_error, rates, settings);
   const VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
@@ -180,10 +190,12 @@ OptimalSize optimal_size(const Mesh& mesh, const Edges& edges,
 
   const Vector2d extent =
       mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
-  const double largest = settings.largest > 0 ? settings.largest : extent.maxCoeff();
+  const double largest =
+      settings.largest > 0 ? settings.largest : extent.maxCoeff();
   const double smallest =
       std::min(largest, std::max(settings.smallest, 1e-9 * extent.maxCoeff()));
-  VectorXd size = vertex_sizes(mesh, result.ratio).cwiseMax(smallest).cwiseMin(largest);
+  VectorXd size =
+      vertex_sizes(mesh, result.ratio).cwiseMax(smallest).cwiseMin(largest);
   result.size = graded_size(mesh, edges, std::move(size), settings.gradation);
   result.predicted_count = predicted_triangles(mesh, result.size);
   result.predicted_error = predicted_error(mesh, result.size, error, rates);

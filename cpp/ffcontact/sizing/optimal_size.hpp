@@ -11,8 +11,9 @@ struct SizeSettings {
   /// eps is divided by at most this much in one step; a farther target is reached in
   /// several
   double largest_step = 3;
-  double smallest = 0;     ///< lower bound of the sizes [mm]; 0 for none
-  double largest = 0;      ///< upper bound of the sizes [mm]; 0 for the body's extent
+  double smallest = 0;  ///< lower bound of the sizes [mm]; 0 for none
+  double largest =
+      0;  ///< upper bound of the sizes [mm]; 0 for the body's extent
   double gradation = 0.5;  ///< largest slope |grad h| of the sizes [-]
 };
 
@@ -39,7 +40,8 @@ struct OptimalSize {
   VectorXd size;   ///< h per vertex [mm]: edge length, bounded and graded
   /// eps_0 of this step: 0.85 to 0.92 of the target, or a value on the way to it
   double wanted = 0;
-  double predicted_error = 0;  ///< eps of the new mesh after bounds and gradation [-]
+  double predicted_error =
+      0;  ///< eps of the new mesh after bounds and gradation [-]
   /// triangles of the new mesh, sum |E| / (area of the equilateral triangle of size h)
   double predicted_count = 0;
 };
@@ -54,8 +56,8 @@ VectorXd size_ratios(const Ref<const VectorXd>& local_error,
 /// @throws std::invalid_argument  if the target is not between 0 and 1, sizes differ or
 ///                                an error is negative or not finite
 OptimalSize optimal_size(const Mesh& mesh, const Edges& edges,
-                         const Ref<const VectorXd>& local_error, const VectorXd& rate,
-                         const SizeSettings& settings);
+                         const Ref<const VectorXd>& local_error,
+                         const VectorXd& rate, const SizeSettings& settings);
 
 /// (4 sqrt(3) |E| / sum of l^2)^(1/2) per triangle.
 VectorXd shape_quality(const Mesh& mesh);
