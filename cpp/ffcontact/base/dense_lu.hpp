@@ -7,7 +7,9 @@ namespace ffcontact {
 
 /// P A = L U of a dense square matrix by LAPACK, for A x = b with some thousand unknowns:
 /// OpenBLAS uses all of the processor, which Eigen's own factorisation, compiled for
-/// every x86-64, does not.
+/// every x86-64, does not (2000 unknowns: 0.31 and 0.97 s). Eigen::PartialPivLU with
+/// EIGEN_USE_BLAS is as fast, but hands empty matrices to BLAS with a stride of 0, which
+/// prints an error on the host's console.
 class DenseLu {
  public:
   /// @param matrix  square, not empty
