@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "support/meshes.hpp"
 #include "support/random.hpp"
@@ -37,16 +36,6 @@ double angle_of_rectangle(const Vector2d& x, double width, double height) {
   const bool on_vertical = x.x() == 0 || x.x() == width,
              on_horizontal = x.y() == 0 || x.y() == height;
   return 2 * pi / ((on_vertical ? 2 : 1) * (on_horizontal ? 2 : 1));
-}
-
-bool share_no_triangle(const Mesh& mesh, const std::vector<int>& vertices) {
-  const std::set<int> group(vertices.begin(), vertices.end());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    if (group.count(mesh.cells(0, t)) + group.count(mesh.cells(1, t)) +
-            group.count(mesh.cells(2, t)) >
-        1)
-      return false;
-  return true;
 }
 
 RC_GTEST_PROP(Stars, angles_are_positive_and_sum_to_the_angle_of_the_body,
@@ -91,27 +80,6 @@ RC_GTEST_PROP(Stars, a_boundary_star_begins_and_ends_at_boundary_edges,
     RC_ASSERT(stars.spoke_count(v) ==
               stars.triangle_count(v) + (stars.on_boundary(v) ? 1 : 0));
   }
-}
-
-RC_GTEST_PROP(Stars, vertices_of_one_colour_share_no_triangle,
-              (Random random)) {
-  const Mesh mesh = irregular(5, 4, 5, 4, random);
-  std::vector<int> times(mesh.vertex_count(), 0);
-  for (const std::vector<int>& colour :
-       vertex_colours(mesh, stars_of(mesh, edges_of(mesh)))) {
-    RC_ASSERT(share_no_triangle(mesh, colour));
-    for (int v : colour) ++times[v];
-  }
-  RC_ASSERT(
-      std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
-}
-
-TEST(Stars, two_colours_put_together_share_triangles) {
-  const Mesh mesh = rectangle(3, 3, 3, 3);
-  std::vector<std::vector<int>> colours =
-      vertex_colours(mesh, stars_of(mesh, edges_of(mesh)));
-  colours[0].insert(colours[0].end(), colours[1].begin(), colours[1].end());
-  EXPECT_FALSE(share_no_triangle(mesh, colours[0]));
 }
 
 TEST(Stars, a_vertex_without_triangles_has_an_empty_star) {

@@ -246,6 +246,12 @@ double relax_boundary(const StarSetting& setting,
   return fall;
 }
 
+MatrixXd corrections_with_known_tractions(const StarSetting& setting,
+                                          int vertex) {
+  return admissible_corrections(Group(setting, {vertex}), setting.boundary,
+                                nullptr);
+}
+
 std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
   std::vector<std::vector<int>> groups;
   std::map<int, std::size_t> group_of;

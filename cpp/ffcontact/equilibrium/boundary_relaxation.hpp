@@ -22,6 +22,11 @@ double relax_boundary(const StarSetting& setting,
                       const std::vector<int>& vertices, VectorXd& airy,
                       FreeContact* contact);
 
+/// Basis of the corrections of a boundary star that leave all known tractions alone, those
+/// of contact among them [unknowns x n].
+MatrixXd corrections_with_known_tractions(const StarSetting& setting,
+                                          int vertex);
+
 /// The vertices to relax together on a line: that of each node and what it faces, joined
 /// where nodes share a vertex.
 std::vector<std::vector<int>> contact_groups(const ContactLine& line);

@@ -36,26 +36,60 @@ struct StarEnergy {
       H;  ///< lower triangle
   Matrix<double, Dynamic, 1, Eigen::ColMajor, Max, 1> g;
 
-  /// @param airy  the corrections made so far
-  StarEnergy(const StarSetting& setting, int vertex, const VectorXd& airy) {
-    const Stars& stars = setting.stars;
-    const int n = star_unknowns(stars, vertex), spokes = n - 3;
+  /// H alone.
+  StarEnergy(const StarSetting& setting, int vertex) {
+    const int n = star_unknowns(setting.stars, vertex);
     H.setZero(n, n);
-    g.setZero(n);
-    for (int k = 0; k < stars.triangle_count(vertex); ++k) {
-      const int place = stars.triangle_start[vertex] + k;
-      add(setting, stars.triangle[place], stars.local[place], airy, 3 + k,
-          3 + (k + 1) % spokes);
-    }
+    visit(setting, vertex, [&](const Place& place) {
+      add_form(setting.energies[place.triangle], place);
+    });
+  }
+
+  /// @param airy  the corrections made so far
+  StarEnergy(const StarSetting& setting, int vertex, const VectorXd& airy)
+      : StarEnergy(setting, vertex) {
+    g.setZero(H.rows());
+    visit(setting, vertex, [&](const Place& place) {
+      add_slope(setting.energies[place.triangle],
+                local_airy(setting.space, airy, place.triangle, place.local),
+                place);
+    });
   }
 
  private:
   /// A triangle with the vertex as its local vertex i, edge i + 2 as its right spoke and
-  /// edge i + 1 as its left one.
-  void add(const StarSetting& setting, int t, int i, const VectorXd& airy,
-           int right, int left) {
-    const AiryEnergy& K = setting.energies[t];
-    const LocalAiry x = local_airy(setting.space, airy, t, i);
+  /// edge i + 1 as its left one; the unknowns of these.
+  struct Place {
+    int triangle, local;
+    int right, left;
+  };
+
+  template <class Visit>
+  static void visit(const StarSetting& setting, int vertex, Visit&& visit) {
+    const Stars& stars = setting.stars;
+    const int spokes = stars.spoke_count(vertex);
+    for (int k = 0; k < stars.triangle_count(vertex); ++k) {
+      const int place = stars.triangle_start[vertex] + k;
+      visit(Place{stars.triangle[place], stars.local[place], 3 + k,
+                  3 + (k + 1) % spokes});
+    }
+  }
+
+  void add_form(const AiryEnergy& K, const Place& place) {
+    const auto [triangle, i, right, left] = place;
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    for (int c = 0; c < 3; ++c) {
+      for (int d = 0; d <= c; ++d) H(c, d) += K.own[i](c, d);
+      H(right, c) += K.edge[b](c, 1);
+      H(left, c) += K.edge[a](c, 2);
+    }
+    H(right, right) += K.edge_own[b];
+    H(left, left) += K.edge_own[a];
+    H(std::max(right, left), std::min(right, left)) += K.edge_next[a];
+  }
+
+  void add_slope(const AiryEnergy& K, const LocalAiry& x, const Place& place) {
+    const auto [triangle, i, right, left] = place;
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     for (int c = 0; c < 3; ++c) {
       double slope =
@@ -66,9 +100,6 @@ struct StarEnergy {
                  K.next[i](c, d) * x.at_vertices(d, 1) +
                  K.next[b](d, c) * x.at_vertices(d, 2);
       g[c] += slope;
-      for (int d = 0; d <= c; ++d) H(c, d) += K.own[i](c, d);
-      H(right, c) += K.edge[b](c, 1);
-      H(left, c) += K.edge[a](c, 2);
     }
     double on_right = K.slope.on_edges[b], on_left = K.slope.on_edges[a];
     for (int c = 0; c < 3; ++c) {
@@ -83,9 +114,6 @@ struct StarEnergy {
                 K.edge_next[b] * x.on_edges[0] + K.edge_next[a] * x.on_edges[1];
     g[left] += on_left + K.edge_own[a] * x.on_edges[1] +
                K.edge_next[a] * x.on_edges[2] + K.edge_next[i] * x.on_edges[0];
-    H(right, right) += K.edge_own[b];
-    H(left, left) += K.edge_own[a];
-    H(std::max(right, left), std::min(right, left)) += K.edge_next[a];
   }
 };
 

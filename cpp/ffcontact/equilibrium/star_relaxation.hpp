@@ -21,22 +21,17 @@ struct RelaxationSettings {
 ///
 /// The corrections are one Airy function (AirySpace), from zero: every triangle's energy
 /// is a fixed form in its unknowns, set up once (AiryEnergy), and equilibrium keeps to
-/// rounding however many sweeps there are. A sweep solves the small problem of every
-/// vertex, its three unknowns and those of its spokes, in turn: Gauss-Seidel. Known
-/// traction components of boundary edges stay as they are (psi_c = 0 at i and at the
-/// middle of the spoke). After the vertices away from free contact edges the sum d of the
-/// sweep's corrections and the last combined direction p are weighed once more,
-///     min over alpha, beta of e(sigma_hat + alpha d + beta p),
-/// which nearly incompressible bodies need: without it their error falls by half as much
-/// in a sweep. At a vertex on free contact edges the end values of r_hat are unknowns
-/// too, kept in the cone by linear inequalities; where the line faces another body, whose
-/// trace must match, the facing vertices are relaxed together, with r_hat on one and
-/// -r_hat on the other.
+/// rounding however many sweeps there are. A sweep is two steps of conjugate gradients
+/// with the additive solves of all stars (StarDescent), in which known traction
+/// components of boundary edges stay as they are. Then, at the vertices on free contact
+/// edges, the end values of r_hat are unknowns too, kept in the cone by linear
+/// inequalities; where the line faces another body, whose trace must match, the facing
+/// vertices are relaxed together, with r_hat on one and -r_hat on the other
+/// (relax_boundary).
 ///
 /// The relaxation ends where a sweep no longer changes a digit of e.
 ///
-/// Vertices of one colour share no triangle and run in parallel; the result does not
-/// depend on the number of threads.
+/// The result does not depend on the number of threads.
 /// @param body_loads  int f phi_i per triangle
 /// @param difference  edge loads of sigma_hat - C eps(u_hat), relaxed in place
 /// @param contact     r_hat, relaxed in place; null keeps it fixed

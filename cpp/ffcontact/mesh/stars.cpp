@@ -74,14 +74,6 @@ void append_star(const Mesh& mesh, const Edges& edges, int vertex, int first,
   }
 }
 
-/// The lowest colour that no neighbour has; `taken_by` tells for each colour the last
-/// vertex that saw it.
-std::size_t free_colour(const std::vector<int>& taken_by, int vertex) {
-  std::size_t colour = 0;
-  while (colour < taken_by.size() && taken_by[colour] == vertex) ++colour;
-  return colour;
-}
-
 }  // namespace
 
 Stars stars_of(const Mesh& mesh, const Edges& edges) {
@@ -99,29 +91,6 @@ Stars stars_of(const Mesh& mesh, const Edges& edges) {
       refuse("the body touches itself in the single vertex ", v);
   }
   return stars;
-}
-
-std::vector<std::vector<int>> vertex_colours(const Mesh& mesh,
-                                             const Stars& stars) {
-  std::vector<std::vector<int>> groups;
-  std::vector<int> colour(mesh.vertex_count(), -1);
-  std::vector<int>
-      taken_by;  // per colour: the last vertex that saw it in its star
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
-      for (const int w : mesh.cells.col(stars.triangle[s])) {
-        const int used = colour[w];
-        if (used >= 0) taken_by[used] = v;
-      }
-    const std::size_t c = free_colour(taken_by, v);
-    if (c == groups.size()) {
-      groups.emplace_back();
-      taken_by.push_back(-1);
-    }
-    colour[v] = static_cast<int>(c);
-    groups[c].push_back(v);
-  }
-  return groups;
 }
 
 }  // namespace ffcontact

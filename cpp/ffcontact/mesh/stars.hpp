@@ -35,10 +35,4 @@ struct Stars {
 ///                                would fall apart)
 Stars stars_of(const Mesh& mesh, const Edges& edges);
 
-/// Vertices grouped by colour: two vertices of one colour share no triangle. The
-/// colouring is greedy in the order of the vertex numbers, hence the same on every
-/// machine and for every number of threads.
-std::vector<std::vector<int>> vertex_colours(const Mesh& mesh,
-                                             const Stars& stars);
-
 }  // namespace ffcontact
