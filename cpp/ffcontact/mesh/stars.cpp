@@ -34,10 +34,9 @@ int first_triangle(const Mesh& mesh, const Edges& edges, int vertex,
                    int start) {
   int triangle = start;
   for (;;) {
-    const int next = neighbour(
-        edges,
-        right_spoke(edges, triangle, local_number(mesh, triangle, vertex)),
-        triangle);
+    const int k = local_number(mesh, triangle, vertex);
+    const int spoke = right_spoke(edges, triangle, k);
+    const int next = neighbour(edges, spoke, triangle);
     if (next < 0 || next == start) return next < 0 ? triangle : start;
     triangle = next;
   }
@@ -74,6 +73,16 @@ void append_star(const Mesh& mesh, const Edges& edges, int vertex, int first,
   }
 }
 
+/// Notes that a vertex sees the colours in its star.
+void note_colours(const Mesh& mesh, const Stars& stars, int v,
+                  const std::vector<int>& colour, std::vector<int>& taken_by) {
+  for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
+    for (const int w : mesh.cells.col(stars.triangle[s])) {
+      const int used = colour[w];
+      if (used >= 0) taken_by[used] = v;
+    }
+}
+
 /// The lowest colour that no neighbour has; `taken_by` tells for each colour the last
 /// vertex that saw it.
 std::size_t free_colour(const std::vector<int>& taken_by, int vertex) {
@@ -105,14 +114,9 @@ std::vector<std::vector<int>> vertex_colours(const Mesh& mesh,
                                              const Stars& stars) {
   std::vector<std::vector<int>> groups;
   std::vector<int> colour(mesh.vertex_count(), -1);
-  std::vector<int>
-      taken_by;  // per colour: the last vertex that saw it in its star
+  std::vector<int> taken_by;  // per colour: the last vertex that saw it
   for (int v = 0; v < mesh.vertex_count(); ++v) {
-    for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
-      for (const int w : mesh.cells.col(stars.triangle[s])) {
-        const int used = colour[w];
-        if (used >= 0) taken_by[used] = v;
-      }
+    note_colours(mesh, stars, v, colour, taken_by);
     const std::size_t c = free_colour(taken_by, v);
     if (c == groups.size()) {
       groups.emplace_back();
