@@ -13,10 +13,11 @@ namespace {
 /// The other node of an edge at each node [p].
 VectorXi neighbours(const ContactLine& line) {
   VectorXi neighbour(line.node_count());
-  for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end)
-      if (!is_constant_on(line, e))
-        neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
+  for (int e = 0; e < line.edge_count(); ++e) {
+    if (is_constant_on(line, e)) continue;
+    const Vector2i nodes = line.edge_node.col(e);
+    neighbour(nodes) = nodes.reverse();
+  }
   return neighbour;
 }
 
@@ -61,8 +62,7 @@ SparseMatrix continued_mass(const SparseMatrix& mass,
 VectorXd nodal_lengths(const ContactLine& line) {
   VectorXd lengths = VectorXd::Zero(line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end)
-      lengths[line.edge_node(end, e)] += line.length[e] / 2;
+    for (int node : line.edge_node.col(e)) lengths[node] += line.length[e] / 2;
   return lengths;
 }
 
