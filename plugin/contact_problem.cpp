@@ -2,7 +2,9 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
-#include "ffcontact/interface/facing_traces.hpp"
+#include "ffcontact/interface/facing_line.hpp"
+#include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/line_ends.hpp"
 //
 #include <algorithm>
 #include <map>

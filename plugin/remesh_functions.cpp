@@ -2,7 +2,7 @@
 // What contactmesh in ffcontact.idp needs around adaptmesh: labels that keep corners, and
 // vertices put back on lines and curves.
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/mesh/boundary_parts.hpp"
+#include "ffcontact/mesh/moved_onto_parts.hpp"
 //
 #include "guard.hpp"
 #include "new_mesh.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/interface/facing_traces.hpp"
+#include "ffcontact/interface/line_ends.hpp"
 //
 #include "views.hpp"
 

@@ -5,7 +5,9 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
-#include "ffcontact/interface/facing_traces.hpp"
+#include "ffcontact/interface/facing_line.hpp"
+#include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/line_ends.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 
 namespace ffcontact::fuzz {

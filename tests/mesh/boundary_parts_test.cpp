@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/boundary_parts.hpp"
+#include "ffcontact/mesh/moved_onto_parts.hpp"
 
 #include <gtest/gtest.h>
 

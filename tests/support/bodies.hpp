@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/interface/facing_traces.hpp"
+#include "ffcontact/interface/facing_line.hpp"
+#include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/line_ends.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "support/problems.hpp"
 

@@ -18,7 +18,7 @@ constexpr double relative_rounding = 1e-12;
 /// moved by a prescribed dof.
 constexpr double relative_motion = 1e-11;
 /// Steps that may fail to lower the number of contradictions.
-constexpr int patience = 10;
+constexpr int most_failures = 10;
 
 using States = std::vector<ContactState>;
 
@@ -62,25 +62,38 @@ bool next_open(double Pn, double vn, bool open, const Rounding& rounding) {
   return open ? vn <= rounding.v : Pn > rounding.P || vn < -rounding.motion;
 }
 
-ContactState next_state(const NodalLaw& law, int node, ContactState now,
-                        const ContactRows& rows, const Rounding& rounding) {
-  const double Pn = rows.P[2 * node], Pt = rows.P[2 * node + 1],
-               vt = rows.v[2 * node + 1];
-  const bool open = next_open(Pn, rows.v[2 * node], is_open(now), rounding);
-  const FrictionCone& cone = law.cone[node];
-  if (cone.frictionless())
-    return open ? ContactState::open : ContactState::slip_forward;
-  if (!cone.depends_on_contact()) {
-    const int slip = next_slip(Pt, vt, cone.cohesion, slip_sign(now), rounding);
-    return open ? open_state(slip) : closed_state(slip);
-  }
-  if (open) return ContactState::open;
+/// With a bound that is given, which holds open places, too.
+ContactState next_state_with_bound(double bound, bool open, ContactState now,
+                                   double Pt, double vt,
+                                   const Rounding& rounding) {
+  const int slip = next_slip(Pt, vt, bound, slip_sign(now), rounding);
+  return open ? open_state(slip) : closed_state(slip);
+}
+
+/// With friction that grows with -P_n.
+ContactState next_closed_state(const FrictionCone& cone, ContactState now,
+                               const Vector2d& P, double vt,
+                               const Rounding& rounding) {
   const int slip =
       now == ContactState::open
           ? direction(vt, rounding)
-          : next_slip(Pt, vt, cone.bound(Pn), slip_sign(now), rounding);
-  return slip != 0 && cone.at_limit(Pn) ? limited_state(slip)
-                                        : closed_state(slip);
+          : next_slip(P[1], vt, cone.bound(P[0]), slip_sign(now), rounding);
+  return slip != 0 && cone.at_limit(P[0]) ? limited_state(slip)
+                                          : closed_state(slip);
+}
+
+/// @param P, v  of the node
+ContactState next_state(const FrictionCone& cone, ContactState now,
+                        const Vector2d& P, const Vector2d& v,
+                        const Rounding& rounding) {
+  const bool open = next_open(P[0], v[0], is_open(now), rounding);
+  if (cone.frictionless())
+    return open ? ContactState::open : ContactState::slip_forward;
+  if (!cone.depends_on_contact())
+    return next_state_with_bound(cone.cohesion, open, now, P[1], v[1],
+                                 rounding);
+  return open ? ContactState::open
+              : next_closed_state(cone, now, P, v[1], rounding);
 }
 
 /// The nearest state that a node may have.
@@ -139,11 +152,28 @@ States next_states(const CondensedContact& contact, const NodalLaw& law,
                    const States& state, const ContactRows& rows) {
   const Rounding rounding = rounding_of(contact, rows);
   States next(state.size());
-  for (std::size_t i = 0; i < state.size(); ++i)
-    next[i] = next_state(law, static_cast<int>(i), state[i], rows, rounding);
+  for (int i = 0; i < law.node_count(); ++i)
+    next[i] = next_state(law.cone[i], state[i], rows.P.segment<2>(2 * i),
+                         rows.v.segment<2>(2 * i), rounding);
   release_sticks(contact, state, rows, rounding, next);
   return next;
 }
+
+/// Counts the steps that fail to lower the number of contradictions.
+class Patience {
+ public:
+  /// @return whether that was one too many
+  bool ends_with(int contradictions) {
+    if (contradictions < fewest_) {
+      fewest_ = contradictions;
+      left_ = most_failures;
+    }
+    return left_-- == 0;
+  }
+
+ private:
+  int fewest_ = std::numeric_limits<int>::max(), left_ = most_failures;
+};
 
 int differences(const States& a, const States& b) {
   return static_cast<int>(std::inner_product(
@@ -156,6 +186,14 @@ void keep(const States& state, const ContactRows& rows, double violation,
   result.v = rows.v;
   result.state = state;
   result.violation = violation;
+}
+
+/// The closed state of an open node that touches.
+ContactState closed_by_touch(const FrictionCone& cone, ContactState open,
+                             double vt, const Rounding& rounding) {
+  if (cone.frictionless()) return ContactState::slip_forward;
+  return closed_state(cone.depends_on_contact() ? direction(vt, rounding)
+                                                : slip_sign(open));
 }
 
 /// Where a prescribed end and its neighbour both touch, both are closed: the end's
@@ -177,12 +215,8 @@ States with_touching_ends_closed(const CondensedContact& contact,
         !touches(neighbour))
       continue;
     const int node = is_open(state[end]) ? end : neighbour;
-    const FrictionCone& cone = law.cone[node];
-    const int slip = cone.depends_on_contact()
-                         ? direction(rows.v[2 * node + 1], rounding)
-                         : slip_sign(state[node]);
-    state[node] =
-        cone.frictionless() ? ContactState::slip_forward : closed_state(slip);
+    state[node] = closed_by_touch(law.cone[node], state[node],
+                                  rows.v[2 * node + 1], rounding);
   }
   return state;
 }
@@ -204,6 +238,24 @@ void close_touching_ends(const CondensedContact& contact, const NodalLaw& law,
   if (violation <= tolerance) keep(closed, rows, violation, result);
 }
 
+/// The largest force of loads, or that of prescribed displacements.
+double load_scale(const CondensedContact& contact) {
+  const double prescribed = contact.dependent_offset.lpNorm<Eigen::Infinity>();
+  return std::max(contact.g.cwiseAbs().maxCoeff(),
+                  contact.S.diagonal().maxCoeff() * prescribed);
+}
+
+/// Notes that the iteration has ended, and brings an answer into the law.
+void finish(const CondensedContact& contact, const NodalLaw& law,
+            const NewtonSettings& settings, ActiveSetResult& result) {
+  if (result.violation <= settings.tolerance)
+    result.status = ContactStatus::converged;
+  if (result.status != ContactStatus::converged) return;
+  if (result.iterations < settings.max_iterations)
+    close_touching_ends(contact, law, settings.tolerance, result);
+  put_into_law(law, result.state, result.P);
+}
+
 }  // namespace
 
 LawScales law_scales(const CondensedContact& contact, const VectorXd& v) {
@@ -215,11 +267,7 @@ LawScales law_scales(const CondensedContact& contact, const VectorXd& v) {
 double law_violation(const CondensedContact& contact, const NodalLaw& law,
                      const ContactRows& rows) {
   constexpr double most_of_loads = 1e10;
-  const double loads =
-      std::max(contact.g.cwiseAbs().maxCoeff(),
-               contact.S.diagonal().maxCoeff() *
-                   contact.dependent_offset.lpNorm<Eigen::Infinity>());
-  if (rows.P.cwiseAbs().maxCoeff() > most_of_loads * loads)
+  if (rows.P.cwiseAbs().maxCoeff() > most_of_loads * load_scale(contact))
     return std::numeric_limits<double>::infinity();
   return law_violation(law, rows.P, rows.v, law_scales(contact, rows.v));
 }
@@ -230,44 +278,31 @@ ActiveSetResult active_set_newton(const CondensedContact& contact,
   for (std::size_t i = 0; i < state.size(); ++i)
     state[i] = start_state(law.cone[i], state[i]);
 
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  const VectorXd zero = VectorXd::Zero(contact.position.size());
+  ContactRows rows{zero, zero};
   ActiveSetResult result;
-  result.violation = std::numeric_limits<double>::infinity();
-  ContactRows rows{VectorXd::Zero(contact.position.size()),
-                   VectorXd::Zero(contact.position.size())};
-  int fewest = std::numeric_limits<int>::max(), patience_left = patience;
-  while (result.iterations < settings.max_iterations) {
+  result.violation = unknown;
+  Patience patience;
+  for (bool ends = false;
+       !ends && result.iterations < settings.max_iterations;) {
     ++result.iterations;
     const SystemKind kind = solve_active_set(contact, law, state, rows);
     const bool held = kind != SystemKind::inconsistent;
-    const double violation = held ? law_violation(contact, law, rows)
-                                  : std::numeric_limits<double>::infinity();
+    const double violation = held ? law_violation(contact, law, rows) : unknown;
     const States next = next_states(contact, law, state, rows);
     const bool settled = next == state;
     if (settled || violation < result.violation || result.iterations == 1)
       keep(state, rows, violation, result);
-    if (settled) {
+    ends = settled || patience.ends_with(differences(state, next));
+    if (settled)
       result.status =
           held ? ContactStatus::inaccurate : ContactStatus::singular;
-      break;
-    }
-    const int contradictions = differences(state, next);
-    if (contradictions < fewest) {
-      fewest = contradictions;
-      patience_left = patience;
-    }
-    if (patience_left-- == 0) {
+    else if (ends)
       result.status = ContactStatus::cycled;
-      break;
-    }
     state = next;
   }
-  if (result.violation <= settings.tolerance)
-    result.status = ContactStatus::converged;
-  if (result.status == ContactStatus::converged) {
-    if (result.iterations < settings.max_iterations)
-      close_touching_ends(contact, law, settings.tolerance, result);
-    put_into_law(law, result.state, result.P);
-  }
+  finish(contact, law, settings, result);
   return result;
 }
 

@@ -52,12 +52,7 @@ class LinearStep {
       if (!conditions_[contact.primary[k]].on_displacement)
         unknown_.push_back(static_cast<int>(k));
     q_scale_.resize(contact.E.cols());
-    for (Index d = 0; d < contact.E.cols(); ++d) {
-      const double reach =
-          std::hypot(contact.E.col(d).cwiseProduct(v_scale_).norm(),
-                     std::sqrt(contact.F(d, d)));
-      q_scale_[d] = 1 / (reach > 0 ? reach : v_scale_.mean());
-    }
+    for (Index d = 0; d < contact.E.cols(); ++d) q_scale_[d] = q_scale(d);
   }
 
   SystemKind solve(ContactRows& rows) {
@@ -73,6 +68,13 @@ class LinearStep {
   }
 
  private:
+  /// 1 / (E_d' R^2 E_d + F_dd)^(1/2), R the scale of v: what q_d moves.
+  double q_scale(Index d) const {
+    const double own = contact_.E.col(d).cwiseProduct(v_scale_).norm();
+    const double reach = std::hypot(own, std::sqrt(contact_.F(d, d)));
+    return 1 / (reach > 0 ? reach : v_scale_.mean());
+  }
+
   /// Adds factor * P_row to equation e.
   void add_multiplier(Index e, int row, double factor) {
     const auto n = static_cast<Index>(unknown_.size());
@@ -109,15 +111,17 @@ class LinearStep {
       matrix_(e, n + j) = q_scale_[d] * contact_.F(d, j) * q_scale_[j];
       steering += std::abs(matrix_(e, n + j));
     }
-    if (steering < unsteered) {
-      matrix_.row(e).setZero();
-      add_multiplier(e, contact_.dependent[d], 1 / q_scale_[d]);
-      const bool loads_the_body = contact_.loads_the_body(d);
-      if (loads_the_body && contact_.continued[d] >= 0)
-        add_multiplier(e, contact_.continued[d], -1 / q_scale_[d]);
-    } else {
-      right_[e] = -q_scale_[d] * contact_.dependent_offset[d];
-    }
+    right_[e] = -q_scale_[d] * contact_.dependent_offset[d];
+    if (steering < unsteered) continuation_equation(e, d);
+  }
+
+  /// The multiplier is that of the row it is continued from, or 0.
+  void continuation_equation(Index e, Index d) {
+    matrix_.row(e).setZero();
+    right_[e] = 0;
+    add_multiplier(e, contact_.dependent[d], 1 / q_scale_[d]);
+    if (contact_.loads_the_body(d) && contact_.continued[d] >= 0)
+      add_multiplier(e, contact_.continued[d], -1 / q_scale_[d]);
   }
 
   void assemble() {
@@ -157,15 +161,17 @@ class LinearStep {
     rows.v.resize(contact_.position.size());
     for (int row = 0; row < contact_.position.size(); ++row) {
       const int k = contact_.position[row];
-      const RowCondition& condition = conditions_[row];
       rows.P[row] = k >= 0 ? P[k] : q[-1 - k];
       rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
-      // exactly, so that a body without contact has no forces of rounding size
-      if (!condition.on_displacement)
-        rows.P[row] =
-            condition.value +
-            (condition.ratio != 0 ? condition.ratio * rows.P[row - 1] : 0);
+      if (!conditions_[row].on_displacement) rows.P[row] = given_P(row, rows.P);
     }
+  }
+
+  /// Exactly, so that a body without contact has no forces of rounding size.
+  double given_P(int row, const VectorXd& P) const {
+    const RowCondition& condition = conditions_[row];
+    if (condition.ratio == 0) return condition.value;
+    return condition.value + condition.ratio * P[row - 1];
   }
 
   const CondensedContact& contact_;

@@ -17,15 +17,20 @@ constexpr double unbalanced = 1e-9;
 /// |z|.
 constexpr double rounding = 1e-11;
 
+/// W [z] of motions z, one column each.
+MatrixXd weighted_traces(const ContactLine& line, const ContactLaw& law,
+                         const MatrixXd& motions) {
+  MatrixXd trace(2 * line.node_count(), motions.cols());
+  for (Index k = 0; k < motions.cols(); ++k)
+    trace.col(k) = contact_components(line, motions.col(k)).reshaped();
+  return weight_of_rows(law.multiplier, line) * trace;
+}
+
 /// Work of the extreme contact multipliers along each motion, one column per multiplier
 /// [motions x multipliers].
 MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
                         const MatrixXd& motions) {
-  MatrixXd trace(2 * line.node_count(), motions.cols());
-  for (Index k = 0; k < motions.cols(); ++k)
-    trace.col(k) = contact_components(line, motions.col(k)).reshaped();
-  const MatrixXd weighted = weight_of_rows(law.multiplier, line) * trace;
-
+  const MatrixXd weighted = weighted_traces(line, law, motions);
   MatrixXd work(motions.cols(), (law.tresca() ? 3 : 2) * line.node_count());
   Index next = 0;
   for (int i = 0; i < line.node_count(); ++i) {
@@ -43,21 +48,32 @@ MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
   return work;
 }
 
+double row_sum(const RowMatrix& K, Index row) {
+  double sum = 0;
+  for (RowMatrix::InnerIterator entry(K, row); entry; ++entry)
+    sum += std::abs(entry.value());
+  return sum;
+}
+
+/// K z of motions z, each row relative to its sum |K_ij|; 0 on prescribed dofs.
+MatrixXd relative_forces(const ElasticSystem& system, const MatrixXd& motions) {
+  MatrixXd forces = system.stiffness * motions;
+  for (Index dof = 0; dof < forces.rows(); ++dof) {
+    const double sum = row_sum(system.stiffness, dof);
+    if (system.prescribed[dof] || sum == 0)
+      forces.row(dof).setZero();
+    else
+      forces.row(dof) /= sum;
+  }
+  return forces;
+}
+
 }  // namespace
 
 MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
   const MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
   if (motions.cols() == 0) return motions;
-  MatrixXd forces = system.stiffness * motions;
-  for (Index dof = 0; dof < forces.rows(); ++dof) {
-    double row_sum = 0;
-    for (RowMatrix::InnerIterator entry(system.stiffness, dof); entry; ++entry)
-      row_sum += std::abs(entry.value());
-    if (system.prescribed[dof] || row_sum == 0)
-      forces.row(dof).setZero();
-    else
-      forces.row(dof) /= row_sum;
-  }
+  const MatrixXd forces = relative_forces(system, motions);
   // descending
   const Eigen::JacobiSVD<MatrixXd> svd(
       forces, Eigen::ComputeThinU | Eigen::ComputeThinV);

@@ -29,11 +29,15 @@ double nodal_compliance(const ElasticSystem& system, int vertex,
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-double edge_compliance(const Edges& edges, const ElasticSystem& system,
-                       int edge, double length, const Vector2d& n) {
-  return length * 0.5 *
-         (nodal_compliance(system, edges.vertices(0, edge), n) +
-          nodal_compliance(system, edges.vertices(1, edge), n));
+/// The mean of its vertices' nodal compliances along n, times its length.
+double edge_compliance(const Mesh& mesh, const Edges& edges,
+                       const ElasticSystem& system, int edge,
+                       const Vector2d& n) {
+  const auto of_vertex = [&](int k) {
+    return nodal_compliance(system, edges.vertices(k, edge), n);
+  };
+  const double length = edge_vector(mesh, edges, edge).norm();
+  return length * 0.5 * (of_vertex(0) + of_vertex(1));
 }
 
 }  // namespace
@@ -42,16 +46,14 @@ double compliance_ratio(const Mesh& mesh, const Edges& edges,
                         const ContactLine& line, const ElasticSystem& system) {
   double sum = 0, weight = 0;
   for (const FacingPiece& piece : line.pieces) {
-    const int e = piece.contact_edge, own = line.edge[e],
-              opposite = piece.opposite_edge;
-    const Vector2d n = line.normal.col(line.edge_node(0, e));
-    const double own_length = edge_vector(mesh, edges, own).norm();
-    const double own_compliance =
-        edge_compliance(edges, system, own, own_length, n);
-    const double opposite_compliance = edge_compliance(
-        edges, system, opposite, edge_vector(mesh, edges, opposite).norm(), n);
+    const int own = line.edge[piece.contact_edge];
+    const Vector2d n = line.edge_normal(piece.contact_edge);
+    const double own_compliance = edge_compliance(mesh, edges, system, own, n);
+    const double opposite_compliance =
+        edge_compliance(mesh, edges, system, piece.opposite_edge, n);
     if (own_compliance == 0 && opposite_compliance == 0) continue;
-    const double length = (piece.end - piece.begin) * own_length;
+    const double length =
+        (piece.end - piece.begin) * edge_vector(mesh, edges, own).norm();
     const double ratio = std::clamp(opposite_compliance / own_compliance,
                                     1 / largest_ratio, largest_ratio);
     sum += length * std::log(ratio);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -12,6 +13,43 @@ namespace {
 
 /// Deviations from the chord below this part of the coefficient are rounding.
 constexpr double rounding = 1e-12;
+
+/// End values where they are not negative, otherwise the least value at both ends.
+Vector2d positive_or(const VectorXd& values, const Vector2d& ends) {
+  if (ends.minCoeff() < 0) return Vector2d::Constant(values.minCoeff());
+  return ends;
+}
+
+/// End values of linear functions.
+struct Chords {
+  Vector2d least, most;
+};
+
+/// Those below and above values on an edge, parallel to the chord of these.
+Chords enclosing_chords(const VectorXd& values) {
+  const VectorXd s = VectorXd::LinSpaced(values.size(), 0, 1);
+  const Vector2d ends(values[0], values[values.size() - 1]);
+  const VectorXd above =
+      values - ends[0] * (1 - s.array()).matrix() - ends[1] * s;
+  if (above.cwiseAbs().maxCoeff() <= rounding * values.maxCoeff())
+    return {positive_or(values, ends), ends};
+  const Vector2d least = ends.array() + above.minCoeff();
+  return {positive_or(values, least), ends.array() + above.maxCoeff()};
+}
+
+void require_nodal(const char* name, const VectorXd& values,
+                   const ContactLine& line) {
+  require_size(name, values.size(), line.node_count());
+  require_nonnegative(name, values);
+}
+
+/// Nothing, or a finite number a node.
+void require_given(const char* name, const VectorXd& values,
+                   const ContactLine& line) {
+  if (values.size() == 0) return;
+  require_size(name, values.size(), line.node_count());
+  require_finite(name, values);
+}
 
 void require_valid(const char* name, const EdgeRange& range,
                    const ContactLine& line) {
@@ -22,53 +60,44 @@ void require_valid(const char* name, const EdgeRange& range,
   }
 }
 
+/// Adds the weight of node j in the rows of node i, its directions turned into theirs.
+void add_weight(const ContactLine& line, int i, int j, double weight,
+                Triplets& entries) {
+  const Vector2d n_i = line.normal.col(i);
+  const bool turned = n_i != line.normal.col(j);
+  const double cosine = turned ? n_i.dot(line.normal.col(j)) : 1,
+               sine = turned ? n_i.dot(line.tangent(j)) : 0;
+  for (int c = 0; c < 2; ++c) {
+    const double sign = c == 0 ? 1 : -1;
+    entries.emplace_back(2 * i + c, 2 * j + c, weight * cosine);
+    if (turned)
+      entries.emplace_back(2 * i + c, 2 * j + 1 - c, sign * weight * sine);
+  }
+}
+
 }  // namespace
 
 EdgeRange enclosing_range(const Ref<const MatrixXd>& samples) {
-  const VectorXd s = VectorXd::LinSpaced(samples.rows(), 0, 1);
   EdgeRange range{Matrix2Xd(2, samples.cols()), Matrix2Xd(2, samples.cols())};
   for (Index e = 0; e < samples.cols(); ++e) {
-    const VectorXd values = samples.col(e);
-    const Vector2d ends(values[0], values[values.size() - 1]);
-    const VectorXd above =
-        values - ends[0] * (1 - s.array()).matrix() - ends[1] * s;
-    const bool linear =
-        above.cwiseAbs().maxCoeff() <= rounding * values.maxCoeff();
-    range.least.col(e) =
-        linear ? ends : Vector2d(ends.array() + above.minCoeff());
-    range.most.col(e) =
-        linear ? ends : Vector2d(ends.array() + above.maxCoeff());
-    if (range.least.col(e).minCoeff() < 0)
-      range.least.col(e).setConstant(values.minCoeff());
+    const Chords chords = enclosing_chords(samples.col(e));
+    range.least.col(e) = chords.least;
+    range.most.col(e) = chords.most;
   }
   return range;
 }
 
 void require_valid(const ContactLaw& law, const ContactLine& line) {
-  require_size("friction", law.friction.size(), line.node_count());
-  require_nonnegative("friction", law.friction);
-  if (law.tresca()) {
-    require_size("slipbound", law.slip_bound.size(), line.node_count());
-    require_nonnegative("slipbound", law.slip_bound);
-  }
-  if (law.limited()) {
-    if (law.tresca())
-      refuse("a shear limit belongs to Coulomb's law, not to Tresca's");
-    require_size("shear limit", law.shear_limit.size(), line.node_count());
-    require_nonnegative("shear limit", law.shear_limit);
-  }
+  require_nodal("friction", law.friction, line);
+  if (law.tresca()) require_nodal("slipbound", law.slip_bound, line);
+  if (law.limited() && law.tresca())
+    refuse("a shear limit belongs to Coulomb's law, not to Tresca's");
+  if (law.limited()) require_nodal("shear limit", law.shear_limit, line);
   require_valid("the coefficient between the nodes", law.between_nodes, line);
   require_valid("the shear limit between the nodes", law.limit_between_nodes,
                 line);
-  if (law.gap.size() > 0) {
-    require_size("gap", law.gap.size(), line.node_count());
-    require_finite("gap", law.gap);
-  }
-  if (law.previous.size() > 0) {
-    require_size("previous tangential displacement", law.previous.size(),
-                 line.node_count());
-    require_finite("previous tangential displacement", law.previous);
-  }
+  require_given("gap", law.gap, line);
+  require_given("previous tangential displacement", law.previous, line);
 }
 
 SparseMatrix weight_matrix(Multiplier multiplier, const ContactLine& line) {
@@ -80,25 +109,12 @@ SparseMatrix weight_matrix(Multiplier multiplier, const ContactLine& line) {
 
 SparseMatrix weight_of_rows(Multiplier multiplier, const ContactLine& line) {
   const SparseMatrix W = weight_matrix(multiplier, line);
-  std::vector<Eigen::Triplet<double>> entries;
+  Triplets entries;
   entries.reserve(4 * W.nonZeros());
   for (int j = 0; j < W.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator w(W, j); w; ++w) {
-      const int i = static_cast<int>(w.row());
-      const bool turned = line.normal.col(i) != line.normal.col(j);
-      const double cosine =
-          turned ? line.normal.col(i).dot(line.normal.col(j)) : 1;
-      const double sine = turned ? line.normal.col(i).dot(line.tangent(j)) : 0;
-      for (int c = 0; c < 2; ++c) {
-        entries.emplace_back(2 * i + c, 2 * j + c, w.value() * cosine);
-        if (turned)
-          entries.emplace_back(2 * i + c, 2 * j + 1 - c,
-                               (c == 0 ? 1 : -1) * w.value() * sine);
-      }
-    }
-  SparseMatrix rows(2 * W.rows(), 2 * W.cols());
-  rows.setFromTriplets(entries.begin(), entries.end());
-  return rows;
+    for (SparseMatrix::InnerIterator w(W, j); w; ++w)
+      add_weight(line, static_cast<int>(w.row()), j, w.value(), entries);
+  return packed(2 * W.rows(), 2 * W.cols(), entries);
 }
 
 Matrix2Xd displacement_against_foundation(

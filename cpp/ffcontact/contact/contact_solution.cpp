@@ -23,17 +23,17 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact,
                                     const NewtonSettings& settings) {
   if (law.is_convex()) return {solve_convex(contact, law, start, settings), {}};
   FixedPointResult newton{active_set_newton(contact, law, start, settings), {}};
-  const int systems = newton.answer.iterations,
-            left = settings.max_iterations - systems;
+  const int left = settings.max_iterations - newton.answer.iterations;
   if (newton.answer.status == ContactStatus::converged || left <= 0)
     return newton;
   FixedPointResult path =
       fixed_point(contact, law, start, {left, settings.tolerance}, true);
   const bool better = path.answer.status == ContactStatus::converged ||
                       path.answer.violation < newton.answer.violation;
-  path.answer.iterations += systems;
-  newton.answer.iterations = path.answer.iterations;
-  return better ? path : newton;
+  const int systems = newton.answer.iterations + path.answer.iterations;
+  if (better) newton = std::move(path);
+  newton.answer.iterations = systems;
+  return newton;
 }
 
 /// Residuals below this are rounding.
@@ -131,6 +131,14 @@ void require_sound(const Mesh& mesh, const ContactLine& line,
   require_balance(mesh, line, law, system);
 }
 
+std::shared_ptr<const CondensedStiffness> prepared_stiffness(
+    const ContactLine& line, const ElasticSystem& system,
+    const ContactSettings& settings) {
+  if (settings.stiffness) return settings.stiffness;
+  return std::make_shared<const CondensedStiffness>(system,
+                                                    contact_dofs(line, system));
+}
+
 /// By the chosen solver, from the chosen states.
 FixedPointResult condensed_answer(const CondensedContact& contact,
                                   const NodalLaw& law,
@@ -155,6 +163,12 @@ ContactStatus judged_status(ContactStatus condensed,
                                                : condensed;
 }
 
+Index nearest(const Ref<const VectorXd>& values, double value) {
+  Index place;
+  (values.array() - value).abs().minCoeff(&place);
+  return place;
+}
+
 }  // namespace
 
 const char* in_words(ContactStatus status) {
@@ -175,11 +189,8 @@ std::vector<ContactState> states_at(
                static_cast<Index>(old_state.size()));
   if (old_state.empty()) return {};
   std::vector<ContactState> states;
-  for (double s : line.abscissa) {
-    Index nearest;
-    (old_abscissa.array() - s).abs().minCoeff(&nearest);
-    states.push_back(old_state[nearest]);
-  }
+  for (double s : line.abscissa)
+    states.push_back(old_state[nearest(old_abscissa, s)]);
   return states;
 }
 
@@ -190,28 +201,25 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   require_sound(mesh, line, law, system, settings);
 
   // 1. The body as the contact line sees it, P = S v - g.
-  const auto stiffness = settings.stiffness
-                             ? settings.stiffness
-                             : std::make_shared<const CondensedStiffness>(
-                                   system, contact_dofs(line, system));
+  ContactSolution solution;
+  solution.stiffness = prepared_stiffness(line, system, settings);
+  const CondensedStiffness& stiffness = *solution.stiffness;
   const CondensedContact contact =
-      condensed_contact(line, law, system, *stiffness);
+      condensed_contact(line, law, system, stiffness);
 
   // 2. The conditions of Prop. 3.4 / 3.5.
   FixedPointResult condensed =
       condensed_answer(contact, nodal_law(law, line), settings);
   const ActiveSetResult& answer = condensed.answer;
-
-  // 3. Back to the whole body.
-  Judged whole = body_answer(line, law, system, *stiffness, contact, answer);
-  const Matrix2Xd P = whole.answer.P.reshaped(2, line.node_count());
-  ContactSolution solution;
-  solution.stiffness = stiffness;
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
-  solution.displacement = std::move(whole.answer.displacement);
   for (ContactState state : answer.state)
     solution.state.push_back(answered(state));
+
+  // 3. Back to the whole body.
+  Judged whole = body_answer(line, law, system, stiffness, contact, answer);
+  const Matrix2Xd P = whole.answer.P.reshaped(2, line.node_count());
+  solution.displacement = std::move(whole.answer.displacement);
   put_multipliers(line, law, system.prescribed, P, solution);
 
   // 4. What the theory promises, measured.

@@ -93,23 +93,32 @@ class ProximalPasses {
     std::vector<ContactState> states;
     for (int node = 0; node < x_.size() / 2; ++node) {
       const bool open = x_[place(2 * node)] == 0;
-      const Index t = place(2 * node + 1);
-      if (law_.cone[node].frictionless())
-        states.push_back(open ? ContactState::open
-                              : ContactState::slip_forward);
-      else if (x_[t] == -bound(t))
-        states.push_back(open ? ContactState::open_slip_forward
-                              : ContactState::slip_forward);
-      else if (x_[t] == bound(t))
-        states.push_back(open ? ContactState::open_slip_backward
-                              : ContactState::slip_backward);
-      else
-        states.push_back(open ? ContactState::open_stick : ContactState::stick);
+      states.push_back(open ? open_state(node) : closed_state(node));
     }
     return states;
   }
 
  private:
+  /// 1 along t, -1 against t, where friction is at its bound; 0 where it holds.
+  int slip(int node) const {
+    const Index t = place(2 * node + 1);
+    return x_[t] == -bound(t) ? 1 : x_[t] == bound(t) ? -1 : 0;
+  }
+  ContactState open_state(int node) const {
+    if (law_.cone[node].frictionless()) return ContactState::open;
+    const int along = slip(node);
+    return along > 0   ? ContactState::open_slip_forward
+           : along < 0 ? ContactState::open_slip_backward
+                       : ContactState::open_stick;
+  }
+  ContactState closed_state(int node) const {
+    if (law_.cone[node].frictionless()) return ContactState::slip_forward;
+    const int along = slip(node);
+    return along > 0   ? ContactState::slip_forward
+           : along < 0 ? ContactState::slip_backward
+                       : ContactState::stick;
+  }
+
   /// Multipliers of the primary rows that balance v.
   VectorXd balanced() const {
     const VectorXd q = unit_.cwiseProduct(x_).tail(dependent_);
@@ -125,22 +134,26 @@ class ProximalPasses {
     MatrixXd S = contact_.S;
     S.diagonal() *= 1 + proximal_;
     stiffness_ = Cholesky(S);
-    MatrixXd& C = compliance_;
-    C.resize(primary_ + dependent_, primary_ + dependent_);
-    C.topLeftCorner(primary_, primary_) =
-        stiffness_.solve_columns(MatrixXd::Identity(primary_, primary_));
-    C.topRightCorner(primary_, dependent_) =
-        stiffness_.solve_columns(contact_.E);
-    C.bottomLeftCorner(dependent_, primary_) =
-        C.topRightCorner(primary_, dependent_).transpose();
-    C.bottomRightCorner(dependent_, dependent_) =
-        contact_.F +
-        contact_.E.transpose() * C.topRightCorner(primary_, dependent_);
+    MatrixXd C = compliance();
     const double softest = C.diagonal().head(primary_).maxCoeff();
     for (Index k = primary_; k < C.rows(); ++k)
       if (C(k, k) == 0) C(k, k) = softest;
     unit_ = C.diagonal().cwiseSqrt().cwiseInverse();
-    C = (unit_.asDiagonal() * C * unit_.asDiagonal()).eval();
+    compliance_ = unit_.asDiagonal() * C * unit_.asDiagonal();
+  }
+
+  /// With S' = S + r diag(S):   [S'^-1, S'^-1 E; E' S'^-1, F + E' S'^-1 E].
+  MatrixXd compliance() const {
+    const MatrixXd& E = contact_.E;
+    MatrixXd C(primary_ + dependent_, primary_ + dependent_);
+    C.topLeftCorner(primary_, primary_) =
+        stiffness_.solve_columns(MatrixXd::Identity(primary_, primary_));
+    auto coupling = C.topRightCorner(primary_, dependent_);
+    coupling = stiffness_.solve_columns(E);
+    C.bottomLeftCorner(dependent_, primary_) = coupling.transpose();
+    C.bottomRightCorner(dependent_, dependent_) =
+        contact_.F + E.transpose() * coupling;
+    return C;
   }
 
   /// b of a tangential position in its unit; the law has no other friction.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,6 +89,15 @@ struct Clearance {
   VectorXd c;       ///< [mm]
 };
 
+/// [u] . n as a sum over dofs.
+std::vector<std::pair<int, double>> components_along_n(const Station& station) {
+  std::vector<std::pair<int, double>> components;
+  for (const auto& [vertex, weight] : station.weights)
+    for (int k = 0; k < 2; ++k)
+      components.emplace_back(2 * vertex + k, weight * station.normal[k]);
+  return components;
+}
+
 Clearance clearance_of(const std::vector<Station>& stations,
                        const ElasticSystem& system) {
   const auto rows = static_cast<Index>(stations.size());
@@ -96,18 +106,25 @@ Clearance clearance_of(const std::vector<Station>& stations,
   for (Index row = 0; row < rows; ++row) {
     const Station& station = stations[row];
     clearance.c[row] = -station.gap;
-    for (const auto& [vertex, weight] : station.weights)
-      for (int k = 0; k < 2; ++k) {
-        const double component = weight * station.normal[k];
-        if (system.prescribed[2 * vertex + k])
-          clearance.c[row] +=
-              component * system.prescribed_value[2 * vertex + k];
-        else if (std::abs(component) > held)
-          entries.emplace_back(row, 2 * vertex + k, component);
-      }
+    for (const auto& [dof, component] : components_along_n(station)) {
+      if (system.prescribed[dof])
+        clearance.c[row] += component * system.prescribed_value[dof];
+      else if (std::abs(component) > held)
+        entries.emplace_back(row, dof, component);
+    }
   }
   clearance.G.setFromTriplets(entries.begin(), entries.end());
   return clearance;
+}
+
+/// The largest of its gap and the prescribed values of its vertices [mm].
+double largest_given(const Station& station, const ElasticSystem& system) {
+  double largest = std::abs(station.gap);
+  for (const auto& [vertex, weight] : station.weights) {
+    const Vector2d u = system.prescribed_value.segment<2>(2 * vertex);
+    largest = std::max(largest, u.cwiseAbs().maxCoeff());
+  }
+  return largest;
 }
 
 /// Penetration that rounding explains [mm].
@@ -117,13 +134,8 @@ double accepted_penetration(const Mesh& mesh,
   const Vector2d extent =
       mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
   double scale = 0;
-  for (const Station& station : stations) {
-    scale = std::max(scale, std::abs(station.gap));
-    for (const auto& part : station.weights)
-      scale = std::max(scale, system.prescribed_value.segment<2>(2 * part.first)
-                                  .cwiseAbs()
-                                  .maxCoeff());
-  }
+  for (const Station& station : stations)
+    scale = std::max(scale, largest_given(station, system));
   return rounding * scale + coordinate_rounding * extent.maxCoeff();
 }
 
@@ -140,6 +152,15 @@ bool prescribed_on_both_sides(const ContactLine& line,
           std::any_of(opposite.begin(), opposite.end(), is_held));
 }
 
+/// How far to go along `moved` for what it clears, at most the farthest.
+double step_to_clear(const VectorXd& inside, const VectorXd& moved) {
+  double step = 0;
+  for (Index i = 0; i < moved.size(); ++i)
+    if (inside[i] > 0 && moved[i] < -held)
+      step = std::max(step, -inside[i] / moved[i]);
+  return step;
+}
+
 /// Is it enough that every free dof retreats, each as the mean of its rows asks for?
 bool clear_by_retreat(const Clearance& clearance) {
   const VectorXd ones = VectorXd::Ones(clearance.c.size());
@@ -148,49 +169,58 @@ bool clear_by_retreat(const Clearance& clearance) {
   const VectorXd retreat =
       -(total.array() > 0).select(sum.array() / total.array(), 0.0);
   const VectorXd moved = clearance.G * retreat;
-  double step = 0;
-  for (Index i = 0; i < moved.size(); ++i)
-    if (clearance.c[i] > 0 && moved[i] < -held)
-      step = std::max(step, -clearance.c[i] / moved[i]);
+  const double step = step_to_clear(clearance.c, moved);
   return (clearance.c + step * moved).maxCoeff() <=
          rounding * clearance.c.maxCoeff();
+}
+
+/// The dofs that lower some of the rows and raise others.
+std::vector<char> opposed_dofs(const WeightsByNode& G,
+                               const std::vector<int>& rows) {
+  std::vector<char> up(G.cols(), 0), down(G.cols(), 0);
+  for (int i : rows)
+    for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
+      (entry.value() > 0 ? up : down)[entry.col()] = 1;
+  for (std::size_t dof = 0; dof < up.size(); ++dof) up[dof] &= down[dof];
+  return up;
+}
+
+bool has_free_dof(const WeightsByNode& G, int row,
+                  const std::vector<char>& opposed) {
+  for (WeightsByNode::InnerIterator entry(G, row); entry; ++entry)
+    if (!opposed[entry.col()]) return true;
+  return false;
 }
 
 /// The rows that no dof can lower without raising another of them. A dof that lowers all
 /// its rows frees them.
 std::vector<int> bound_rows(const WeightsByNode& G) {
-  std::vector<char> bound(G.rows(), 1);
-  for (bool changed = true; changed;) {
-    changed = false;
-    std::vector<char> up(G.cols(), 0), down(G.cols(), 0);
-    const auto visit = [&](auto&& action) {
-      for (int i = 0; i < G.rows(); ++i)
-        if (bound[i])
-          for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
-            action(i, entry.col(), entry.value());
-    };
-    visit([&](int, Index dof, double value) {
-      (value > 0 ? up : down)[dof] = 1;
-    });
-    visit([&](int i, Index dof, double) {
-      if (up[dof] && down[dof]) return;
-      bound[i] = 0;
-      changed = true;
-    });
+  std::vector<int> bound(G.rows());
+  std::iota(bound.begin(), bound.end(), 0);
+  for (std::size_t before = bound.size() + 1; bound.size() < before;) {
+    before = bound.size();
+    const std::vector<char> opposed = opposed_dofs(G, bound);
+    const auto is_free = [&](int i) { return has_free_dof(G, i, opposed); };
+    bound.erase(std::remove_if(bound.begin(), bound.end(), is_free),
+                bound.end());
   }
-  std::vector<int> rows;
-  for (int i = 0; i < G.rows(); ++i)
-    if (bound[i]) rows.push_back(i);
-  return rows;
+  return bound;
+}
+
+/// The dofs of some rows, in the order in which they first occur.
+std::map<Index, Index> places_of_dofs(const WeightsByNode& G,
+                                      const std::vector<int>& selected) {
+  std::map<Index, Index> place;
+  for (int i : selected)
+    for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
+      place.emplace(entry.col(), static_cast<Index>(place.size()));
+  return place;
 }
 
 /// Some rows of G as columns, dofs without an entry left out [dofs x selected].
 MatrixXd transposed_rows(const WeightsByNode& G,
                          const std::vector<int>& selected) {
-  std::map<Index, Index> place;
-  for (int i : selected)
-    for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
-      place.emplace(entry.col(), static_cast<Index>(place.size()));
+  const std::map<Index, Index> place = places_of_dofs(G, selected);
   MatrixXd rows = MatrixXd::Zero(static_cast<Index>(place.size()),
                                  static_cast<Index>(selected.size()));
   for (std::size_t k = 0; k < selected.size(); ++k)
@@ -215,6 +245,16 @@ VectorXd shares_in_contradiction(const Clearance& clearance,
   return y.cwiseProduct(c.transpose());
 }
 
+[[noreturn]] void refuse_held(const ContactLine& line, const Station& station,
+                              double inside) {
+  const bool bodies = line.against_a_body();
+  refuse("prescribed displacements hold ", bodies ? "contact node " : "vertex ",
+         bodies ? station.node : line.vertex[station.node], " at (",
+         station.point.x(), ", ", station.point.y(), ") ", inside, " inside ",
+         bodies ? "the opposite body" : "the foundation",
+         ": change them or gap= there, or free a dof that moves it along n");
+}
+
 }  // namespace
 
 void require_feasible(const Mesh& mesh, const ContactLine& line,
@@ -230,14 +270,7 @@ void require_feasible(const Mesh& mesh, const ContactLine& line,
   const VectorXd shares = shares_in_contradiction(clearance, bound);
   Index worst;
   if (shares.maxCoeff(&worst) <= 0) return;
-
-  const Station& station = all[bound[worst]];
-  const bool bodies = line.against_a_body();
-  refuse("prescribed displacements hold ", bodies ? "contact node " : "vertex ",
-         bodies ? station.node : line.vertex[station.node], " at (",
-         station.point.x(), ", ", station.point.y(), ") ", inside[bound[worst]],
-         " inside ", bodies ? "the opposite body" : "the foundation",
-         ": change them or gap= there, or free a dof that moves it along n");
+  refuse_held(line, all[bound[worst]], inside[bound[worst]]);
 }
 
 }  // namespace ffcontact

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "ffcontact/contact/convex_contact.hpp"
 
@@ -24,6 +25,12 @@ double relative_change(const VectorXd& g, const VectorXd& image) {
                    : g.cwiseAbs().maxCoeff();
 }
 
+ContactState sliding_state(double vt) {
+  return vt > 0   ? ContactState::slip_forward
+         : vt < 0 ? ContactState::slip_backward
+                  : ContactState::stick;
+}
+
 /// Where g is 0 P(g) is frictionless, and its states know no direction. Coulomb's law has
 /// one as soon as P_n is not quite 0.
 void follow_slip(const NodalLaw& law, const NodalLaw& given,
@@ -33,12 +40,96 @@ void follow_slip(const NodalLaw& law, const NodalLaw& given,
     if (law.cone[node].frictionless() || !given.cone[node].frictionless() ||
         is_open(answer.state[i]))
       continue;
-    const double vt = answer.v[2 * node + 1];
-    answer.state[i] = vt > 0   ? ContactState::slip_forward
-                      : vt < 0 ? ContactState::slip_backward
-                               : ContactState::stick;
+    answer.state[i] = sliding_state(answer.v[2 * node + 1]);
   }
 }
+
+/// The steps of the fixed point.
+class Iteration {
+ public:
+  Iteration(const CondensedContact& contact, const NodalLaw& law,
+            std::vector<ContactState> state, const NewtonSettings& settings,
+            bool with_newton)
+      : contact_(contact),
+        law_(law),
+        settings_(settings),
+        with_newton_(with_newton),
+        state_(std::move(state)),
+        g_(VectorXd::Zero(law.node_count())) {
+    result_.answer.violation = std::numeric_limits<double>::infinity();
+  }
+
+  FixedPointResult result() && {
+    while (left() > 0)
+      if (step_ends()) break;
+    result_.answer.iterations = systems_;
+    return std::move(result_);
+  }
+
+ private:
+  int left() const { return settings_.max_iterations - systems_; }
+
+  /// @return whether the step, or Newton from its states, found the answer
+  bool step_ends() {
+    const NodalLaw given = with_given_slip_limit(law_, g_);
+    ActiveSetResult step =
+        solve_convex(contact_, given, state_, {left(), settings_.tolerance});
+    systems_ += step.iterations;
+    const bool same_states = step.state == state_;
+    state_ = step.state;
+    move_towards(normal_multipliers(step.P));
+    if (keep(std::move(step))) {
+      // the law at g is Coulomb's but for the last digits
+      follow_slip(law_, given, result_.answer);
+      put_into_law(law_, result_.answer.state, result_.answer.P);
+      return true;
+    }
+    result_.answer.status = ContactStatus::not_converged;
+    return with_newton_ && !same_states && left() > 0 && newton_ends();
+  }
+
+  /// g moves towards its image, less far once that starts to run away.
+  void move_towards(const VectorXd& image) {
+    std::vector<double>& history = result_.history;
+    const double change = law_.is_convex() ? 0 : relative_change(g_, image);
+    if (!history.empty() && change > history.back())
+      damping_ = std::max(damping_ / 2, smallest_damping);
+    history.push_back(change);
+    g_ += damping_ * (image - g_);
+  }
+
+  /// Keeps a step that is the best so far. @return whether it is the answer
+  bool keep(ActiveSetResult step) {
+    const bool solved = step.status == ContactStatus::converged;
+    step.violation = law_violation(contact_, law_, {step.P, step.v});
+    const bool found =
+        solved && (law_.is_convex() || step.violation <= settings_.tolerance);
+    if (found || step.violation < result_.answer.violation ||
+        result_.history.size() == 1)
+      result_.answer = std::move(step);
+    return found;
+  }
+
+  bool newton_ends() {
+    const int most = std::min(newton_systems, left());
+    ActiveSetResult newton =
+        active_set_newton(contact_, law_, state_, {most, settings_.tolerance});
+    systems_ += newton.iterations;
+    if (newton.status != ContactStatus::converged) return false;
+    result_.answer = std::move(newton);
+    return true;
+  }
+
+  const CondensedContact& contact_;
+  const NodalLaw& law_;
+  const NewtonSettings settings_;
+  const bool with_newton_;
+  std::vector<ContactState> state_;
+  VectorXd g_;
+  double damping_ = 1;
+  int systems_ = 0;  ///< solved so far
+  FixedPointResult result_;
+};
 
 }  // namespace
 
@@ -46,52 +137,8 @@ FixedPointResult fixed_point(const CondensedContact& contact,
                              const NodalLaw& law,
                              std::vector<ContactState> state,
                              const NewtonSettings& settings, bool with_newton) {
-  FixedPointResult result;
-  result.answer.violation = std::numeric_limits<double>::infinity();
-  VectorXd g = VectorXd::Zero(law.node_count());
-  const bool convex = law.is_convex();
-  double damping = 1;
-  int systems = 0;
-  const auto left = [&] { return settings.max_iterations - systems; };
-  while (left() > 0) {
-    const NodalLaw given = with_given_slip_limit(law, g);
-    ActiveSetResult step =
-        solve_convex(contact, given, state, {left(), settings.tolerance});
-    systems += step.iterations;
-    const bool same_states = step.state == state,
-               solved = step.status == ContactStatus::converged;
-    state = step.state;
-
-    const VectorXd image = normal_multipliers(step.P);
-    const double change = convex ? 0 : relative_change(g, image);
-    if (!result.history.empty() && change > result.history.back())
-      damping = std::max(damping / 2, smallest_damping);
-    result.history.push_back(change);
-    g += damping * (image - g);
-
-    step.violation = law_violation(contact, law, {step.P, step.v});
-    const bool found =
-        solved && (convex || step.violation <= settings.tolerance);
-    if (found || step.violation < result.answer.violation ||
-        result.history.size() == 1)
-      result.answer = std::move(step);
-    if (found) {  // the law at g is Coulomb's but for the last digits
-      follow_slip(law, given, result.answer);
-      put_into_law(law, result.answer.state, result.answer.P);
-      break;
-    }
-    result.answer.status = ContactStatus::not_converged;
-    if (!with_newton || same_states || left() <= 0) continue;
-    ActiveSetResult newton = active_set_newton(
-        contact, law, state,
-        {std::min(newton_systems, left()), settings.tolerance});
-    systems += newton.iterations;
-    if (newton.status != ContactStatus::converged) continue;
-    result.answer = std::move(newton);
-    break;
-  }
-  result.answer.iterations = systems;
-  return result;
+  return Iteration(contact, law, std::move(state), settings, with_newton)
+      .result();
 }
 
 }  // namespace ffcontact

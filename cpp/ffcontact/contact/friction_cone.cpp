@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "ffcontact/base/plane.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -17,25 +19,24 @@ Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound,
 
 using Bound = Matrix2Xd EdgeRange::*;
 
+void put_limits(const ContactLine& line, const ContactLaw& law, Bound bound,
+                int edge, ConesAtEnds& cones) {
+  const Vector2d limits =
+      at_ends(line, law.limit_between_nodes.*bound, law.shear_limit, edge);
+  for (int end = 0; end < 2; ++end) cones[end].limit = limits[end];
+}
+
 /// The cones by the least or the most of what the law has along an edge.
 ConesAtEnds cones(const ContactLine& line, const ContactLaw& law, Bound bound,
                   int edge) {
-  ConesAtEnds result;
   const VectorXd& coefficient = law.tresca() ? law.slip_bound : law.friction;
   const Vector2d values =
       at_ends(line, law.between_nodes.*bound, coefficient, edge);
+  ConesAtEnds result;
   for (int end = 0; end < 2; ++end)
     (law.tresca() ? result[end].cohesion : result[end].friction) = values[end];
-  if (!law.limited()) return result;
-  const Vector2d limits =
-      at_ends(line, law.limit_between_nodes.*bound, law.shear_limit, edge);
-  for (int end = 0; end < 2; ++end) result[end].limit = limits[end];
+  if (law.limited()) put_limits(line, law, bound, edge, result);
   return result;
-}
-
-/// A linear function of the place s on an edge.
-double between(double first, double second, double s) {
-  return first + s * (second - first);
 }
 
 /// The largest value >= 0 on (0, 1) of a quadratic: at an end or where its slope
@@ -51,21 +52,24 @@ double largest_value(Quadratic&& f) {
   return peak_inside ? std::max(ends, f(-slope / (4 * bend))) : ends;
 }
 
+/// c + mu p at the place s on an edge.
+double friction_bound(const ConesAtEnds& cones, const Vector2d& normal,
+                      double s) {
+  const double p = std::max(-between(normal[0], normal[1], s), 0.0);
+  return between(cones[0].cohesion, cones[1].cohesion, s) +
+         between(cones[0].friction, cones[1].friction, s) * p;
+}
+
 /// Largest |r_t| - c - mu p on an edge.
 double excess_of_friction(const ConesAtEnds& cones, const Vector2d& normal,
                           const Vector2d& tangential) {
-  const auto bound = [&](double s) {
-    const double p = std::max(-between(normal[0], normal[1], s), 0.0);
-    return between(cones[0].cohesion, cones[1].cohesion, s) +
-           between(cones[0].friction, cones[1].friction, s) * p;
+  const auto excess = [&](int sign) {
+    return largest_value([&](double s) {
+      return sign * between(tangential[0], tangential[1], s) -
+             friction_bound(cones, normal, s);
+    });
   };
-  double largest = 0;
-  for (const int sign : {1, -1})
-    largest = std::max(
-        largest, largest_value([&](double s) {
-          return sign * between(tangential[0], tangential[1], s) - bound(s);
-        }));
-  return largest;
+  return std::max(excess(1), excess(-1));
 }
 
 /// Largest |r_t| - k on an edge.
@@ -131,6 +135,29 @@ void add_between(const ConesAtEnds& cones, EdgeCone& edge, Index& rows) {
   }
 }
 
+EdgeCone edge_cone(const ConesAtEnds& cones) {
+  EdgeCone result{{cones[0].frictionless(), cones[1].frictionless()},
+                  Matrix<double, Dynamic, 4>::Zero(EdgeCone::most_rows, 4),
+                  VectorXd::Zero(EdgeCone::most_rows)};
+  Index rows = 0;
+  for (int end = 0; end < 2; ++end) add_end(cones[end], end, result, rows);
+  add_between(cones, result, rows);
+  result.C.conservativeResize(rows, Eigen::NoChange);
+  result.d.conservativeResize(rows);
+  return result;
+}
+
+/// How far the way from an inner point to r goes inside the cone, at most 1.
+double part_inside(const EdgeCone& cone, const Vector4d& inner,
+                   const Vector4d& r) {
+  const VectorXd without = cone.C * inner - cone.d, with = cone.C * r - cone.d;
+  double part = 1;
+  for (Index row = 0; row < with.size(); ++row)
+    if (with[row] < 0)
+      part = std::min(part, without[row] / (without[row] - with[row]));
+  return part;
+}
+
 }  // namespace
 
 ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
@@ -144,16 +171,7 @@ ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
 }
 
 EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
-  const ConesAtEnds cones = least_cones(line, law, edge);
-  EdgeCone result{{cones[0].frictionless(), cones[1].frictionless()},
-                  Matrix<double, Dynamic, 4>::Zero(EdgeCone::most_rows, 4),
-                  VectorXd::Zero(EdgeCone::most_rows)};
-  Index rows = 0;
-  for (int end = 0; end < 2; ++end) add_end(cones[end], end, result, rows);
-  add_between(cones, result, rows);
-  result.C.conservativeResize(rows, Eigen::NoChange);
-  result.d.conservativeResize(rows);
-  return result;
+  return edge_cone(least_cones(line, law, edge));
 }
 
 Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
@@ -162,17 +180,11 @@ Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
   const Vector2d first = cones[0].clamped(r.head<2>()),
                  second = cones[1].clamped(r.tail<2>());
   const Vector2d normal(first[0], second[0]), tangential(first[1], second[1]);
-  if (cones[0].friction == cones[1].friction)
-    return interleaved(normal, tangential);
+  const Vector4d clamped = interleaved(normal, tangential);
+  if (cones[0].friction == cones[1].friction) return clamped;
   // r_n alone is in the cone, which is convex
-  const EdgeCone cone = edge_cone(line, law, edge);
-  const VectorXd without =
-      cone.C * interleaved(normal, Vector2d::Zero()) - cone.d;
-  const VectorXd with = cone.C * interleaved(normal, tangential) - cone.d;
-  double part = 1;
-  for (Index row = 0; row < with.size(); ++row)
-    if (with[row] < 0)
-      part = std::min(part, without[row] / (without[row] - with[row]));
+  const Vector4d r_n = interleaved(normal, Vector2d::Zero());
+  const double part = part_inside(edge_cone(cones), r_n, clamped);
   return interleaved(normal, part * tangential);
 }
 

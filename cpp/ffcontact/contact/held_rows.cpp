@@ -21,6 +21,16 @@ double uncounted(const ContactLine& line, int node) {
   return sum;
 }
 
+/// Does a free dof of a vertex move a node that it has this weight at?
+bool moves_along(const Vector2d& direction, int vertex, double weight,
+                 const std::vector<char>& prescribed) {
+  if (std::abs(weight) < faced) return false;
+  for (int k = 0; k < 2; ++k)
+    if (!prescribed[2 * vertex + k] && std::abs(weight * direction[k]) > moved)
+      return true;
+  return false;
+}
+
 }  // namespace
 
 std::vector<char> held_rows(const ContactLine& line,
@@ -29,12 +39,9 @@ std::vector<char> held_rows(const ContactLine& line,
   for (int i = 0; i < line.node_count(); ++i) {
     const Vector2d direction[2] = {line.normal.col(i), line.tangent(i)};
     const auto moves_with = [&](int vertex, double weight) {
-      if (std::abs(weight) < faced) return;
       for (int c = 0; c < 2; ++c)
-        for (int k = 0; k < 2; ++k)
-          if (!prescribed[2 * vertex + k] &&
-              std::abs(weight * direction[c][k]) > moved)
-            held[2 * i + c] = 0;
+        if (moves_along(direction[c], vertex, weight, prescribed))
+          held[2 * i + c] = 0;
     };
     moves_with(line.vertex[i], 1);
     visit_opposite(line, i, moves_with);

@@ -27,6 +27,23 @@ NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law,
                                weights(line, law).cwiseProduct(given_pressure));
 }
 
+void require_fitting(const ContactLine& line,
+                     const Ref<const Matrix2Xd>& pressure,
+                     const Ref<const VectorXd>& given_pressure) {
+  require_size("contact pressures", pressure.cols(), line.node_count());
+  require_finite("contact pressure", pressure.reshaped());
+  if (given_pressure.size() == 0) return;
+  require_size("g", given_pressure.size(), line.node_count());
+  require_finite("g", given_pressure);
+}
+
+/// Onto the cone, which is in units of weight p.
+Vector2d projected(const FrictionCone& cone, double weight, Vector2d p) {
+  p[0] = std::min(p[0], 0.0);
+  const double bound = cone.bound(weight * p[0]) / weight;
+  return {p[0], std::clamp(p[1], -bound, bound)};
+}
+
 }  // namespace
 
 MultiplierProjection projected_multipliers(
@@ -34,22 +51,14 @@ MultiplierProjection projected_multipliers(
     const Ref<const Matrix2Xd>& pressure,
     const Ref<const VectorXd>& given_pressure) {
   require_valid(law, line);
-  require_size("contact pressures", pressure.cols(), line.node_count());
-  require_finite("contact pressure", pressure.reshaped());
-  if (given_pressure.size() > 0) {
-    require_size("g", given_pressure.size(), line.node_count());
-    require_finite("g", given_pressure);
-  }
-
+  require_fitting(line, pressure, given_pressure);
   const NodalLaw nodal = law_of_step(line, law, given_pressure);
   const VectorXd weight = weights(line, law);
   MultiplierProjection result{pressure, 0};
   for (int i = 0; i < line.node_count(); ++i) {
-    auto p = result.pressure.col(i);
-    p[0] = std::min(p[0], 0.0);
-    const double bound = nodal.cone[i].bound(weight[i] * p[0]) / weight[i];
-    p[1] = std::clamp(p[1], -bound, bound);
-    if (p != pressure.col(i)) ++result.outside;
+    result.pressure.col(i) =
+        projected(nodal.cone[i], weight[i], pressure.col(i));
+    if (result.pressure.col(i) != pressure.col(i)) ++result.outside;
   }
   return result;
 }

@@ -33,6 +33,19 @@ double violation(const FrictionCone& cone, const Vector2d& P,
                    along});                         // (3.22)
 }
 
+VectorXd in_units_of_P(const ContactLaw& law, const ContactLine& line,
+                       const VectorXd& pressure) {
+  if (law.multiplier == Multiplier::pressure || pressure.size() == 0)
+    return pressure;
+  return contact_mass(line) * pressure;
+}
+
+FrictionCone relative(FrictionCone cone, double scale) {
+  cone.cohesion = relative(cone.cohesion, scale);
+  cone.limit = relative(cone.limit, scale);
+  return cone;
+}
+
 }  // namespace
 
 bool NodalLaw::is_convex() const {
@@ -42,13 +55,8 @@ bool NodalLaw::is_convex() const {
 }
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
-  const auto in_units_of_P = [&](const VectorXd& pressure) -> VectorXd {
-    return law.multiplier == Multiplier::force && pressure.size() > 0
-               ? contact_mass(line) * pressure
-               : pressure;
-  };
-  const VectorXd given = in_units_of_P(law.slip_bound),
-                 limit = in_units_of_P(law.shear_limit);
+  const VectorXd given = in_units_of_P(law, line, law.slip_bound),
+                 limit = in_units_of_P(law, line, law.shear_limit);
   NodalLaw nodal{std::vector<FrictionCone>(line.node_count())};
   for (int i = 0; i < line.node_count(); ++i) {
     FrictionCone& cone = nodal.cone[i];
@@ -61,9 +69,9 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
 
 NodalLaw with_given_slip_limit(const NodalLaw& law,
                                const Ref<const VectorXd>& normal) {
-  NodalLaw given{std::vector<FrictionCone>(law.cone.size())};
+  NodalLaw given;
   for (int i = 0; i < law.node_count(); ++i)
-    given.cone[i].cohesion = law.cone[i].bound(normal[i]);
+    given.cone.push_back({law.cone[i].bound(normal[i])});
   return given;
 }
 
@@ -74,12 +82,10 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
   const double p_scale = std::max(scales.P, P.cwiseAbs().maxCoeff());
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {
-    FrictionCone cone = law.cone[i];
-    cone.cohesion = relative(cone.cohesion, p_scale);
-    cone.limit = relative(cone.limit, p_scale);
-    const Vector2d P_i = P.segment<2>(2 * i), v_i = v.segment<2>(2 * i);
-    largest = std::max(largest, violation(cone, relative(P_i, p_scale),
-                                          relative(v_i, scales.v)));
+    const FrictionCone cone = relative(law.cone[i], p_scale);
+    const Vector2d P_i = relative(P.segment<2>(2 * i), p_scale),
+                   v_i = relative(v.segment<2>(2 * i), scales.v);
+    largest = std::max(largest, violation(cone, P_i, v_i));
   }
   return largest;
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/nodal_pressures.hpp"
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
 #include "ffcontact/contact/held_rows.hpp"
-#include "ffcontact/interface/facing_traces.hpp"
+#include "ffcontact/interface/line_ends.hpp"
 
 namespace ffcontact {
 
@@ -12,10 +13,11 @@ namespace {
 /// The other node of an edge at each node [p].
 VectorXi neighbours(const ContactLine& line) {
   VectorXi neighbour(line.node_count());
-  for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end)
-      if (!is_constant_on(line, e))
-        neighbour[line.edge_node(end, e)] = line.edge_node(1 - end, e);
+  for (int e = 0; e < line.edge_count(); ++e) {
+    if (is_constant_on(line, e)) continue;
+    const Vector2i nodes = line.edge_node.col(e);
+    neighbour(nodes) = nodes.reverse();
+  }
   return neighbour;
 }
 
@@ -33,13 +35,34 @@ std::vector<int> sources(const ContactLine& line,
   return source;
 }
 
+/// The values of the rows that they are continued from, 0 where there is none [2 x p].
+Matrix2Xd continued(const VectorXd& values, const std::vector<int>& source) {
+  VectorXd result(values.size());
+  for (int row = 0; row < values.size(); ++row)
+    result[row] = source[row] < 0 ? 0 : values[source[row]];
+  return result.reshaped(2, values.size() / 2);
+}
+
+/// The mass matrix of continued values on the rows that have an equation, 1 on the
+/// others.
+SparseMatrix continued_mass(const SparseMatrix& mass,
+                            const std::vector<int>& source) {
+  Triplets entries;
+  for (int j = 0; j < mass.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator m(mass, j); m; ++m)
+      if (source[j] >= 0 && source[m.row()] == m.row())
+        entries.emplace_back(static_cast<int>(m.row()), source[j], m.value());
+  for (int row = 0; row < mass.rows(); ++row)
+    if (source[row] != row) entries.emplace_back(row, row, 1.0);
+  return packed(mass.rows(), mass.cols(), entries);
+}
+
 }  // namespace
 
 VectorXd nodal_lengths(const ContactLine& line) {
   VectorXd lengths = VectorXd::Zero(line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end)
-      lengths[line.edge_node(end, e)] += line.length[e] / 2;
+    for (int node : line.edge_node.col(e)) lengths[node] += line.length[e] / 2;
   return lengths;
 }
 
@@ -59,36 +82,18 @@ Matrix2Xd consistent_pressures(const ContactLine& line,
                                const Ref<const Matrix2Xd>& force) {
   const std::vector<int> source = sources(line, prescribed);
   const SparseMatrix mass = weight_of_rows(Multiplier::pressure, line);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int j = 0; j < mass.outerSize(); ++j) {
-    if (source[j] < 0) continue;
-    for (SparseMatrix::InnerIterator m(mass, j); m; ++m)
-      if (source[m.row()] == m.row())
-        entries.emplace_back(static_cast<int>(m.row()), source[j], m.value());
-  }
   VectorXd right = force.reshaped();
-  for (int row = 0; row < right.size(); ++row) {
-    if (source[row] == row) continue;
-    right[row] = 0;
-    entries.emplace_back(row, row, 1.0);
-  }
-  SparseMatrix system(mass.rows(), mass.cols());
-  system.setFromTriplets(entries.begin(), entries.end());
-  VectorXd pressure = SparseLu(std::move(system)).solve(right);
   for (int row = 0; row < right.size(); ++row)
-    if (source[row] >= 0) pressure[row] = pressure[source[row]];
-  return pressure.reshaped(2, line.node_count());
+    if (source[row] != row) right[row] = 0;
+  const VectorXd pressure = SparseLu(continued_mass(mass, source)).solve(right);
+  return continued(pressure, source);
 }
 
 Matrix2Xd lumped_pressures(const ContactLine& line,
                            const std::vector<char>& prescribed,
                            const Ref<const Matrix2Xd>& force) {
   const std::vector<int> source = sources(line, prescribed);
-  const VectorXd lumped = lumped_pressures(line, force).reshaped();
-  VectorXd pressure(lumped.size());
-  for (int row = 0; row < pressure.size(); ++row)
-    pressure[row] = source[row] < 0 ? 0 : lumped[source[row]];
-  return pressure.reshaped(2, line.node_count());
+  return continued(lumped_pressures(line, force).reshaped(), source);
 }
 
 Matrix2Xd multiplier_density(const ContactLine& line, Multiplier multiplier,

@@ -31,6 +31,43 @@ VectorXd residual(const ElasticSystem& system, const VectorXd& u,
   return residual;
 }
 
+/// Of the loads and contact forces on a free dof.
+double largest_force(const ElasticSystem& system, const VectorXd& contact) {
+  double largest = 0;
+  for (Index dof = 0; dof < contact.size(); ++dof) {
+    const double force = std::abs(system.load[dof]) + std::abs(contact[dof]);
+    if (!system.prescribed[dof]) largest = std::max(largest, force);
+  }
+  return largest;
+}
+
+/// sum |K_ij| (|u_j| + apart)
+double terms_of_equation(const ElasticSystem& system, Index dof,
+                         const VectorXd& u, double apart) {
+  double terms = 0;
+  for (RowMatrix::InnerIterator e(system.stiffness, dof); e; ++e)
+    terms += std::abs(e.value()) * (std::abs(u[e.col()]) + apart);
+  return terms;
+}
+
+/// v of the rows that hold it, W (u_n - gap, u_t - previous), and 0 on the others.
+VectorXd held_displacement(const ContactLine& line, const ContactLaw& law,
+                           const HeldRows& held,
+                           const std::vector<ContactState>& state,
+                           const VectorXd& displacement) {
+  VectorXd v = weight_of_rows(law.multiplier, line) *
+               steered_displacement(line, law, held, displacement).reshaped();
+  for (Index row = 0; row < v.size(); ++row)
+    if (!holds(state[row / 2], static_cast<int>(row % 2))) v[row] = 0;
+  return v;
+}
+
+/// The law of a correction: bounds are those of the answer.
+NodalLaw without_bounds(NodalLaw law) {
+  for (FrictionCone& cone : law.cone) cone.cohesion = cone.limit = 0;
+  return law;
+}
+
 }  // namespace
 
 Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
@@ -45,20 +82,14 @@ double residual_defect(const ContactLine& line, const ContactLaw& law,
   const VectorXd& u = answer.displacement;
   const VectorXd contact = contact_load(line, law, held, answer);
   const VectorXd r = residual(system, u, contact);
+  const double forces = largest_force(system, contact);
   const double apart = largest_given(law);
-  double forces = 0;
-  for (Index dof = 0; dof < r.size(); ++dof)
-    if (!system.prescribed[dof])
-      forces =
-          std::max(forces, std::abs(system.load[dof]) + std::abs(contact[dof]));
   double defect = 0;
   for (Index dof = 0; dof < r.size(); ++dof) {
     if (r[dof] == 0) continue;
-    double terms = 0;
-    for (RowMatrix::InnerIterator e(system.stiffness, dof); e; ++e)
-      terms += std::abs(e.value()) * (std::abs(u[e.col()]) + apart);
-    defect = std::max(
-        defect, std::abs(r[dof]) / std::max(forces, share_of_terms * terms));
+    const double terms = terms_of_equation(system, dof, u, apart);
+    const double scale = std::max(forces, share_of_terms * terms);
+    defect = std::max(defect, std::abs(r[dof]) / scale);
   }
   return defect;
 }
@@ -71,15 +102,10 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
                    const BodyAnswer& answer) {
   const VectorXd forces = contact_load(line, law, contact.held, answer);
   const VectorXd load = residual(system, answer.displacement, forces);
-  VectorXd v =
-      weight_of_rows(law.multiplier, line) *
-      steered_displacement(line, law, contact.held, answer.displacement)
-          .reshaped();
-  for (Index row = 0; row < v.size(); ++row)
-    if (!holds(state[row / 2], static_cast<int>(row % 2))) v[row] = 0;
+  const VectorXd v =
+      held_displacement(line, law, contact.held, state, answer.displacement);
   const CondensedContact correction = with_loads(contact, stiffness, load, v);
-  NodalLaw unbounded = nodal_law(law, line);
-  for (FrictionCone& cone : unbounded.cone) cone.cohesion = cone.limit = 0;
+  const NodalLaw unbounded = without_bounds(nodal_law(law, line));
   ContactRows rows;
   if (solve_active_set(correction, unbounded, state, rows) ==
       SystemKind::inconsistent)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/contact_line.hpp"
 
-#include <algorithm>
-#include <map>
 #include <set>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/interface/boundary_chains.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/mesh/smooth_curve.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
@@ -13,42 +13,6 @@
 namespace ffcontact {
 
 namespace {
-
-std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
-                                   const std::vector<int>& labels) {
-  if (labels.empty()) refuse("no contact label is given");
-  std::vector<int> found;
-  std::set<int> used;
-  for (int e = 0; e < edges.count(); ++e) {
-    if (!edges.on_boundary(e)) continue;
-    const int label = mesh.boundary_label[edges.boundary_index[e]];
-    if (std::find(labels.begin(), labels.end(), label) == labels.end())
-      continue;
-    found.push_back(e);
-    used.insert(label);
-  }
-  for (int label : labels)
-    if (!used.count(label))
-      refuse("label ", label, " is on no boundary edge of the mesh");
-  return found;
-}
-
-/// Closed loops start at a corner: at the smallest of their vertices where they turn
-/// about as much as anywhere.
-void start_at_corner(const Mesh& mesh, const Edges& edges,
-                     std::vector<int>& loop) {
-  std::vector<double> turn;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const int before = loop[(k + loop.size() - 1) % loop.size()];
-    turn.push_back(angle_between(edge_vector(mesh, edges, before),
-                                 edge_vector(mesh, edges, loop[k])));
-  }
-  const double sharpest = *std::max_element(turn.begin(), turn.end());
-  const auto start = std::find_if(turn.begin(), turn.end(), [&](double angle) {
-    return angle >= 0.9 * sharpest;
-  });
-  std::rotate(loop.begin(), loop.begin() + (start - turn.begin()), loop.end());
-}
 
 /// A curve has at least this many edges and turns by at most this angle between them;
 /// other polygons are meant.
@@ -59,53 +23,42 @@ constexpr double largest_turn = 15 * M_PI / 180;
 /// curves, or the chords of one curve.
 enum class Shape { polygon, parts, curve };
 
-/// Edges ordered into chains: each starts where no edge ends, closed loops at a corner.
-std::vector<std::vector<int>> chains(const Mesh& mesh, const Edges& edges,
-                                     const std::vector<int>& boundary) {
-  std::map<int, int> leaving;  // first vertex -> edge
-  std::map<int, int> arriving;
-  for (int e : boundary) {
-    leaving[edges.vertices(0, e)] = e;
-    arriving[edges.vertices(1, e)] = e;
-  }
-  std::vector<std::vector<int>> result;
-  const auto follow = [&](int vertex) {
-    result.emplace_back();
-    for (auto next = leaving.find(vertex); next != leaving.end();
-         next = leaving.find(vertex)) {
-      result.back().push_back(next->second);
-      vertex = edges.vertices(1, next->second);
-      leaving.erase(next);
-    }
-  };
-  std::vector<int> starts;
-  for (const auto& [vertex, edge] : leaving)
-    if (!arriving.count(vertex)) starts.push_back(vertex);
-  for (int vertex : starts) follow(vertex);
-  while (!leaving.empty()) {
-    follow(leaving.begin()->first);
-    start_at_corner(mesh, edges, result.back());
-  }
-  return result;
-}
-
 Matrix2Xd vertices_of(const Mesh& mesh, const Edges& edges,
                       const std::vector<int>& chain) {
   Matrix2Xd points(2, static_cast<Index>(chain.size()) + 1);
   points.col(0) = mesh.vertices.col(edges.vertices(0, chain.front()));
-  for (std::size_t k = 0; k < chain.size(); ++k)
-    points.col(static_cast<Index>(k) + 1) =
-        mesh.vertices.col(edges.vertices(1, chain[k]));
+  Index next = 1;
+  for (int edge : chain)
+    points.col(next++) = mesh.vertices.col(edges.vertices(1, edge));
   return points;
+}
+
+/// The direction of the chord at every point.
+Matrix2Xd chord_tangents(const Matrix2Xd& points) {
+  const Vector2d chord = points.col(points.cols() - 1) - points.col(0);
+  return chord.normalized().replicate(1, points.cols());
+}
+
+Matrix2Xd curve_tangents(const Matrix2Xd& points) {
+  const bool closed = points.col(0) == points.col(points.cols() - 1);
+  return smooth_curve(points, closed && closes_smoothly(points)).tangents;
+}
+
+/// Normals of a straight line, all that of its chord, or of a smooth curve.
+Matrix2Xd normals_of(const Matrix2Xd& points, bool straight) {
+  const Matrix2Xd tangents =
+      straight ? chord_tangents(points) : curve_tangents(points);
+  Matrix2Xd normals(2, points.cols());
+  normals << tangents.row(1), -tangents.row(0);
+  return normals;
 }
 
 Matrix2Xd places_of(const Mesh& mesh, const Edges& edges,
                     const std::vector<int>& boundary) {
   Matrix2Xd points(2, 2 * static_cast<Index>(boundary.size()));
-  for (std::size_t k = 0; k < boundary.size(); ++k)
-    for (int end = 0; end < 2; ++end)
-      points.col(2 * static_cast<Index>(k) + end) =
-          mesh.place(edges.vertices(end, boundary[k]));
+  Index next = 0;
+  for (int edge : boundary)
+    for (int v : edges.vertices.col(edge)) points.col(next++) = mesh.place(v);
   return points;
 }
 
@@ -117,71 +70,82 @@ class LineBuilder {
 
   /// @param tolerance  of straight_runs
   void add_chain(const std::vector<int>& chain, double tolerance) {
-    const Matrix2Xd points = vertices_of(mesh_, edges_, chain);
-    const int first_node = static_cast<int>(vertex_.size()),
-              edges = static_cast<int>(chain.size());
-    if (shape_ == Shape::curve) {
-      add_part(chain, 0, Matrix2Xd::Zero(2, edges + 1), false);
-    } else {
-      double turn = 0;  // over the last edge before
-      for (const LinePart& part :
-           line_parts(points, tolerance, largest_turn,
-                      shape_ == Shape::polygon ? edges + 1 : fewest_edges)) {
-        const Matrix2Xd normals = normals_of(
-            points.middleCols(part.first, part.edges() + 1), part.straight);
-        const double next_turn = angle_between(normals.col(0), normals.col(1));
-        const bool one_curve = (turn > 0) != (next_turn > 0);
-        add_part(chain, part.first, normals,
-                 part.first > 0 && one_curve &&
-                     goes_on(normals.col(0), turn + next_turn));
-        turn = angle_between(normals.col(part.edges() - 1),
-                             normals.col(part.edges()));
-      }
-    }
-    const bool closed = edges > 1 && vertex_.back() == vertex_[first_node];
-    if (closed &&
-        (shape_ == Shape::curve ||
-         goes_on(normal_[first_node],
-                 angle_between(normal_[first_node], normal_[first_node + 1]))))
-      join_loop(first_node);
+    const int first_node = static_cast<int>(vertex_.size());
+    if (shape_ == Shape::curve)
+      add_part(chain, 0, Matrix2Xd::Zero(2, count(chain) + 1), false);
+    else
+      add_parts(chain, tolerance);
+    if (count(chain) > 1 && is_loop_from(first_node)) join_loop(first_node);
   }
 
   ContactLine line() const {
     ContactLine line;
-    const auto p = static_cast<Index>(vertex_.size()),
-               m = static_cast<Index>(edge_.size());
-    line.vertex = Map<const VectorXi>(vertex_.data(), p);
-    line.abscissa = Map<const VectorXd>(abscissa_.data(), p);
-    line.edge = Map<const VectorXi>(edge_.data(), m);
-    line.length = Map<const VectorXd>(length_.data(), m);
-    line.normal.resize(2, p);
-    line.edge_node.resize(2, m);
-    for (Index i = 0; i < p; ++i) line.normal.col(i) = normal_[i];
-    for (Index e = 0; e < m; ++e) line.edge_node.col(e) = edge_node_[e];
+    line.vertex = packed(vertex_);
+    line.normal = packed(normal_);
+    line.abscissa = packed(abscissa_);
+    line.edge_node = packed(edge_node_);
+    line.edge = packed(edge_);
+    line.length = packed(length_);
     return line;
   }
 
  private:
-  int add_node(int vertex, const Vector2d& normal) {
+  static int count(const std::vector<int>& chain) {
+    return static_cast<int>(chain.size());
+  }
+
+  /// Straight lines and smooth curves, each from the node that the one before ends at
+  /// where the line goes on.
+  void add_parts(const std::vector<int>& chain, double tolerance) {
+    const Matrix2Xd points = vertices_of(mesh_, edges_, chain);
+    const int fewest =
+        shape_ == Shape::polygon ? count(chain) + 1 : fewest_edges;
+    double turn = 0;  // over the last edge before
+    for (const LinePart& part :
+         line_parts(points, tolerance, largest_turn, fewest)) {
+      const Matrix2Xd normals = normals_of(
+          points.middleCols(part.first, part.edges() + 1), part.straight);
+      const bool shared = part.first > 0 && shares_a_node(normals, turn);
+      add_part(chain, part.first, normals, shared);
+      turn = turn_after(normals, part.edges() - 1);
+    }
+  }
+
+  static double turn_after(const Matrix2Xd& normals, Index k) {
+    return angle_between(normals.col(k), normals.col(k + 1));
+  }
+
+  /// Whether a part goes on from the one before, one of both a straight line.
+  /// @param turn  of the part before over its last edge
+  bool shares_a_node(const Matrix2Xd& normals, double turn) const {
+    const double next_turn = turn_after(normals, 0);
+    const bool one_curve = (turn > 0) != (next_turn > 0);
+    return one_curve && goes_on(normals.col(0), turn + next_turn);
+  }
+
+  /// Whether the chain that began at a node ends there as one line.
+  bool is_loop_from(int node) const {
+    if (vertex_.back() != vertex_[node]) return false;
+    if (shape_ == Shape::curve) return true;
+    const double turn = angle_between(normal_[node], normal_[node + 1]);
+    return goes_on(normal_[node], turn);
+  }
+
+  void add_node(int vertex, const Vector2d& normal) {
     vertex_.push_back(vertex);
     normal_.push_back(normal);
     abscissa_.push_back(arc_);
-    return static_cast<int>(vertex_.size()) - 1;
   }
 
-  /// Normals of a straight line, all that of its chord, or of a smooth curve.
-  static Matrix2Xd normals_of(const Matrix2Xd& points, bool straight) {
-    const Index last = points.cols() - 1;
-    const bool closed = points.col(0) == points.col(last);
-    const Matrix2Xd tangents =
-        straight
-            ? Matrix2Xd((points.col(last) - points.col(0))
-                            .normalized()
-                            .replicate(1, last + 1))
-            : smooth_curve(points, closed && closes_smoothly(points)).tangents;
-    Matrix2Xd normals(2, last + 1);
-    normals << tangents.row(1), -tangents.row(0);
-    return normals;
+  /// @return its second node
+  int add_edge(int e, int first_node, const Vector2d& second_normal) {
+    length_.push_back(edge_vector(mesh_, edges_, e).norm());
+    arc_ += length_.back();
+    add_node(edges_.vertices(1, e), second_normal);
+    const int second_node = static_cast<int>(vertex_.size()) - 1;
+    edge_.push_back(e);
+    edge_node_.emplace_back(first_node, second_node);
+    return second_node;
   }
 
   /// Whether the line goes on from its last node with this normal, as a curve that turns
@@ -195,19 +159,11 @@ class LineBuilder {
   ///                normal of the straight one of both
   void add_part(const std::vector<int>& chain, int first,
                 const Matrix2Xd& normals, bool shared) {
-    int node = shared
-                   ? static_cast<int>(vertex_.size()) - 1
-                   : add_node(edges_.vertices(0, chain[first]), normals.col(0));
+    if (!shared) add_node(edges_.vertices(0, chain[first]), normals.col(0));
+    int node = static_cast<int>(vertex_.size()) - 1;
     if (normals.col(0) == normals.col(1)) normal_[node] = normals.col(0);
-    for (Index k = 1; k < normals.cols(); ++k) {
-      const int e = chain[first + k - 1];
-      length_.push_back(edge_vector(mesh_, edges_, e).norm());
-      arc_ += length_.back();
-      const int next = add_node(edges_.vertices(1, e), normals.col(k));
-      edge_.push_back(e);
-      edge_node_.push_back({node, next});
-      node = next;
-    }
+    for (Index k = 1; k < normals.cols(); ++k)
+      node = add_edge(chain[first + k - 1], node, normals.col(k));
   }
 
   /// A closed curve shares its first node.
@@ -235,11 +191,28 @@ ContactLine built_line(const Mesh& mesh, const Edges& edges,
   const double precision =
       coordinate_precision(places_of(mesh, edges, boundary), size);
   LineBuilder builder(mesh, edges, shape);
-  for (const std::vector<int>& chain : chains(mesh, edges, boundary))
+  for (const std::vector<int>& chain : boundary_chains(mesh, edges, boundary))
     builder.add_chain(chain, straight_tolerance(precision, size));
   ContactLine line = builder.line();
   line.precision = precision;
   return line;
+}
+
+/// [u] at a node.
+Vector2d jump_at(const ContactLine& line, int node,
+                 const Ref<const VectorXd>& field) {
+  Vector2d jump = field.segment<2>(2 * line.vertex[node]);
+  visit_opposite(line, node, [&](int vertex, double weight) {
+    jump -= weight * field.segment<2>(2 * vertex);
+  });
+  return jump;
+}
+
+[[noreturn]] void refuse_direction(const Mesh& mesh, int vertex,
+                                   const Vector2d& d) {
+  const Vector2d x = mesh.place(vertex);
+  refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ", vertex,
+         " (", x.x(), ", ", x.y(), ") does not point out of the body");
 }
 
 }  // namespace
@@ -271,12 +244,10 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges,
   require_size("contact directions", direction.cols(), line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
     for (int node : line.edge_node.col(e)) {
-      const Vector2d d = direction.col(node), x = mesh.place(line.vertex[node]);
+      const Vector2d d = direction.col(node);
       if (!d.allFinite() ||
           !(d.dot(edge_normal(mesh, edges, line.edge[e])) > 0))
-        refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ",
-               line.vertex[node], " (", x.x(), ", ", x.y(),
-               ") does not point out of the body");
+        refuse_direction(mesh, line.vertex[node], d);
     }
   line.normal = direction.colwise().normalized();
   return line;
@@ -291,28 +262,23 @@ std::vector<int> opposite_vertices(const ContactLine& line) {
 }
 
 SparseMatrix contact_mass(const ContactLine& line) {
-  std::vector<Eigen::Triplet<double>> entries;
+  Triplets entries;
   entries.reserve(4 * line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e)
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
         entries.emplace_back(line.edge_node(a, e), line.edge_node(b, e),
                              line.length[e] / (a == b ? 3 : 6));
-  SparseMatrix mass(line.node_count(), line.node_count());
-  mass.setFromTriplets(entries.begin(), entries.end());
-  return mass;
+  return packed(line.node_count(), line.node_count(), entries);
 }
 
 Matrix2Xd contact_components(const ContactLine& line,
                              const Ref<const VectorXd>& field) {
   Matrix2Xd components(2, line.node_count());
   for (int i = 0; i < line.node_count(); ++i) {
-    Vector2d value = field.segment<2>(2 * line.vertex[i]);
-    visit_opposite(line, i, [&](int vertex, double weight) {
-      value -= weight * field.segment<2>(2 * vertex);
-    });
-    components.col(i) << value.dot(line.normal.col(i)),
-        value.dot(line.tangent(i));
+    const Vector2d jump = jump_at(line, i, field);
+    components.col(i) << jump.dot(line.normal.col(i)),
+        jump.dot(line.tangent(i));
   }
   return components;
 }

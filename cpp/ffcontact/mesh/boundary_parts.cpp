@@ -7,8 +7,6 @@
 #include <optional>
 #include <set>
 
-#include "ffcontact/base/require.hpp"
-#include "ffcontact/mesh/smooth_curve.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 
 namespace ffcontact {
@@ -17,6 +15,8 @@ namespace {
 
 constexpr double degree = M_PI / 180;
 constexpr int fewest_edges = 3;  ///< of a curve
+/// What bends at less is straightened afterwards without harm.
+constexpr double shallow = 3 * degree;
 
 /// The labelled edges at each vertex, by their columns.
 using EdgesAtVertex = std::map<int, std::vector<int>>;
@@ -34,16 +34,22 @@ struct Chain {
   bool closed() const { return vertices.front() == vertices.back(); }
 };
 
+/// The other edge at a vertex, nothing where it is an end or a branch.
+std::optional<int> next_column(const EdgesAtVertex& at, int vertex,
+                               int column) {
+  const std::vector<int>& columns = at.find(vertex)->second;
+  if (columns.size() != 2) return std::nullopt;
+  return columns[0] == column ? columns[1] : columns[0];
+}
+
 Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex,
-                 int column, std::set<int>& used) {
+                 std::optional<int> column, std::set<int>& used) {
   Chain chain{{vertex}, {}};
-  while (used.insert(column).second) {
-    chain.columns.push_back(column);
-    vertex = mesh.boundary.col(column).sum() - vertex;
+  while (column && used.insert(*column).second) {
+    chain.columns.push_back(*column);
+    vertex = mesh.boundary.col(*column).sum() - vertex;
     chain.vertices.push_back(vertex);
-    const std::vector<int>& columns = at.find(vertex)->second;
-    if (columns.size() != 2) break;
-    column = columns[0] == column ? columns[1] : columns[0];
+    column = next_column(at, vertex, *column);
   }
   return chain;
 }
@@ -60,14 +66,11 @@ double turn_at(const Vector2d& before, const Vector2d& at,
 /// Where a closed chain of points turns the most.
 Index sharpest_point(const Matrix2Xd& x) {
   const Index n = x.cols() - 1;
-  Index sharpest = 0;
-  double most = 0;
-  for (Index k = 0; k < n; ++k) {
-    const double turn = turn_at(x.col((k + n - 1) % n), x.col(k), x.col(k + 1));
-    if (turn <= most) continue;
-    most = turn;
-    sharpest = k;
-  }
+  VectorXd turn(n);
+  for (Index k = 0; k < n; ++k)
+    turn[k] = turn_at(x.col((k + n - 1) % n), x.col(k), x.col(k + 1));
+  Index sharpest;
+  turn.maxCoeff(&sharpest);
   return sharpest;
 }
 
@@ -84,20 +87,28 @@ void start_at_corner(const Mesh& mesh, Chain& chain) {
   chain.vertices.push_back(chain.vertices.front());
 }
 
+/// Those that begin at an end or a branch.
+std::vector<Chain> open_chains(const Mesh& mesh, const EdgesAtVertex& at,
+                               std::set<int>& used) {
+  std::vector<Chain> chains;
+  for (const auto& [vertex, columns] : at) {
+    if (columns.size() == 2) continue;
+    for (int column : columns)
+      if (!used.count(column))
+        chains.push_back(chain_from(mesh, at, vertex, column, used));
+  }
+  return chains;
+}
+
 std::vector<Chain> chains_of(const Mesh& mesh) {
   const EdgesAtVertex at = edges_at_vertices(mesh);
-  std::vector<Chain> chains;
   std::set<int> used;
-  for (const auto& [vertex, columns] : at)
-    if (columns.size() != 2)
-      for (int column : columns)
-        if (!used.count(column))
-          chains.push_back(chain_from(mesh, at, vertex, column, used));
-  for (int b = 0; b < mesh.boundary.cols(); ++b)
-    if (!used.count(b)) {
-      chains.push_back(chain_from(mesh, at, mesh.boundary(0, b), b, used));
-      start_at_corner(mesh, chains.back());
-    }
+  std::vector<Chain> chains = open_chains(mesh, at, used);
+  for (int b = 0; b < mesh.boundary.cols(); ++b) {
+    if (used.count(b)) continue;
+    chains.push_back(chain_from(mesh, at, mesh.boundary(0, b), b, used));
+    start_at_corner(mesh, chains.back());
+  }
   return chains;
 }
 
@@ -109,106 +120,24 @@ Vector2d leaving(const Mesh& mesh, const BoundaryPart& part, bool backwards) {
   return mesh.vertices.col(to) - mesh.vertices.col(from);
 }
 
-double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+double largest_turn(const Matrix2Xd& x) {
   double largest = 0;
-  for (const BoundaryPart& part : parts)
-    for (std::size_t k = 1; k + 1 < part.curve.size(); ++k) {
-      const int* const v = &part.curve[k];
-      const double turn =
-          turn_at(mesh.vertices.col(v[-1]), mesh.vertices.col(v[0]),
-                  mesh.vertices.col(v[1]));
-      largest = std::max(largest, turn);
-    }
+  for (Index k = 1; k + 1 < x.cols(); ++k)
+    largest = std::max(largest, turn_at(x.col(k - 1), x.col(k), x.col(k + 1)));
   return largest;
 }
 
-/// Places of a part for the vertices of a mesh that follows it.
-class Places {
- public:
-  Places(const Mesh& mesh, const BoundaryPart& part) : ends_(2, 2) {
-    ends_ << mesh.vertices.col(part.vertices.front()),
-        mesh.vertices.col(part.vertices.back());
-    if (part.straight()) return;
-    const Matrix2Xd points = points_of(mesh, part.curve);
-    curve_ = smooth_curve(points, part.curve.front() == part.curve.back() &&
-                                      closes_smoothly(points));
-  }
-
-  Vector2d beside(const Vector2d& x) const {
-    if (curve_) return curve_->beside(x);
-    const Vector2d first = ends_.col(0), along = ends_.col(1) - first;
-    return first +
-           std::clamp((x - first).dot(along) / along.squaredNorm(), 0.0, 1.0) *
-               along;
-  }
-  Vector2d nearest_end(const Vector2d& x) const {
-    return ends_.col((x - ends_.col(0)).squaredNorm() <
-                             (x - ends_.col(1)).squaredNorm()
-                         ? 0
-                         : 1);
-  }
-
- private:
-  Matrix2d ends_;
-  std::optional<SmoothCurve> curve_;
-};
-
-/// The parts that each vertex is on, by labels that count from `first_label`.
-std::map<int, std::set<int>> parts_at_vertices(const Mesh& fine,
-                                               int first_label,
-                                               int part_count) {
-  std::map<int, std::set<int>> parts_at;
-  for (int b = 0; b < fine.boundary.cols(); ++b) {
-    const int part = fine.boundary_label[b] - first_label;
-    if (part < 0 || part >= part_count) continue;
-    for (int v : fine.boundary.col(b)) parts_at[v].insert(part);
-  }
-  return parts_at;
+/// Inside curves.
+double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+  double largest = 0;
+  for (const BoundaryPart& part : parts)
+    largest = std::max(largest, largest_turn(points_of(mesh, part.curve)));
+  return largest;
 }
 
-/// New places of the vertices on parts, by vertex.
-std::map<int, Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
-                                      const std::vector<BoundaryPart>& parts) {
-  std::vector<Places> places;
-  for (const BoundaryPart& part : parts) places.emplace_back(mesh, part);
-  const int part_count = static_cast<int>(parts.size());
-  std::map<int, Vector2d> wanted;
-  for (const auto& [vertex, at] :
-       parts_at_vertices(fine, part_label(mesh, 0), part_count)) {
-    const Vector2d x = fine.vertices.col(vertex);
-    const Places& place = places[*at.begin()];
-    wanted.emplace(vertex,
-                   at.size() > 1 ? place.nearest_end(x) : place.beside(x));
-  }
-  return wanted;
-}
-
-/// The triangle that keeps the smallest part of its area when vertices move, and that
-/// part.
-std::pair<int, double> worst_triangle(const Mesh& before, const Mesh& after) {
-  std::pair<int, double> worst{0, 1};
-  for (int t = 0; t < before.cell_count(); ++t) {
-    const double kept = signed_area(after, t) / signed_area(before, t);
-    if (kept < worst.second) worst = {t, kept};
-  }
-  return worst;
-}
-
-/// Moves of the other vertices become the mean of their neighbours' moves.
-void spread(const Mesh& mesh, const std::vector<char>& given,
-            Matrix2Xd& moves) {
-  Matrix2Xd sum = Matrix2Xd::Zero(2, moves.cols());
-  VectorXd count = VectorXd::Zero(moves.cols());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int a = mesh.cells(k, t), b = mesh.cells((k + 1) % 3, t);
-      sum.col(a) += moves.col(b);
-      sum.col(b) += moves.col(a);
-      count[a] += 1;
-      count[b] += 1;
-    }
-  for (Index v = 0; v < moves.cols(); ++v)
-    if (!given[v]) moves.col(v) = sum.col(v) / count[v];
+/// Values at places from `first` to `last`.
+std::vector<int> slice(const std::vector<int>& values, int first, int last) {
+  return {values.begin() + first, values.begin() + last + 1};
 }
 
 /// Appends the parts of one label each that a line or curve of a chain has.
@@ -217,17 +146,13 @@ void add_parts(const Mesh& mesh, const Chain& chain, const LinePart& line,
   const auto label = [&](int k) {
     return mesh.boundary_label[chain.columns[k]];
   };
-  const auto vertices = [&](int first, int last) {
-    return std::vector<int>(chain.vertices.begin() + first,
-                            chain.vertices.begin() + last + 1);
-  };
+  std::vector<int> curve;
+  if (!line.straight) curve = slice(chain.vertices, line.first, line.last);
   for (int first = line.first, last = first; first < line.last; first = last) {
     while (last < line.last && label(last) == label(first)) ++last;
-    parts.push_back(
-        {vertices(first, last),
-         {chain.columns.begin() + first, chain.columns.begin() + last},
-         line.straight ? std::vector<int>{} : vertices(line.first, line.last),
-         label(first)});
+    parts.push_back({slice(chain.vertices, first, last),
+                     slice(chain.columns, first, last - 1), curve,
+                     label(first)});
   }
 }
 
@@ -248,14 +173,17 @@ std::map<int, std::vector<PartEnd>> ends_of(
   return ends;
 }
 
-void require_none_turned(const Mesh& before, const Mesh& after) {
-  const auto [triangle, kept] = worst_triangle(before, after);
-  if (kept > 0) return;
-  const Vector2d x = before.place(before.cells(0, triangle));
-  refuse("the triangle at (", x.x(), ", ", x.y(),
-         ") turns over when the boundary is put on its curve: the curve has "
-         "too few "
-         "vertices for sizes that small");
+/// The angle between two parts that meet; nothing if it may be straightened, or is that
+/// of a curve as well.
+/// @param turn  the largest inside curves
+std::optional<double> angle_of_corner(const std::vector<PartEnd>& at,
+                                      double turn) {
+  if (at.size() != 2) return std::nullopt;
+  const double angle = angle_between(at[0].leaving, -at[1].leaving);
+  const bool between_lines = at[0].straight && at[1].straight;
+  const bool is_corner =
+      angle > shallow && (between_lines || angle > 1.5 * turn);
+  return is_corner ? std::optional(angle) : std::nullopt;
 }
 
 }  // namespace
@@ -276,17 +204,11 @@ std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
 
 double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
                        double corner) {
-  // what bends at less is straightened afterwards without harm
-  constexpr double shallow = 3 * degree;
   const double turn = std::max(largest_turn(mesh, parts), shallow / 6);
   double smallest = corner;
-  for (const auto& [vertex, at] : ends_of(mesh, parts)) {
-    if (at.size() != 2) continue;
-    const double angle = angle_between(at[0].leaving, -at[1].leaving);
-    const bool between_lines = at[0].straight && at[1].straight;
-    if (angle > shallow && (between_lines || angle > 1.5 * turn))
-      smallest = std::min(smallest, angle);
-  }
+  for (const auto& [vertex, at] : ends_of(mesh, parts))
+    if (const auto angle = angle_of_corner(at, turn))
+      smallest = std::min(smallest, *angle);
   return smallest > turn ? std::sqrt(smallest * turn) : corner;
 }
 
@@ -303,28 +225,6 @@ VectorXi labelled_by_parts(const Mesh& mesh,
     for (int column : parts[k].columns)
       labels[column] = part_label(mesh, static_cast<int>(k));
   return labels;
-}
-
-Mesh moved_onto_parts(Mesh fine, const Mesh& mesh,
-                      const std::vector<BoundaryPart>& parts) {
-  constexpr double enough = 0.3;  // of a triangle's area
-  constexpr int most_sweeps = 50;
-  std::vector<char> given(fine.vertices.cols(), 0);
-  Matrix2Xd moves = Matrix2Xd::Zero(2, fine.vertices.cols());
-  for (const auto& [vertex, place] : wanted_places(fine, mesh, parts)) {
-    moves.col(vertex) = place - fine.vertices.col(vertex);
-    given[vertex] = 1;
-  }
-  Mesh moved = fine;
-  moved.vertices += moves;
-  for (int sweep = 0;
-       sweep < most_sweeps && worst_triangle(fine, moved).second < enough;
-       ++sweep) {
-    spread(fine, given, moves);
-    moved.vertices = fine.vertices + moves;
-  }
-  require_none_turned(fine, moved);
-  return moved;
 }
 
 }  // namespace ffcontact

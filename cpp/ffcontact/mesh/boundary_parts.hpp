@@ -38,11 +38,4 @@ int part_label(const Mesh& mesh, int part);
 VectorXi labelled_by_parts(const Mesh& mesh,
                            const std::vector<BoundaryPart>& parts);
 
-/// A mesh of the same body with labels of parts, its vertices on them: where two parts
-/// meet on their common end, otherwise on the chord of a straight line, or on the smooth
-/// curve. Inner vertices near the boundary give way where triangles would suffer.
-/// @throws std::invalid_argument  naming a triangle that would be turned over
-Mesh moved_onto_parts(Mesh fine, const Mesh& mesh,
-                      const std::vector<BoundaryPart>& parts);
-
 }  // namespace ffcontact

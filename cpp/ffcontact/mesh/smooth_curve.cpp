@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "ffcontact/base/plane.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 
 namespace ffcontact {
@@ -22,46 +23,68 @@ Vector2d mirrored(const Vector2d& tangent, const Vector2d& chord) {
   return 2 * chord.dot(tangent) / chord.squaredNorm() * chord - tangent;
 }
 
+/// Between two neighbouring points of a curve.
+struct Chord {
+  Vector2d first, vector;
+  Vector2d first_tangent, last_tangent;  ///< of the curve at its ends
+};
+
+Chord chord_of(const SmoothCurve& curve, int piece) {
+  const Vector2d first = curve.points.col(piece);
+  return {first, curve.points.col(piece + 1) - first, curve.tangents.col(piece),
+          curve.tangents.col(piece + 1)};
+}
+
 /// Where (point - x(s)) . t(s) = 0 on a chord, s in [0, 1] but for rounding.
-std::optional<double> foot(const Vector2d& point, const Vector2d& first,
-                           const Vector2d& chord, const Vector2d& first_tangent,
-                           const Vector2d& last_tangent) {
+std::optional<double> foot(const Vector2d& point, const Chord& chord) {
   constexpr double rounding = 1e-9;
-  const Vector2d r = point - first, m = last_tangent - first_tangent;
-  const double c0 = r.dot(first_tangent),
-               c1 = r.dot(m) - chord.dot(first_tangent), c2 = -chord.dot(m);
-  const double root = c1 * c1 - 4 * c0 * c2;
-  if (!(root >= 0)) return std::nullopt;
-  // the root that stays finite as c2 -> 0
-  const double s = -2 * c0 / (c1 + (c1 < 0 ? -1 : 1) * std::sqrt(root));
-  if (!(s >= -rounding && s <= 1 + rounding)) return std::nullopt;
-  return std::min(1.0, std::max(0.0, s));
+  const Vector2d r = point - chord.first;
+  const Vector2d m = chord.last_tangent - chord.first_tangent;
+  const auto s = finite_root(r.dot(chord.first_tangent),
+                             r.dot(m) - chord.vector.dot(chord.first_tangent),
+                             -chord.vector.dot(m));
+  if (!s || !(*s >= -rounding && *s <= 1 + rounding)) return std::nullopt;
+  return std::min(1.0, std::max(0.0, *s));
+}
+
+Vector2d nearer_end(const Matrix2Xd& points, const Vector2d& point) {
+  const Vector2d first = points.col(0), last = points.col(points.cols() - 1);
+  return (point - first).norm() < (point - last).norm() ? first : last;
+}
+
+void put_end_tangents(bool closed, SmoothCurve& curve) {
+  const Matrix2Xd& x = curve.points;
+  Matrix2Xd& t = curve.tangents;
+  const Index last = x.cols() - 1;
+  if (closed) {
+    t.col(0) = t.col(last) =
+        circle_tangent(x.col(last - 1), x.col(0), x.col(1));
+    return;
+  }
+  t.col(0) = mirrored(t.col(1), x.col(1) - x.col(0));
+  t.col(last) = mirrored(t.col(last - 1), x.col(last) - x.col(last - 1));
 }
 
 }  // namespace
 
 Vector2d SmoothCurve::at(int piece, double s) const {
-  const Vector2d first = points.col(piece),
-                 chord = points.col(piece + 1) - first;
-  const double quarter =
-      std::cos(angle_between(tangents.col(piece), tangents.col(piece + 1)) / 4);
-  const double length = chord.norm() / (quarter * quarter);
-  return first + s * s * (3 - 2 * s) * chord +
-         s * (1 - s) * length *
-             ((1 - s) * tangents.col(piece) - s * tangents.col(piece + 1));
+  const Chord chord = chord_of(*this, piece);
+  const double theta = angle_between(chord.first_tangent, chord.last_tangent),
+               quarter = std::cos(theta / 4);
+  const double length = chord.vector.norm() / (quarter * quarter);
+  const Vector2d bend = (1 - s) * chord.first_tangent - s * chord.last_tangent;
+  return chord.first + s * s * (3 - 2 * s) * chord.vector +
+         s * (1 - s) * length * bend;
 }
 
 Vector2d SmoothCurve::beside(const Vector2d& point) const {
-  const bool at_first =
-      (point - points.col(0)).norm() < (point - points.col(pieces())).norm();
-  Vector2d best = points.col(at_first ? 0 : pieces());
+  Vector2d best = nearer_end(points, point);
   double distance = std::numeric_limits<double>::infinity();
   for (int piece = 0; piece < pieces(); ++piece) {
-    const Vector2d chord = points.col(piece + 1) - points.col(piece);
-    const auto s = foot(point, points.col(piece), chord, tangents.col(piece),
-                        tangents.col(piece + 1));
+    const Chord chord = chord_of(*this, piece);
+    const auto s = foot(point, chord);
     if (!s) continue;
-    const double off = (point - points.col(piece) - *s * chord).norm();
+    const double off = (point - chord.first - *s * chord.vector).norm();
     if (off >= distance) continue;
     distance = off;
     best = at(piece, *s);
@@ -80,20 +103,11 @@ bool closes_smoothly(const Ref<const Matrix2Xd>& points) {
 }
 
 SmoothCurve smooth_curve(const Ref<const Matrix2Xd>& points, bool closed) {
-  const Index last = points.cols() - 1;
   SmoothCurve curve{points, Matrix2Xd(2, points.cols())};
-  for (Index k = 1; k < last; ++k)
+  for (Index k = 1; k + 1 < points.cols(); ++k)
     curve.tangents.col(k) =
         circle_tangent(points.col(k - 1), points.col(k), points.col(k + 1));
-  if (closed) {
-    curve.tangents.col(0) = curve.tangents.col(last) =
-        circle_tangent(points.col(last - 1), points.col(0), points.col(1));
-  } else {
-    curve.tangents.col(0) =
-        mirrored(curve.tangents.col(1), points.col(1) - points.col(0));
-    curve.tangents.col(last) = mirrored(
-        curve.tangents.col(last - 1), points.col(last) - points.col(last - 1));
-  }
+  put_end_tangents(closed, curve);
   return curve;
 }
 

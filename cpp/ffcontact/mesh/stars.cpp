@@ -34,10 +34,9 @@ int first_triangle(const Mesh& mesh, const Edges& edges, int vertex,
                    int start) {
   int triangle = start;
   for (;;) {
-    const int next = neighbour(
-        edges,
-        right_spoke(edges, triangle, local_number(mesh, triangle, vertex)),
-        triangle);
+    const int k = local_number(mesh, triangle, vertex);
+    const int spoke = right_spoke(edges, triangle, k);
+    const int next = neighbour(edges, spoke, triangle);
     if (next < 0 || next == start) return next < 0 ? triangle : start;
     triangle = next;
   }

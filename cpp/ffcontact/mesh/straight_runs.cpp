@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ffcontact/base/plane.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -29,6 +31,16 @@ int significant_decimals(double x, double tolerance, int most) {
   return most;
 }
 
+/// By all coordinates, at most `most`.
+int decimals_needed(const Ref<const Matrix2Xd>& points, double tolerance,
+                    int most) {
+  int decimals = 0;
+  for (const double x : points.reshaped())
+    if (decimals < most)
+      decimals = std::max(decimals, significant_decimals(x, tolerance, most));
+  return decimals;
+}
+
 /// The directions from a point to others that a straight line through it may have: those
 /// within half an angle of the middle.
 class Sleeve {
@@ -45,18 +57,20 @@ class Sleeve {
     farthest_ = std::max(farthest_, distance);
     if (distance <= 2 * tolerance_) return true;
     if (axis_.isZero(0)) axis_ = d / distance;
-    const double along = axis_.dot(d),
-                 across = axis_.x() * d.y() - axis_.y() * d.x();
-    if (!(along > 0)) return false;
-    const double angle = std::atan2(across, along),
-                 half = std::asin(tolerance_ / distance);
+    const double along = axis_.dot(d);
+    return along > 0 && narrows_to(std::atan2(cross(axis_, d), along),
+                                   std::asin(tolerance_ / distance));
+  }
+
+ private:
+  /// Whether an angle is inside; what is farther from it than `half` then no longer is.
+  bool narrows_to(double angle, double half) {
     if (angle < lowest_ || angle > highest_) return false;
     lowest_ = std::max(lowest_, angle - half);
     highest_ = std::min(highest_, angle + half);
     return true;
   }
 
- private:
   const Vector2d first_;
   const double tolerance_;
   Vector2d axis_ = Vector2d::Zero();  ///< angles are measured from it
@@ -64,6 +78,15 @@ class Sleeve {
   double lowest_ = -std::numeric_limits<double>::infinity(),
          highest_ = std::numeric_limits<double>::infinity();
 };
+
+/// The last point of a chain on a straight line from `start`.
+int end_of_run(const Ref<const Matrix2Xd>& chain, int start, double tolerance) {
+  Sleeve sleeve(chain.col(start), tolerance);
+  int end = start + 1;
+  sleeve.takes(chain.col(end));
+  while (end + 1 < chain.cols() && sleeve.takes(chain.col(end + 1))) ++end;
+  return end;
+}
 
 /// Angles by which a chain turns at its inner points, and 0 at its ends.
 VectorXd turns_of(const Ref<const Matrix2Xd>& chain) {
@@ -90,16 +113,29 @@ bool sticks_out(const Ref<const Matrix2Xd>& chain, const VectorXd& turn,
   return turn[k] > std::max(smallest, times * curvature * reach(k));
 }
 
+/// The single edges from run r on that turn as one curve does end with the run before
+/// this one.
+std::size_t end_of_curve(const Ref<const Matrix2Xd>& chain,
+                         const VectorXd& turn, const std::vector<int>& runs,
+                         double corner, std::size_t r) {
+  const auto is_single = [&](std::size_t k) {
+    return runs[k + 1] - runs[k] == 1;
+  };
+  std::size_t end = r + 1;
+  if (!is_single(r)) return end;
+  while (end + 1 < runs.size() && is_single(end) && turn[runs[end]] < corner &&
+         !sticks_out(chain, turn, runs[end]))
+    ++end;
+  return end;
+}
+
 }  // namespace
 
 double coordinate_precision(const Ref<const Matrix2Xd>& points, double size) {
   constexpr int all = 16;
   const double largest = points.cwiseAbs().maxCoeff();
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest;
-  int decimals = 0;
-  for (Index k = 0; k < points.size() && decimals < all; ++k)
-    decimals = std::max(decimals,
-                        significant_decimals(points.data()[k], rounding, all));
+  const int decimals = decimals_needed(points, rounding, all);
   if (decimals == 0 || decimals == all) return rounding;
   const double unit = std::pow(10.0, decimals_before_point(largest) - decimals);
   return unit > coarsest_rounding * size ? rounding : std::max(unit, rounding);
@@ -109,14 +145,8 @@ std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain,
                                double tolerance) {
   const int last = static_cast<int>(chain.cols()) - 1;
   std::vector<int> starts;
-  for (int start = 0; start < last;) {
+  for (int start = 0; start < last; start = end_of_run(chain, start, tolerance))
     starts.push_back(start);
-    Sleeve sleeve(chain.col(start), tolerance);
-    int end = start + 1;
-    sleeve.takes(chain.col(end));
-    while (end < last && sleeve.takes(chain.col(end + 1))) ++end;
-    start = end;
-  }
   starts.push_back(last);
   return starts;
 }
@@ -125,14 +155,9 @@ std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
                                  double tolerance, double corner, int fewest) {
   const std::vector<int> runs = straight_runs(chain, tolerance);
   const VectorXd turn = turns_of(chain);
-  const auto single = [&](std::size_t r) { return runs[r + 1] - runs[r] == 1; };
   std::vector<LinePart> parts;
   for (std::size_t r = 0; r + 1 < runs.size();) {
-    std::size_t end = r + 1;
-    if (single(r))
-      while (end + 1 < runs.size() && single(end) && turn[runs[end]] < corner &&
-             !sticks_out(chain, turn, runs[end]))
-        ++end;
+    const std::size_t end = end_of_curve(chain, turn, runs, corner, r);
     const bool curve = static_cast<int>(end - r) >= fewest;
     if (curve) parts.push_back({runs[r], runs[end], false});
     for (; r < end; ++r)
@@ -142,7 +167,7 @@ std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
 }
 
 double angle_between(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+  return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
 double extent(const Ref<const Matrix2Xd>& points) {
