@@ -56,36 +56,51 @@ struct StarEnergy {
            int right, int left) {
     const AiryEnergy& K = setting.energies[t];
     const LocalAiry x = local_airy(setting.space, airy, t, i);
+    for (int c = 0; c < 3; ++c) g[c] += vertex_slope(K, x, i, c);
+    g[right] += edge_slope(K, x, i, 2);
+    g[left] += edge_slope(K, x, i, 1);
+    add_form(K, i, right, left);
+  }
+
+  void add_form(const AiryEnergy& K, int i, int right, int left) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
     for (int c = 0; c < 3; ++c) {
-      double slope =
-          K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] +
-          K.edge[a](c, 2) * x.on_edges[1] + K.edge[b](c, 1) * x.on_edges[2];
-      for (int d = 0; d < 3; ++d)
-        slope += K.own[i](c, d) * x.at_vertices(d, 0) +
-                 K.next[i](c, d) * x.at_vertices(d, 1) +
-                 K.next[b](d, c) * x.at_vertices(d, 2);
-      g[c] += slope;
       for (int d = 0; d <= c; ++d) H(c, d) += K.own[i](c, d);
       H(right, c) += K.edge[b](c, 1);
       H(left, c) += K.edge[a](c, 2);
     }
-    double on_right = K.slope.on_edges[b], on_left = K.slope.on_edges[a];
-    for (int c = 0; c < 3; ++c) {
-      on_right += K.edge[b](c, 0) * x.at_vertices(c, 2) +
-                  K.edge[b](c, 1) * x.at_vertices(c, 0) +
-                  K.edge[b](c, 2) * x.at_vertices(c, 1);
-      on_left += K.edge[a](c, 0) * x.at_vertices(c, 1) +
-                 K.edge[a](c, 1) * x.at_vertices(c, 2) +
-                 K.edge[a](c, 2) * x.at_vertices(c, 0);
-    }
-    g[right] += on_right + K.edge_own[b] * x.on_edges[2] +
-                K.edge_next[b] * x.on_edges[0] + K.edge_next[a] * x.on_edges[1];
-    g[left] += on_left + K.edge_own[a] * x.on_edges[1] +
-               K.edge_next[a] * x.on_edges[2] + K.edge_next[i] * x.on_edges[0];
     H(right, right) += K.edge_own[b];
     H(left, left) += K.edge_own[a];
     H(std::max(right, left), std::min(right, left)) += K.edge_next[a];
+  }
+
+  /// g + K x for unknown c of local vertex i.
+  /// @param x  counted from there
+  static double vertex_slope(const AiryEnergy& K, const LocalAiry& x, int i,
+                             int c) {
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    double slope = K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] +
+                   K.edge[a](c, 2) * x.on_edges[1] +
+                   K.edge[b](c, 1) * x.on_edges[2];
+    for (int d = 0; d < 3; ++d)
+      slope += K.own[i](c, d) * x.at_vertices(d, 0) +
+               K.next[i](c, d) * x.at_vertices(d, 1) +
+               K.next[b](d, c) * x.at_vertices(d, 2);
+    return slope;
+  }
+
+  /// g + K x for local edge i + r.
+  static double edge_slope(const AiryEnergy& K, const LocalAiry& x, int i,
+                           int r) {
+    const int k = (i + r) % 3, s = (r + 1) % 3, u = (r + 2) % 3;
+    double slope = K.slope.on_edges[k];
+    for (int c = 0; c < 3; ++c)
+      slope += K.edge[k](c, 0) * x.at_vertices(c, r) +
+               K.edge[k](c, 1) * x.at_vertices(c, s) +
+               K.edge[k](c, 2) * x.at_vertices(c, u);
+    return slope + K.edge_own[k] * x.on_edges[r] +
+           K.edge_next[k] * x.on_edges[s] +
+           K.edge_next[(k + 2) % 3] * x.on_edges[u];
   }
 };
 

@@ -12,25 +12,37 @@ namespace ffcontact {
 
 namespace {
 
-/// y = H^-1 y by Cholesky's method, which uses up the lower triangle of H; false if H is
-/// not positive definite. For ten unknowns Eigen's kernels cost more than they save.
+/// Eliminates unknown j from those below it. @return 1 / H_jj
 template <class Matrix, class Vector>
-bool solve_in_place(Matrix& H, Vector& y) {
-  const Index n = y.size();
-  for (Index j = 0; j < n; ++j) {
-    if (!(H(j, j) > 0)) return false;
-    const double inverse = 1 / H(j, j);
-    for (Index k = j + 1; k < n; ++k) {
-      const double factor = H(k, j) * inverse;
-      for (Index i = k; i < n; ++i) H(i, k) -= factor * H(i, j);
-      y[k] -= factor * y[j];
-    }
-    H(j, j) = inverse;
+double eliminate(Index j, Matrix& H, Vector& y) {
+  const double inverse = 1 / H(j, j);
+  for (Index k = j + 1; k < y.size(); ++k) {
+    const double factor = H(k, j) * inverse;
+    for (Index i = k; i < y.size(); ++i) H(i, k) -= factor * H(i, j);
+    y[k] -= factor * y[j];
   }
+  return inverse;
+}
+
+/// H with the inverse pivots on its diagonal.
+template <class Matrix, class Vector>
+void substitute_back(const Matrix& H, Vector& y) {
+  const Index n = y.size();
   for (Index j = n - 1; j >= 0; --j) {
     for (Index i = j + 1; i < n; ++i) y[j] -= H(i, j) * y[i];
     y[j] *= H(j, j);
   }
+}
+
+/// y = H^-1 y by Cholesky's method, which uses up the lower triangle of H; false if H is
+/// not positive definite. For ten unknowns Eigen's kernels cost more than they save.
+template <class Matrix, class Vector>
+bool solve_in_place(Matrix& H, Vector& y) {
+  for (Index j = 0; j < y.size(); ++j) {
+    if (!(H(j, j) > 0)) return false;
+    H(j, j) = eliminate(j, H, y);
+  }
+  substitute_back(H, y);
   return true;
 }
 
@@ -84,40 +96,55 @@ double relax_all(const StarSetting& setting, const Colours<Member>& colours,
   return fallen;
 }
 
+using Group = std::vector<int>;
+using Triangles = std::set<int>;
+
+Triangles triangles_of(const Stars& stars, const Group& group) {
+  Triangles triangles;
+  const auto all = stars.triangle.begin();
+  for (int v : group)
+    triangles.insert(all + stars.triangle_start[v],
+                     all + stars.triangle_start[v + 1]);
+  return triangles;
+}
+
+bool meet(const Triangles& some, const Triangles& others) {
+  return std::any_of(some.begin(), some.end(),
+                     [&](int t) { return others.count(t) > 0; });
+}
+
 /// Groups of contact vertices, coloured greedily in the order of the line.
-Colours<std::vector<int>> coloured_groups(const StarSetting& setting,
-                                          const ContactLine& line) {
-  Colours<std::vector<int>> colours;
-  std::vector<std::set<int>> taken;  // triangles of each colour
-  for (const std::vector<int>& group : contact_groups(line)) {
-    std::set<int> triangles;
-    for (int v : group)
-      triangles.insert(
-          setting.stars.triangle.begin() + setting.stars.triangle_start[v],
-          setting.stars.triangle.begin() + setting.stars.triangle_start[v + 1]);
-    const auto is_free = [&](const std::set<int>& colour) {
-      return std::none_of(triangles.begin(), triangles.end(),
-                          [&](int t) { return colour.count(t) > 0; });
-    };
-    const auto colour = static_cast<std::size_t>(
-        std::find_if(taken.begin(), taken.end(), is_free) - taken.begin());
-    if (colour == taken.size()) {
-      taken.emplace_back();
-      colours.emplace_back();
-    }
-    taken[colour].insert(triangles.begin(), triangles.end());
+Colours<Group> coloured_groups(const StarSetting& setting,
+                               const ContactLine& line) {
+  Colours<Group> colours;
+  std::vector<Triangles> taken;  // by each colour
+  for (const Group& group : contact_groups(line)) {
+    const Triangles own = triangles_of(setting.stars, group);
+    std::size_t colour = 0;
+    while (colour < taken.size() && meet(own, taken[colour])) ++colour;
+    colours.resize(std::max(colours.size(), colour + 1));
+    taken.resize(colours.size());
+    taken[colour].insert(own.begin(), own.end());
     colours[colour].push_back(group);
   }
   return colours;
 }
 
+/// 1 for the vertices in groups.
+std::vector<char> grouped_vertices(int vertex_count,
+                                   const Colours<Group>& groups) {
+  std::vector<char> in_group(vertex_count, 0);
+  for (const std::vector<Group>& colour : groups)
+    for (const Group& group : colour)
+      for (int v : group) in_group[v] = 1;
+  return in_group;
+}
+
 /// The vertices by colours, those in the groups left out.
 Colours<int> other_vertices(const StarSetting& setting,
-                            const Colours<std::vector<int>>& groups) {
-  std::vector<char> in_group(setting.space.mesh.vertex_count(), 0);
-  for (const auto& colour : groups)
-    for (const std::vector<int>& group : colour)
-      for (int v : group) in_group[v] = 1;
+                            const Colours<Group>& groups) {
+  const std::vector<char> in_group =
+      grouped_vertices(setting.space.mesh.vertex_count(), groups);
   Colours<int> others = vertex_colours(setting.space.mesh, setting.stars);
   for (std::vector<int>& colour : others)
     colour.erase(std::remove_if(colour.begin(), colour.end(),
@@ -162,13 +189,17 @@ class Acceleration {
       return 0;
     }
     airy += step[0] * sweep + step[1] * direction_;
-    const Vector2d combined(1 + step[0], step[1]);
-    direction_ = combined[0] * sweep + combined[1] * direction_;
-    square_ = combined.dot(M * combined);
+    combine(sweep, {1 + step[0], step[1]}, M);
     return fall;
   }
 
  private:
+  void combine(const VectorXd& sweep, const Vector2d& combined,
+               const Matrix2d& M) {
+    direction_ = combined[0] * sweep + combined[1] * direction_;
+    square_ = combined.dot(M * combined);
+  }
+
   /// d'Kd, d'Kp, d'g, p'g for the sweep d and the direction p
   using Products = Eigen::Array4d;
 
@@ -205,9 +236,29 @@ class Acceleration {
   double square_ = 0;  ///< p'Kp
 };
 
-/// A sweep that lowers e^2 by less than this part of what it was at first changes no
-/// digit of it: the rest is rounding.
-constexpr double rounding = 1e-15;
+/// e^2 from sweep to sweep.
+class Descent {
+ public:
+  Descent(double elastic, double on_contact)
+      : first_(elastic + std::abs(on_contact)), square_(elastic + on_contact) {}
+
+  /// Takes the fall of a sweep off. @return whether the next one is worth its time
+  bool goes_on(double fall, double tightness) {
+    if (fall <= rounding * first_) return false;
+    const double e_before = e();
+    square_ -= fall;
+    return e_before - e() >= tightness * e_before;
+  }
+
+ private:
+  double e() const { return std::sqrt(std::max(square_, 0.0)); }
+
+  /// A sweep that lowers e^2 by less than this part of what it was at first changes no
+  /// digit of it: the rest is rounding.
+  static constexpr double rounding = 1e-15;
+
+  double first_, square_;
+};
 
 }  // namespace
 
@@ -220,28 +271,20 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
   if (settings.sweeps == 0) return {};
   const StarSetting setting =
       star_setting(topology, hooke, boundary, body_loads, difference);
-  const Colours<std::vector<int>> on_contact =
-      contact ? coloured_groups(setting, contact->line)
-              : Colours<std::vector<int>>{};
+  const Colours<Group> on_contact =
+      contact ? coloured_groups(setting, contact->line) : Colours<Group>{};
   const Colours<int> others = other_vertices(setting, on_contact);
   VectorXd airy = VectorXd::Zero(setting.space.unknowns());
   Acceleration accelerate;
+  Descent descent(elastic_square(setting), contact_square(contact));
   std::vector<double> falls;
-  const double elastic = elastic_square(setting),
-               on_contact_edges = contact_square(contact);
-  const double first = elastic + std::abs(on_contact_edges);
-  double square = elastic + on_contact_edges;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
     VectorXd before = airy;
     double fall = relax_all(setting, others, airy, contact);
     fall += accelerate(setting, std::move(before), airy);
     fall += relax_all(setting, on_contact, airy, contact);
     falls.push_back(fall);
-    if (fall <= rounding * first) break;
-    const double e_before = std::sqrt(std::max(square, 0.0)),
-                 e_after = std::sqrt(std::max(square - fall, 0.0));
-    square -= fall;
-    if (e_before - e_after < settings.tightness * e_before) break;
+    if (!descent.goes_on(fall, settings.tightness)) break;
   }
   add_airy_loads(setting.space, airy, difference);
   return falls;

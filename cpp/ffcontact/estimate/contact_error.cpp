@@ -49,6 +49,11 @@ struct EdgeFields {
     if (at_limit(x)) return limit.at(x);
     return cohesion.at(x) + friction.at(x) * std::abs(rn.at(x));
   }
+  /// Slope of the density in r_n.
+  double normal_slope(double x) const {
+    const double mu = at_limit(x) ? 0 : friction.at(x);
+    return wn.at(x) - mu * std::abs(wt.at(x));
+  }
   bool at_limit(double x) const {
     return limited && friction.at(x) * std::abs(rn.at(x)) > limit.at(x);
   }
@@ -66,22 +71,26 @@ struct EdgeFields {
   }
 };
 
-/// Integral over (0, 1) of a function that is a cubic between its breaks, for which two
-/// Gauss points are exact.
+/// Integral of a cubic, for which two Gauss points are exact.
+template <class Function>
+double gauss_integral(double from, double to, Function&& f) {
+  const double gauss = 0.5 / std::sqrt(3.0);
+  const double width = to - from, middle = 0.5 * (from + to);
+  return 0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
+}
+
+/// Integral over (0, 1) of a function that is a cubic between its breaks.
 template <class Function>
 double integral(std::vector<double> breaks, Function&& f) {
   breaks.insert(breaks.end(), {0, 1});
   std::sort(breaks.begin(), breaks.end());
-  const double gauss = 0.5 / std::sqrt(3.0);
   double sum = 0;
-  for (std::size_t piece = 0; piece + 1 < breaks.size(); ++piece) {
-    const double width = breaks[piece + 1] - breaks[piece],
-                 middle = 0.5 * (breaks[piece] + breaks[piece + 1]);
-    sum +=
-        0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
-  }
+  for (std::size_t piece = 1; piece < breaks.size(); ++piece)
+    sum += gauss_integral(breaks[piece - 1], breaks[piece], f);
   return sum;
 }
+
+Linear linear(const Vector2d& ends) { return {ends[0], ends[1]}; }
 
 EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
                        const ContactDensities& densities, const Matrix2Xd& w,
@@ -90,14 +99,25 @@ EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
   EdgeFields edge{};
   edge.wn = {w(0, i), w(0, j)};
   edge.wt = {w(1, i), w(1, j)};
-  edge.rn = {densities.normal(0, e), densities.normal(1, e)};
-  edge.rt = {densities.tangential(0, e), densities.tangential(1, e)};
+  edge.rn = linear(densities.normal.col(e));
+  edge.rt = linear(densities.tangential.col(e));
   const ConesAtEnds most = most_cones(line, law, e);
   edge.cohesion = {most[0].cohesion, most[1].cohesion};
   edge.friction = {most[0].friction, most[1].friction};
   edge.limit = {most[0].limit, most[1].limit};
   edge.limited = law.limited();
   return edge;
+}
+
+/// int phi (w_n - mu |w_t|), without the second term where the limit counts.
+double normal_cost(const EdgeFields& edge, const Linear& phi) {
+  return integral(edge.breaks(),
+                  [&](double x) { return phi.at(x) * edge.normal_slope(x); });
+}
+
+/// int phi w_t
+double tangential_cost(const EdgeFields& edge, const Linear& phi) {
+  return integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
 }
 
 }  // namespace
@@ -125,17 +145,10 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, densities, w, e);
     for (int end = 0; end < 2; ++end) {
-      const Linear phi{end == 0 ? 1.0 : 0.0, end == 0 ? 0.0 : 1.0};
-      const auto normal = [&](double x) {
-        const double slope = edge.at_limit(x) ? 0 : edge.friction.at(x);
-        const double slip = slope * std::abs(edge.wt.at(x));
-        return phi.at(x) * (edge.wn.at(x) - slip);
-      };
-      costs.normal(end, e) =
-          2 * line.length[e] * integral(edge.breaks(), normal);
+      const Linear phi = linear(Vector2d::Unit(end));
+      costs.normal(end, e) = 2 * line.length[e] * normal_cost(edge, phi);
       costs.tangential(end, e) =
-          2 * line.length[e] *
-          integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
+          2 * line.length[e] * tangential_cost(edge, phi);
     }
   }
   return costs;
