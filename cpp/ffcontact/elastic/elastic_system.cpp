@@ -12,71 +12,9 @@ namespace ffcontact {
 
 namespace {
 
-constexpr double penalty_ratio = 1e12;
 constexpr double symmetry_tolerance = 1e-9;
 
 using RowIterator = RowMatrixView::InnerIterator;
-
-struct RowSums {
-  double diagonal = 0, others = 0;
-};
-
-RowSums row_sums(const RowMatrixView& A, Index row) {
-  RowSums sums;
-  for (RowIterator entry(A, row); entry; ++entry)
-    (entry.col() == row ? sums.diagonal : sums.others) +=
-        std::abs(entry.value());
-  return sums;
-}
-
-template <class Visit>
-void visit_entries(const RowMatrixView& A, Visit&& visit) {
-  for (Index row = 0; row < A.rows(); ++row)
-    for (RowIterator entry(A, row); entry; ++entry) visit(entry);
-}
-
-/// Where the entries of A off its diagonal are.
-struct OffDiagonal {
-  std::vector<char> in_column;  ///< 1 where a column has any
-  double largest = 0;
-
-  void add(const RowIterator& entry) {
-    if (entry.col() == entry.row() || entry.value() == 0) return;
-    in_column[entry.col()] = 1;
-    largest = std::max(largest, std::abs(entry.value()));
-  }
-};
-
-OffDiagonal off_diagonal(const RowMatrixView& A) {
-  OffDiagonal result{std::vector<char>(A.cols(), 0)};
-  visit_entries(A, [&](const RowIterator& entry) { result.add(entry); });
-  return result;
-}
-
-/// What stands on the diagonal of prescribed rows: FreeFEM prescribes with 1; in a matrix
-/// that was scaled afterwards with another value, which then is that of them all.
-/// @param diagonal  of the isolated dofs, `first` and others
-double prescribing_value(const Eigen::ArrayXd& diagonal, Index first) {
-  if ((diagonal == 1).any()) return 1;
-  if ((diagonal == diagonal[0]).all()) return diagonal[0];
-  refuse("dof ", first, " has nothing but its diagonal ", diagonal[0],
-         " in A, others have another value, and none is 1: which of them are "
-         "prescribed cannot be told; assemble A and b with tgv=-1 or the "
-         "default tgv");
-}
-
-/// Of the dofs that have nothing but a diagonal, neither in their row nor in their
-/// column, marks those that are prescribed: with tgv=-2 a free dof whose neighbours are
-/// all prescribed looks like them, but for its diagonal.
-void mark_isolated(const RowMatrixView& A, const std::vector<Index>& isolated,
-                   std::vector<char>& prescribed) {
-  if (isolated.empty()) return;
-  const auto diagonal = [&](Index dof) { return A.coeff(dof, dof); };
-  Eigen::ArrayXd values(isolated.size());
-  std::transform(isolated.begin(), isolated.end(), values.begin(), diagonal);
-  const double value = prescribing_value(values, isolated.front());
-  for (Index dof : isolated) prescribed[dof] = diagonal(dof) == value;
-}
 
 void require_finite_entries(const RowMatrixView& A) {
   visit_entries(A, [](const RowIterator& entry) {
@@ -105,15 +43,6 @@ void require_symmetric(const RowMatrixView& A,
   const double scale = y.cwiseProduct(Ax).cwiseAbs().sum();
   if (std::abs(x.dot(Ay) - y.dot(Ax)) > symmetry_tolerance * scale)
     refuse("A is not symmetric on the free dofs");
-}
-
-/// Whether A has the columns of prescribed dofs: one that couples shows that the others
-/// were kept, too.
-bool has_columns(const RowMatrixView& A, const std::vector<char>& prescribed) {
-  const OffDiagonal others = off_diagonal(A);
-  for (Index dof = 0; dof < A.cols(); ++dof)
-    if (prescribed[dof] && others.in_column[dof]) return true;
-  return false;
 }
 
 /// Refuses values other than zero where the columns of all prescribed dofs are gone: what
@@ -227,23 +156,6 @@ void append_block(const RowMatrix& K, Index first, RowMatrix& joined) {
 }
 
 }  // namespace
-
-std::vector<char> prescribed_dofs(const RowMatrixView& A) {
-  const OffDiagonal others = off_diagonal(A);
-  std::vector<char> prescribed(A.rows(), 0);
-  std::vector<Index> isolated;
-  for (Index row = 0; row < A.rows(); ++row) {
-    const RowSums sums = row_sums(A, row);
-    if (sums.diagonal == 0) continue;
-    const bool alone = sums.others == 0 && !others.in_column[row];
-    const double scale = alone ? others.largest : sums.others;
-    prescribed[row] =
-        sums.diagonal > penalty_ratio * scale && !(alone && scale == 0);
-    if (alone && !prescribed[row]) isolated.push_back(row);
-  }
-  mark_isolated(A, isolated, prescribed);
-  return prescribed;
-}
 
 ElasticSystem elastic_system(const RowMatrixView& A,
                              const Ref<const VectorXd>& b, int dimension) {

@@ -111,18 +111,19 @@ MotionMatrix<dim> stopped(const SimplexMesh<dim>& mesh, const Vertices& part,
   return sum;
 }
 
+/// How many of the ascending eigenvalues of `stopped` belong to free motions: these are
+/// 1e-5 of the largest on all prescribed dofs, and the eigenvalues are sums of squares.
+Index vanishing(const VectorXd& values) {
+  const double threshold = 1e-10 * std::max(values[values.size() - 1], 1.0);
+  return (values.array() <= threshold).count();
+}
+
 /// Coefficients of the combinations of the motions that vanish on the prescribed dofs.
 /// @param squares  stopped
 template <int dim>
 MatrixXd unstopped(const MotionMatrix<dim>& squares) {
   const Eigen::SelfAdjointEigenSolver<MotionMatrix<dim>> eigen(squares);
-  const auto& values = eigen.eigenvalues();  // ascending
-  // A motion is free when it is 1e-5 of the largest on all prescribed dofs; the
-  // eigenvalues are sums of squares.
-  const double threshold = 1e-10 * std::max(values[motion_count<dim> - 1], 1.0);
-  int free = 0;
-  while (free < motion_count<dim> && values[free] <= threshold) ++free;
-  return eigen.eigenvectors().leftCols(free);
+  return eigen.eigenvectors().leftCols(vanishing(eigen.eigenvalues()));
 }
 
 /// A rigid motion in space, or in the plane z = 0: u(x) = shift + turn x (x - centre).

@@ -151,8 +151,8 @@ struct Pullback {
     return result;
   }
   Vector3d dual(const Vector3d& m, int i) const {
-    return {length[i] * m[0], B(0, 0) * m[1] + B(0, 1) * m[2],
-            B(1, 0) * m[1] + B(1, 1) * m[2]};
+    const Vector2d gradient = B.lazyProduct(m.tail<2>());
+    return {length[i] * m[0], gradient.x(), gradient.y()};
   }
 };
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
-#include <algorithm>
-#include <map>
-
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/star_corrections.hpp"
@@ -50,7 +47,7 @@ struct Spoke {
   /// Adds the four columns of a matrix for the spoke's unknowns to one for all unknowns.
   template <class Local, class All>
   void spread(const Local& local, All&& all) const {
-    const std::array<int, 4> columns = star.columns_of_spoke(number);
+    const auto columns = star.columns_of_spoke(number);
     for (int c = 0; c < 4; ++c) all.col(first + columns[c]) += local.col(c);
   }
 };
@@ -274,33 +271,6 @@ void add_corrections(const StarSetting& setting, const Group& group,
   }
 }
 
-/// Vertices in groups that grow together.
-class JoinedVertices {
- public:
-  std::vector<std::vector<int>> groups;
-
-  /// Puts a vertex, and the group that it may be in, into the last group.
-  void join_last(int vertex) {
-    const std::size_t last = groups.size() - 1;
-    const auto [place, is_new] = group_of_.emplace(vertex, last);
-    if (is_new)
-      groups[last].push_back(vertex);
-    else if (place->second != last)
-      move_to_last(place->second);
-  }
-
- private:
-  void move_to_last(std::size_t old) {
-    for (int v : groups[old]) {
-      group_of_[v] = groups.size() - 1;
-      groups.back().push_back(v);
-    }
-    groups[old].clear();
-  }
-
-  std::map<int, std::size_t> group_of_;
-};
-
 }  // namespace
 
 double relax_boundary(const StarSetting& setting,
@@ -323,21 +293,6 @@ double relax_boundary(const StarSetting& setting,
     set_end_values(densities, e, end_values(densities, e) + change * *y);
   }
   return fall;
-}
-
-std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
-  JoinedVertices joined;
-  std::vector<std::vector<int>>& groups = joined.groups;
-  for (int i = 0; i < line.node_count(); ++i) {
-    groups.emplace_back();
-    joined.join_last(line.vertex[i]);
-    visit_opposite(line, i,
-                   [&](int vertex, double) { joined.join_last(vertex); });
-  }
-  groups.erase(std::remove_if(groups.begin(), groups.end(),
-                              [](const auto& group) { return group.empty(); }),
-               groups.end());
-  return groups;
 }
 
 }  // namespace ffcontact

@@ -22,8 +22,4 @@ double relax_boundary(const StarSetting& setting,
                       const std::vector<int>& vertices, VectorXd& airy,
                       FreeContact* contact);
 
-/// The vertices to relax together on a line: that of each node and what it faces, joined
-/// where nodes share a vertex.
-std::vector<std::vector<int>> contact_groups(const ContactLine& line);
-
 }  // namespace ffcontact

@@ -142,11 +142,16 @@ CompositeStress solved_directly(const TriangleCorners& corners,
   return Map<const CompositeStress>(stress.data());
 }
 
-CompositeStress by_piola(const TriangleCorners& corners, Loads loads) {
-  const Matrix2d B = piola_matrix(corners);
+/// Forces B^-1 forces on the reference triangle.
+Loads pulled_back(Loads loads, const Matrix2d& B) {
   Map<Matrix<double, 2, all_loads / 2>> forces(loads.data());
   forces = (B.inverse() * forces).eval();
-  const Matrix<double, 27, 1> s = reference_map() * loads;
+  return loads;
+}
+
+CompositeStress by_piola(const TriangleCorners& corners, const Loads& loads) {
+  const Matrix2d B = piola_matrix(corners);
+  const Matrix<double, 27, 1> s = reference_map() * pulled_back(loads, B);
   return piola_voigt(B) / B.determinant() *
          Map<const CompositeStress>(s.data());
 }

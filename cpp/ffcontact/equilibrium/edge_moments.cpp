@@ -62,7 +62,7 @@ struct Chain {
   }
 
   double given(int spoke) const {
-    return moment_at(topology.edges, boundary.moments, spoke, vertex, c);
+    return moment_at(topology.edges, boundary.moments, spoke, vertex)[c];
   }
 
   /// @param moment  on spoke k

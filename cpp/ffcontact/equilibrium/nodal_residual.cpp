@@ -42,11 +42,8 @@ Vector2d boundary_forces(const Topology& topology, int vertex,
                          const BoundaryTractions& boundary) {
   if (!topology.stars.on_boundary(vertex)) return Vector2d::Zero();
   const auto [first, last] = end_spokes(topology.stars, vertex);
-  Vector2d forces;
-  for (int c = 0; c < 2; ++c)
-    forces[c] = moment_at(topology.edges, boundary.moments, first, vertex, c) -
-                moment_at(topology.edges, boundary.moments, last, vertex, c);
-  return forces;
+  return moment_at(topology.edges, boundary.moments, first, vertex) -
+         moment_at(topology.edges, boundary.moments, last, vertex);
 }
 
 /// Adds a force on a vertex where no support answers.
@@ -72,11 +69,11 @@ EndSpokes end_spokes(const Stars& stars, int vertex) {
           stars.spoke[stars.spoke_start[vertex + 1] - 1]};
 }
 
-double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
-                 int vertex, int component) {
+Vector2d moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
+                   int vertex) {
+  const Vector4d along_edge = moments.col(spoke);
   const bool starts_here = edges.vertices(0, spoke) == vertex;
-  return starts_here ? moments(component, spoke)
-                     : -moments(2 + component, spoke);
+  return (starts_here ? along_edge : reversed(along_edge)).head<2>();
 }
 
 Matrix2Xd star_loads(const Topology& topology, int vertex,

@@ -50,10 +50,10 @@ struct EndSpokes {
 };
 EndSpokes end_spokes(const Stars& stars, int vertex);
 
-/// The moment at a vertex of a component of a spoke's traction, seen along vertex ->
-/// neighbour with the normal to the right [N/mm].
-double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
-                 int vertex, int component);
+/// The moment at a vertex of a spoke's traction, seen along vertex -> neighbour with the
+/// normal to the right [N/mm].
+Vector2d moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
+                   int vertex);
 
 /// Given tractions that do not balance the stresses at a vertex.
 struct Imbalance : std::invalid_argument {

@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
+#include "ffcontact/equilibrium/contact_groups.hpp"
 
 namespace ffcontact {
 
@@ -113,6 +114,14 @@ bool meet(const Triangles& some, const Triangles& others) {
                      [&](int t) { return others.count(t) > 0; });
 }
 
+/// The first colour that has not taken any of some triangles.
+std::size_t free_colour(const std::vector<Triangles>& taken,
+                        const Triangles& some) {
+  std::size_t colour = 0;
+  while (colour < taken.size() && meet(some, taken[colour])) ++colour;
+  return colour;
+}
+
 /// Groups of contact vertices, coloured greedily in the order of the line.
 Colours<Group> coloured_groups(const StarSetting& setting,
                                const ContactLine& line) {
@@ -120,8 +129,7 @@ Colours<Group> coloured_groups(const StarSetting& setting,
   std::vector<Triangles> taken;  // by each colour
   for (const Group& group : contact_groups(line)) {
     const Triangles own = triangles_of(setting.stars, group);
-    std::size_t colour = 0;
-    while (colour < taken.size() && meet(own, taken[colour])) ++colour;
+    const std::size_t colour = free_colour(taken, own);
     colours.resize(std::max(colours.size(), colour + 1));
     taken.resize(colours.size());
     taken[colour].insert(own.begin(), own.end());
@@ -134,7 +142,7 @@ Colours<Group> coloured_groups(const StarSetting& setting,
 std::vector<char> grouped_vertices(int vertex_count,
                                    const Colours<Group>& groups) {
   std::vector<char> in_group(vertex_count, 0);
-  for (const std::vector<Group>& colour : groups)
+  for (const auto& colour : groups)
     for (const Group& group : colour)
       for (int v : group) in_group[v] = 1;
   return in_group;

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ffcontact/base/quadratic_minimum.hpp"
-#include "ffcontact/equilibrium/boundary_relaxation.hpp"
+#include "ffcontact/equilibrium/contact_groups.hpp"
 
 namespace ffcontact {
 

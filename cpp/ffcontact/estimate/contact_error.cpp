@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/contact_error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -21,16 +22,21 @@ struct Linear {
   }
 };
 
+/// Of a x^2 + b x + c, without differences of nearly equal numbers.
+std::array<double, 2> roots(double a, double b, double c) {
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
+  const double q = -0.5 * (b + std::copysign(root, b));
+  return {q / a, c / q};
+}
+
 /// Where a quadratic vanishes within (0, 1).
 template <class Quadratic>
 std::vector<double> zeros(Quadratic&& f) {
   const double start = f(0.0), middle = f(0.5), end = f(1.0);
   const double a = 2 * (start - 2 * middle + end),
                b = -3 * start + 4 * middle - end;
-  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * start)),
-               q = -0.5 * (b + std::copysign(root, b));
   std::vector<double> inside;
-  for (double x : {q / a, start / q})
+  for (double x : roots(a, b, start))
     if (x > 0 && x < 1) inside.push_back(x);
   return inside;
 }
@@ -61,20 +67,25 @@ struct EdgeFields {
   /// Where the bound has a kink, or where w_t and with it |w_t| changes sign.
   std::vector<double> breaks() const {
     std::vector<double> places{wt.zero(), rn.zero()};
-    if (!limited) return places;
+    if (limited) add_limits(places);
+    return places;
+  }
+  /// Where mu |r_n| = k.
+  void add_limits(std::vector<double>& places) const {
     for (const int sign : {1, -1})
       for (double x : zeros([&](double s) {
              return sign * friction.at(s) * rn.at(s) - limit.at(s);
            }))
         places.push_back(x);
-    return places;
   }
 };
+
+/// Distance of two Gauss points from the middle, as a part of the width.
+const double gauss = 0.5 / std::sqrt(3.0);
 
 /// Integral of a cubic, for which two Gauss points are exact.
 template <class Function>
 double gauss_integral(double from, double to, Function&& f) {
-  const double gauss = 0.5 / std::sqrt(3.0);
   const double width = to - from, middle = 0.5 * (from + to);
   return 0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
 }

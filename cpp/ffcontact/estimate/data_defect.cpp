@@ -26,16 +26,21 @@ VectorXd probe(const std::vector<char>& prescribed) {
   return z;
 }
 
+/// Adds int sigma : eps(phi) over one triangle.
+void add_forces(const Mesh& mesh, int t, const Vector3d& stress,
+                VectorXd& forces) {
+  const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
+  for (int k = 0; k < 3; ++k)
+    forces.segment<2>(2 * mesh.cells(k, t)) +=
+        signed_area(mesh, t) * traction(stress, gradients.col(k));
+}
+
 /// int C eps(u) : eps(phi) for all phi [N/mm].
 VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
   const Matrix3Xd stress = stresses(mesh, hooke, u);
   VectorXd forces = VectorXd::Zero(u.size());
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
-    for (int k = 0; k < 3; ++k)
-      forces.segment<2>(2 * mesh.cells(k, t)) +=
-          signed_area(mesh, t) * traction(stress.col(t), gradients.col(k));
-  }
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    add_forces(mesh, t, stress.col(t), forces);
   return forces;
 }
 
@@ -45,10 +50,10 @@ double diagonal_of_law(const Mesh& mesh, const Hooke& hooke, Index dof) {
   return inner_forces(mesh, hooke, unit)[dof];
 }
 
-std::string at_vertex(const Mesh& mesh, Index dof) {
+std::string in_words(const Mesh& mesh, int vertex) {
+  const Vector2d x = mesh.place(vertex);
   std::ostringstream text;
-  const Vector2d x = mesh.origin + mesh.vertices.col(dof / 2);
-  text << "vertex " << dof / 2 << " (" << x.x() << ", " << x.y() << ")";
+  text << "vertex " << vertex << " (" << x.x() << ", " << x.y() << ")";
   return text.str();
 }
 
@@ -77,16 +82,14 @@ Matrix2Xd pressures_of_other_multiplier(const ContactLine& line,
 }
 
 /// Takes the given loads off.
-void subtract_loads(const Mesh& mesh, const SolvedBody& body,
+/// @param vertices  one column for each column of loads, which has two rows per vertex
+template <class Vertices, class Loads>
+void subtract_loads(const Vertices& vertices, const Loads& loads,
                     VectorXd& forces) {
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 3; ++k)
-      forces.segment<2>(2 * mesh.cells(k, t)) -=
-          body.body_loads.block<2, 1>(2 * k, t);
-  for (Index e = 0; e < mesh.boundary.cols(); ++e)
-    for (int end = 0; end < 2; ++end)
-      forces.segment<2>(2 * mesh.boundary(end, e)) -=
-          body.neumann.block<2, 1>(2 * end, e);
+  for (Index column = 0; column < vertices.cols(); ++column)
+    for (Index k = 0; k < vertices.rows(); ++k)
+      forces.segment<2>(2 * vertices(k, column)) -=
+          loads.template block<2, 1>(2 * k, column);
 }
 
 /// Forces on all dofs that the loads leave over for contact pressures of the other
@@ -98,7 +101,8 @@ VectorXd left_over_with_other_multiplier(const Mesh& mesh,
   const Matrix2Xd other = pressures_of_other_multiplier(line, system, body);
   VectorXd left = inner_forces(mesh, body.hooke, body.displacement) -
                   nodal_forces(mesh, line, edge_densities(line, other));
-  subtract_loads(mesh, body, left);
+  subtract_loads(mesh.cells, body.body_loads, left);
+  subtract_loads(mesh.boundary, body.neumann, left);
   for (Index dof = 0; dof < left.size(); ++dof)
     if (system.prescribed[dof]) left[dof] = 0;
   return left;
@@ -150,7 +154,8 @@ void require_no_spring(const Mesh& mesh, const ElasticSystem& system,
   const double added =
       system.stiffness.coeff(dof, dof) - diagonal_of_law(mesh, hooke, dof);
   if (std::abs(more - added) <= 1e-3 * std::abs(added))
-    refuse("A has ", added, " more on its diagonal at ", at_vertex(mesh, dof),
+    refuse("A has ", added, " more on its diagonal at ",
+           in_words(mesh, dof / 2),
            " than lambda and G (or hooke) give: a penalty in place of a "
            "prescribed displacement, or a spring; prescribe with on() and tgv "
            "1e30, -1 or -2");
@@ -199,10 +204,11 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
   if (comparison.is_multiple())
     refuse("lambda and G (or hooke) are not those of A: A is ",
            comparison.factor(), " times the stiffness of the law at ",
-           at_vertex(mesh, worst), "; give the constants of the script's varf");
+           in_words(mesh, worst / 2),
+           "; give the constants of the script's varf");
   refuse(
       "A is not the stiffness of lambda and G (or hooke): its row of ",
-      at_vertex(mesh, worst), " is off by ", comparison.off[worst],
+      in_words(mesh, worst / 2), " is off by ", comparison.off[worst],
       " of its terms; give the law of the script's varf in every region, and A "
       "without springs");
 }

@@ -2,22 +2,17 @@
 #include "ffcontact/estimate/estimate.hpp"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/first_tractions.hpp"
+#include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-constexpr double equilibrium_tolerance = 1e-10;
-constexpr double cone_tolerance = 1e-12;
-constexpr double penetration_tolerance = 1e-12;
 
 void require_valid(const RelaxationSettings& relaxation) {
   if (relaxation.sweeps < 0)
@@ -208,49 +203,6 @@ double share_of_contact(const ContactDensities& densities,
   const double contact = largest_traction(densities);
   return contact > 0 ? contact / std::max(contact, stress.cwiseAbs().maxCoeff())
                      : 0;
-}
-
-std::string in_digits(double value) {
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
-}
-
-std::string penetration_in_words(double depth, const Vector2d& deepest) {
-  return "u penetrates by " + in_digits(depth) +
-         " of the largest displacement at (" + in_digits(deepest.x()) + ", " +
-         in_digits(deepest.y()) + "), where displacements are prescribed";
-}
-
-std::string cone_in_words(double defect, std::size_t unmended) {
-  const std::string edges =
-      unmended == 0
-          ? ""
-          : ": (4.1) cannot mend " + std::to_string(unmended) + " edges";
-  return "contact tractions leave the friction cone by " + in_digits(defect) +
-         " of the largest stress" + edges;
-}
-
-std::string imbalance_in_words(const EquilibriumDefect& defect,
-                               Construction construction) {
-  if (construction == Construction::polynomial)
-    return "the polynomial construction is in equilibrium in the mean only: "
-           "its tractions jump by " +
-           in_digits(defect.jump) + " of the largest";
-  if (defect.largest() > equilibrium_tolerance)
-    return "the stress is out of equilibrium by " +
-           in_digits(defect.largest()) + " of the largest traction";
-  return {};
-}
-
-/// Why a pair is not admissible; nothing if it is.
-std::string reason_against(const Estimate& estimate, Construction construction,
-                           const Vector2d& deepest) {
-  if (estimate.penetration > penetration_tolerance)
-    return penetration_in_words(estimate.penetration, deepest);
-  if (estimate.cone > cone_tolerance)
-    return cone_in_words(estimate.cone, estimate.unmended.size());
-  return imbalance_in_words(estimate.equilibrium, construction);
 }
 
 /// What equilibrium is judged against at least [MPa].

@@ -72,12 +72,12 @@ class EdgeProjection {
         mass_(mass_of(line, e)),
         motions_(motions_on_edge(line, motions, e)),
         basis_(free_end_values(cone_)),
-        half_((basis_.transpose() * mass_ * basis_).llt().matrixL()) {}
+        free_mass_(basis_.transpose() * mass_ * basis_),
+        half_(free_mass_.llt().matrixL()) {}
 
   Vector4d operator()(const Vector4d& r) const {
-    const auto y = quadratic_minimum(basis_.transpose() * mass_ * basis_,
-                                     -basis_.transpose() * mass_ * r,
-                                     cone_.C * basis_, cone_.d);
+    const auto y = quadratic_minimum(
+        free_mass_, -basis_.transpose() * mass_ * r, cone_.C * basis_, cone_.d);
     return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y)
              : Vector4d::Zero();
   }
@@ -137,8 +137,9 @@ class EdgeProjection {
   EdgeCone cone_;
   Matrix4d mass_;
   EndValues motions_;
-  MatrixXd basis_;  ///< free_end_values
-  MatrixXd half_;   ///< Cholesky's factor of the mass on them
+  MatrixXd basis_;      ///< free_end_values
+  MatrixXd free_mass_;  ///< the mass on them
+  MatrixXd half_;       ///< its Cholesky factor
 };
 
 using EdgeProjections = std::vector<EdgeProjection>;

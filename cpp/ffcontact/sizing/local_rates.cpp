@@ -27,10 +27,8 @@ bool boundary_turns(const Vector2d& a, const Vector2d& b) {
 
 bool condition_changes(int in, int out, const BoundaryTractions& boundary,
                        const std::vector<int>& contact_edges) {
-  const bool contact_in = contact_edges[in] >= 0,
-             contact_out = contact_edges[out] >= 0;
   return (boundary.known.col(in) != boundary.known.col(out)).any() ||
-         contact_in != contact_out;
+         (contact_edges[in] >= 0) != (contact_edges[out] >= 0);
 }
 
 std::vector<int> candidates(const Topology& topology,

@@ -52,18 +52,20 @@ void require_target(double target) {
     refuse("target is a part of the solution, 0.02 for 2 %, got ", target);
 }
 
+void require_bounds(double smallest, double largest) {
+  if (!(smallest >= 0)) refuse("hmin must not be negative, got ", smallest);
+  if (!(largest >= 0)) refuse("hmax must not be negative, got ", largest);
+  if (largest > 0 && smallest > largest)
+    refuse("hmin ", smallest, " exceeds hmax ", largest);
+}
+
 void require_valid(const SizeSettings& settings) {
   require_target(settings.target);
   if (!(settings.largest_step > 1))
     refuse("the largest step must exceed 1, got ", settings.largest_step);
   if (!(settings.gradation > 0))
     refuse("gradation must be positive, got ", settings.gradation);
-  if (!(settings.smallest >= 0))
-    refuse("hmin must not be negative, got ", settings.smallest);
-  if (!(settings.largest >= 0))
-    refuse("hmax must not be negative, got ", settings.largest);
-  if (settings.largest > 0 && settings.smallest > settings.largest)
-    refuse("hmin ", settings.smallest, " exceeds hmax ", settings.largest);
+  require_bounds(settings.smallest, settings.largest);
 }
 
 /// Vertex sizes that keep the density of elements: h^-2 is the mean of (r_E h_E)^-2 over
@@ -97,13 +99,18 @@ double predicted_triangles(const Mesh& mesh, const VectorXd& size) {
   return count;
 }
 
+/// Mean size on a triangle in parts of its own.
+double size_ratio(const Mesh& mesh, const VectorXd& size, int t) {
+  return 1 / (triangle_size(signed_area(mesh, t)) *
+              std::sqrt(density(mesh, size, t)));
+}
+
 /// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
 double predicted_error(const Mesh& mesh, const VectorXd& size,
                        const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const double ratio = 1 / (triangle_size(signed_area(mesh, t)) *
-                              std::sqrt(density(mesh, size, t)));
+    const double ratio = size_ratio(mesh, size, t);
     square += std::pow(local_error[t] * std::pow(ratio, rate[t]), 2);
   }
   return std::sqrt(square);
@@ -130,15 +137,18 @@ Neighbours neighbours_of(const Mesh& mesh, const Edges& edges) {
   return neighbours;
 }
 
-/// Sizes between hmin and hmax; within the body's extent where these are not given.
-VectorXd bounded_size(const Mesh& mesh, const VectorXd& size,
-                      const SizeSettings& settings) {
+double extent_of(const Mesh& mesh) {
   const Vector2d extents =
       mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
-  const double extent = extents.maxCoeff();
+  return extents.maxCoeff();
+}
+
+/// Sizes between hmin and hmax; within the body's extent where these are not given.
+VectorXd bounded_size(const VectorXd& size, double extent,
+                      const SizeSettings& settings) {
   const double largest = settings.largest > 0 ? settings.largest : extent;
   const double smallest = std::max(settings.smallest, 1e-9 * extent);
-  return size.cwiseMax(std::min(largest, smallest)).cwiseMin(largest);
+  return size.cwiseMax(smallest).cwiseMin(largest);
 }
 
 /// The error to ask for on the way to the target.
@@ -218,7 +228,7 @@ OptimalSize optimal_size(const Mesh& mesh, const Edges& edges,
 
   result.size = graded_size(
       mesh, edges,
-      bounded_size(mesh, vertex_sizes(mesh, result.ratio), settings),
+      bounded_size(vertex_sizes(mesh, result.ratio), extent_of(mesh), settings),
       settings.gradation);
   result.predicted_count = predicted_triangles(mesh, result.size);
   result.predicted_error = predicted_error(mesh, result.size, error, rates);
