@@ -137,7 +137,7 @@ RC_GTEST_PROP(StarDescent, goes_on_from_what_others_have_changed,
   descent.step();
   const Stars& stars = dense.setting.stars;
   const int vertex = dense.problem.mesh.cells(0, 5);
-  const std::vector<int> beside(
+  const std::set<int> beside(
       stars.triangle.begin() + stars.triangle_start[vertex],
       stars.triangle.begin() + stars.triangle_start[vertex + 1]);
   const MatrixXd Z = dense.corrections(vertex);

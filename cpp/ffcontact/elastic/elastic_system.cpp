@@ -12,69 +12,16 @@ namespace ffcontact {
 
 namespace {
 
-constexpr double penalty_ratio = 1e12;
 constexpr double symmetry_tolerance = 1e-9;
 
 using RowIterator = RowMatrixView::InnerIterator;
 
-struct RowSums {
-  double diagonal = 0, others = 0;
-};
-
-RowSums row_sums(const RowMatrixView& A, Index row) {
-  RowSums sums;
-  for (RowIterator entry(A, row); entry; ++entry)
-    (entry.col() == row ? sums.diagonal : sums.others) +=
-        std::abs(entry.value());
-  return sums;
-}
-
-/// Where the entries of A off its diagonal are.
-struct OffDiagonal {
-  std::vector<char> in_column;  ///< 1 where a column has any
-  double largest = 0;
-};
-
-OffDiagonal off_diagonal(const RowMatrixView& A) {
-  OffDiagonal result{std::vector<char>(A.cols(), 0)};
-  for (Index row = 0; row < A.rows(); ++row)
-    for (RowIterator entry(A, row); entry; ++entry) {
-      if (entry.col() == row || entry.value() == 0) continue;
-      result.in_column[entry.col()] = 1;
-      result.largest = std::max(result.largest, std::abs(entry.value()));
-    }
-  return result;
-}
-
-/// Of the dofs that have nothing but a diagonal, neither in their row nor in their
-/// column, marks those that are prescribed: with tgv=-2 a free dof whose neighbours are
-/// all prescribed looks like them, but for its diagonal. FreeFEM prescribes with 1; in a
-/// matrix that was scaled afterwards with another value, which then is that of them all.
-void mark_isolated(const RowMatrixView& A, const std::vector<Index>& isolated,
-                   std::vector<char>& prescribed) {
-  if (isolated.empty()) return;
-  double unit = A.coeff(isolated.front(), isolated.front());
-  bool one_value = true;
-  for (const Index dof : isolated) {
-    const double diagonal = A.coeff(dof, dof);
-    one_value = one_value && diagonal == unit;
-    if (diagonal == 1) unit = 1;
-  }
-  if (unit != 1 && !one_value)
-    refuse("dof ", isolated.front(), " has nothing but its diagonal ", unit,
-           " in A, others have another value, and none is 1: which of them are "
-           "prescribed cannot be told; assemble A "
-           "and b with "
-           "tgv=-1 or the default tgv");
-  for (const Index dof : isolated) prescribed[dof] = A.coeff(dof, dof) == unit;
-}
-
 void require_finite_entries(const RowMatrixView& A) {
-  for (Index row = 0; row < A.rows(); ++row)
-    for (RowIterator entry(A, row); entry; ++entry)
-      if (!std::isfinite(entry.value()))
-        refuse("A(", row, ",", entry.col(), ") is ", entry.value(),
-               ", not finite");
+  visit_entries(A, [](const RowIterator& entry) {
+    if (!std::isfinite(entry.value()))
+      refuse("A(", entry.row(), ",", entry.col(), ") is ", entry.value(),
+             ", not finite");
+  });
 }
 
 /// A fixed vector without structure, zero on prescribed dofs.
@@ -99,15 +46,11 @@ void require_symmetric(const RowMatrixView& A,
 }
 
 /// Refuses values other than zero where the columns of all prescribed dofs are gone: what
-/// they load the body with is lost. One column that couples shows that the others were
-/// kept, too.
+/// they load the body with is lost.
 void require_columns(const RowMatrixView& A,
                      const std::vector<char>& prescribed,
                      const VectorXd& prescribed_value) {
-  for (Index row = 0; row < A.rows(); ++row)
-    for (RowIterator entry(A, row); entry; ++entry)
-      if (entry.col() != row && prescribed[entry.col()] && entry.value() != 0)
-        return;
+  if (has_columns(A, prescribed)) return;
   Index dof = 0;
   while (prescribed_value[dof] == 0) ++dof;
   refuse("dof ", dof, " is prescribed to ", prescribed_value[dof],
@@ -115,11 +58,15 @@ void require_columns(const RowMatrixView& A,
          "default tgv");
 }
 
-void require_shape(const RowMatrixView& A, const Ref<const VectorXd>& b,
-                   int dimension) {
+void require_square(const RowMatrixView& A) {
   if (A.rows() != A.cols())
     refuse("A has ", A.rows(), " rows and ", A.cols(),
            " columns, it must be square");
+}
+
+void require_shape(const RowMatrixView& A, const Ref<const VectorXd>& b,
+                   int dimension) {
+  require_square(A);
   require_size("b", b.size(), A.rows());
   if (A.rows() % dimension != 0)
     refuse("A has ", A.rows(), " rows, no multiple of the dimension ",
@@ -134,13 +81,18 @@ void read_prescribed_values(const RowMatrixView& A,
       system.prescribed_value[dof] = b[dof] / A.coeff(dof, dof);
 }
 
+template <int dim>
+constexpr int dofs_of_cell = dim*(dim + 1);
+template <int dim>
+using StrainMatrix = Matrix<double, voigt_size<dim>, dofs_of_cell<dim>>;
+template <int dim>
+using ElementMatrix = Matrix<double, dofs_of_cell<dim>, dofs_of_cell<dim>>;
+
 /// B with eps(u_h) = B u for the dofs of one cell.
 template <int dim>
-Matrix<double, voigt_size<dim>, dim*(dim + 1)> strain_matrix(
-    const SimplexMesh<dim>& mesh, int cell) {
+StrainMatrix<dim> strain_matrix(const SimplexMesh<dim>& mesh, int cell) {
   const auto hats = hat_gradients(mesh, cell);
-  Matrix<double, voigt_size<dim>, dim*(dim + 1)> B;
-  B.setZero();
+  StrainMatrix<dim> B = StrainMatrix<dim>::Zero();
   for (int k = 0; k <= dim; ++k)
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < dim; ++j)
@@ -149,27 +101,41 @@ Matrix<double, voigt_size<dim>, dim*(dim + 1)> strain_matrix(
 }
 
 template <int dim>
-Matrix<double, dim*(dim + 1), dim*(dim + 1)> element_stiffness(
-    const SimplexMesh<dim>& mesh, const VoigtMatrix<dim>& C, int cell) {
+ElementMatrix<dim> element_stiffness(const SimplexMesh<dim>& mesh,
+                                     const VoigtMatrix<dim>& C, int cell) {
   const auto B = strain_matrix(mesh, cell);
   return signed_volume(mesh, cell) * B.transpose() * C * B;
 }
 
 template <int dim>
-std::array<int, dim*(dim + 1)> dofs_of(const SimplexMesh<dim>& mesh, int cell) {
-  std::array<int, dim*(dim + 1)> dofs;
+std::array<int, dofs_of_cell<dim>> dofs_of(const SimplexMesh<dim>& mesh,
+                                           int cell) {
+  std::array<int, dofs_of_cell<dim>> dofs;
   for (int k = 0; k <= dim; ++k)
     for (int c = 0; c < dim; ++c)
       dofs[dof_of<dim>(k, c)] = dof_of<dim>(mesh.cells(k, cell), c);
   return dofs;
 }
 
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+template <class Dofs, class Element>
+void add_element(const Dofs& dofs, const Element& element, Triplets& entries) {
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    for (std::size_t j = 0; j < dofs.size(); ++j)
+      entries.emplace_back(dofs[i], dofs[j], element(i, j));
+}
+
+void require_one_dimension(const std::vector<ElasticSystem>& bodies) {
+  for (const ElasticSystem& body : bodies)
+    if (body.dimension != bodies.front().dimension)
+      refuse("a plane body and a solid in one system");
+}
+
 /// A system of the size of all bodies, without rows.
 ElasticSystem room_for(const std::vector<ElasticSystem>& bodies) {
   Index dofs = 0, entries = 0;
   for (const ElasticSystem& body : bodies) {
-    if (body.dimension != bodies.front().dimension)
-      refuse("a plane body and a solid in one system");
     dofs += body.dof_count();
     entries += body.stiffness.nonZeros();
   }
@@ -190,23 +156,6 @@ void append_block(const RowMatrix& K, Index first, RowMatrix& joined) {
 }
 
 }  // namespace
-
-std::vector<char> prescribed_dofs(const RowMatrixView& A) {
-  const OffDiagonal others = off_diagonal(A);
-  std::vector<char> prescribed(A.rows(), 0);
-  std::vector<Index> isolated;
-  for (Index row = 0; row < A.rows(); ++row) {
-    const RowSums sums = row_sums(A, row);
-    if (sums.diagonal == 0) continue;
-    const bool alone = sums.others == 0 && !others.in_column[row];
-    const double scale = alone ? others.largest : sums.others;
-    prescribed[row] =
-        sums.diagonal > penalty_ratio * scale && !(alone && scale == 0);
-    if (alone && !prescribed[row]) isolated.push_back(row);
-  }
-  mark_isolated(A, isolated, prescribed);
-  return prescribed;
-}
 
 ElasticSystem elastic_system(const RowMatrixView& A,
                              const Ref<const VectorXd>& b, int dimension) {
@@ -230,16 +179,12 @@ ElasticSystem elastic_system(const RowMatrixView& A,
 template <int dim>
 RowMatrix stiffness(const SimplexMesh<dim>& mesh,
                     const HookeTensors<dim>& hooke) {
-  constexpr int size = dim * (dim + 1);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(size * size * static_cast<std::size_t>(mesh.cell_count()));
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    const auto element = element_stiffness(mesh, hooke[t], t);
-    const auto dofs = dofs_of(mesh, t);
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        entries.emplace_back(dofs[i], dofs[j], element(i, j));
-  }
+  constexpr std::size_t size = dofs_of_cell<dim>;
+  Triplets entries;
+  entries.reserve(size * size * mesh.cells.cols());
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    add_element(dofs_of(mesh, t), element_stiffness(mesh, hooke[t], t),
+                entries);
   const Index n = dim * mesh.vertices.cols();
   RowMatrix K(n, n);
   K.setFromTriplets(entries.begin(), entries.end());
@@ -247,6 +192,7 @@ RowMatrix stiffness(const SimplexMesh<dim>& mesh,
 }
 
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
+  require_one_dimension(bodies);
   ElasticSystem joined = room_for(bodies);
   Index first = 0;
   for (const ElasticSystem& body : bodies) {

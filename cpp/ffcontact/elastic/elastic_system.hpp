@@ -5,12 +5,9 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/elastic/prescribed_dofs.hpp"
 
 namespace ffcontact {
-
-/// Rows are read (a prescribed row tells itself), so matrices are stored by rows.
-using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-using RowMatrixView = Ref<const RowMatrix>;
 
 /// A linear elastic body before contact: K u = b on the free dofs, u = value on the
 /// prescribed ones; dofs are numbered as in dofs.hpp.
@@ -26,11 +23,7 @@ struct ElasticSystem {
   int dof_count() const { return static_cast<int>(load.size()); }
 };
 
-/// The system as FreeFEM assembles it. A dof is prescribed when its row is penalised (tgv
-/// = 1e30: the diagonal exceeds the rest of the row by 1e12, value = b / diagonal) or has
-/// nothing but a diagonal (tgv = -1 or -2, value = b / diagonal). With -2 a free dof
-/// whose neighbours are all prescribed has nothing but a diagonal either: its stiffness,
-/// where the others have 1.
+/// The system as FreeFEM assembles it: prescribed_dofs have the value b / diagonal.
 /// @param dimension  2 or 3, of the body
 /// @throws std::invalid_argument  if sizes differ or are no multiple of the dimension, a
 ///                                value of A or b is not finite, A is not symmetric on
@@ -43,10 +36,6 @@ ElasticSystem elastic_system(const RowMatrixView& A,
 /// Several bodies as one system of separate blocks, in the order of joined_mesh.
 /// @throws std::invalid_argument  if their dimensions differ
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);
-
-/// 1 where the row of A prescribes its dof.
-/// @throws std::invalid_argument  as elastic_system, for a scaled matrix
-std::vector<char> prescribed_dofs(const RowMatrixView& A);
 
 /// K without boundary conditions, K_ij = int C eps(phi_i) : eps(phi_j).
 template <int dim>

@@ -22,6 +22,10 @@ int root(std::vector<int>& parent, int v) {
   return v;
 }
 
+void join(std::vector<int>& parent, int v, int w) {
+  parent[root(parent, v)] = root(parent, w);
+}
+
 /// For each vertex one of its part, the same for all of them; -1 where it has no cell.
 template <int dim>
 std::vector<int> roots_of(const SimplexMesh<dim>& mesh) {
@@ -29,10 +33,8 @@ std::vector<int> roots_of(const SimplexMesh<dim>& mesh) {
   std::iota(parent.begin(), parent.end(), 0);
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < dim; ++k)
-      parent[root(parent, mesh.cells(k, t))] =
-          root(parent, mesh.cells(k + 1, t));
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (const int v : mesh.cells.col(t)) roots[v] = root(parent, v);
+      join(parent, mesh.cells(k, t), mesh.cells(k + 1, t));
+  for (const int v : mesh.cells.reshaped()) roots[v] = root(parent, v);
   return roots;
 }
 
@@ -82,22 +84,24 @@ struct Frame {
 
 template <int dim>
 Frame<dim> frame_of(const SimplexMesh<dim>& mesh, const Vertices& part) {
-  Matrix<double, dim, 1> centre = Matrix<double, dim, 1>::Zero();
+  Frame<dim> frame{Frame<dim>::Point::Zero(), 0};
+  auto& [centre, radius] = frame;
   for (int v : part)
     centre += mesh.vertices.col(v) / static_cast<double>(part.size());
-  double radius = 0;
   for (int v : part)
     radius = std::max(radius, (mesh.vertices.col(v) - centre).norm());
-  return {centre, radius};
+  return frame;
 }
+
+template <int dim>
+using MotionMatrix = Matrix<double, motion_count<dim>, motion_count<dim>>;
 
 /// Sum of the squares of what the motions do to the prescribed dofs of a part.
 template <int dim>
-Matrix<double, motion_count<dim>, motion_count<dim>> stopped(
-    const SimplexMesh<dim>& mesh, const Vertices& part, const Frame<dim>& frame,
-    const std::vector<char>& prescribed) {
-  Matrix<double, motion_count<dim>, motion_count<dim>> sum;
-  sum.setZero();
+MotionMatrix<dim> stopped(const SimplexMesh<dim>& mesh, const Vertices& part,
+                          const Frame<dim>& frame,
+                          const std::vector<char>& prescribed) {
+  MotionMatrix<dim> sum = MotionMatrix<dim>::Zero();
   for (int v : part)
     for (int c = 0; c < dim; ++c) {
       if (!prescribed[dof_of<dim>(v, c)]) continue;
@@ -107,22 +111,19 @@ Matrix<double, motion_count<dim>, motion_count<dim>> stopped(
   return sum;
 }
 
+/// How many of the ascending eigenvalues of `stopped` belong to free motions: these are
+/// 1e-5 of the largest on all prescribed dofs, and the eigenvalues are sums of squares.
+Index vanishing(const VectorXd& values) {
+  const double threshold = 1e-10 * std::max(values[values.size() - 1], 1.0);
+  return (values.array() <= threshold).count();
+}
+
 /// Coefficients of the combinations of the motions that vanish on the prescribed dofs.
+/// @param squares  stopped
 template <int dim>
-MatrixXd unstopped(const SimplexMesh<dim>& mesh, const Vertices& part,
-                   const Frame<dim>& frame,
-                   const std::vector<char>& prescribed) {
-  const auto squares = stopped(mesh, part, frame, prescribed);
-  // eigenvalues ascending
-  const Eigen::SelfAdjointEigenSolver<std::decay_t<decltype(squares)>> eigen(
-      squares);
-  const auto& values = eigen.eigenvalues();
-  // A motion is free when it is 1e-5 of the largest on all prescribed dofs; the
-  // eigenvalues are sums of squares.
-  const double threshold = 1e-10 * std::max(values[motion_count<dim> - 1], 1.0);
-  int free = 0;
-  while (free < motion_count<dim> && values[free] <= threshold) ++free;
-  return eigen.eigenvectors().leftCols(free);
+MatrixXd unstopped(const MotionMatrix<dim>& squares) {
+  const Eigen::SelfAdjointEigenSolver<MotionMatrix<dim>> eigen(squares);
+  return eigen.eigenvectors().leftCols(vanishing(eigen.eigenvalues()));
 }
 
 /// A rigid motion in space, or in the plane z = 0: u(x) = shift + turn x (x - centre).
@@ -155,19 +156,12 @@ bool moves(const Vertices& part, const Ref<const VectorXd>& motion) {
   });
 }
 
-/// By least squares, which for a rigid motion leave nothing: J turn = sum r x (u - shift)
-/// with J = sum |r|^2 I - r r', r = x - centre.
+/// The turn of a motion whose centre and shift are known, by least squares, which for a
+/// rigid motion leave nothing: J turn = sum r x (u - shift) with
+/// J = sum |r|^2 I - r r', r = x - centre.
 template <int dim>
-Motion motion_of(const SimplexMesh<dim>& mesh, const Vertices& part,
-                 const Ref<const VectorXd>& field) {
-  Motion motion;
-  const Frame<dim> frame = frame_of(mesh, part);
-  motion.centre = in_space(frame.centre);
-  motion.radius = frame.radius;
-  for (int v : part)
-    motion.shift +=
-        in_space(vector_at<dim>(field, v)) / static_cast<double>(part.size());
-
+Vector3d turn_of(const SimplexMesh<dim>& mesh, const Vertices& part,
+                 const Ref<const VectorXd>& field, const Motion& motion) {
   Matrix3d J = Matrix3d::Zero();
   Vector3d moment = Vector3d::Zero();
   for (int v : part) {
@@ -176,27 +170,63 @@ Motion motion_of(const SimplexMesh<dim>& mesh, const Vertices& part,
     J += r.squaredNorm() * Matrix3d::Identity() - r * r.transpose();
     moment += r.cross(u);
   }
-  motion.turn = J.inverse() * moment;
+  return J.inverse() * moment;
+}
+
+template <int dim>
+Motion motion_of(const SimplexMesh<dim>& mesh, const Vertices& part,
+                 const Ref<const VectorXd>& field) {
+  const Frame<dim> frame = frame_of(mesh, part);
+  Motion motion;
+  motion.centre = in_space(frame.centre);
+  motion.radius = frame.radius;
+  for (int v : part)
+    motion.shift +=
+        in_space(vector_at<dim>(field, v)) / static_cast<double>(part.size());
+  motion.turn = turn_of(mesh, part, field, motion);
   return motion;
 }
 
-/// "(0, 1)": without the noise of rounding.
+std::string in_digits(double value) {
+  std::ostringstream digits;
+  digits.precision(4);
+  digits << value;
+  return digits.str();
+}
+
+double without_rounding(double x) { return std::abs(x) < 1e-9 ? 0 : x; }
+
+/// "(0, 1)"
 template <int dim>
 std::string in_words(const Vector3d& v) {
-  std::ostringstream words;
-  words.precision(4);
+  std::string words;
   for (int c = 0; c < dim; ++c)
-    words << (c == 0 ? "(" : ", ") << (std::abs(v[c]) < 1e-9 ? 0.0 : v[c]);
-  return words.str() + ")";
+    words += (c == 0 ? "(" : ", ") + in_digits(without_rounding(v[c]));
+  return words + ")";
 }
 
 /// ", 3 mm a turn", or nothing where the axis stays where it is.
 std::string pitch_in_words(const Motion& motion) {
   if (std::abs(motion.pitch()) < 1e-6 * motion.radius) return "";
-  std::ostringstream words;
-  words.precision(4);
-  words << ", " << motion.pitch() << " mm a turn";
-  return words.str();
+  return ", " + in_digits(motion.pitch()) + " mm a turn";
+}
+
+template <int dim>
+std::string rotation_in_words(const Motion& motion, const Vector3d& origin) {
+  const std::string point = in_words<dim>(origin + motion.axis_point());
+  if (dim == 2) return "rotation about " + point;
+  const std::string axis = in_words<dim>(motion.turn.normalized());
+  return "rotation about " + axis + " through " + point +
+         pitch_in_words(motion);
+}
+
+/// The first part that a motion moves.
+template <int dim>
+Vertices moving_part(const SimplexMesh<dim>& mesh,
+                     const Ref<const VectorXd>& motion) {
+  for (const Vertices& part : connected_parts(mesh))
+    if (moves<dim>(part, motion)) return part;
+  return {};
 }
 
 }  // namespace
@@ -207,7 +237,8 @@ MatrixXd free_rigid_motions(const SimplexMesh<dim>& mesh,
   MatrixXd basis(dim * mesh.vertices.cols(), 0);
   for (const Vertices& part : connected_parts(mesh)) {
     const Frame<dim> frame = frame_of(mesh, part);
-    const MatrixXd combinations = unstopped(mesh, part, frame, prescribed);
+    const MatrixXd combinations =
+        unstopped<dim>(stopped(mesh, part, frame, prescribed));
     const Index first = basis.cols(), more = combinations.cols();
     if (more == 0) continue;
     basis.conservativeResize(Eigen::NoChange, first + more);
@@ -222,18 +253,11 @@ MatrixXd free_rigid_motions(const SimplexMesh<dim>& mesh,
 template <int dim>
 std::string motion_in_words(const SimplexMesh<dim>& mesh,
                             const Ref<const VectorXd>& motion) {
-  const std::vector<Vertices> parts = connected_parts(mesh);
-  const auto part = std::find_if(
-      parts.begin(), parts.end(),
-      [&](const Vertices& each) { return moves<dim>(each, motion); });
-  const Motion rigid = motion_of(mesh, *part, motion);
-  if (!rigid.turns())
-    return "translation along " + in_words<dim>(rigid.shift.normalized());
-  const std::string point =
-      in_words<dim>(in_space(mesh.origin) + rigid.axis_point());
-  if (dim == 2) return "rotation about " + point;
-  return "rotation about " + in_words<dim>(rigid.turn.normalized()) +
-         " through " + point + pitch_in_words(rigid);
+  const Vertices part = moving_part(mesh, motion);
+  const Motion rigid = motion_of(mesh, part, motion);
+  if (rigid.turns())
+    return rotation_in_words<dim>(rigid, in_space(mesh.origin));
+  return "translation along " + in_words<dim>(rigid.shift.normalized());
 }
 
 template MatrixXd free_rigid_motions(const Mesh&, const std::vector<char>&);

@@ -42,8 +42,11 @@ class Session {
   mutable cholmod_common common;
 };
 
+template <class T>
+using FreeFunction = int (*)(T**, cholmod_common*);
+
 /// Owner of one CHOLMOD object.
-template <class T, int (*Free)(T**, cholmod_common*)>
+template <class T, FreeFunction<T> free>
 class Owned {
  public:
   Owned(T* object, const Session& session)
@@ -53,7 +56,7 @@ class Owned {
     throw std::runtime_error("CHOLMOD failed with status " +
                              std::to_string(session.common.status));
   }
-  ~Owned() { Free(&object_, &session_.common); }
+  ~Owned() { free(&object_, &session_.common); }
   Owned(const Owned&) = delete;
   Owned& operator=(const Owned&) = delete;
   T* operator->() const { return object_; }
@@ -87,17 +90,27 @@ class SerialAssembly {
 int* indices(void* p) { return static_cast<int*>(p); }
 double* values(void* p) { return static_cast<double*>(p); }
 
+void copy(const std::vector<int>& from, void* to) {
+  std::copy(from.begin(), from.end(), indices(to));
+}
+
+/// Room for the lower triangle of a pattern.
+cholmod_sparse* pattern_of_size(std::size_t n, std::size_t entries,
+                                const Session& session) {
+  constexpr int sorted = 1, packed = 1, lower = -1;
+  cholmod_sparse* room = cholmod_allocate_sparse(
+      n, n, entries, sorted, packed, lower, CHOLMOD_PATTERN, &session.common);
+  if (!room) throw std::bad_alloc();
+  return room;
+}
+
 /// A graph as the lower triangle of a pattern.
 cholmod_sparse* pattern(const Graph& graph, const Session& session) {
-  const std::size_t n = graph.vertex_count(),
-                    most = std::max<std::size_t>(1, graph.neighbours.size());
-  constexpr int sorted = 1, packed = 1, lower = -1;
-  cholmod_sparse* result = cholmod_allocate_sparse(
-      n, n, most, sorted, packed, lower, CHOLMOD_PATTERN, &session.common);
-  if (!result) throw std::bad_alloc();
-  std::copy(graph.start.begin(), graph.start.end(), indices(result->p));
-  std::copy(graph.neighbours.begin(), graph.neighbours.end(),
-            indices(result->i));
+  const std::size_t entries = std::max<std::size_t>(1, graph.neighbours.size());
+  cholmod_sparse* result =
+      pattern_of_size(graph.vertex_count(), entries, session);
+  copy(graph.start, result->p);
+  copy(graph.neighbours, result->i);
   return result;
 }
 
@@ -150,6 +163,16 @@ struct Supernode {
   }
 };
 
+/// METIS's nested dissection, or minimum degree where METIS fails.
+void put_order(cholmod_sparse* graph, const Session& session, int* order) {
+  constexpr int postorder = 1;
+  if (cholmod_metis(graph, nullptr, 0, postorder, order, &session.common))
+    return;
+  session.require_memory();
+  if (!cholmod_amd(graph, nullptr, 0, order, &session.common))
+    session.require_memory();
+}
+
 }  // namespace
 
 std::vector<int> dissection_order(const Graph& graph) {
@@ -157,13 +180,7 @@ std::vector<int> dissection_order(const Graph& graph) {
   if (order.empty()) return order;
   const Session session;
   const OwnedSparse sparse(pattern(graph, session), session);
-  constexpr int postorder = 1;
-  if (cholmod_metis(sparse.get(), nullptr, 0, postorder, order.data(),
-                    &session.common))
-    return order;
-  session.require_memory();
-  if (!cholmod_amd(sparse.get(), nullptr, 0, order.data(), &session.common))
-    session.require_memory();
+  put_order(sparse.get(), session, order.data());
   return order;
 }
 

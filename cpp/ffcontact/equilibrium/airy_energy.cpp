@@ -17,47 +17,42 @@ using ReferenceStress =
     /// corner stresses (CompositeStress by columns) of each unknown
     Matrix<double, 27, 12>;
 
-const TriangleCorners& reference_corners() {
-  static const TriangleCorners corners =
-      (TriangleCorners() << 0, 1, 0, 0, 0, 1).finished();
-  return corners;
+Vector2d gradient_at(const ReferenceUnknowns& x, int vertex) {
+  return x.segment<2>(3 * vertex + 1);
 }
 
-Vector2d side(const TriangleCorners& corners, int k) {
-  return corners.col((k + 2) % 3) - corners.col((k + 1) % 3);
+/// grad A in the middle of side k.
+Vector2d gradient_in_middle(const ReferenceUnknowns& x, int k) {
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  const Vector2d e = side_of(reference_triangle(), k);
+  const double along = 1.5 * (x[3 * j] - x[3 * i]) -
+                       0.25 * e.dot(gradient_at(x, i) + gradient_at(x, j));
+  return (along * e + x[9 + k] * turned_right(e)) / e.squaredNorm();
 }
 
-/// Edge loads of an Airy function on the reference triangle, as airy_moments.
+/// Edge loads of an Airy function on the reference triangle.
 EdgeLoads reference_loads(const ReferenceUnknowns& x) {
   EdgeLoads loads;
-  for (int k = 0; k < 3; ++k) {
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    const Vector2d e = side(reference_corners(), k),
-                   gradient_i = x.segment<2>(3 * i + 1),
-                   gradient_j = x.segment<2>(3 * j + 1);
-    const double along =
-        1.5 * (x[3 * j] - x[3 * i]) - 0.25 * e.dot(gradient_i + gradient_j);
-    const Vector2d gradient_m =
-        (along * e + x[9 + k] * turned_right(e)) / e.squaredNorm();
-    loads.segment<2>(4 * k) =
-        turned_right(-5 * gradient_i + 4 * gradient_m + gradient_j) / 6;
-    loads.segment<2>(4 * k + 2) =
-        turned_right(-gradient_i - 4 * gradient_m + 5 * gradient_j) / 6;
-  }
+  for (int k = 0; k < 3; ++k)
+    loads.segment<4>(4 * k) = moments_of_gradients(gradient_at(x, (k + 1) % 3),
+                                                   gradient_in_middle(x, k),
+                                                   gradient_at(x, (k + 2) % 3));
   return loads;
 }
 
+ReferenceStress solve_reference() {
+  ReferenceStress stress;
+  for (int c = 0; c < 12; ++c) {
+    const EdgeLoads loads = reference_loads(ReferenceUnknowns::Unit(c));
+    stress.col(c) =
+        composite_stress(reference_triangle(), loads, BodyLoads::Zero())
+            .reshaped();
+  }
+  return stress;
+}
+
 const ReferenceStress& reference_stress() {
-  static const ReferenceStress stress = [] {
-    ReferenceStress result;
-    for (int c = 0; c < 12; ++c)
-      result.col(c) =
-          composite_stress(reference_corners(),
-                           reference_loads(ReferenceUnknowns::Unit(c)),
-                           BodyLoads::Zero())
-              .reshaped();
-    return result;
-  }();
+  static const ReferenceStress stress = solve_reference();
   return stress;
 }
 
@@ -75,27 +70,39 @@ CompositeStress massed(const CompositeStress& values, double area) {
 
 using ReferenceEnergy = Matrix<double, 12, 12>;
 
+/// Component q in the place of p, and p in that of q.
+CompositeStress exchanged(const CompositeStress& stress, int p, int q) {
+  CompositeStress dual = CompositeStress::Zero();
+  dual.row(p) += stress.row(q);
+  if (p != q) dual.row(q) += stress.row(p);
+  return dual;
+}
+
 /// S_pq with x' S_pq x = int s_p s_q over the reference triangle for Voigt components p
 /// <= q, the products p q and q p added up.
-const std::array<ReferenceEnergy, 6>& reference_products() {
-  static const std::array<ReferenceEnergy, 6> products = [] {
-    std::array<ReferenceEnergy, 6> result;
-    int next = 0;
-    for (int p = 0; p < 3; ++p)
-      for (int q = p; q < 3; ++q, ++next)
-        for (int c = 0; c < 12; ++c) {
-          const Map<const CompositeStress> stress(
-              reference_stress().col(c).data());
-          CompositeStress dual = CompositeStress::Zero();
-          dual.row(p) += stress.row(q);
-          if (p != q) dual.row(q) += stress.row(p);
-          result[next].col(c) =
-              reference_stress().transpose() * massed(dual, 0.5).reshaped();
-        }
-    return result;
-  }();
+ReferenceEnergy reference_product(int p, int q) {
+  ReferenceEnergy S;
+  for (int c = 0; c < 12; ++c) {
+    const Map<const CompositeStress> stress(reference_stress().col(c).data());
+    const CompositeStress dual = massed(exchanged(stress, p, q), 0.5);
+    S.col(c) = reference_stress().transpose() * dual.reshaped();
+  }
+  return S;
+}
+
+using ReferenceProducts = std::array<ReferenceEnergy, 6>;
+
+/// In the order of the upper triangle, by rows.
+const ReferenceProducts& reference_products() {
+  static const ReferenceProducts products{
+      reference_product(0, 0), reference_product(0, 1),
+      reference_product(0, 2), reference_product(1, 1),
+      reference_product(1, 2), reference_product(2, 2)};
   return products;
 }
+
+using EdgesByVertices = Matrix<double, 3, 9>;
+using VertexEnergy = Matrix<double, 9, 9>;
 
 /// The reference unknowns from those of a triangle: at the vertices (A, grad A) = (l0 x,
 /// B' x), in the middle of edge k
@@ -104,25 +111,32 @@ struct Pullback {
   Matrix2d B;
   double determinant;
   Vector3d length, normal;
-  Matrix<double, 3, 9> from_vertices = Matrix<double, 3, 9>::Zero();
+  EdgesByVertices from_vertices = EdgesByVertices::Zero();
 
-  Pullback(const AirySpace& space, int triangle,
-           const TriangleCorners& corners) {
-    B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
+  Pullback(const AirySpace& space, int triangle, const TriangleCorners& corners)
+      : B(piola_matrix(corners)) {
     determinant = B(0, 0) * B(1, 1) - B(0, 1) * B(1, 0);
     for (int k = 0; k < 3; ++k) {
       length[k] = space.length[space.mesh.cells(k, triangle)];
-      const Vector2d e = side(corners, k),
-                     reference_e = side(reference_corners(), k);
-      const Vector2d across = B * turned_right(reference_e);
-      const double square = e.squaredNorm(), along = across.dot(e) / square;
-      normal[k] = space.edges.eta(k, triangle) * across.dot(turned_right(e)) /
-                  std::sqrt(square);
-      for (const auto& [vertex, sign] : {std::make_pair((k + 1) % 3, -1.5),
-                                         std::make_pair((k + 2) % 3, 1.5)})
-        from_vertices.block<1, 3>(k, 3 * vertex) << along * sign,
-            -0.25 * along * reference_e.transpose();
+      put_edge(k, side_of(corners, k), space.edges.eta(k, triangle));
     }
+  }
+
+  /// q is the derivative across the reference edge: part of it runs along the edge e.
+  void put_edge(int k, const Vector2d& e, double eta) {
+    const Vector2d reference_e = side_of(reference_triangle(), k);
+    const Vector2d across = B * turned_right(reference_e);
+    const double square = e.squaredNorm(), along = across.dot(e) / square;
+    normal[k] = eta * across.dot(turned_right(e)) / std::sqrt(square);
+    const Vector2d by_gradients = -0.25 * along * reference_e;
+    put_vertex(k, (k + 1) % 3, along * -1.5, by_gradients);
+    put_vertex(k, (k + 2) % 3, along * 1.5, by_gradients);
+  }
+
+  void put_vertex(int k, int vertex, double by_value,
+                  const Vector2d& by_gradient) {
+    from_vertices.block<1, 3>(k, 3 * vertex) << by_value,
+        by_gradient.transpose();
   }
 
   /// G_i' M G_j for G_k = diag(l0_k, B').
@@ -137,40 +151,67 @@ struct Pullback {
     return result;
   }
   Vector3d dual(const Vector3d& m, int i) const {
-    return {length[i] * m[0], B(0, 0) * m[1] + B(0, 1) * m[2],
-            B(1, 0) * m[1] + B(1, 1) * m[2]};
+    const Vector2d gradient = B.lazyProduct(m.tail<2>());
+    return {length[i] * m[0], gradient.x(), gradient.y()};
   }
 };
 
+/// sum over p, q of W_pq int s_p s_q
+ReferenceEnergy weighted_products(const Matrix3d& W) {
+  const ReferenceProducts& S = reference_products();
+  return W(0, 0) * S[0] + W(0, 1) * S[1] + W(0, 2) * S[2] + W(1, 1) * S[3] +
+         W(1, 2) * S[4] + W(2, 2) * S[5];
+}
+
+/// The energy by (A, grad A) at the vertices and by the part normal[k] x of q.
+struct SplitEnergy {
+  VertexEnergy of_vertices;
+  EdgesByVertices mixed;
+  Matrix3d of_edges;
+};
+
+/// @param P  Pullback::from_vertices
+SplitEnergy split_energy(const Matrix3d& weights, const EdgesByVertices& P) {
+  const ReferenceEnergy S = weighted_products(weights);
+  const Matrix3d of_edges = S.bottomRightCorner<3, 3>();
+  const EdgesByVertices mixed = S.bottomLeftCorner<3, 9>(),
+                        middle = of_edges.lazyProduct(P),
+                        half = mixed + 0.5 * middle;
+  const VertexEnergy side = P.transpose().lazyProduct(half);
+  return {S.topLeftCorner<9, 9>() + side + side.transpose(), mixed + middle,
+          of_edges};
+}
+
+/// Vertex k with itself and the next one.
+void put_vertex(const Pullback& pullback, const SplitEnergy& split, int k,
+                AiryEnergy& energy) {
+  const int l = (k + 1) % 3;
+  const Matrix3d own = split.of_vertices.block<3, 3>(3 * k, 3 * k),
+                 next = split.of_vertices.block<3, 3>(3 * k, 3 * l);
+  energy.own[k] = pullback.block(own, k, k);
+  energy.next[k] = pullback.block(next, k, l);
+}
+
+/// Edge k with the vertices, itself and the next one.
+void put_edge(const Pullback& pullback, const SplitEnergy& split, int k,
+              AiryEnergy& energy) {
+  const Vector3d& normal = pullback.normal;
+  for (int r = 0; r < 3; ++r) {
+    const int vertex = (k + r) % 3;
+    const Vector3d mixed = split.mixed.block<1, 3>(k, 3 * vertex).transpose();
+    energy.edge[k].col(r) = normal[k] * pullback.dual(mixed, vertex);
+  }
+  const int l = (k + 1) % 3;
+  energy.edge_own[k] = normal[k] * split.of_edges(k, k) * normal[k];
+  energy.edge_next[k] = normal[k] * split.of_edges(k, l) * normal[l];
+}
+
 void put_quadratic(const Pullback& pullback, const Matrix3d& weights,
                    AiryEnergy& energy) {
-  const std::array<ReferenceEnergy, 6>& S = reference_products();
-  const ReferenceEnergy reference =
-      weights(0, 0) * S[0] + weights(0, 1) * S[1] + weights(0, 2) * S[2] +
-      weights(1, 1) * S[3] + weights(1, 2) * S[4] + weights(2, 2) * S[5];
-  const Matrix<double, 3, 9>& P = pullback.from_vertices;
-  const Matrix3d of_edges = reference.bottomRightCorner<3, 3>();
-  const Matrix<double, 3, 9> middle = of_edges.lazyProduct(P),
-                             mixed = reference.bottomLeftCorner<3, 9>();
-  const Matrix<double, 3, 9> half = mixed + 0.5 * middle,
-                             whole = mixed + middle;
-  const Matrix<double, 9, 9> side = P.transpose().lazyProduct(half);
-  const Matrix<double, 9, 9> of_vertices =
-      reference.topLeftCorner<9, 9>() + side + side.transpose();
+  const SplitEnergy split = split_energy(weights, pullback.from_vertices);
   for (int k = 0; k < 3; ++k) {
-    const int l = (k + 1) % 3;
-    energy.own[k] = pullback.block(of_vertices.block<3, 3>(3 * k, 3 * k), k, k);
-    energy.next[k] =
-        pullback.block(of_vertices.block<3, 3>(3 * k, 3 * l), k, l);
-    for (int r = 0; r < 3; ++r)
-      energy.edge[k].col(r) =
-          pullback.normal[k] *
-          pullback.dual(whole.block<1, 3>(k, 3 * ((k + r) % 3)).transpose(),
-                        (k + r) % 3);
-    energy.edge_own[k] =
-        pullback.normal[k] * of_edges(k, k) * pullback.normal[k];
-    energy.edge_next[k] =
-        pullback.normal[k] * of_edges(k, l) * pullback.normal[l];
+    put_vertex(pullback, split, k, energy);
+    put_edge(pullback, split, k, energy);
   }
 }
 
@@ -187,23 +228,33 @@ void put_slope(const Pullback& pullback, const ReferenceUnknowns& slope,
   energy.slope.on_edges = pullback.normal.cwiseProduct(on_edges);
 }
 
+/// Vertex k of K x.
+Vector3d row_of_vertex(const AiryEnergy& K, const LocalAiry& x, int k) {
+  const int l = (k + 1) % 3, m = (k + 2) % 3;
+  return K.own[k].lazyProduct(x.at_vertices.col(k)) +
+         K.next[k].lazyProduct(x.at_vertices.col(l)) +
+         K.next[m].transpose().lazyProduct(x.at_vertices.col(m)) +
+         K.edge[k].col(0) * x.on_edges[k] + K.edge[l].col(2) * x.on_edges[l] +
+         K.edge[m].col(1) * x.on_edges[m];
+}
+
+/// Edge k of K x.
+double row_of_edge(const AiryEnergy& K, const LocalAiry& x, int k) {
+  const int l = (k + 1) % 3, m = (k + 2) % 3;
+  return K.edge[k].col(0).dot(x.at_vertices.col(k)) +
+         K.edge[k].col(1).dot(x.at_vertices.col(l)) +
+         K.edge[k].col(2).dot(x.at_vertices.col(m)) +
+         K.edge_own[k] * x.on_edges[k] + K.edge_next[k] * x.on_edges[l] +
+         K.edge_next[m] * x.on_edges[m];
+}
+
 }  // namespace
 
 LocalAiry AiryEnergy::times(const LocalAiry& x) const {
   LocalAiry y;
   for (int k = 0; k < 3; ++k) {
-    const int l = (k + 1) % 3, m = (k + 2) % 3;
-    y.at_vertices.col(k) =
-        own[k].lazyProduct(x.at_vertices.col(k)) +
-        next[k].lazyProduct(x.at_vertices.col(l)) +
-        next[m].transpose().lazyProduct(x.at_vertices.col(m)) +
-        edge[k].col(0) * x.on_edges[k] + edge[l].col(2) * x.on_edges[l] +
-        edge[m].col(1) * x.on_edges[m];
-    y.on_edges[k] = edge[k].col(0).dot(x.at_vertices.col(k)) +
-                    edge[k].col(1).dot(x.at_vertices.col(l)) +
-                    edge[k].col(2).dot(x.at_vertices.col(m)) +
-                    edge_own[k] * x.on_edges[k] + edge_next[k] * x.on_edges[l] +
-                    edge_next[m] * x.on_edges[m];
+    y.at_vertices.col(k) = row_of_vertex(*this, x, k);
+    y.on_edges[k] = row_of_edge(*this, x, k);
   }
   return y;
 }

@@ -53,6 +53,10 @@ inline LocalAiry local_airy(const AirySpace& space, const VectorXd& airy,
   return local;
 }
 
+/// (b_i, b_j) from the gradients of A at the ends and in the middle of an edge i -> j.
+Vector4d moments_of_gradients(const Vector2d& at_i, const Vector2d& in_middle,
+                              const Vector2d& at_j);
+
 /// Moments (b_first, b_second) of the traction on an edge, for the edge's own normal
 /// [N/mm].
 Vector4d airy_moments(const AirySpace& space, const VectorXd& airy, int edge);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
-#include <algorithm>
-#include <map>
-
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/star_corrections.hpp"
@@ -50,7 +47,7 @@ struct Spoke {
   /// Adds the four columns of a matrix for the spoke's unknowns to one for all unknowns.
   template <class Local, class All>
   void spread(const Local& local, All&& all) const {
-    const std::array<int, 4> columns = star.columns_of_spoke(number);
+    const auto columns = star.columns_of_spoke(number);
     for (int c = 0; c < 4; ++c) all.col(first + columns[c]) += local.col(c);
   }
 };
@@ -109,8 +106,24 @@ bool frictionless(const FreeContact& contact, int e) {
   return cones[0].frictionless() || cones[1].frictionless();
 }
 
-/// Basis of the corrections that leave known boundary tractions alone and load both
-/// bodies of a contact edge oppositely [unknowns x n].
+/// Known boundary tractions are left alone.
+void fix_known(const Spoke& spoke, const BoundaryTractions& boundary,
+               Conditions& conditions) {
+  for (int c = 0; c < 2; ++c)
+    if (boundary.known(c, spoke.edge()))
+      conditions.fix(spoke, Vector2d::Unit(c));
+}
+
+/// Both bodies of a contact edge are loaded oppositely.
+void balance_bodies(const Spoke& spoke, const std::vector<Spoke>& spokes, int e,
+                    const FreeContact& contact, Conditions& conditions) {
+  for (const Spoke& other : spokes)
+    if (other.edge() != spoke.edge() && free_edge(other, &contact) == e)
+      conditions.balance(spoke, other);
+}
+
+/// Basis of the corrections of known and of contact tractions that are allowed
+/// [unknowns x n].
 MatrixXd admissible_corrections(const Group& group,
                                 const BoundaryTractions& boundary,
                                 const FreeContact* contact) {
@@ -119,18 +132,24 @@ MatrixXd admissible_corrections(const Group& group,
   for (const Spoke& spoke : spokes) {
     const int e = free_edge(spoke, contact);
     if (e < 0) {
-      for (int c = 0; c < 2; ++c)
-        if (boundary.known(c, spoke.edge()))
-          conditions.fix(spoke, Vector2d::Unit(c));
+      fix_known(spoke, boundary, conditions);
     } else if (carries_multipliers(spoke, e, *contact)) {
       if (frictionless(*contact, e))
         conditions.fix(spoke, contact->line.edge_tangent(e));
-      for (const Spoke& other : spokes)
-        if (other.edge() != spoke.edge() && free_edge(other, contact) == e)
-          conditions.balance(spoke, other);
+      balance_bodies(spoke, spokes, e, *contact, conditions);
     }
   }
   return conditions.kernel();
+}
+
+/// The densities that the four unknowns of a spoke have on an edge, at its vertex and at
+/// the other end.
+Matrix4d spoke_densities(const Spoke& spoke, double length) {
+  const Matrix4d moments = spoke.moments();
+  Matrix4d density;
+  for (int c = 0; c < 4; ++c)
+    density.col(c) = density_of_moments(moments.col(c), length);
+  return density;
 }
 
 /// What the corrections of a group do to the end values (r_n,i, r_t,i, r_n,j, r_t,j) of
@@ -138,31 +157,29 @@ MatrixXd admissible_corrections(const Group& group,
 struct EdgeEnds {
   int edge;
   Matrix<double, 4, Dynamic> change;  ///< [4 x unknowns]
+
+  EdgeEnds(const Spoke& spoke, int e, const ContactLine& line, int unknowns)
+      : edge(e) {
+    const Matrix2d frame = edge_frame(line, e);
+    const Matrix4d density = spoke_densities(spoke, line.length[e]);
+    change.setZero(4, unknowns);
+    for (int end = 0; end < 2; ++end) {
+      const int place = spoke.runs_along_edge() ? end : 1 - end;
+      spoke.spread(frame * density.middleRows<2>(2 * place),
+                   change.middleRows<2>(2 * end));
+    }
+  }
 };
 
 std::vector<EdgeEnds> free_ends(const Group& group,
                                 const FreeContact& contact) {
-  std::vector<EdgeEnds> result;
+  std::vector<EdgeEnds> ends;
   for (const Spoke& spoke : boundary_spokes(group)) {
     const int e = free_edge(spoke, &contact);
-    if (e < 0 || !carries_multipliers(spoke, e, contact)) continue;
-    Matrix2d frame;
-    frame << contact.line.edge_normal(e).transpose(),
-        contact.line.edge_tangent(e).transpose();
-    const Matrix4d moments = spoke.moments();
-    Matrix4d density;
-    for (int c = 0; c < 4; ++c)
-      density.col(c) =
-          density_of_moments(moments.col(c), contact.line.length[e]);
-    EdgeEnds ends{e, {}};
-    ends.change.setZero(4, group.unknowns());
-    for (int end = 0; end < 2; ++end)
-      spoke.spread(frame * density.middleRows<2>(
-                               2 * (spoke.runs_along_edge() ? end : 1 - end)),
-                   ends.change.middleRows<2>(2 * end));
-    result.push_back(ends);
+    if (e >= 0 && carries_multipliers(spoke, e, contact))
+      ends.emplace_back(spoke, e, contact.line, group.unknowns());
   }
-  return result;
+  return ends;
 }
 
 /// Cost and cone of the free ends as functions of the corrections.
@@ -170,6 +187,20 @@ struct ContactTerms {
   VectorXd cost;  ///< linear part of e^2
   MatrixXd C;
   VectorXd d;
+  Index rows = 0;
+
+  void add(const EdgeEnds& ends, const FreeContact& contact) {
+    const auto& [e, change] = ends;
+    const FreeTractions& tractions = contact.tractions;
+    const EdgeCone cone = edge_cone(contact.line, contact.law, e);
+    cost += change.transpose() * interleaved(tractions.normal_cost.col(e),
+                                             tractions.tangential_cost.col(e));
+    C.middleRows(rows, cone.C.rows()) = cone.C * change;
+    d.segment(rows, cone.d.size()) =
+        // r is inside: the rest is rounding
+        (cone.d - cone.C * end_values(tractions.densities, e)).cwiseMin(0);
+    rows += cone.d.size();
+  }
 };
 
 ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns,
@@ -177,21 +208,9 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns,
   const auto most = EdgeCone::most_rows * static_cast<Index>(ends.size());
   ContactTerms terms{VectorXd::Zero(unknowns), MatrixXd(most, unknowns),
                      VectorXd(most)};
-  Index row = 0;
-  for (const auto& [e, change] : ends) {
-    const FreeTractions& tractions = contact->tractions;
-    const EdgeCone cone = edge_cone(contact->line, contact->law, e);
-    terms.cost +=
-        change.transpose() * interleaved(tractions.normal_cost.col(e),
-                                         tractions.tangential_cost.col(e));
-    terms.C.middleRows(row, cone.C.rows()) = cone.C * change;
-    terms.d.segment(row, cone.d.size()) =
-        // r is inside: the rest is rounding
-        (cone.d - cone.C * end_values(tractions.densities, e)).cwiseMin(0);
-    row += cone.d.size();
-  }
-  terms.C.conservativeResize(row, Eigen::NoChange);
-  terms.d.conservativeResize(row);
+  for (const EdgeEnds& of_edge : ends) terms.add(of_edge, *contact);
+  terms.C.conservativeResize(terms.rows, Eigen::NoChange);
+  terms.d.conservativeResize(terms.rows);
   return terms;
 }
 
@@ -209,6 +228,49 @@ void restrict(const MatrixXd& Z, ContactTerms& terms) {
   terms.d.conservativeResize(kept);
 }
 
+/// By how much corrections y change e^2: y'Hy + slope'y.
+struct EnergyChange {
+  MatrixXd H;
+  VectorXd slope;
+
+  double fall(const VectorXd& y) const { return -y.dot(H * y) - y.dot(slope); }
+};
+
+EnergyChange energy_change(const StarSetting& setting, const Group& group,
+                           const VectorXd& airy, const VectorXd& cost) {
+  EnergyChange change{MatrixXd::Zero(cost.size(), cost.size()), cost};
+  auto& [H, slope] = change;
+  for (std::size_t s = 0; s < group.stars.size(); ++s) {
+    const StarEnergy<Dynamic> energy(setting, group.stars[s].vertex(), airy);
+    const Index first = group.first[s], size = energy.g.size();
+    H.block(first, first, size, size) =
+        energy.H.selfadjointView<Eigen::Lower>();
+    slope.segment(first, size) += 2 * energy.g;
+  }
+  return change;
+}
+
+/// y = Z x that lowers e^2 most inside the cone.
+std::optional<VectorXd> best_corrections(const EnergyChange& change,
+                                         const MatrixXd& Z,
+                                         ContactTerms terms) {
+  restrict(Z, terms);
+  const auto x =
+      quadratic_minimum(2 * Z.transpose() * change.H * Z,
+                        Z.transpose() * change.slope, terms.C, terms.d);
+  if (!x) return std::nullopt;
+  return Z * *x;
+}
+
+void add_corrections(const StarSetting& setting, const Group& group,
+                     const VectorXd& y, VectorXd& airy) {
+  for (std::size_t s = 0; s < group.stars.size(); ++s) {
+    const StarCorrections& star = group.stars[s];
+    add_corrections(setting.space, setting.stars, star.vertex(),
+                    y.segment(group.first[s], star.unknowns()), airy);
+  }
+}
+
 }  // namespace
 
 double relax_boundary(const StarSetting& setting,
@@ -219,29 +281,16 @@ double relax_boundary(const StarSetting& setting,
   if (Z.cols() == 0) return 0;
   const std::vector<EdgeEnds> ends =
       contact ? free_ends(group, *contact) : std::vector<EdgeEnds>{};
-  ContactTerms terms = contact_terms(ends, group.unknowns(), contact);
-  restrict(Z, terms);
-
-  MatrixXd H = MatrixXd::Zero(group.unknowns(), group.unknowns());
-  VectorXd slope = terms.cost;
-  for (std::size_t s = 0; s < group.stars.size(); ++s) {
-    const StarEnergy<Dynamic> energy(setting, group.stars[s].vertex(), airy);
-    H.block(group.first[s], group.first[s], energy.g.size(), energy.g.size()) =
-        energy.H.selfadjointView<Eigen::Lower>();
-    slope.segment(group.first[s], energy.g.size()) += 2 * energy.g;
-  }
-  const std::optional<VectorXd> x = quadratic_minimum(
-      2 * Z.transpose() * H * Z, Z.transpose() * slope, terms.C, terms.d);
-  if (!x) return 0;
-  const VectorXd y = Z * *x;
-  const double fall = -y.dot(H * y) - y.dot(slope);
+  const ContactTerms terms = contact_terms(ends, group.unknowns(), contact);
+  const EnergyChange energy = energy_change(setting, group, airy, terms.cost);
+  const auto y = best_corrections(energy, Z, terms);
+  const double fall = y ? energy.fall(*y) : 0;
   if (!(fall > 0)) return 0;
-  for (std::size_t s = 0; s < group.stars.size(); ++s)
-    add_corrections(setting.space, setting.stars, group.stars[s].vertex(),
-                    y.segment(group.first[s], group.stars[s].unknowns()), airy);
+
+  add_corrections(setting, group, *y, airy);
   for (const auto& [e, change] : ends) {
     ContactDensities& densities = contact->tractions.densities;
-    set_end_values(densities, e, end_values(densities, e) + change * y);
+    set_end_values(densities, e, end_values(densities, e) + change * *y);
   }
   return fall;
 }
@@ -250,34 +299,6 @@ MatrixXd corrections_with_known_tractions(const StarSetting& setting,
                                           int vertex) {
   return admissible_corrections(Group(setting, {vertex}), setting.boundary,
                                 nullptr);
-}
-
-std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
-  std::vector<std::vector<int>> groups;
-  std::map<int, std::size_t> group_of;
-  const auto join = [&](int vertex, std::size_t group) {
-    const auto [place, is_new] = group_of.emplace(vertex, group);
-    if (is_new) {
-      groups[group].push_back(vertex);
-    } else if (place->second != group) {
-      const std::size_t old = place->second;
-      for (int v : groups[old]) {
-        group_of[v] = group;
-        groups[group].push_back(v);
-      }
-      groups[old].clear();
-    }
-  };
-  for (int i = 0; i < line.node_count(); ++i) {
-    groups.emplace_back();
-    join(line.vertex[i], groups.size() - 1);
-    visit_opposite(
-        line, i, [&](int vertex, double) { join(vertex, groups.size() - 1); });
-  }
-  groups.erase(std::remove_if(groups.begin(), groups.end(),
-                              [](const auto& group) { return group.empty(); }),
-               groups.end());
-  return groups;
 }
 
 }  // namespace ffcontact

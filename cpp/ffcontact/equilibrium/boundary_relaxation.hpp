@@ -27,8 +27,4 @@ double relax_boundary(const StarSetting& setting,
 MatrixXd corrections_with_known_tractions(const StarSetting& setting,
                                           int vertex);
 
-/// The vertices to relax together on a line: that of each node and what it faces, joined
-/// where nodes share a vertex.
-std::vector<std::vector<int>> contact_groups(const ContactLine& line);
-
 }  // namespace ffcontact

@@ -11,20 +11,18 @@ namespace ffcontact {
 
 namespace {
 
+using Components = std::array<bool, 2>;
+
 /// Per label: which components are prescribed at every vertex that carries it.
-std::map<int, std::array<bool, 2>> prescribed_labels(
+std::map<int, Components> prescribed_labels(
     const Mesh& mesh, const std::vector<char>& prescribed) {
-  std::map<int, std::array<bool, 2>> labels;
-  for (Index e = 0; e < mesh.boundary.cols(); ++e) {
-    std::array<bool, 2>& fixed =
-        labels
-            .try_emplace(mesh.boundary_label[e],
-                         std::array<bool, 2>{true, true})
-            .first->second;
-    for (int end = 0; end < 2; ++end)
+  std::map<int, Components> labels;
+  for (const int label : mesh.boundary_label) labels[label] = {true, true};
+  for (Index e = 0; e < mesh.boundary.cols(); ++e)
+    for (const int vertex : mesh.boundary.col(e))
       for (int c = 0; c < 2; ++c)
-        if (!prescribed[2 * mesh.boundary(end, e) + c]) fixed[c] = false;
-  }
+        if (!prescribed[2 * vertex + c])
+          labels[mesh.boundary_label[e]][c] = false;
   return labels;
 }
 
@@ -33,42 +31,56 @@ void add(const Vector4d& moments, int edge, BoundaryTractions& boundary) {
   boundary.moments.col(edge) += moments;
 }
 
-/// On the edge that faces a contact edge, which runs the other way.
-Vector4d opposite(const Vector4d& moments) {
-  Vector4d turned;
-  turned << -moments.tail<2>(), -moments.head<2>();
-  return turned;
+/// What one boundary edge carries.
+/// @param free     components that the support answers
+/// @param neumann  moments along the column of Mesh::boundary
+void put_edge(int edge, const Components& free, const Vector4d& neumann,
+              bool same_direction, BoundaryTractions& given) {
+  for (int c = 0; c < 2; ++c) {
+    given.known(c, edge) = !free[c];
+    if (free[c]) continue;
+    given.moments(c, edge) = neumann[(same_direction ? 0 : 2) + c];
+    given.moments(2 + c, edge) = neumann[(same_direction ? 2 : 0) + c];
+  }
 }
 
-}  // namespace
-
-BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
-                                  const std::vector<char>& prescribed,
-                                  const Ref<const Matrix4Xd>& neumann) {
+void require_fitting(const Mesh& mesh, const std::vector<char>& prescribed,
+                     const Ref<const Matrix4Xd>& neumann) {
   require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
                2 * mesh.vertices.cols());
   require_size("tractions", neumann.cols(), mesh.boundary.cols());
   require_finite("traction", neumann.reshaped());
+}
 
-  const std::map<int, std::array<bool, 2>> fixed =
-      prescribed_labels(mesh, prescribed);
+}  // namespace
+
+Vector4d reversed(const Vector4d& moments) {
+  return {-moments[2], -moments[3], -moments[0], -moments[1]};
+}
+
+BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
+                                  const std::vector<char>& prescribed,
+                                  const Ref<const Matrix4Xd>& neumann) {
+  require_fitting(mesh, prescribed, neumann);
+  const std::map<int, Components> fixed = prescribed_labels(mesh, prescribed);
   BoundaryTractions given;
   given.known.setConstant(2, edges.count(), false);
   given.moments = EdgeMoments::Zero(4, edges.count());
   for (int e = 0; e < edges.count(); ++e) {
     if (!edges.on_boundary(e)) continue;
     const int b = edges.boundary_index[e];
-    const std::array<bool, 2>& prescribed_here =
-        fixed.at(mesh.boundary_label[b]);
     const bool same_direction = mesh.boundary(0, b) == edges.vertices(0, e);
-    for (int c = 0; c < 2; ++c) {
-      given.known(c, e) = !prescribed_here[c];
-      if (prescribed_here[c]) continue;
-      given.moments(c, e) = neumann((same_direction ? 0 : 2) + c, b);
-      given.moments(2 + c, e) = neumann((same_direction ? 2 : 0) + c, b);
-    }
+    put_edge(e, fixed.at(mesh.boundary_label[b]), neumann.col(b),
+             same_direction, given);
   }
   return given;
+}
+
+Matrix2d edge_frame(const ContactLine& line, int contact_edge) {
+  Matrix2d frame;
+  frame << line.edge_normal(contact_edge).transpose(),
+      line.edge_tangent(contact_edge).transpose();
+  return frame;
 }
 
 Vector4d contact_moments(const ContactLine& line,
@@ -91,8 +103,8 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
   for (int k = 0; k < line.edge_count(); ++k) {
     const Vector4d moments = contact_moments(line, contact, k);
     add(moments, line.edge[k], boundary);
-    if (line.against_a_body() && line.opposite_edge[k] >= 0)
-      add(opposite(moments), line.opposite_edge[k], boundary);
+    const int facing = facing_edge(line, k);
+    if (facing >= 0) add(reversed(moments), facing, boundary);
   }
   return boundary;
 }

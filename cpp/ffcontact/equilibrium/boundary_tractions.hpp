@@ -14,6 +14,16 @@ namespace ffcontact {
 /// one column (b_first, b_second) per edge [N/mm].
 using EdgeMoments = Matrix4Xd;
 
+/// The moments of the same traction seen along the edge the other way round, with the
+/// normal turned too.
+Vector4d reversed(const Vector4d& moments);
+
+/// Those on side k of a triangle, from vertex k+1 to k+2 with the normal outward.
+inline Vector4d moments_of_side(const Edges& edges, int k, int triangle,
+                                const Vector4d& of_edge) {
+  return edges.eta(k, triangle) > 0 ? of_edge : reversed(of_edge);
+}
+
 /// What the boundary of an admissible stress must carry, per edge and Cartesian
 /// component.
 ///
@@ -46,6 +56,14 @@ BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
                                      const Ref<const Matrix4Xd>& neumann,
                                      const ContactLine& line,
                                      const ContactDensities& contact);
+
+/// The mesh edge that faces a contact edge as a whole, or -1.
+inline int facing_edge(const ContactLine& line, int contact_edge) {
+  return line.against_a_body() ? line.opposite_edge[contact_edge] : -1;
+}
+
+/// Rows n and t of a contact edge: (F_n, F_t) from a Cartesian F.
+Matrix2d edge_frame(const ContactLine& line, int contact_edge);
 
 /// int r phi at the first and the second node of a contact edge, Cartesian [N/mm].
 Vector4d contact_moments(const ContactLine& line,

@@ -57,16 +57,21 @@ struct Conditions {
   }
 
  private:
+  double root_of_area() const { return std::sqrt(twice_area_ / 2); }
+
   /// div sigma = sum of sigma grad(phi) = -f in subtriangle k.
   void add_divergence(int row, int k) {
-    const std::array<int, 3> s = subtriangle(k);
-    const double root = std::sqrt(twice_area_ / 2);
+    const TriangleCorners corners = x_(Eigen::all, subtriangle(k));
     for (int c = 0; c < 3; ++c) {
-      const Vector2d opposite = x_.col(s[(c + 2) % 3]) - x_.col(s[(c + 1) % 3]);
-      add_traction(matrix, row, k, c,
-                   -turned_right(opposite) / (twice_area_ / 3), root);
+      const Vector2d gradient =
+          -turned_right(side_of(corners, c)) / (twice_area_ / 3);
+      add_traction(matrix, row, k, c, gradient, root_of_area());
     }
-    const Matrix3d forces = root * force_per_moment(twice_area_ / 2);
+    add_body_force(row, k);
+  }
+
+  void add_body_force(int row, int k) {
+    const Matrix3d forces = root_of_area() * force_per_moment(twice_area_ / 2);
     for (int i = 0; i < 3; ++i)
       right(row, edge_loads + 2 * i) = right(row + 1, edge_loads + 2 * i + 1) =
           -forces(k, i);
@@ -86,7 +91,7 @@ struct Conditions {
 
   /// Moments b_i = l (2 F_i + F_j) / 6 on the outer edge k.
   void add_edge(int row, int k) {
-    const Vector2d side = x_.col((k + 2) % 3) - x_.col((k + 1) % 3),
+    const Vector2d side = side_of(x_.leftCols<3>(), k),
                    n = turned_right(side).normalized();
     for (int end = 0; end < 2; ++end, row += 2) {
       add_traction(matrix, row, k, end, n, 2.0 / 6);
@@ -100,14 +105,7 @@ struct Conditions {
   double twice_area_;
 };
 
-TriangleCorners reference_triangle() {
-  TriangleCorners corners;
-  corners << 0, 1, 0, 0, 0, 1;
-  return corners;
-}
-
-/// The conditions on the reference triangle (0,0), (1,0), (0,1), solved for every unit
-/// load.
+/// The conditions on the reference triangle, solved for every unit load.
 StressMap solve_reference() {
   const Conditions conditions(reference_triangle());
   return least_squares_of_columns(conditions.matrix, conditions.right);
@@ -121,12 +119,6 @@ const StressMap& reference_map() {
 /// Integrals of products of corner values over a subtriangle of area A: A/12 (1 + delta).
 double mass(double area, int a, int b) { return area / (a == b ? 6 : 12); }
 
-Matrix2d piola_matrix(const TriangleCorners& corners) {
-  Matrix2d B;
-  B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
-  return B;
-}
-
 /// Height over longest side below which Piola's map spoils the equilibrium: it carries
 /// the rounding of the forces on the long edges over to the short one, where it grows
 /// with the square of this ratio.
@@ -135,12 +127,48 @@ constexpr double thin = 0.06;
 bool is_thin(const TriangleCorners& corners) {
   double longest = 0;
   for (int k = 0; k < 3; ++k)
-    longest = std::max(
-        longest, (corners.col((k + 1) % 3) - corners.col(k)).squaredNorm());
+    longest = std::max(longest, side_of(corners, k).squaredNorm());
   return piola_matrix(corners).determinant() < thin * longest;
 }
 
+using Loads = Matrix<double, all_loads, 1>;
+
+/// Backward stable: what is left of each condition is of the size of rounding.
+CompositeStress solved_directly(const TriangleCorners& corners,
+                                const Loads& loads) {
+  const Conditions conditions(corners.colwise() - corners.rowwise().mean());
+  const VectorXd stress =
+      least_squares(conditions.matrix, conditions.right * loads);
+  return Map<const CompositeStress>(stress.data());
+}
+
+/// Forces B^-1 forces on the reference triangle.
+Loads pulled_back(Loads loads, const Matrix2d& B) {
+  Map<Matrix<double, 2, all_loads / 2>> forces(loads.data());
+  forces = (B.inverse() * forces).eval();
+  return loads;
+}
+
+CompositeStress by_piola(const TriangleCorners& corners, const Loads& loads) {
+  const Matrix2d B = piola_matrix(corners);
+  const Matrix<double, 27, 1> s = reference_map() * pulled_back(loads, B);
+  return piola_voigt(B) / B.determinant() *
+         Map<const CompositeStress>(s.data());
+}
+
 }  // namespace
+
+TriangleCorners reference_triangle() {
+  TriangleCorners corners;
+  corners << 0, 1, 0, 0, 0, 1;
+  return corners;
+}
+
+Matrix2d piola_matrix(const TriangleCorners& corners) {
+  Matrix2d B;
+  B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
+  return B;
+}
 
 Matrix3d piola_voigt(const Matrix2d& B) {
   const double a = B(0, 0), b = B(0, 1), c = B(1, 0), d = B(1, 1);
@@ -154,21 +182,10 @@ Matrix3d piola_voigt(const Matrix2d& B) {
 CompositeStress composite_stress(const TriangleCorners& corners,
                                  const EdgeLoads& on_edges,
                                  const BodyLoads& body_loads) {
-  Matrix<double, all_loads, 1> loads;
+  Loads loads;
   loads << on_edges, body_loads;
-  // backward stable: what is left of each condition is of the size of rounding
-  if (is_thin(corners)) {
-    const Conditions conditions(corners.colwise() - corners.rowwise().mean());
-    const VectorXd stress =
-        least_squares(conditions.matrix, conditions.right * loads);
-    return Map<const CompositeStress>(stress.data());
-  }
-  const Matrix2d B = piola_matrix(corners);
-  Map<Matrix<double, 2, all_loads / 2>> forces(loads.data());
-  forces = (B.inverse() * forces).eval();
-  const Matrix<double, 27, 1> s = reference_map() * loads;
-  return piola_voigt(B) / B.determinant() *
-         Map<const CompositeStress>(s.data());
+  return is_thin(corners) ? solved_directly(corners, loads)
+                          : by_piola(corners, loads);
 }
 
 Matrix<double, 2, 3> body_force_of(const BodyLoads& body_loads, double area) {

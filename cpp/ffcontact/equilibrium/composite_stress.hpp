@@ -28,6 +28,14 @@ using CompositeStress = Matrix<double, 3, 9>;
 
 using TriangleCorners = Matrix<double, 2, 3>;
 
+/// (0,0), (1,0), (0,1)
+TriangleCorners reference_triangle();
+
+/// Side k of a triangle, from vertex k+1 to k+2.
+inline Vector2d side_of(const TriangleCorners& corners, int k) {
+  return corners.col((k + 2) % 3) - corners.col((k + 1) % 3);
+}
+
 /// The stress for given loads. Loads out of equilibrium are balanced in the sense of
 /// least squares on the reference triangle: the caller's equilibrium is the stress's.
 ///
@@ -39,6 +47,9 @@ using TriangleCorners = Matrix<double, 2, 3>;
 CompositeStress composite_stress(const TriangleCorners& corners,
                                  const EdgeLoads& on_edges,
                                  const BodyLoads& body_loads);
+
+/// B of x = B xi + x_0.
+Matrix2d piola_matrix(const TriangleCorners& corners);
 
 /// T with sigma = T s / det B in Voigt order, for Piola's map sigma = B s B' / det B.
 Matrix3d piola_voigt(const Matrix2d& B);

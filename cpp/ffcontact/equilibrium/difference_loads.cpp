@@ -11,16 +11,21 @@ TriangleCorners corners_of(const Mesh& mesh, int triangle) {
   return corners;
 }
 
+Vector2d centroid_of(const Mesh& mesh, int triangle) {
+  return (mesh.corner(triangle, 0) + mesh.corner(triangle, 1) +
+          mesh.corner(triangle, 2)) /
+         3;
+}
+
 namespace {
 
 /// The loads of one side of a triangle, from vertex k+1 to k+2.
 Vector4d loads_of_side(const Mesh& mesh, const Edges& edges, int t, int k,
                        const Vector4d& moments, const Vector3d& stress) {
-  const double eta = edges.eta(k, t);
-  const Vector4d b = eta * moments;
-  const Vector2d side = eta * edge_vector(mesh, edges, edges.of_cell(k, t));
+  const Vector2d side =
+      edges.eta(k, t) * edge_vector(mesh, edges, edges.of_cell(k, t));
   const Vector2d half = 0.5 * traction(stress, turned_right(side));
-  const Vector4d seen = eta > 0 ? b : Vector4d(b[2], b[3], b[0], b[1]);
+  const Vector4d seen = moments_of_side(edges, k, t, moments);
   return seen - half.replicate<2, 1>();
 }
 

@@ -26,4 +26,6 @@ void put_boundary_loads(const Mesh& mesh, const Edges& edges,
 
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 
+Vector2d centroid_of(const Mesh& mesh, int triangle);
+
 }  // namespace ffcontact

@@ -38,37 +38,56 @@ Matrix2Xd mean_moments(const Topology& topology, int vertex,
 /// Loads before each spoke: triangle k has moment(k) on its right side and moment(k + 1)
 /// on its left, moment(k) - moment(k+1) = load(k), so that moment(k) = moment(0) -
 /// sum(k).
-Matrix2Xd sums_before(const Matrix2Xd& loads, int spokes) {
+Matrix2Xd sums_before(const Matrix2Xd& loads, Index spokes) {
   Matrix2Xd sums = Matrix2Xd::Zero(2, spokes);
-  for (int k = 0; k + 1 < spokes; ++k)
+  for (Index k = 0; k + 1 < spokes; ++k)
     sums.col(k + 1) = sums.col(k) + loads.col(k);
   return sums;
 }
+
+/// Component c of the moments at a vertex, seen along vertex -> neighbour with the normal
+/// to the right: moment(0) - sum(k) on spoke k.
+struct Chain {
+  const Topology& topology;
+  const BoundaryTractions& boundary;
+  int vertex, c;
+  const Matrix2Xd& sum;
+
+  /// moment(0): from a known one, or nearest to the mean stresses.
+  double start(const Matrix2Xd& mean) const {
+    const auto [first, last] = end_spokes(topology.stars, vertex);
+    if (boundary.known(c, first)) return given(first);
+    if (boundary.known(c, last)) return given(last) + sum(c, sum.cols() - 1);
+    return (mean.row(c) + sum.row(c)).mean();
+  }
+
+  double given(int spoke) const {
+    return moment_at(topology.edges, boundary.moments, spoke, vertex)[c];
+  }
+
+  /// @param moment  on spoke k
+  void put(int k, double moment, EdgeMoments& moments) const {
+    const Stars& stars = topology.stars;
+    const int spoke = stars.spoke[stars.spoke_start[vertex] + k];
+    if (boundary.known(c, spoke)) return;
+    const double sign = direction(topology.edges, spoke, vertex);
+    moments((sign > 0 ? 0 : 2) + c, spoke) = sign * moment;
+  }
+};
 
 /// The moments of the spokes of one star.
 void put_star(const Topology& topology, int vertex,
               const Ref<const Matrix3Xd>& stress,
               const BodyLoadsOfAll& body_loads,
               const BoundaryTractions& boundary, EdgeMoments& moments) {
-  const auto& [mesh, edges, stars] = topology;
-  const int* spokes = stars.spoke.data() + stars.spoke_start[vertex];
-  const int count = stars.spoke_count(vertex), last = count - 1;
-  const Matrix2Xd sum =
-      sums_before(star_loads(topology, vertex, stress, body_loads), count);
   const Matrix2Xd mean = mean_moments(topology, vertex, stress);
+  const Matrix2Xd sum = sums_before(
+      star_loads(topology, vertex, stress, body_loads), mean.cols());
   for (int c = 0; c < 2; ++c) {
-    const auto given = [&](int k) {
-      return moment_at(edges, boundary.moments, spokes[k], vertex, c);
-    };
-    const double start = boundary.known(c, spokes[0]) ? given(0)
-                         : boundary.known(c, spokes[last])
-                             ? given(last) + sum(c, last)
-                             : (mean.row(c) + sum.row(c)).mean();
-    for (int k = 0; k < count; ++k) {
-      if (boundary.known(c, spokes[k])) continue;
-      const double sign = direction(edges, spokes[k], vertex);
-      moments((sign > 0 ? 0 : 2) + c, spokes[k]) = sign * (start - sum(c, k));
-    }
+    const Chain chain{topology, boundary, vertex, c, sum};
+    const double start = chain.start(mean);
+    for (int k = 0; k < sum.cols(); ++k)
+      chain.put(k, start - sum(c, k), moments);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/free_tractions.hpp"
 
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
+
 namespace ffcontact {
 
 std::vector<int> contact_edge_numbers(const ContactLine& line,
@@ -8,8 +10,8 @@ std::vector<int> contact_edge_numbers(const ContactLine& line,
   std::vector<int> numbers(edges.count(), -1);
   for (int e = 0; e < line.edge_count(); ++e) {
     numbers[line.edge[e]] = e;
-    if (line.against_a_body() && line.opposite_edge[e] >= 0)
-      numbers[line.opposite_edge[e]] = e;
+    const int facing = facing_edge(line, e);
+    if (facing >= 0) numbers[facing] = e;
   }
   return numbers;
 }

@@ -29,16 +29,6 @@ Matrix2Xd star_forces(const Topology& topology, int vertex,
   return forces;
 }
 
-/// The spokes that bound the star of a boundary vertex.
-struct EndSpokes {
-  int first, last;
-};
-
-EndSpokes end_spokes(const Stars& stars, int vertex) {
-  return {stars.spoke[stars.spoke_start[vertex]],
-          stars.spoke[stars.spoke_start[vertex + 1] - 1]};
-}
-
 /// Whether one of the edges beside a boundary vertex leaves a component free.
 bool is_supported(const Stars& stars, int vertex, int component,
                   const BoundaryTractions& boundary) {
@@ -52,20 +42,38 @@ Vector2d boundary_forces(const Topology& topology, int vertex,
                          const BoundaryTractions& boundary) {
   if (!topology.stars.on_boundary(vertex)) return Vector2d::Zero();
   const auto [first, last] = end_spokes(topology.stars, vertex);
-  Vector2d forces;
+  return moment_at(topology.edges, boundary.moments, first, vertex) -
+         moment_at(topology.edges, boundary.moments, last, vertex);
+}
+
+/// Adds a force on a vertex where no support answers.
+void add_force(const Vector2d& force, int vertex, NodalResidual& residual) {
   for (int c = 0; c < 2; ++c)
-    forces[c] = moment_at(topology.edges, boundary.moments, first, vertex, c) -
-                moment_at(topology.edges, boundary.moments, last, vertex, c);
-  return forces;
+    if (!residual.supported(c, vertex)) residual.missing(c, vertex) += force[c];
+}
+
+/// NodalResidual::supported
+Eigen::Array<bool, 2, Dynamic> supported_components(
+    const Topology& topology, const BoundaryTractions& boundary) {
+  Eigen::Array<bool, 2, Dynamic> supported(2, topology.mesh.vertices.cols());
+  for (int v = 0; v < supported.cols(); ++v)
+    for (int c = 0; c < 2; ++c)
+      supported(c, v) = is_supported(topology.stars, v, c, boundary);
+  return supported;
 }
 
 }  // namespace
 
-double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
-                 int vertex, int component) {
+EndSpokes end_spokes(const Stars& stars, int vertex) {
+  return {stars.spoke[stars.spoke_start[vertex]],
+          stars.spoke[stars.spoke_start[vertex + 1] - 1]};
+}
+
+Vector2d moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
+                   int vertex) {
+  const Vector4d along_edge = moments.col(spoke);
   const bool starts_here = edges.vertices(0, spoke) == vertex;
-  return starts_here ? moments(component, spoke)
-                     : -moments(2 + component, spoke);
+  return (starts_here ? along_edge : reversed(along_edge)).head<2>();
 }
 
 Matrix2Xd star_loads(const Topology& topology, int vertex,
@@ -85,22 +93,17 @@ NodalResidual nodal_residual(const Topology& topology,
                              const Ref<const Matrix3Xd>& stress,
                              const BodyLoadsOfAll& body_loads,
                              const BoundaryTractions& boundary) {
-  const Stars& stars = topology.stars;
   const int vertices = topology.mesh.vertex_count();
-  NodalResidual residual{Matrix2Xd::Zero(2, vertices), {}, 0};
-  residual.supported.setConstant(2, vertices, false);
+  NodalResidual residual{Matrix2Xd::Zero(2, vertices),
+                         supported_components(topology, boundary), 0};
   double scale = boundary.moments.cwiseAbs().maxCoeff();
 #pragma omp parallel for reduction(max : scale)
   for (int v = 0; v < vertices; ++v) {
-    if (stars.triangle_count(v) == 0) continue;
+    if (topology.stars.triangle_count(v) == 0) continue;
     const Matrix2Xd loads = star_loads(topology, v, stress, body_loads);
-    const Vector2d missing =
-        boundary_forces(topology, v, boundary) - loads.rowwise().sum();
     scale = std::max(scale, loads.cwiseAbs().maxCoeff());
-    for (int c = 0; c < 2; ++c) {
-      residual.supported(c, v) = is_supported(stars, v, c, boundary);
-      if (!residual.supported(c, v)) residual.missing(c, v) = missing[c];
-    }
+    add_force(boundary_forces(topology, v, boundary) - loads.rowwise().sum(), v,
+              residual);
   }
   residual.scale = scale;
   return residual;
@@ -119,8 +122,7 @@ NodalResidual less_stress(const Topology& topology, NodalResidual residual,
   for (int v = 0; v < topology.mesh.vertex_count(); ++v) {
     if (topology.stars.triangle_count(v) == 0) continue;
     const Vector2d sum = star_forces(topology, v, added).rowwise().sum();
-    for (int c = 0; c < 2; ++c)
-      if (!residual.supported(c, v)) residual.missing(c, v) -= sum[c];
+    add_force(-sum, v, residual);
   }
   return residual;
 }

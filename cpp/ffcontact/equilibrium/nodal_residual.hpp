@@ -43,10 +43,17 @@ Matrix2Xd star_loads(const Topology& topology, int vertex,
                      const Ref<const Matrix3Xd>& stress,
                      const BodyLoadsOfAll& body_loads);
 
-/// The moment at a vertex of a component of a spoke's traction, seen along vertex ->
-/// neighbour with the normal to the right [N/mm].
-double moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
-                 int vertex, int component);
+/// The first and the last spoke of a star: those that bound it where its vertex is on
+/// the boundary.
+struct EndSpokes {
+  int first, last;
+};
+EndSpokes end_spokes(const Stars& stars, int vertex);
+
+/// The moment at a vertex of a spoke's traction, seen along vertex -> neighbour with the
+/// normal to the right [N/mm].
+Vector2d moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
+                   int vertex);
 
 /// Given tractions that do not balance the stresses at a vertex.
 struct Imbalance : std::invalid_argument {

@@ -15,6 +15,8 @@ namespace {
 constexpr int monomials = 15, unknowns = 2 * monomials;
 using Products = Matrix<double, monomials, monomials>;
 using LongProducts = Matrix<long double, monomials, monomials>;
+template <int columns>
+using LongColumns = Matrix<long double, monomials, columns>;
 
 struct Powers {
   int p, q;
@@ -81,67 +83,96 @@ LongProducts products_of_derivatives(int a, int b) {
   return products;
 }
 
-/// int (1 - s) m_i ds and int s m_i ds on the three edges, by Gauss points that are exact
-/// up to degree 5.
-Matrix<long double, monomials, 6> edge_integrals() {
-  Matrix<long double, monomials, 6> edges =
-      Matrix<long double, monomials, 6>::Zero();
-  const Matrix<long double, 2, 3> vertex =
-      (Matrix<long double, 2, 3>() << 0, 1, 0, 0, 0, 1).finished();
-  const long double root = std::sqrt(0.15L),
-                    gauss[] = {0.5L - root, 0.5L, 0.5L + root};
-  const long double weight[] = {5.0L / 18, 8.0L / 18, 5.0L / 18};
-  for (int k = 0; k < 3; ++k)
-    for (int g = 0; g < 3; ++g) {
-      const long double s = gauss[g];
-      const Point x =
-          (1 - s) * vertex.col((k + 1) % 3) + s * vertex.col((k + 2) % 3);
-      for (int i = 0; i < monomials; ++i) {
-        const long double value =
-            weight[g] * monomial(exponents[i].p, exponents[i].q, x);
-        edges(i, 2 * k) += (1 - s) * value;
-        edges(i, 2 * k + 1) += s * value;
-      }
-    }
-  return edges;
+/// int m_i m_j
+LongProducts mass_matrix() {
+  LongProducts mass;
+  for (int i = 0; i < monomials; ++i)
+    for (int j = 0; j < monomials; ++j)
+      mass(i, j) = integral(exponents[i].p + exponents[j].p,
+                            exponents[i].q + exponents[j].q);
+  return mass;
 }
 
-Reference solve_reference() {
-  LongProducts mass;
-  Matrix<long double, monomials, 3> hats;  // int phi_v m_i
-  Matrix<long double, monomials, 2> slopes;
-  for (int i = 0; i < monomials; ++i) {
-    const auto [p, q] = exponents[i];
-    for (int j = 0; j < monomials; ++j)
-      mass(i, j) = integral(p + exponents[j].p, q + exponents[j].q);
-    hats(i, 1) = integral(p + 1, q);
-    hats(i, 2) = integral(p, q + 1);
-    hats(i, 0) = integral(p, q) - hats(i, 1) - hats(i, 2);
+/// int d_a m_i
+LongColumns<2> slope_integrals() {
+  LongColumns<2> slopes;
+  for (int i = 0; i < monomials; ++i)
     for (int a = 0; a < 2; ++a) {
       const auto [factor, m] = derivative(i, a);
       slopes(i, a) = factor * integral(m.p, m.q);
     }
+  return slopes;
+}
+
+/// int phi_v m_i
+LongColumns<3> hat_integrals() {
+  LongColumns<3> hats;
+  for (int i = 0; i < monomials; ++i) {
+    const auto [p, q] = exponents[i];
+    hats(i, 1) = integral(p + 1, q);
+    hats(i, 2) = integral(p, q + 1);
+    hats(i, 0) = integral(p, q) - hats(i, 1) - hats(i, 2);
   }
-  const LongProducts gram =
-      mass + products_of_derivatives(0, 0) + products_of_derivatives(1, 1);
+  return hats;
+}
+
+LongColumns<1> monomials_at(const Point& x) {
+  LongColumns<1> values;
+  for (int i = 0; i < monomials; ++i)
+    values[i] = monomial(exponents[i].p, exponents[i].q, x);
+  return values;
+}
+
+/// int (1 - s) m_i ds and int s m_i ds along a straight line, by Gauss points that are
+/// exact up to degree 5.
+LongColumns<2> line_integrals(const Point& from, const Point& to) {
+  const long double root = std::sqrt(0.15L),
+                    gauss[] = {0.5L - root, 0.5L, 0.5L + root};
+  const long double weight[] = {5.0L / 18, 8.0L / 18, 5.0L / 18};
+  LongColumns<2> sums = LongColumns<2>::Zero();
+  for (int g = 0; g < 3; ++g) {
+    const long double s = gauss[g];
+    const LongColumns<1> values =
+        weight[g] * monomials_at((1 - s) * from + s * to);
+    sums.col(0) += (1 - s) * values;
+    sums.col(1) += s * values;
+  }
+  return sums;
+}
+
+/// Those on the three edges.
+LongColumns<6> edge_integrals() {
+  const Matrix<long double, 2, 3> vertex =
+      reference_triangle().cast<long double>();
+  LongColumns<6> edges;
+  for (int k = 0; k < 3; ++k)
+    edges.middleCols<2>(2 * k) =
+        line_integrals(vertex.col((k + 1) % 3), vertex.col((k + 2) % 3));
+  return edges;
+}
+
+/// int phi_v phi_w
+Matrix<long double, 3, 3> hat_mass() {
+  using Square = Matrix<long double, 3, 3>;
+  return (Square::Ones() + Square::Identity()) / 24;
+}
+
+Reference solve_reference() {
+  const LongProducts gram = mass_matrix() + products_of_derivatives(0, 0) +
+                            products_of_derivatives(1, 1);
   const Eigen::LLT<LongProducts> llt(gram);
-  const LongProducts T = llt.matrixL().solve(LongProducts::Identity());
-  const Matrix<long double, 3, 3> hat_mass =
-      (Matrix<long double, 3, 3>::Ones() +
-       Matrix<long double, 3, 3>::Identity()) /
-      24;
+  const LongProducts L = llt.matrixL(),
+                     T = llt.matrixL().solve(LongProducts::Identity());
   Reference result;
   result.basis = T.cast<double>();
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b)
       result.gradients[a][b] =
           (T * products_of_derivatives(a, b) * T.transpose()).cast<double>();
-  result.slopes = (T * slopes).cast<double>();
+  result.slopes = (T * slope_integrals()).cast<double>();
   result.edges = (T * edge_integrals()).cast<double>();
-  result.body = (T * hats * hat_mass.inverse()).cast<double>();
-  // m = L b
-  result.linear =
-      LongProducts(llt.matrixL()).topRows<3>().transpose().cast<double>();
+  result.body = (T * hat_integrals() * hat_mass().inverse()).cast<double>();
+  result.linear = L.topRows<3>().transpose().cast<double>();  // m = L b
   return result;
 }
 
@@ -150,17 +181,18 @@ const Reference& reference() {
   return integrals;
 }
 
-Matrix2d map_of(const TriangleCorners& corners) {
-  Matrix2d B;
-  B << corners.col(1) - corners.col(0), corners.col(2) - corners.col(0);
-  return B;
-}
-
 /// Voigt strain of u grad' with engineering shear: strain = E(gradient) u.
 Matrix<double, 3, 2> strain_operator(const Vector2d& gradient) {
   Matrix<double, 3, 2> E;
   E << gradient.x(), 0, 0, gradient.y(), gradient.y(), gradient.x();
   return E;
+}
+
+/// Adds p_ij times a block to each block of K.
+void add_blocks(const Products& p, const Matrix2d& block, MatrixXd& K) {
+  for (int i = 0; i < monomials; ++i)
+    for (int j = 0; j < monomials; ++j)
+      K.block<2, 2>(2 * i, 2 * j) += p(i, j) * block;
 }
 
 /// int C eps(b_j e_d) : eps(b_i e_c), unknown 2 i + c.
@@ -172,17 +204,16 @@ MatrixXd stiffness_of(const Matrix2d& B, const Matrix3d& hooke) {
       const Matrix2d block = B.determinant() *
                              strain_operator(inverse.row(a)).transpose() *
                              hooke * strain_operator(inverse.row(b));
-      for (int i = 0; i < monomials; ++i)
-        for (int j = 0; j < monomials; ++j)
-          K.block<2, 2>(2 * i, 2 * j) +=
-              reference().gradients[a][b](i, j) * block;
+      add_blocks(reference().gradients[a][b], block, K);
     }
   return K;
 }
 
+using RigidMotions = Matrix<double, unknowns, 3>;
+
 /// Translations and the rotation (-y, x) about x_0, scaled to the size of the triangle.
-Matrix<double, unknowns, 3> rigid_motions(const Matrix2d& B) {
-  Matrix<double, unknowns, 3> Z = Matrix<double, unknowns, 3>::Zero();
+RigidMotions rigid_motions(const Matrix2d& B) {
+  RigidMotions Z = RigidMotions::Zero();
   const auto& linear = reference().linear;
   for (int i = 0; i < monomials; ++i) {
     Z(2 * i, 0) = Z(2 * i + 1, 1) = linear(i, 0);
@@ -193,8 +224,10 @@ Matrix<double, unknowns, 3> rigid_motions(const Matrix2d& B) {
   return Z;
 }
 
+using Coefficients = Matrix<double, 2, monomials>;
+
 VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
-  Matrix<double, 2, monomials> load = Matrix<double, 2, monomials>::Zero();
+  Coefficients load = Coefficients::Zero();
   for (int k = 0; k < 3; ++k) {
     // times the edge's length
     const Vector4d density = density_of_moments(on_edges.segment<4>(4 * k), 1);
@@ -212,9 +245,9 @@ PolynomialStress polynomial_stress(const TriangleCorners& corners,
                                    const Matrix3d& hooke,
                                    const EdgeLoads& on_edges,
                                    const BodyLoads& body_loads) {
-  const Matrix2d B = map_of(corners);
+  const Matrix2d B = piola_matrix(corners);
   MatrixXd K = stiffness_of(B, hooke);
-  const Matrix<double, unknowns, 3> Z = rigid_motions(B);
+  const RigidMotions Z = rigid_motions(B);
   // balanced loads: w without rigid motion solves both systems
   K += K.trace() / unknowns * Z * Z.transpose();
   PolynomialStress stress{corners, hooke, {}};
@@ -224,11 +257,10 @@ PolynomialStress polynomial_stress(const TriangleCorners& corners,
 }
 
 Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point) {
-  const Matrix2d inverse = map_of(stress.corners).inverse();
+  const Matrix2d inverse = piola_matrix(stress.corners).inverse();
   const Vector2d xi = inverse * (point - stress.corners.col(0));
   // on the monomials
-  const Matrix<double, 2, monomials> w =
-      stress.displacement * reference().basis;
+  const Coefficients w = stress.displacement * reference().basis;
   Vector3d strain = Vector3d::Zero();
   for (int i = 0; i < monomials; ++i)
     for (int a = 0; a < 2; ++a) {
@@ -252,7 +284,7 @@ CompositeStress corner_values(const PolynomialStress& stress) {
 }
 
 double energy(const PolynomialStress& stress, const Vector3d& constant) {
-  const Matrix2d B = map_of(stress.corners), inverse = B.inverse();
+  const Matrix2d B = piola_matrix(stress.corners), inverse = B.inverse();
   const VectorXd w = stress.displacement.reshaped();
   Vector3d strain = Vector3d::Zero();  // int eps(w)
   for (int a = 0; a < 2; ++a)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+#include <vector>
+
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
@@ -35,6 +38,10 @@ EdgeMoments refined_moments(const Edges& old_edges,
                             const Ref<const Matrix3Xd>& old_stress,
                             const BodyLoadsOfAll& body_loads,
                             const BoundaryTractions& cut);
+
+/// The triangles of each old triangle that was cut.
+std::map<int, std::vector<int>> fans_of(const CommonRefinement& refinement,
+                                        int old_triangles);
 
 /// Body loads int f phi_i of the refinement: f is the linear function on each old
 /// triangle that has the old loads.

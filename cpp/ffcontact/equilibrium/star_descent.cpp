@@ -105,23 +105,29 @@ double StarDescent::step() {
   return length * slope;
 }
 
-double StarDescent::changed(const std::vector<int>& triangles,
+void StarDescent::note(int triangle, const LocalAiry& added) {
+  const AirySpace& space = setting_.space;
+  const LocalAiry image = setting_.energies[triangle].times(added);
+  for (int r = 0; r < 3; ++r) {
+    const int v = space.mesh.cells(r, triangle),
+              e = space.edges.of_cell(r, triangle);
+    residual_.segment<3>(space.of_vertex(v)) -= image.at_vertices.col(r);
+    residual_[space.of_edge(e)] -= image.on_edges[r];
+  }
+}
+
+double StarDescent::changed(const std::set<int>& triangles,
                             const std::function<double(VectorXd&)>& change) {
   const AirySpace& space = setting_.space;
   std::vector<LocalAiry> before;
   for (int t : triangles) before.push_back(local_airy(space, airy_, t));
   const double result = change(airy_);
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const int t = triangles[k];
+  auto old = before.begin();
+  for (int t : triangles) {
     LocalAiry added = local_airy(space, airy_, t);
-    added.at_vertices -= before[k].at_vertices;
-    added.on_edges -= before[k].on_edges;
-    const LocalAiry image = setting_.energies[t].times(added);
-    for (int r = 0; r < 3; ++r) {
-      residual_.segment<3>(space.of_vertex(space.mesh.cells(r, t))) -=
-          image.at_vertices.col(r);
-      residual_[space.of_edge(space.edges.of_cell(r, t))] -= image.on_edges[r];
-    }
+    added.at_vertices -= old->at_vertices;
+    added.on_edges -= old++->on_edges;
+    note(t, added);
   }
   return result;
 }

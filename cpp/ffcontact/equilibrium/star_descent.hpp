@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "ffcontact/equilibrium/star_solves.hpp"
@@ -24,7 +25,7 @@ class StarDescent {
   double step();
 
   /// Lets `change` alter unknowns of these triangles alone; returns what it returns.
-  double changed(const std::vector<int>& triangles,
+  double changed(const std::set<int>& triangles,
                  const std::function<double(VectorXd&)>& change);
 
   const VectorXd& airy() const { return airy_; }
@@ -38,6 +39,8 @@ class StarDescent {
   double sum(const OfTriangle& of_triangle) const;
   void turn_direction();
   double square_of_direction();
+  /// r for x + added, which is 0 but on one triangle.
+  void note(int triangle, const LocalAiry& added);
 
   const StarSetting& setting_;
   StarSolves solves_;

@@ -89,31 +89,38 @@ struct StarEnergy {
   }
 
   void add_slope(const AiryEnergy& K, const LocalAiry& x, const Place& place) {
-    const auto [triangle, i, right, left] = place;
+    for (int c = 0; c < 3; ++c) g[c] += vertex_slope(K, x, place.local, c);
+    g[place.right] += edge_slope(K, x, place.local, 2);
+    g[place.left] += edge_slope(K, x, place.local, 1);
+  }
+
+  /// g + K x for unknown c of local vertex i.
+  /// @param x  counted from there
+  static double vertex_slope(const AiryEnergy& K, const LocalAiry& x, int i,
+                             int c) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
-    for (int c = 0; c < 3; ++c) {
-      double slope =
-          K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] +
-          K.edge[a](c, 2) * x.on_edges[1] + K.edge[b](c, 1) * x.on_edges[2];
-      for (int d = 0; d < 3; ++d)
-        slope += K.own[i](c, d) * x.at_vertices(d, 0) +
-                 K.next[i](c, d) * x.at_vertices(d, 1) +
-                 K.next[b](d, c) * x.at_vertices(d, 2);
-      g[c] += slope;
-    }
-    double on_right = K.slope.on_edges[b], on_left = K.slope.on_edges[a];
-    for (int c = 0; c < 3; ++c) {
-      on_right += K.edge[b](c, 0) * x.at_vertices(c, 2) +
-                  K.edge[b](c, 1) * x.at_vertices(c, 0) +
-                  K.edge[b](c, 2) * x.at_vertices(c, 1);
-      on_left += K.edge[a](c, 0) * x.at_vertices(c, 1) +
-                 K.edge[a](c, 1) * x.at_vertices(c, 2) +
-                 K.edge[a](c, 2) * x.at_vertices(c, 0);
-    }
-    g[right] += on_right + K.edge_own[b] * x.on_edges[2] +
-                K.edge_next[b] * x.on_edges[0] + K.edge_next[a] * x.on_edges[1];
-    g[left] += on_left + K.edge_own[a] * x.on_edges[1] +
-               K.edge_next[a] * x.on_edges[2] + K.edge_next[i] * x.on_edges[0];
+    double slope = K.slope.at_vertices(c, i) + K.edge[i](c, 0) * x.on_edges[0] +
+                   K.edge[a](c, 2) * x.on_edges[1] +
+                   K.edge[b](c, 1) * x.on_edges[2];
+    for (int d = 0; d < 3; ++d)
+      slope += K.own[i](c, d) * x.at_vertices(d, 0) +
+               K.next[i](c, d) * x.at_vertices(d, 1) +
+               K.next[b](d, c) * x.at_vertices(d, 2);
+    return slope;
+  }
+
+  /// g + K x for local edge i + r.
+  static double edge_slope(const AiryEnergy& K, const LocalAiry& x, int i,
+                           int r) {
+    const int k = (i + r) % 3, s = (r + 1) % 3, u = (r + 2) % 3;
+    double slope = K.slope.on_edges[k];
+    for (int c = 0; c < 3; ++c)
+      slope += K.edge[k](c, 0) * x.at_vertices(c, r) +
+               K.edge[k](c, 1) * x.at_vertices(c, s) +
+               K.edge[k](c, 2) * x.at_vertices(c, u);
+    return slope + K.edge_own[k] * x.on_edges[r] +
+           K.edge_next[k] * x.on_edges[s] +
+           K.edge_next[(k + 2) % 3] * x.on_edges[u];
   }
 };
 

@@ -3,25 +3,68 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
+#include "ffcontact/equilibrium/contact_groups.hpp"
 #include "ffcontact/equilibrium/star_descent.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Groups of vertices that are relaxed together, by colours: groups of one colour share no
-/// triangle.
-using Colours = std::vector<std::vector<std::vector<int>>>;
+using Group = std::vector<int>;
+using Triangles = std::set<int>;
+
+Triangles triangles_of(const Stars& stars, const Group& group) {
+  Triangles triangles;
+  const auto all = stars.triangle.begin();
+  for (int v : group)
+    triangles.insert(all + stars.triangle_start[v],
+                     all + stars.triangle_start[v + 1]);
+  return triangles;
+}
+
+bool meet(const Triangles& some, const Triangles& others) {
+  return std::any_of(some.begin(), some.end(),
+                     [&](int t) { return others.count(t) > 0; });
+}
+
+/// The first colour that has not taken any of some triangles.
+std::size_t free_colour(const std::vector<Triangles>& taken,
+                        const Triangles& some) {
+  std::size_t colour = 0;
+  while (colour < taken.size() && meet(some, taken[colour])) ++colour;
+  return colour;
+}
+
+/// The groups of contact vertices by colours, greedily in the order of the line: those of
+/// one colour share no triangle.
+struct ContactStars {
+  std::vector<std::vector<Group>> colours;
+  Triangles triangles;  ///< of all groups
+};
+
+ContactStars contact_stars(const Stars& stars, const ContactLine& line) {
+  ContactStars result;
+  std::vector<Triangles> taken;  // by each colour
+  for (const Group& group : contact_groups(line)) {
+    const Triangles own = triangles_of(stars, group);
+    const std::size_t colour = free_colour(taken, own);
+    taken.resize(std::max(taken.size(), colour + 1));
+    result.colours.resize(taken.size());
+    taken[colour].insert(own.begin(), own.end());
+    result.triangles.insert(own.begin(), own.end());
+    result.colours[colour].push_back(group);
+  }
+  return result;
+}
 
 /// Relaxes colour by colour; returns by how much e^2 fell.
-double relax_all(const StarSetting& setting, const Colours& colours,
+double relax_all(const StarSetting& setting, const ContactStars& stars,
                  VectorXd& airy, FreeContact* contact) {
   double fallen = 0;
-  for (const auto& colour : colours) {
+  for (const std::vector<Group>& colour : stars.colours) {
     std::vector<double> fall(colour.size());
 #pragma omp parallel for schedule(static)
     for (std::size_t k = 0; k < colour.size(); ++k)
@@ -30,50 +73,6 @@ double relax_all(const StarSetting& setting, const Colours& colours,
   }
   return fallen;
 }
-
-std::set<int> triangles_beside(const Stars& stars,
-                               const std::vector<int>& vertices) {
-  std::set<int> triangles;
-  for (int v : vertices)
-    triangles.insert(stars.triangle.begin() + stars.triangle_start[v],
-                     stars.triangle.begin() + stars.triangle_start[v + 1]);
-  return triangles;
-}
-
-/// Groups of contact vertices, coloured greedily in the order of the line, and the
-/// triangles that they change.
-struct ContactStars {
-  Colours colours;
-  std::vector<int> triangles;
-
-  ContactStars(const Stars& stars, const ContactLine& line) {
-    std::vector<std::set<int>> taken;  // triangles of each colour
-    std::set<int> all;
-    for (const std::vector<int>& group : contact_groups(line)) {
-      const std::set<int> beside = triangles_beside(stars, group);
-      const std::size_t colour = first_free(taken, beside);
-      if (colour == taken.size()) {
-        taken.emplace_back();
-        colours.emplace_back();
-      }
-      taken[colour].insert(beside.begin(), beside.end());
-      all.insert(beside.begin(), beside.end());
-      colours[colour].push_back(group);
-    }
-    triangles.assign(all.begin(), all.end());
-  }
-
- private:
-  static std::size_t first_free(const std::vector<std::set<int>>& taken,
-                                const std::set<int>& triangles) {
-    const auto is_free = [&](const std::set<int>& colour) {
-      return std::none_of(triangles.begin(), triangles.end(),
-                          [&](int t) { return colour.count(t) > 0; });
-    };
-    return static_cast<std::size_t>(
-        std::find_if(taken.begin(), taken.end(), is_free) - taken.begin());
-  }
-};
 
 /// The square of the elastic part before the relaxation.
 double elastic_square(const StarSetting& setting) {
@@ -92,12 +91,62 @@ double contact_square(const FreeContact* contact) {
 }
 
 /// Steps of the descent in a sweep: two sweeps lower e as much as two of Gauss-Seidel over
-/// the stars with the best combination after each, at half the cost.
+/// the stars with the best combination after each.
 constexpr int steps_of_a_sweep = 2;
 
-/// A sweep that lowers e^2 by less than this part of what it was at first changes no
-/// digit of it: the rest is rounding.
-constexpr double rounding = 1e-15;
+/// The descent and the stars on free contact edges in turn.
+class Relaxation {
+ public:
+  Relaxation(const StarSetting& setting, FreeContact* contact)
+      : setting_(setting), contact_(contact), descent_(setting) {
+    if (contact) on_contact_ = contact_stars(setting.stars, contact->line);
+  }
+
+  /// Returns by how much e^2 fell.
+  double sweep() {
+    double fall = 0;
+    for (int step = 0; step < steps_of_a_sweep; ++step) fall += descent_.step();
+    return contact_ ? fall + relax_contact() : fall;
+  }
+
+  const VectorXd& airy() const { return descent_.airy(); }
+
+ private:
+  double relax_contact() {
+    return descent_.changed(on_contact_.triangles, [&](VectorXd& airy) {
+      return relax_all(setting_, on_contact_, airy, contact_);
+    });
+  }
+
+  const StarSetting& setting_;
+  FreeContact* contact_;
+  StarDescent descent_;
+  ContactStars on_contact_;
+};
+
+/// e^2 from sweep to sweep.
+class Progress {
+ public:
+  Progress(double elastic, double on_contact)
+      : first_(elastic + std::abs(on_contact)), square_(elastic + on_contact) {}
+
+  /// Takes the fall of a sweep off. @return whether the next one is worth its time
+  bool goes_on(double fall, double tightness) {
+    if (fall <= rounding * first_) return false;
+    const double e_before = e();
+    square_ -= fall;
+    return e_before - e() >= tightness * e_before;
+  }
+
+ private:
+  double e() const { return std::sqrt(std::max(square_, 0.0)); }
+
+  /// A sweep that lowers e^2 by less than this part of what it was at first changes no
+  /// digit of it: the rest is rounding.
+  static constexpr double rounding = 1e-15;
+
+  double first_, square_;
+};
 
 }  // namespace
 
@@ -110,29 +159,14 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
   if (settings.sweeps == 0) return {};
   const StarSetting setting =
       star_setting(topology, hooke, boundary, body_loads, difference);
-  StarDescent descent(setting);
-  std::optional<ContactStars> on_contact;
-  if (contact) on_contact.emplace(setting.stars, contact->line);
+  Relaxation relaxation(setting, contact);
+  Progress progress(elastic_square(setting), contact_square(contact));
   std::vector<double> falls;
-  const double elastic = elastic_square(setting),
-               on_contact_edges = contact_square(contact);
-  const double first = elastic + std::abs(on_contact_edges);
-  double square = elastic + on_contact_edges;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
-    double fall = 0;
-    for (int step = 0; step < steps_of_a_sweep; ++step) fall += descent.step();
-    if (contact)
-      fall += descent.changed(on_contact->triangles, [&](VectorXd& airy) {
-        return relax_all(setting, on_contact->colours, airy, contact);
-      });
-    falls.push_back(fall);
-    if (fall <= rounding * first) break;
-    const double e_before = std::sqrt(std::max(square, 0.0)),
-                 e_after = std::sqrt(std::max(square - fall, 0.0));
-    square -= fall;
-    if (e_before - e_after < settings.tightness * e_before) break;
+    falls.push_back(relaxation.sweep());
+    if (!progress.goes_on(falls.back(), settings.tightness)) break;
   }
-  add_airy_loads(setting.space, descent.airy(), difference);
+  add_airy_loads(setting.space, relaxation.airy(), difference);
   return falls;
 }
 

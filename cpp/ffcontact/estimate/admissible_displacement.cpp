@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ffcontact/base/quadratic_minimum.hpp"
-#include "ffcontact/equilibrium/boundary_relaxation.hpp"
+#include "ffcontact/equilibrium/contact_groups.hpp"
 
 namespace ffcontact {
 
@@ -59,11 +59,14 @@ class MovingVertices {
         add(k, vertex, weight, rows);
       });
     }
+    if (!prescribed.empty()) hold(prescribed, rows);
+    return (rows.array().abs() < along_the_line).select(0, rows);
+  }
+
+  void hold(const std::vector<char>& prescribed, MatrixXd& rows) const {
     for (std::size_t j = 0; j < vertices_.size(); ++j)
       for (int c = 0; c < 2; ++c)
-        if (!prescribed.empty() && prescribed[2 * vertices_[j] + c])
-          rows.col(2 * j + c).setZero();
-    return (rows.array().abs() < along_the_line).select(0, rows);
+        if (prescribed[2 * vertices_[j] + c]) rows.col(2 * j + c).setZero();
   }
 
   void add(std::size_t k, int vertex, double weight, MatrixXd& rows) const {
@@ -78,39 +81,63 @@ class MovingVertices {
   std::vector<int> nodes_;
 };
 
+std::map<int, std::vector<int>> nodes_of_vertices(const ContactLine& line) {
+  std::map<int, std::vector<int>> nodes;
+  for (int i = 0; i < line.node_count(); ++i)
+    nodes[line.vertex[i]].push_back(i);
+  return nodes;
+}
+
+bool meet(const std::vector<int>& some, const std::vector<int>& others) {
+  return std::find_first_of(some.begin(), some.end(), others.begin(),
+                            others.end()) != some.end();
+}
+
+/// A displacement on its way out of the foundation.
+struct Lowered {
+  const ContactLine& line;
+  const std::vector<char>& prescribed;
+  const std::map<int, std::vector<int>> nodes_of_vertex;
+  double largest;  ///< change of a component
+  VectorXd u;
+
+  VectorXd penetration(const ContactLaw& law) const {
+    return displacement_against_foundation(line, law, u).row(0);
+  }
+
+  /// Moves some vertices together. @return whether they can go where no node on them
+  /// penetrates
+  bool move(const std::vector<int>& vertices, const VectorXd& penetration) {
+    const MovingVertices moving(line, nodes_of_vertex, vertices);
+    const auto change = moving.lowering(penetration, prescribed, largest);
+    if (!change) return false;
+    for (std::size_t j = 0; j < vertices.size(); ++j)
+      u.segment<2>(2 * vertices[j]) += change->col(j);
+    return true;
+  }
+
+  /// Moves all vertices, each by itself. @return those that cannot
+  std::vector<int> move_each(const VectorXd& penetration) {
+    std::vector<int> stuck;
+    for (const auto& [vertex, nodes] : nodes_of_vertex)
+      if (!move({vertex}, penetration)) stuck.push_back(vertex);
+    return stuck;
+  }
+};
+
 }  // namespace
 
 VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
                                  const Ref<const VectorXd>& displacement,
                                  const std::vector<char>& prescribed) {
-  std::map<int, std::vector<int>> nodes_of_vertex;
-  for (int i = 0; i < line.node_count(); ++i)
-    nodes_of_vertex[line.vertex[i]].push_back(i);
-
-  VectorXd admissible = displacement;
-  const auto penetration = [&] {
-    return VectorXd(
-        displacement_against_foundation(line, law, admissible).row(0));
-  };
-  const double scale = largest_displacement(law, displacement);
-  const auto lower = [&](const std::vector<int>& vertices,
-                         const VectorXd& deep) {
-    const auto change = MovingVertices(line, nodes_of_vertex, vertices)
-                            .lowering(deep, prescribed, farthest * scale);
-    for (std::size_t j = 0; change && j < vertices.size(); ++j)
-      admissible.segment<2>(2 * vertices[j]) += change->col(j);
-    return change.has_value();
-  };
-  std::vector<int> stuck;
-  const VectorXd before = penetration();
-  for (const auto& [vertex, nodes] : nodes_of_vertex)
-    if (!lower({vertex}, before)) stuck.push_back(vertex);
-  if (stuck.empty() || !line.against_a_body()) return admissible;
+  const double largest = farthest * largest_displacement(law, displacement);
+  Lowered lowered{line, prescribed, nodes_of_vertices(line), largest,
+                  displacement};
+  const std::vector<int> stuck = lowered.move_each(lowered.penetration(law));
+  if (stuck.empty() || !line.against_a_body()) return lowered.u;
   for (const std::vector<int>& group : contact_groups(line))
-    if (std::find_first_of(group.begin(), group.end(), stuck.begin(),
-                           stuck.end()) != group.end())
-      lower(group, penetration());
-  return admissible;
+    if (meet(group, stuck)) lowered.move(group, lowered.penetration(law));
+  return lowered.u;
 }
 
 PenetrationDefect penetration_defect(const ContactLine& line,

@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/contact_error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -21,16 +22,21 @@ struct Linear {
   }
 };
 
+/// Of a x^2 + b x + c, without differences of nearly equal numbers.
+std::array<double, 2> roots(double a, double b, double c) {
+  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
+  const double q = -0.5 * (b + std::copysign(root, b));
+  return {q / a, c / q};
+}
+
 /// Where a quadratic vanishes within (0, 1).
 template <class Quadratic>
 std::vector<double> zeros(Quadratic&& f) {
   const double start = f(0.0), middle = f(0.5), end = f(1.0);
   const double a = 2 * (start - 2 * middle + end),
                b = -3 * start + 4 * middle - end;
-  const double root = std::sqrt(std::max(0.0, b * b - 4 * a * start)),
-               q = -0.5 * (b + std::copysign(root, b));
   std::vector<double> inside;
-  for (double x : {q / a, start / q})
+  for (double x : roots(a, b, start))
     if (x > 0 && x < 1) inside.push_back(x);
   return inside;
 }
@@ -49,6 +55,11 @@ struct EdgeFields {
     if (at_limit(x)) return limit.at(x);
     return cohesion.at(x) + friction.at(x) * std::abs(rn.at(x));
   }
+  /// Slope of the density in r_n.
+  double normal_slope(double x) const {
+    const double mu = at_limit(x) ? 0 : friction.at(x);
+    return wn.at(x) - mu * std::abs(wt.at(x));
+  }
   bool at_limit(double x) const {
     return limited && friction.at(x) * std::abs(rn.at(x)) > limit.at(x);
   }
@@ -56,32 +67,41 @@ struct EdgeFields {
   /// Where the bound has a kink, or where w_t and with it |w_t| changes sign.
   std::vector<double> breaks() const {
     std::vector<double> places{wt.zero(), rn.zero()};
-    if (!limited) return places;
+    if (limited) add_limits(places);
+    return places;
+  }
+  /// Where mu |r_n| = k.
+  void add_limits(std::vector<double>& places) const {
     for (const int sign : {1, -1})
       for (double x : zeros([&](double s) {
              return sign * friction.at(s) * rn.at(s) - limit.at(s);
            }))
         places.push_back(x);
-    return places;
   }
 };
 
-/// Integral over (0, 1) of a function that is a cubic between its breaks, for which two
-/// Gauss points are exact.
+/// Distance of two Gauss points from the middle, as a part of the width.
+const double gauss = 0.5 / std::sqrt(3.0);
+
+/// Integral of a cubic, for which two Gauss points are exact.
+template <class Function>
+double gauss_integral(double from, double to, Function&& f) {
+  const double width = to - from, middle = 0.5 * (from + to);
+  return 0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
+}
+
+/// Integral over (0, 1) of a function that is a cubic between its breaks.
 template <class Function>
 double integral(std::vector<double> breaks, Function&& f) {
   breaks.insert(breaks.end(), {0, 1});
   std::sort(breaks.begin(), breaks.end());
-  const double gauss = 0.5 / std::sqrt(3.0);
   double sum = 0;
-  for (std::size_t piece = 0; piece + 1 < breaks.size(); ++piece) {
-    const double width = breaks[piece + 1] - breaks[piece],
-                 middle = 0.5 * (breaks[piece] + breaks[piece + 1]);
-    sum +=
-        0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
-  }
+  for (std::size_t piece = 1; piece < breaks.size(); ++piece)
+    sum += gauss_integral(breaks[piece - 1], breaks[piece], f);
   return sum;
 }
+
+Linear linear(const Vector2d& ends) { return {ends[0], ends[1]}; }
 
 EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
                        const ContactDensities& densities, const Matrix2Xd& w,
@@ -90,14 +110,25 @@ EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
   EdgeFields edge{};
   edge.wn = {w(0, i), w(0, j)};
   edge.wt = {w(1, i), w(1, j)};
-  edge.rn = {densities.normal(0, e), densities.normal(1, e)};
-  edge.rt = {densities.tangential(0, e), densities.tangential(1, e)};
+  edge.rn = linear(densities.normal.col(e));
+  edge.rt = linear(densities.tangential.col(e));
   const ConesAtEnds most = most_cones(line, law, e);
   edge.cohesion = {most[0].cohesion, most[1].cohesion};
   edge.friction = {most[0].friction, most[1].friction};
   edge.limit = {most[0].limit, most[1].limit};
   edge.limited = law.limited();
   return edge;
+}
+
+/// int phi (w_n - mu |w_t|), without the second term where the limit counts.
+double normal_cost(const EdgeFields& edge, const Linear& phi) {
+  return integral(edge.breaks(),
+                  [&](double x) { return phi.at(x) * edge.normal_slope(x); });
+}
+
+/// int phi w_t
+double tangential_cost(const EdgeFields& edge, const Linear& phi) {
+  return integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
 }
 
 }  // namespace
@@ -125,17 +156,10 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, densities, w, e);
     for (int end = 0; end < 2; ++end) {
-      const Linear phi{end == 0 ? 1.0 : 0.0, end == 0 ? 0.0 : 1.0};
-      const auto normal = [&](double x) {
-        const double slope = edge.at_limit(x) ? 0 : edge.friction.at(x);
-        const double slip = slope * std::abs(edge.wt.at(x));
-        return phi.at(x) * (edge.wn.at(x) - slip);
-      };
-      costs.normal(end, e) =
-          2 * line.length[e] * integral(edge.breaks(), normal);
+      const Linear phi = linear(Vector2d::Unit(end));
+      costs.normal(end, e) = 2 * line.length[e] * normal_cost(edge, phi);
       costs.tangential(end, e) =
-          2 * line.length[e] *
-          integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
+          2 * line.length[e] * tangential_cost(edge, phi);
     }
   }
   return costs;

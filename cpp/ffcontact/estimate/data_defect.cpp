@@ -26,16 +26,21 @@ VectorXd probe(const std::vector<char>& prescribed) {
   return z;
 }
 
+/// Adds int sigma : eps(phi) over one triangle.
+void add_forces(const Mesh& mesh, int t, const Vector3d& stress,
+                VectorXd& forces) {
+  const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
+  for (int k = 0; k < 3; ++k)
+    forces.segment<2>(2 * mesh.cells(k, t)) +=
+        signed_area(mesh, t) * traction(stress, gradients.col(k));
+}
+
 /// int C eps(u) : eps(phi) for all phi [N/mm].
 VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
   const Matrix3Xd stress = stresses(mesh, hooke, u);
   VectorXd forces = VectorXd::Zero(u.size());
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
-    for (int k = 0; k < 3; ++k)
-      forces.segment<2>(2 * mesh.cells(k, t)) +=
-          signed_area(mesh, t) * traction(stress.col(t), gradients.col(k));
-  }
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    add_forces(mesh, t, stress.col(t), forces);
   return forces;
 }
 
@@ -45,10 +50,10 @@ double diagonal_of_law(const Mesh& mesh, const Hooke& hooke, Index dof) {
   return inner_forces(mesh, hooke, unit)[dof];
 }
 
-std::string at_vertex(const Mesh& mesh, Index dof) {
+std::string in_words(const Mesh& mesh, int vertex) {
+  const Vector2d x = mesh.place(vertex);
   std::ostringstream text;
-  const Vector2d x = mesh.origin + mesh.vertices.col(dof / 2);
-  text << "vertex " << dof / 2 << " (" << x.x() << ", " << x.y() << ")";
+  text << "vertex " << vertex << " (" << x.x() << ", " << x.y() << ")";
   return text.str();
 }
 
@@ -66,27 +71,38 @@ Row row_of(const RowMatrix& A, const VectorXd& z, Index dof) {
   return row;
 }
 
+/// Nodal pressures [2 x p] of the other multiplier.
+Matrix2Xd pressures_of_other_multiplier(const ContactLine& line,
+                                        const ElasticSystem& system,
+                                        const SolvedBody& body) {
+  if (body.law.multiplier == Multiplier::force)
+    return lumped_pressures(line, forces_of(line, body.pressure));
+  return multiplier_density(line, Multiplier::force, system.prescribed,
+                            body.pressure);
+}
+
+/// Takes the given loads off.
+/// @param vertices  one column for each column of loads, which has two rows per vertex
+template <class Vertices, class Loads>
+void subtract_loads(const Vertices& vertices, const Loads& loads,
+                    VectorXd& forces) {
+  for (Index column = 0; column < vertices.cols(); ++column)
+    for (Index k = 0; k < vertices.rows(); ++k)
+      forces.segment<2>(2 * vertices(k, column)) -=
+          loads.template block<2, 1>(2 * k, column);
+}
+
 /// Forces on all dofs that the loads leave over for contact pressures of the other
 /// multiplier.
 VectorXd left_over_with_other_multiplier(const Mesh& mesh,
                                          const ContactLine& line,
                                          const ElasticSystem& system,
                                          const SolvedBody& body) {
-  const bool by_force = body.law.multiplier == Multiplier::force;
-  const Matrix2Xd other =
-      by_force ? lumped_pressures(line, forces_of(line, body.pressure))
-               : multiplier_density(line, Multiplier::force, system.prescribed,
-                                    body.pressure);
+  const Matrix2Xd other = pressures_of_other_multiplier(line, system, body);
   VectorXd left = inner_forces(mesh, body.hooke, body.displacement) -
                   nodal_forces(mesh, line, edge_densities(line, other));
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 3; ++k)
-      left.segment<2>(2 * mesh.cells(k, t)) -=
-          body.body_loads.block<2, 1>(2 * k, t);
-  for (Index e = 0; e < mesh.boundary.cols(); ++e)
-    for (int end = 0; end < 2; ++end)
-      left.segment<2>(2 * mesh.boundary(end, e)) -=
-          body.neumann.block<2, 1>(2 * end, e);
+  subtract_loads(mesh.cells, body.body_loads, left);
+  subtract_loads(mesh.boundary, body.neumann, left);
   for (Index dof = 0; dof < left.size(); ++dof)
     if (system.prescribed[dof]) left[dof] = 0;
   return left;
@@ -96,50 +112,103 @@ const char* name_of(Multiplier multiplier) {
   return multiplier == Multiplier::force ? "\"force\"" : "\"pressure\"";
 }
 
-}  // namespace
+/// A z beside K z on all dofs, 0 on prescribed ones.
+struct Comparison {
+  VectorXd z, of_law, of_matrix, terms;
+  VectorXd off;  ///< |A z - K z| in parts of the terms
 
-void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
-                           const Hooke& hooke) {
-  const VectorXd z = probe(system.prescribed),
-                 of_law = inner_forces(mesh, hooke, z);
-  VectorXd of_matrix = VectorXd::Zero(z.size()), off = of_matrix,
-           terms = of_matrix;
+  Comparison(const Mesh& mesh, const ElasticSystem& system, const Hooke& hooke)
+      : z(probe(system.prescribed)), of_law(inner_forces(mesh, hooke, z)) {
+    of_matrix = terms = off = VectorXd::Zero(z.size());
 #pragma omp parallel for
-  for (Index dof = 0; dof < z.size(); ++dof) {
-    if (system.prescribed[dof]) continue;
-    const Row row = row_of(system.stiffness, z, dof);
+    for (Index dof = 0; dof < z.size(); ++dof)
+      if (!system.prescribed[dof]) put(row_of(system.stiffness, z, dof), dof);
+  }
+
+  /// By what A z is a multiple of K z where they differ.
+  double factor() const {
+    const auto elsewhere = (off.array() <= tolerance).cast<double>();
+    return ((1 - elsewhere) * of_matrix.array() * of_law.array()).sum() /
+           ((1 - elsewhere) * of_law.array().square()).sum();
+  }
+  bool is_multiple() const {
+    const auto rest = (of_matrix - factor() * of_law).array().abs();
+    return (rest <= tolerance * terms.array() || off.array() <= tolerance)
+        .all();
+  }
+
+ private:
+  void put(const Row& row, Index dof) {
     of_matrix[dof] = row.sum;
     terms[dof] = row.terms;
     off[dof] = row.terms > 0 ? std::abs(row.sum - of_law[dof]) / row.terms : 0;
   }
-  Index worst;
-  if (off.maxCoeff(&worst) <= tolerance) return;
+};
 
-  const double more = (of_matrix[worst] - of_law[worst]) / z[worst];
-  const double added = system.stiffness.coeff(worst, worst) -
-                       diagonal_of_law(mesh, hooke, worst);
+/// Refuses a matrix that differs by something on one dof's diagonal.
+void require_no_spring(const Mesh& mesh, const ElasticSystem& system,
+                       const Hooke& hooke, const Comparison& comparison,
+                       Index dof) {
+  const auto& [z, of_law, of_matrix, terms, off] = comparison;
+  const double more = (of_matrix[dof] - of_law[dof]) / z[dof];
+  const double added =
+      system.stiffness.coeff(dof, dof) - diagonal_of_law(mesh, hooke, dof);
   if (std::abs(more - added) <= 1e-3 * std::abs(added))
-    refuse("A has ", added, " more on its diagonal at ", at_vertex(mesh, worst),
+    refuse("A has ", added, " more on its diagonal at ",
+           in_words(mesh, dof / 2),
            " than lambda and G (or hooke) give: a penalty in place of a "
-           "prescribed "
-           "displacement, or a spring; "
-           "prescribe with "
-           "on() and tgv 1e30, -1 or -2");
-  const auto elsewhere = (off.array() <= tolerance).cast<double>();
-  const double factor =
-      ((1 - elsewhere) * of_matrix.array() * of_law.array()).sum() /
-      ((1 - elsewhere) * of_law.array().square()).sum();
-  const bool multiple = (((of_matrix - factor * of_law).array().abs() <=
-                          tolerance * terms.array()) ||
-                         (off.array() <= tolerance))
-                            .all();
-  if (multiple)
-    refuse("lambda and G (or hooke) are not those of A: A is ", factor,
-           " times the stiffness of the law at ", at_vertex(mesh, worst),
+           "prescribed displacement, or a spring; prescribe with on() and tgv "
+           "1e30, -1 or -2");
+}
+
+/// Are the given pressures those of the other multiplier?
+bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
+                           const ContactLine& line, const ElasticSystem& system,
+                           const SolvedBody& body) {
+  const VectorXd left =
+      left_over_with_other_multiplier(mesh, line, system, body);
+  const double scale =
+      inner_forces(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
+  return std::abs(left[2 * imbalance.vertex + imbalance.component]) <=
+         tolerance * scale;
+}
+
+std::string other_multiplier_in_words(Multiplier own) {
+  const Multiplier other =
+      own == Multiplier::force ? Multiplier::pressure : Multiplier::force;
+  return std::string("pn and pt fit u with multiplier=") + name_of(other) +
+         ", not with " + name_of(own);
+}
+
+/// What else may be missing at a vertex.
+std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
+  if (!(mesh.boundary.array() == vertex).any())
+    return "inside the body: give the bodyforce= u was computed with; loads of "
+           "thermal or initial strains are not known here";
+  if (on_line)
+    return "on the contact line: give pn and pt of the solution u, and the "
+           "same label=, normal= and traction=";
+  return "on the boundary: give the traction= u was computed with; loads of "
+         "thermal or initial strains are not known here";
+}
+
+}  // namespace
+
+void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
+                           const Hooke& hooke) {
+  const Comparison comparison(mesh, system, hooke);
+  Index worst;
+  if (comparison.off.maxCoeff(&worst) <= tolerance) return;
+
+  require_no_spring(mesh, system, hooke, comparison, worst);
+  if (comparison.is_multiple())
+    refuse("lambda and G (or hooke) are not those of A: A is ",
+           comparison.factor(), " times the stiffness of the law at ",
+           in_words(mesh, worst / 2),
            "; give the constants of the script's varf");
   refuse(
       "A is not the stiffness of lambda and G (or hooke): its row of ",
-      at_vertex(mesh, worst), " is off by ", off[worst],
+      in_words(mesh, worst / 2), " is off by ", comparison.off[worst],
       " of its terms; give the law of the script's varf in every region, and A "
       "without springs");
 }
@@ -147,41 +216,13 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
                      const ContactLine& line, const ElasticSystem& system,
                      const SolvedBody& body) {
-  const int dof = 2 * imbalance.vertex + imbalance.component;
-  if (system.prescribed[dof])
+  if (system.prescribed[2 * imbalance.vertex + imbalance.component])
     return "it is the reaction of a point support, which no admissible stress "
-           "has: "
-           "prescribe displacements on whole "
-           "edges";
+           "has: prescribe displacements on whole edges";
   const bool on_line = (line.vertex.array() == imbalance.vertex).any();
-  const VectorXd with_other =
-      left_over_with_other_multiplier(mesh, line, system, body);
-  const double scale =
-      inner_forces(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
-  if (on_line && std::abs(with_other[dof]) <= tolerance * scale) {
-    const Multiplier own = body.law.multiplier;
-    const Multiplier other =
-        own == Multiplier::force ? Multiplier::pressure : Multiplier::force;
-    return std::string("pn and pt fit u with multiplier=") + name_of(other) +
-           ", not with " + name_of(own);
-  }
-  bool on_boundary = false;
-  for (Index e = 0; e < mesh.boundary.cols(); ++e)
-    on_boundary =
-        on_boundary || (mesh.boundary.col(e).array() == imbalance.vertex).any();
-  if (!on_boundary)
-    return "inside the body: give the bodyforce= u was computed with; loads of "
-           "thermal "
-           "or initial strains are not "
-           "known here";
-  if (on_line)
-    return "on the contact line: give pn and pt of the solution u, and the "
-           "same label=, "
-           "normal= and traction=";
-  return "on the boundary: give the traction= u was computed with; loads of "
-         "thermal or "
-         "initial strains are not known "
-         "here";
+  if (on_line && fits_other_multiplier(imbalance, mesh, line, system, body))
+    return other_multiplier_in_words(body.law.multiplier);
+  return missing_loads(mesh, imbalance.vertex, on_line);
 }
 
 }  // namespace ffcontact

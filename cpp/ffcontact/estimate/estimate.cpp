@@ -2,25 +2,26 @@
 #include "ffcontact/estimate/estimate.hpp"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/first_tractions.hpp"
+#include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-constexpr double equilibrium_tolerance = 1e-10;
-constexpr double cone_tolerance = 1e-12;
-constexpr double penetration_tolerance = 1e-12;
+void require_valid(const RelaxationSettings& relaxation) {
+  if (relaxation.sweeps < 0)
+    refuse("sweeps must not be negative, got ", relaxation.sweeps);
+  if (!(relaxation.tightness >= 0 && relaxation.tightness < 1))
+    refuse("tightness must be in [0, 1), got ", relaxation.tightness);
+}
 
-void require_valid(const SolvedProblem& solved,
-                   const RelaxationSettings& relaxation) {
+void require_valid(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   const Mesh& mesh = topology.mesh;
   require_elliptic(body.hooke, mesh.cell_count());
@@ -32,10 +33,6 @@ void require_valid(const SolvedProblem& solved,
   require_size("body loads", body.body_loads.cols(), mesh.cell_count());
   require_finite("body load", body.body_loads.reshaped());
   require_valid(body.law, line);
-  if (relaxation.sweeps < 0)
-    refuse("sweeps must not be negative, got ", relaxation.sweeps);
-  if (!(relaxation.tightness >= 0 && relaxation.tightness < 1))
-    refuse("tightness must be in [0, 1), got ", relaxation.tightness);
 }
 
 double largest_value(const std::vector<CompositeStress>& stress) {
@@ -53,17 +50,18 @@ struct Compared {
   Matrix3Xd stress;
 };
 
-Compared compared(const MatchedBodies& bodies, const StressTerms& terms,
-                  const VectorXd& u_hat) {
+Compared compared(const MatchedBodies& bodies, const VectorXd& displacement) {
   const SolvedBody& body = bodies.body();
-  const Mesh& mesh = bodies.topology().mesh;
-  if (!terms.unstressed)
-    return {u_hat, body.law, stresses(mesh, body.hooke, u_hat)};
-  Compared change{u_hat - body.displacement, body.law, {}};
+  return {displacement, body.law,
+          stresses(bodies.topology().mesh, body.hooke, displacement)};
+}
+
+Compared compared_change(const MatchedBodies& bodies, double stress_terms,
+                         const VectorXd& u_hat) {
+  Compared change = compared(bodies, u_hat - bodies.body().displacement);
   change.law.gap.resize(0);
   change.law.previous.resize(0);
-  change.stress = stresses(mesh, body.hooke, change.displacement);
-  if (change.stress.cwiseAbs().maxCoeff() <= rounding_of_terms * terms.stress) {
+  if (change.stress.cwiseAbs().maxCoeff() <= rounding_of_terms * stress_terms) {
     change.displacement.setZero();
     change.stress.setZero();
   }
@@ -86,6 +84,23 @@ struct RelaxedTractions {
   std::vector<double> falls;  ///< of e^2, sweep by sweep
 };
 
+/// Edge moments with those of r_hat on the contact edges.
+/// @param contact_edge  contact_edge_numbers
+EdgeMoments with_contact(EdgeMoments moments, const BoundaryTractions& boundary,
+                         const std::vector<int>& contact_edge) {
+  for (Index e = 0; e < moments.cols(); ++e)
+    if (contact_edge[e] >= 0) moments.col(e) = boundary.moments.col(e);
+  return moments;
+}
+
+FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
+                             const ContactDensities& densities,
+                             const std::vector<int>& contact_edge) {
+  const TractionCosts costs =
+      traction_costs(line, compared.law, densities, compared.displacement);
+  return {densities, costs.normal, costs.tangential, contact_edge};
+}
+
 RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
                          const FirstTractions& first,
                          const EstimateSettings& settings,
@@ -93,19 +108,16 @@ RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
   const auto& [mesh, edges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
-  const BoundaryTractions boundary =
-      bodies.boundary_with(first.contact.densities);
+  const ContactDensities& densities = first.contact.densities;
+  const BoundaryTractions boundary = bodies.boundary_with(densities);
   const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
-  EdgeMoments moments = first.moments;
-  for (int e = 0; e < edges.count(); ++e)
-    if (contact_edge[e] >= 0) moments.col(e) = boundary.moments.col(e);
+  const EdgeMoments moments =
+      with_contact(first.moments, boundary, contact_edge);
 
   RelaxedTractions result{
       difference_loads(mesh, edges, moments, compared.stress), {}, {}};
-  const TractionCosts costs = traction_costs(
-      line, compared.law, first.contact.densities, compared.displacement);
-  FreeTractions tractions{first.contact.densities, costs.normal,
-                          costs.tangential, contact_edge};
+  FreeTractions tractions =
+      free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions};
   result.falls =
       relax_stars(bodies.topology(), body.hooke, boundary, body.body_loads,
@@ -134,42 +146,53 @@ std::vector<double> error_history(double last_square,
 void share_contact_part(const Edges& edges, const ContactLine& line,
                         const VectorXd& contact_part, VectorXd& local) {
   for (int e = 0; e < line.edge_count(); ++e) {
-    const int opposite = line.against_a_body() ? line.opposite_edge[e] : -1;
+    const int facing = facing_edge(line, e);
     local[edges.cells(0, line.edge[e])] +=
-        (opposite < 0 ? 1 : 0.5) * contact_part[e];
-    if (opposite >= 0) local[edges.cells(0, opposite)] += 0.5 * contact_part[e];
+        (facing < 0 ? 1 : 0.5) * contact_part[e];
+    if (facing >= 0) local[edges.cells(0, facing)] += 0.5 * contact_part[e];
   }
 }
 
-/// e and its parts.
+StressNorms norms_by(Construction construction, const MatchedBodies& bodies,
+                     const Compared& compared,
+                     const RelaxedTractions& relaxed) {
+  const auto& norms = construction == Construction::composite
+                          ? composite_norms
+                          : polynomial_norms;
+  const SolvedBody& body = bodies.body();
+  return norms(bodies.topology().mesh, body.hooke, compared.stress,
+               relaxed.difference, body.body_loads);
+}
+
+/// (2.11) to (2.13).
+void put_error(const MatchedBodies& bodies, const StressNorms& norms,
+               const VectorXd& contact_part, Estimate& estimate) {
+  const double elastic = norms.difference.sum(),
+               scale = norms.sum > 0 ? norms.sum : 1;
+  estimate.elastic = std::sqrt(elastic);
+  estimate.e = std::sqrt(std::max(0.0, elastic + estimate.contact));
+  estimate.relative = estimate.e / std::sqrt(scale);
+  VectorXd local = norms.difference;
+  share_contact_part(bodies.topology().edges, bodies.line(), contact_part,
+                     local);
+  estimate.local =
+      (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
+}
+
+/// e and its parts, and sigma_hat.
 void put_error(const MatchedBodies& bodies, const Compared& compared,
                const RelaxedTractions& relaxed, Construction construction,
                Estimate& estimate) {
-  const Topology& topology = bodies.topology();
-  const SolvedBody& body = bodies.body();
   const VectorXd contact_part = contact_error(
       bodies.line(), compared.law, relaxed.contact, compared.displacement);
   estimate.contact = contact_part.sum();
-
-  const auto norms_by = [&](auto construct) {
-    return construct(topology.mesh, body.hooke, compared.stress,
-                     relaxed.difference, body.body_loads);
-  };
-  StressNorms norms = norms_by(composite_norms);
+  StressNorms norms =
+      norms_by(Construction::composite, bodies, compared, relaxed);
   estimate.history =
       error_history(norms.difference.sum() + estimate.contact, relaxed.falls);
-  if (construction == Construction::polynomial)
-    norms = norms_by(polynomial_norms);
-
-  estimate.elastic = std::sqrt(norms.difference.sum());
-  estimate.e =
-      std::sqrt(std::max(0.0, norms.difference.sum() + estimate.contact));
-  const double scale = norms.sum > 0 ? norms.sum : 1;
-  estimate.relative = estimate.e / std::sqrt(scale);
-  VectorXd local = norms.difference;
-  share_contact_part(topology.edges, bodies.line(), contact_part, local);
-  estimate.local =
-      (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
+  if (construction != Construction::composite)
+    norms = norms_by(construction, bodies, compared, relaxed);
+  put_error(bodies, norms, contact_part, estimate);
   estimate.stress = std::move(norms.stress);
 }
 
@@ -182,37 +205,14 @@ double share_of_contact(const ContactDensities& densities,
                      : 0;
 }
 
-std::string in_digits(double value) {
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
-}
-
-/// Why a pair is not admissible; nothing if it is.
-std::string reason_against(const Estimate& estimate, Construction construction,
-                           const Vector2d& deepest) {
-  if (estimate.penetration > penetration_tolerance)
-    return "u penetrates by " + in_digits(estimate.penetration) +
-           " of the largest displacement at (" + in_digits(deepest.x()) + ", " +
-           in_digits(deepest.y()) + "), where displacements are prescribed";
-  if (estimate.cone > cone_tolerance) {
-    const auto edges = estimate.unmended.size();
-    return "contact tractions leave the friction cone by " +
-           in_digits(estimate.cone) + " of the largest stress" +
-           (edges == 0
-                ? ""
-                : ": (4.1) cannot mend " + std::to_string(edges) + " edges");
-  }
-  if (construction == Construction::polynomial)
-    return "the polynomial construction is in equilibrium in the mean only: "
-           "its "
-           "tractions jump by " +
-           in_digits(estimate.equilibrium.jump) + " of the largest";
-  if (estimate.equilibrium.largest() > equilibrium_tolerance)
-    return "the stress is out of equilibrium by " +
-           in_digits(estimate.equilibrium.largest()) +
-           " of the largest traction";
-  return {};
+/// What equilibrium is judged against at least [MPa].
+double stress_scale(const MatchedBodies& bodies, const Compared& compared,
+                    const Estimate& estimate) {
+  const double terms = largest_stress_terms(
+      bodies.topology(), bodies.line(), bodies.body(), estimate.displacement);
+  return std::max({compared.stress.cwiseAbs().maxCoeff(),
+                   largest_value(estimate.stress),
+                   least_part_of_terms * terms});
 }
 
 /// What the theory promises, measured.
@@ -222,14 +222,10 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
   const VectorXd& u_hat = estimate.displacement;
-  const double terms =
-      largest_stress_terms(bodies.topology(), line, body, u_hat);
-  const double least =
-      std::max({compared.stress.cwiseAbs().maxCoeff(),
-                largest_value(estimate.stress), least_part_of_terms * terms});
   estimate.equilibrium =
       equilibrium_defect(mesh, edges, estimate.stress, body.body_loads,
-                         bodies.boundary_with(estimate.tractions), least);
+                         bodies.boundary_with(estimate.tractions),
+                         stress_scale(bodies, compared, estimate));
   estimate.cone = cone_defect(line, body.law, estimate.tractions) *
                   share_of_contact(estimate.tractions, compared.stress);
   const PenetrationDefect penetration =
@@ -251,7 +247,10 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
   estimate.displacement =
       admissible_displacement(bodies.line(), bodies.body().law,
                               bodies.body().displacement, bodies.prescribed());
-  const Compared u_hat = compared(bodies, terms, estimate.displacement);
+  const Compared u_hat =
+      terms.unstressed
+          ? compared_change(bodies, terms.stress, estimate.displacement)
+          : compared(bodies, estimate.displacement);
 
   // 2., 3. Contact tractions in the cone, edge tractions in equilibrium with them.
   const FirstTractions first =
@@ -282,7 +281,8 @@ Estimate estimate_error(const Topology& topology, const ContactLine& line,
                         const ElasticSystem& system, const SolvedBody& body,
                         const EstimateSettings& settings) {
   const SolvedProblem solved{topology, line, system, body};
-  require_valid(solved, settings.relaxation);
+  require_valid(solved);
+  require_valid(settings.relaxation);
   require_law_of_matrix(topology.mesh, system, body.hooke);
   const double stress_terms =
       largest_stress_terms(topology, line, body, body.displacement);

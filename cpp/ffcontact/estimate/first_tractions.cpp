@@ -140,6 +140,13 @@ struct Candidate {
   double off;
 };
 
+double part_missed(const ContactLine& line, const HeldMotions& held,
+                   const ContactDensities& r) {
+  const VectorXd missed = resultants_of(line, r, held.fields) - held.of_loads;
+  const double scale = line.length.sum() * largest_traction(r);
+  return scale > 0 ? missed.norm() / scale : 0;
+}
+
 /// Tractions in the cone nearest to given ones, if there are any: with the resultants of
 /// the loads, or, where these are on the boundary of what the cone allows and leave it by
 /// their rounding, as little as it takes towards those of the contact forces.
@@ -151,11 +158,7 @@ std::optional<Candidate> candidate(const ContactLine& line,
     const VectorXd resultants =
         (1 - share) * held.of_loads + share * held.of_forces;
     const auto r = nearest_in_cone(line, law, near, held.fields, resultants);
-    if (!r) continue;
-    const VectorXd missed =
-        resultants_of(line, *r, held.fields) - held.of_loads;
-    const double scale = line.length.sum() * largest_traction(*r);
-    return Candidate{*r, scale > 0 ? missed.norm() / scale : 0};
+    if (r) return Candidate{*r, part_missed(line, held, *r)};
   }
   return std::nullopt;
 }

@@ -27,10 +27,11 @@ BoundaryTractions MatchedBodies::boundary_with(
 BoundaryTractions MatchedBodies::solved_boundary(
     const BoundaryTractions& boundary) const {
   if (!cut_) return boundary;
-  const auto& [mesh, edges, stars] = solved_.topology;
-  const BoundaryTractions given = given_tractions(
-      mesh, edges, solved_.system.prescribed, solved_.body.neumann);
-  return tractions_of_parts(edges, *refinement_, boundary, given);
+  const Edges& edges = solved_.topology.edges;
+  return tractions_of_parts(
+      edges, *refinement_, boundary,
+      given_tractions(solved_.topology.mesh, edges, solved_.system.prescribed,
+                      solved_.body.neumann));
 }
 
 VectorXd MatchedBodies::solved_forces(const ContactDensities& densities) const {

@@ -8,6 +8,7 @@
 
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
 
 namespace ffcontact {
 
@@ -22,20 +23,24 @@ constexpr double tight = 1e-11;
 
 constexpr int most_steps = 100;
 
-/// The components (n, t) of [z] at both ends of an edge, one column per motion.
-Matrix<double, 4, Dynamic> motions_on_edge(const ContactLine& line,
-                                           const MatrixXd& motions, int e) {
-  Matrix2d frame;
-  frame << line.edge_normal(e).transpose(), line.edge_tangent(e).transpose();
-  Matrix<double, 4, Dynamic> values(4, motions.cols());
-  for (int end = 0; end < 2; ++end) {
-    const int node = line.edge_node(end, e);
-    Matrix2Xd jump = motions.middleRows<2>(2 * line.vertex[node]);
-    visit_opposite(line, node, [&](int vertex, double weight) {
-      jump -= weight * motions.middleRows<2>(2 * vertex);
-    });
-    values.middleRows<2>(2 * end) = frame * jump;
-  }
+/// [z] at a node, one column per motion.
+Matrix2Xd jumps_at(const ContactLine& line, const MatrixXd& motions, int node) {
+  Matrix2Xd jumps = motions.middleRows<2>(2 * line.vertex[node]);
+  visit_opposite(line, node, [&](int vertex, double weight) {
+    jumps -= weight * motions.middleRows<2>(2 * vertex);
+  });
+  return jumps;
+}
+
+using EndValues = Matrix<double, 4, Dynamic>;
+
+/// Its components (n, t) at both ends of an edge.
+EndValues motions_on_edge(const ContactLine& line, const MatrixXd& motions,
+                          int e) {
+  EndValues values(4, motions.cols());
+  for (int end = 0; end < 2; ++end)
+    values.middleRows<2>(2 * end) =
+        edge_frame(line, e) * jumps_at(line, motions, line.edge_node(end, e));
   return values;
 }
 
@@ -45,6 +50,14 @@ Matrix4d mass_of(const ContactLine& line, int e) {
   mass.topRightCorner<2, 2>().setIdentity();
   mass.bottomLeftCorner<2, 2>().setIdentity();
   return line.length[e] / 6 * mass;
+}
+
+/// Basis of the end values that friction leaves free.
+MatrixXd free_end_values(const EdgeCone& cone) {
+  MatrixXd basis = MatrixXd::Zero(4, 4 - cone.frictionless.count());
+  for (int k = 0, column = 0; k < 4; ++k)
+    if (k % 2 == 0 || !cone.frictionless[k / 2]) basis(k, column++) = 1;
+  return basis;
 }
 
 /// The projection Pi_C on the cone of one edge, in L2 of the edge.
@@ -57,17 +70,14 @@ class EdgeProjection {
         edge_(e),
         cone_(edge_cone(line, law, e)),
         mass_(mass_of(line, e)),
-        motions_(motions_on_edge(line, motions, e)) {
-    basis_ = MatrixXd::Zero(4, 4 - cone_.frictionless.count());
-    for (int k = 0, column = 0; k < 4; ++k)
-      if (k % 2 == 0 || !cone_.frictionless[k / 2]) basis_(k, column++) = 1;
-    half_ = (basis_.transpose() * mass_ * basis_).llt().matrixL();
-  }
+        motions_(motions_on_edge(line, motions, e)),
+        basis_(free_end_values(cone_)),
+        free_mass_(basis_.transpose() * mass_ * basis_),
+        half_(free_mass_.llt().matrixL()) {}
 
   Vector4d operator()(const Vector4d& r) const {
-    const auto y = quadratic_minimum(basis_.transpose() * mass_ * basis_,
-                                     -basis_.transpose() * mass_ * r,
-                                     cone_.C * basis_, cone_.d);
+    const auto y = quadratic_minimum(
+        free_mass_, -basis_.transpose() * mass_ * r, cone_.C * basis_, cone_.d);
     return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y)
              : Vector4d::Zero();
   }
@@ -87,7 +97,7 @@ class EdgeProjection {
 
   /// d resultants / d eta where r is the projection of `outside`.
   MatrixXd slope(const Vector4d& r, const Vector4d& outside) const {
-    return moving().transpose() * moving_on_face(r, outside);
+    return moving().transpose() * moving_on_face(held(r, outside));
   }
 
  private:
@@ -96,15 +106,20 @@ class EdgeProjection {
     return lower().solve(basis_.transpose() * mass_ * motions_);
   }
 
-  /// What is left of them where the conditions that are tight at r stay so. Where r is
-  /// the apex of the cone it is rounding, small against `outside` only.
-  MatrixXd moving_on_face(const Vector4d& r, const Vector4d& outside) const {
+  /// The conditions that are tight at r. Where r is the apex of the cone it is rounding,
+  /// small against `outside` only.
+  std::vector<int> held(const Vector4d& r, const Vector4d& outside) const {
     const double scale =
         outside.cwiseAbs().maxCoeff() + cone_.d.cwiseAbs().maxCoeff();
     std::vector<int> held;
     for (int row = 0; row < cone_.d.size(); ++row)
       if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale)
         held.push_back(row);
+    return held;
+  }
+
+  /// What is left of the motions where some conditions stay tight.
+  MatrixXd moving_on_face(const std::vector<int>& held) const {
     const MatrixXd all = moving();
     if (held.empty()) return all;
     const MatrixXd normals =
@@ -121,21 +136,28 @@ class EdgeProjection {
   int edge_;
   EdgeCone cone_;
   Matrix4d mass_;
-  Matrix<double, 4, Dynamic> motions_;
-  MatrixXd basis_;  ///< of the end values that friction leaves free
-  MatrixXd half_;   ///< Cholesky's factor of the mass on them
+  EndValues motions_;
+  MatrixXd basis_;      ///< free_end_values
+  MatrixXd free_mass_;  ///< the mass on them
+  MatrixXd half_;       ///< its Cholesky factor
 };
+
+using EdgeProjections = std::vector<EdgeProjection>;
+
+EdgeProjections edge_projections(const ContactLine& line, const ContactLaw& law,
+                                 const MatrixXd& motions) {
+  EdgeProjections edges;
+  for (int e = 0; e < line.edge_count(); ++e)
+    edges.emplace_back(line, law, motions, e);
+  return edges;
+}
 
 /// The dual problem.
 class Dual {
  public:
-  Dual(const ContactLine& line, const ContactLaw& law,
-       const ContactDensities& densities, const MatrixXd& motions,
+  Dual(const EdgeProjections& edges, const ContactDensities& densities,
        const VectorXd& resultants)
-      : densities_(densities), resultants_(resultants) {
-    for (int e = 0; e < line.edge_count(); ++e)
-      edges_.emplace_back(line, law, motions, e);
-  }
+      : edges_(edges), densities_(densities), resultants_(resultants) {}
 
   struct Point {
     VectorXd eta;
@@ -145,9 +167,8 @@ class Dual {
 
   Point at(const VectorXd& eta) const {
     Point point{eta, densities_, -resultants_};
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      const Vector4d r =
-          edges_[e](edges_[e].moved(end_values(densities_, e), eta));
+    for (int e = 0; e < edge_count(); ++e) {
+      const Vector4d r = edges_[e](outside(e, eta));
       set_end_values(point.r, e, r);
       point.off += edges_[e].resultants(r);
     }
@@ -158,17 +179,15 @@ class Dual {
 
   MatrixXd slope(const Point& point) const {
     MatrixXd sum = MatrixXd::Zero(resultants_.size(), resultants_.size());
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
-      sum += edges_[e].slope(
-          end_values(point.r, e),
-          edges_[e].moved(end_values(densities_, e), point.eta));
+    for (int e = 0; e < edge_count(); ++e)
+      sum += edges_[e].slope(end_values(point.r, e), outside(e, point.eta));
     return sum;
   }
 
   /// Sum of the sizes of the terms of the resultants.
   double scale() const {
     double sum = resultants_.cwiseAbs().maxCoeff();
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e)
+    for (int e = 0; e < edge_count(); ++e)
       sum +=
           edges_[e].terms_of_resultants(end_values(densities_, e)).maxCoeff();
     return sum;
@@ -179,32 +198,47 @@ class Dual {
   /// leaves more than half of the gradient along it: the dual is nearly flat where few
   /// tractions in the cone have the resultants.
   Point moved(const Point& from, const VectorXd& step) const {
-    const double before = from.off.dot(step);
-    const auto half_way = [&](const Point& next) {
-      return next.off.dot(step) > 0.5 * before;
-    };
-    const auto too_far = [&](const Point& next) {
-      return next.off.dot(step) > -0.1 * before &&
-             next.off.norm() > 0.5 * from.off.norm();
-    };
     double length = 1;
     Point next = at(from.eta + step);
-    for (; too_far(next) && length > 1e-10; next = at(from.eta + length * step))
+    while (too_far(next, from, step) && length > 1e-10) {
       length /= 2;
-    if (length < 1 || half_way(next)) return next;
-    for (length = 4; length < 1e8; length *= 4) {
+      next = at(from.eta + length * step);
+    }
+    return length < 1 ? next : lengthened(std::move(next), from, step);
+  }
+
+ private:
+  int edge_count() const { return static_cast<int>(edges_.size()); }
+
+  /// What is projected.
+  Vector4d outside(int e, const VectorXd& eta) const {
+    return edges_[e].moved(end_values(densities_, e), eta);
+  }
+
+  static bool half_way(const Point& next, const Point& from,
+                       const VectorXd& step) {
+    return next.off.dot(step) > 0.5 * from.off.dot(step);
+  }
+
+  static bool too_far(const Point& next, const Point& from,
+                      const VectorXd& step) {
+    return next.off.dot(step) > -0.1 * from.off.dot(step) &&
+           next.off.norm() > 0.5 * from.off.norm();
+  }
+
+  Point lengthened(Point next, const Point& from, const VectorXd& step) const {
+    for (double length = 4; !half_way(next, from, step) && length < 1e8;
+         length *= 4) {
       Point farther = at(from.eta + length * step);
-      if (too_far(farther)) break;
+      if (too_far(farther, from, step)) break;
       next = std::move(farther);
-      if (half_way(next)) break;
     }
     return next;
   }
 
- private:
+  const EdgeProjections& edges_;
   const ContactDensities& densities_;
   const VectorXd& resultants_;
-  std::vector<EdgeProjection> edges_;
 };
 
 /// Newton's method; nothing if it runs away. Where the dual is all but flat its last steps
@@ -238,13 +272,13 @@ std::optional<ContactDensities> nearest_in_cone(
     const ContactDensities& densities, const MatrixXd& motions,
     const VectorXd& resultants) {
   const double length = line.length.sum();
-  const Dual dual(line, law, densities, motions, resultants);
+  const EdgeProjections edges = edge_projections(line, law, motions);
+  const Dual dual(edges, densities, resultants);
   if (motions.cols() == 0) return dual.start().r;
   const auto nearest = minimum(dual, length);
   if (!nearest) return std::nullopt;
   // Where eta is large the resultants have its rounding, from r itself they have not.
-  const auto closer =
-      minimum(Dual(line, law, nearest->r, motions, resultants), length);
+  const auto closer = minimum(Dual(edges, nearest->r, resultants), length);
   return closer && closer->off.norm() < nearest->off.norm() ? closer->r
                                                             : nearest->r;
 }

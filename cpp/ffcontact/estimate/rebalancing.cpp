@@ -5,6 +5,16 @@
 
 namespace ffcontact {
 
+namespace {
+
+/// S + s Z Z' with s of the size of S: regular where contact alone holds the motions Z.
+MatrixXd with_motions(const MatrixXd& S, const MatrixXd& Z) {
+  const double scale = S.diagonal().mean();
+  return S + scale * Z * Z.transpose();
+}
+
+}  // namespace
+
 Rebalancing::Rebalancing(const ElasticSystem& system, const ContactLine& line,
                          const MatrixXd& motions,
                          std::shared_ptr<const CondensedStiffness> stiffness)
@@ -13,9 +23,7 @@ Rebalancing::Rebalancing(const ElasticSystem& system, const ContactLine& line,
   if (!stiffness_)
     stiffness_ = std::make_shared<const CondensedStiffness>(system, kept);
   const MatrixXd Z = motions(kept, Eigen::all);
-  const double scale = stiffness_->schur().diagonal().mean();
-  const MatrixXd S = stiffness_->schur() + scale * Z * Z.transpose();
-  schur_ = Cholesky(S);
+  schur_ = Cholesky(with_motions(stiffness_->schur(), Z));
 }
 
 VectorXd Rebalancing::displacement(const VectorXd& force_change) const {

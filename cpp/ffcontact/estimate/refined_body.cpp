@@ -13,22 +13,27 @@ VectorXd refined_values(const CommonRefinement& refinement,
                            : values;
 }
 
+/// Share of its old contact edge k at an end of contact edge e.
+double share_at(const Edges& old_edges, const ContactLine& old_line,
+                const CommonRefinement& refinement, int end, int e, int k) {
+  const ContactLine& line = refinement.line;
+  const int vertex = line.vertex[line.edge_node(end, e)];
+  return old_line.share(k,
+                        refinement.place(old_edges, vertex, old_line.edge[k]));
+}
+
 /// A bound that is linear on the old contact edges at the ends of the new ones.
 Matrix2Xd refined_bound(const Edges& old_edges, const ContactLine& old_line,
                         const CommonRefinement& refinement,
                         const Matrix2Xd& bound) {
   if (bound.size() == 0) return {};
-  const ContactLine& line = refinement.line;
-  Matrix2Xd refined(2, line.edge_count());
-  for (int e = 0; e < line.edge_count(); ++e) {
-    const int k = refinement.parent_contact_edge[e];
+  Matrix2Xd refined(2, refinement.line.edge_count());
+  for (int e = 0; e < refinement.line.edge_count(); ++e)
     for (int end = 0; end < 2; ++end) {
-      const int vertex = line.vertex[line.edge_node(end, e)];
-      const double share = old_line.share(
-          k, refinement.place(old_edges, vertex, old_line.edge[k]));
+      const int k = refinement.parent_contact_edge[e];
+      const double share = share_at(old_edges, old_line, refinement, end, e, k);
       refined(end, e) = (1 - share) * bound(0, k) + share * bound(1, k);
     }
-  }
   return refined;
 }
 
@@ -37,6 +42,21 @@ EdgeRange refined_range(const Edges& old_edges, const ContactLine& old_line,
                         const EdgeRange& range) {
   return {refined_bound(old_edges, old_line, refinement, range.least),
           refined_bound(old_edges, old_line, refinement, range.most)};
+}
+
+ContactLaw refined_law(const Edges& old_edges, const ContactLine& old_line,
+                       const CommonRefinement& refinement,
+                       const ContactLaw& old) {
+  const auto values = [&](const VectorXd& at_nodes) {
+    return refined_values(refinement, at_nodes);
+  };
+  const auto range = [&](const EdgeRange& between_nodes) {
+    return refined_range(old_edges, old_line, refinement, between_nodes);
+  };
+  return {old.multiplier,          values(old.friction),
+          values(old.slip_bound),  values(old.gap),
+          values(old.previous),    range(old.between_nodes),
+          values(old.shear_limit), range(old.limit_between_nodes)};
 }
 
 }  // namespace
@@ -56,16 +76,7 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
   body.displacement = refined_field(refinement, old.displacement);
   body.pressure =
       (refinement.node_weights * old.pressure.transpose()).transpose();
-  body.law = {
-      old.law.multiplier,
-      refined_values(refinement, old.law.friction),
-      refined_values(refinement, old.law.slip_bound),
-      refined_values(refinement, old.law.gap),
-      refined_values(refinement, old.law.previous),
-      refined_range(old_edges, old_line, refinement, old.law.between_nodes),
-      refined_values(refinement, old.law.shear_limit),
-      refined_range(old_edges, old_line, refinement,
-                    old.law.limit_between_nodes)};
+  body.law = refined_law(old_edges, old_line, refinement, old.law);
   body.neumann = refined_boundary_moments(old_mesh, refinement, old.neumann);
   body.body_loads = refined_body_loads(old_mesh, refinement, old.body_loads);
   return body;

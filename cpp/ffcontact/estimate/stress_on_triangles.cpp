@@ -3,7 +3,8 @@
 
 #include <Eigen/LU>
 #include <limits>
-#include <map>
+
+#include "ffcontact/equilibrium/refined_moments.hpp"
 
 namespace ffcontact {
 
@@ -16,25 +17,57 @@ Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
   return system.partialPivLu().solve(Vector3d(x.x(), x.y(), 1));
 }
 
-/// The stress at a point of one of some triangles.
-Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& stress,
-                   const std::vector<int>& triangles, const Vector2d& x) {
-  int best = triangles.front();
-  Vector3d place = Vector3d::Constant(-std::numeric_limits<double>::infinity());
-  for (int t : triangles) {
-    const Vector3d coordinates = barycentric(corners_of(mesh, t), x);
-    if (coordinates.minCoeff() > place.minCoeff()) {
-      best = t;
-      place = coordinates;
-    }
-  }
-  int k;  // the subtriangle opposite to the vertex that is farthest away
-  place.minCoeff(&k);
-  const TriangleCorners corners = corners_of(mesh, best);
+TriangleCorners subtriangle(const TriangleCorners& corners, int k) {
   TriangleCorners sub;
   sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
       corners.rowwise().mean();
-  return stress[best].middleCols<3>(3 * k) * barycentric(sub, x);
+  return sub;
+}
+
+struct Place {
+  int triangle;
+  Vector3d coordinates;  ///< barycentric
+};
+
+/// Where among some triangles a point is farthest inside.
+Place place_of(const Mesh& mesh, const std::vector<int>& triangles,
+               const Vector2d& x) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Place place{triangles.front(), Vector3d::Constant(-infinity)};
+  for (int t : triangles) {
+    const Vector3d coordinates = barycentric(corners_of(mesh, t), x);
+    if (coordinates.minCoeff() > place.coordinates.minCoeff())
+      place = {t, coordinates};
+  }
+  return place;
+}
+
+/// The stress at a point of one of some triangles.
+Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& stress,
+                   const std::vector<int>& triangles, const Vector2d& x) {
+  const auto [t, coordinates] = place_of(mesh, triangles, x);
+  int k;  // the subtriangle opposite to the vertex that is farthest away
+  coordinates.minCoeff(&k);
+  return stress[t].middleCols<3>(3 * k) *
+         barycentric(subtriangle(corners_of(mesh, t), k), x);
+}
+
+/// The stress of a fan at the corners of its parent's subtriangles.
+CompositeStress stress_on_parent(const TriangleCorners& parent,
+                                 const Mesh& mesh,
+                                 const std::vector<CompositeStress>& stress,
+                                 const std::vector<int>& fan) {
+  constexpr double inwards = 1e-6;
+  CompositeStress result;
+  for (int k = 0; k < 3; ++k) {
+    const TriangleCorners sub = subtriangle(parent, k);
+    const Vector2d middle = sub.rowwise().mean();
+    for (int c = 0; c < 3; ++c) {
+      const Vector2d x = sub.col(c) + inwards * (middle - sub.col(c));
+      result.col(3 * k + c) = stress_at(mesh, stress, fan, x);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -45,27 +78,9 @@ std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh,
   const CommonRefinement& refinement = *estimate.refinement;
   std::vector<CompositeStress> stress(
       estimate.stress.begin(), estimate.stress.begin() + mesh.cell_count());
-  std::map<int, std::vector<int>> parts;
-  for (int t = mesh.cell_count(); t < refinement.mesh.cell_count(); ++t) {
-    std::vector<int>& of_parent = parts[refinement.parent[t]];
-    if (of_parent.empty()) of_parent.push_back(refinement.parent[t]);
-    of_parent.push_back(t);
-  }
-  for (const auto& [parent, children] : parts) {
-    const TriangleCorners corners = corners_of(mesh, parent);
-    const Vector2d centre = corners.rowwise().mean();
-    for (int k = 0; k < 3; ++k) {
-      Matrix<double, 2, 3> sub;
-      sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3), centre;
-      const Vector2d middle = sub.rowwise().mean();
-      for (int c = 0; c < 3; ++c) {
-        constexpr double inwards = 1e-6;
-        const Vector2d x = sub.col(c) + inwards * (middle - sub.col(c));
-        stress[parent].col(3 * k + c) =
-            stress_at(refinement.mesh, estimate.stress, children, x);
-      }
-    }
-  }
+  for (const auto& [parent, fan] : fans_of(refinement, mesh.cell_count()))
+    stress[parent] = stress_on_parent(corners_of(mesh, parent), refinement.mesh,
+                                      estimate.stress, fan);
   return stress;
 }
 

@@ -9,13 +9,17 @@ namespace ffcontact {
 
 namespace {
 
+double largest_entry(const Ref<const MatrixXd>& values) {
+  return values.cwiseAbs().maxCoeff();
+}
+
 /// What a displacement of the length `given` along each contact edge would stress on
 /// either side.
 double terms_along_line(const Edges& edges, const ContactLine& line,
                         const Hooke& hooke, double given) {
   double largest = 0;
   const auto count = [&](int edge, int e) {
-    const double stiffness = hooke[edges.cells(0, edge)].cwiseAbs().maxCoeff();
+    const double stiffness = largest_entry(hooke[edges.cells(0, edge)]);
     largest = std::max(largest, stiffness * given / line.length[e]);
   };
   for (int e = 0; e < line.edge_count(); ++e) count(line.edge[e], e);
@@ -66,7 +70,7 @@ double largest_stress_terms(const Topology& topology, const ContactLine& line,
 #pragma omp parallel for reduction(max : largest)
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     const double strain = strain_terms(topology.mesh, displacement, t);
-    largest = std::max(largest, hooke[t].cwiseAbs().maxCoeff() * strain);
+    largest = std::max(largest, largest_entry(hooke[t]) * strain);
   }
   return largest;
 }
@@ -75,10 +79,9 @@ bool is_unstressed(const Topology& topology, const ContactLine& line,
                    const std::vector<char>& prescribed, const SolvedBody& body,
                    double stress_terms) {
   if (has_loads(topology, prescribed, body)) return false;
-  const double stress = stresses(topology.mesh, body.hooke, body.displacement)
-                            .cwiseAbs()
-                            .maxCoeff();
-  const double traction = body.pressure.cwiseAbs().maxCoeff();
+  const double stress =
+      largest_entry(stresses(topology.mesh, body.hooke, body.displacement));
+  const double traction = largest_entry(body.pressure);
   return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
          !slides(line, body);
 }

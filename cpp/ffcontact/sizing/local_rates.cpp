@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ffcontact/equilibrium/difference_loads.hpp"
+#include "ffcontact/equilibrium/nodal_residual.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -17,8 +20,15 @@ constexpr int least_radii = 4;
 /// of the fit, in element sizes
 constexpr double nearest_radius = 2, farthest_radius = 8;
 
-int contact_or_not(int edge, const std::vector<int>& contact_edges) {
-  return contact_edges[edge] >= 0 ? 1 : 0;
+/// Between two boundary edges, by their normals.
+bool boundary_turns(const Vector2d& a, const Vector2d& b) {
+  return std::abs(a.x() * b.y() - a.y() * b.x()) > turning || a.dot(b) < 0;
+}
+
+bool condition_changes(int in, int out, const BoundaryTractions& boundary,
+                       const std::vector<int>& contact_edges) {
+  return (boundary.known.col(in) != boundary.known.col(out)).any() ||
+         (contact_edges[in] >= 0) != (contact_edges[out] >= 0);
 }
 
 std::vector<int> candidates(const Topology& topology,
@@ -28,16 +38,11 @@ std::vector<int> candidates(const Topology& topology,
   std::vector<int> result;
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     if (stars.triangle_count(v) == 0 || !stars.on_boundary(v)) continue;
-    const int out = stars.spoke[stars.spoke_start[v]],
-              in = stars.spoke[stars.spoke_start[v + 1] - 1];
-    const Vector2d a = edge_normal(mesh, edges, in),
-                   b = edge_normal(mesh, edges, out);
-    const bool turns =
-        std::abs(a.x() * b.y() - a.y() * b.x()) > turning || a.dot(b) < 0;
-    const bool changes =
-        (boundary.known.col(in) != boundary.known.col(out)).any() ||
-        contact_or_not(in, contact_edges) != contact_or_not(out, contact_edges);
-    if (turns || changes) result.push_back(v);
+    const auto [out, in] = end_spokes(stars, v);
+    if (boundary_turns(edge_normal(mesh, edges, in),
+                       edge_normal(mesh, edges, out)) ||
+        condition_changes(in, out, boundary, contact_edges))
+      result.push_back(v);
   }
   return result;
 }
@@ -58,27 +63,65 @@ double reach(const Mesh& mesh, const std::vector<int>& others, int v) {
   return std::isfinite(nearest) ? 0.5 * nearest : 0;
 }
 
-/// Slope of log W against log r over geometrically spaced radii, halved.
-double fitted_exponent(
-    const std::vector<std::pair<double, double>>& distance_and_energy,
-    double smallest, double largest) {
-  constexpr double spacing = 1.25;
-  std::vector<double> x, y;
-  for (double r = smallest; r <= largest; r *= spacing) {
-    double W = 0;
-    for (const auto& [distance, energy] : distance_and_energy)
-      if (distance <= r) W += energy;
-    if (W > 0) {
-      x.push_back(std::log(r));
-      y.push_back(std::log(W));
-    }
-  }
-  if (x.size() < least_radii) return 1;
+/// The triangles about a vertex.
+struct EnergyAtDistance {
+  double distance, energy;
+};
+using Neighbourhood = std::vector<EnergyAtDistance>;
+
+double energy_within(double r, const Neighbourhood& near) {
+  double W = 0;
+  for (const auto& [distance, energy] : near)
+    if (distance <= r) W += energy;
+  return W;
+}
+
+/// Of the line nearest to some points, halved.
+double half_slope(const std::vector<double>& x, const std::vector<double>& y) {
   const auto n = static_cast<Index>(x.size());
   const Map<const Eigen::ArrayXd> X(x.data(), n), Y(y.data(), n);
   const Eigen::ArrayXd dx = X - X.mean();
   return 0.5 * (dx * (Y - Y.mean())).sum() / dx.square().sum();
 }
+
+/// Slope of log W against log r over geometrically spaced radii, halved.
+double fitted_exponent(const Neighbourhood& near, double smallest,
+                       double largest) {
+  constexpr double spacing = 1.25;
+  std::vector<double> x, y;
+  for (double r = smallest; r <= largest; r *= spacing) {
+    const double W = energy_within(r, near);
+    if (!(W > 0)) continue;
+    x.push_back(std::log(r));
+    y.push_back(std::log(W));
+  }
+  return x.size() < least_radii ? 1 : half_slope(x, y);
+}
+
+/// int sigma : C^-1 sigma and the place of each triangle.
+struct TriangleEnergies {
+  VectorXd energy;
+  Matrix2Xd centroid;
+
+  TriangleEnergies(const Mesh& mesh, const Hooke& hooke,
+                   const Ref<const Matrix3Xd>& stress)
+      : energy(mesh.cells.cols()), centroid(2, mesh.cells.cols()) {
+    for (int t = 0; t < mesh.cell_count(); ++t) {
+      energy[t] = signed_area(mesh, t) *
+                  stress.col(t).dot(hooke[t].inverse() * stress.col(t));
+      centroid.col(t) = centroid_of(mesh, t);
+    }
+  }
+
+  Neighbourhood within(double largest, const Vector2d& x) const {
+    Neighbourhood near;
+    for (Index t = 0; t < energy.size(); ++t) {
+      const double distance = (centroid.col(t) - x).norm();
+      if (distance <= largest) near.push_back({distance, energy[t]});
+    }
+    return near;
+  }
+};
 
 }  // namespace
 
@@ -89,24 +132,13 @@ std::vector<SingularVertex> singular_vertices(
   const auto& [mesh, edges, stars] = topology;
   const std::vector<int> vertices =
       candidates(topology, boundary, contact_edges);
-  VectorXd energy(mesh.cells.cols());
-  Matrix2Xd centroid(2, mesh.cells.cols());
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    energy[t] = signed_area(mesh, t) *
-                stress.col(t).dot(hooke[t].inverse() * stress.col(t));
-    centroid.col(t) =
-        (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
-  }
+  const TriangleEnergies triangles(mesh, hooke, stress);
   std::vector<SingularVertex> result;
   for (int v : vertices) {
     const double size = size_at(mesh, stars, v);
     const double largest =
         std::min(reach(mesh, vertices, v), farthest_radius * size);
-    std::vector<std::pair<double, double>> near;
-    for (int t = 0; t < mesh.cell_count(); ++t) {
-      const double distance = (centroid.col(t) - mesh.vertices.col(v)).norm();
-      if (distance <= largest) near.emplace_back(distance, energy[t]);
-    }
+    const Neighbourhood near = triangles.within(largest, mesh.vertices.col(v));
     const double exponent =
         fitted_exponent(near, nearest_radius * size, largest);
     result.push_back({v, std::clamp(exponent, weakest_exponent, 1.0)});
@@ -118,10 +150,12 @@ VectorXd local_rates(const Topology& topology,
                      const std::vector<SingularVertex>& singular) {
   const Stars& stars = topology.stars;
   VectorXd rates = VectorXd::Ones(topology.mesh.cell_count());
-  for (const SingularVertex& s : singular)
-    for (int k = stars.triangle_start[s.vertex];
-         k < stars.triangle_start[s.vertex + 1]; ++k)
-      rates[stars.triangle[k]] = std::min(rates[stars.triangle[k]], s.exponent);
+  for (const auto& [vertex, exponent] : singular)
+    for (int k = stars.triangle_start[vertex];
+         k < stars.triangle_start[vertex + 1]; ++k) {
+      double& rate = rates[stars.triangle[k]];
+      rate = std::min(rate, exponent);
+    }
   return rates;
 }
 

@@ -25,41 +25,47 @@ const double equilateral = std::sqrt(3.0) / 4;
 /// meshers call its size.
 double triangle_size(double area) { return std::sqrt(area / equilateral); }
 
-/// Root of an increasing function of log(x), bracketed outwards from x = 1 and halved.
-double increasing_root(const std::function<double(double)>& f) {
+/// Zero of an increasing function, bracketed outwards from 0 and halved.
+double increasing_zero(const std::function<double(double)>& f) {
   double low = 0, high = 0;
-  for (double step = 1; f(std::exp(high)) < 0; step *= 2) high += step;
-  for (double step = 1; f(std::exp(low)) > 0; step *= 2) low -= step;
+  for (double step = 1; f(high) < 0; step *= 2) high += step;
+  for (double step = 1; f(low) > 0; step *= 2) low -= step;
   while (high - low > 1e-14 * (1 + std::abs(low))) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
-    (f(std::exp(middle)) < 0 ? low : high) = middle;
+    (f(middle) < 0 ? low : high) = middle;
   }
-  return std::exp(0.5 * (low + high));
+  return 0.5 * (low + high);
 }
 
-void require_valid(const Mesh& mesh, const Ref<const VectorXd>& local_error,
-                   const VectorXd& rate, const SizeSettings& settings) {
+void require_rates(const Mesh& mesh, const VectorXd& rate) {
   require_size("rate", rate.size(), mesh.cell_count());
   for (Index t = 0; t < rate.size(); ++t)
     if (!(rate[t] > 0) || !std::isfinite(rate[t]))
       refuse("rate[", t, "] must be positive, got ", rate[t]);
-  require_nonnegative("eps_E", local_error);
-  if (!(settings.target > 0) || !std::isfinite(settings.target))
-    refuse("target must be positive, got ", settings.target);
-  if (settings.target >= 1)
-    refuse("target is a part of the solution, 0.02 for 2 %, got ",
-           settings.target);
+}
+
+void require_target(double target) {
+  if (!(target > 0) || !std::isfinite(target))
+    refuse("target must be positive, got ", target);
+  if (target >= 1)
+    refuse("target is a part of the solution, 0.02 for 2 %, got ", target);
+}
+
+void require_bounds(double smallest, double largest) {
+  if (!(smallest >= 0)) refuse("hmin must not be negative, got ", smallest);
+  if (!(largest >= 0)) refuse("hmax must not be negative, got ", largest);
+  if (largest > 0 && smallest > largest)
+    refuse("hmin ", smallest, " exceeds hmax ", largest);
+}
+
+void require_valid(const SizeSettings& settings) {
+  require_target(settings.target);
   if (!(settings.largest_step > 1))
     refuse("the largest step must exceed 1, got ", settings.largest_step);
   if (!(settings.gradation > 0))
     refuse("gradation must be positive, got ", settings.gradation);
-  if (!(settings.smallest >= 0))
-    refuse("hmin must not be negative, got ", settings.smallest);
-  if (!(settings.largest >= 0))
-    refuse("hmax must not be negative, got ", settings.largest);
-  if (settings.largest > 0 && settings.smallest > settings.largest)
-    refuse("hmin ", settings.smallest, " exceeds hmax ", settings.largest);
+  require_bounds(settings.smallest, settings.largest);
 }
 
 /// Vertex sizes that keep the density of elements: h^-2 is the mean of (r_E h_E)^-2 over
@@ -69,15 +75,13 @@ VectorXd vertex_sizes(const Mesh& mesh, const VectorXd& ratio) {
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const double area = signed_area(mesh, t),
                  h = ratio[t] * triangle_size(area);
-    for (int k = 0; k < 3; ++k) {
-      density[mesh.cells(k, t)] += area / (h * h);
-      weight[mesh.cells(k, t)] += area;
+    for (const int v : mesh.cells.col(t)) {
+      density[v] += area / (h * h);
+      weight[v] += area;
     }
   }
-  VectorXd size(density.size());
-  for (Index v = 0; v < size.size(); ++v)
-    size[v] = weight[v] > 0 ? std::sqrt(weight[v] / density[v]) : 0;
-  return size;
+  const auto has_triangles = weight.array() > 0;
+  return has_triangles.select(weight.cwiseQuotient(density).cwiseSqrt(), 0);
 }
 
 /// Mean of h^-2 on a triangle.
@@ -95,16 +99,56 @@ double predicted_triangles(const Mesh& mesh, const VectorXd& size) {
   return count;
 }
 
+/// Mean size on a triangle in parts of its own.
+double size_ratio(const Mesh& mesh, const VectorXd& size, int t) {
+  return 1 / (triangle_size(signed_area(mesh, t)) *
+              std::sqrt(density(mesh, size, t)));
+}
+
 /// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
 double predicted_error(const Mesh& mesh, const VectorXd& size,
                        const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const double ratio = 1 / (triangle_size(signed_area(mesh, t)) *
-                              std::sqrt(density(mesh, size, t)));
+    const double ratio = size_ratio(mesh, size, t);
     square += std::pow(local_error[t] * std::pow(ratio, rate[t]), 2);
   }
   return std::sqrt(square);
+}
+
+double sum_of_squared_sides(const Mesh& mesh, int t) {
+  double squares = 0;
+  for (int k = 0; k < 3; ++k)
+    squares += (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
+  return squares;
+}
+
+/// Vertices that an edge joins with each vertex, and its length.
+using Neighbours = std::vector<std::vector<std::pair<int, double>>>;
+
+Neighbours neighbours_of(const Mesh& mesh, const Edges& edges) {
+  Neighbours neighbours(mesh.vertices.cols());
+  for (int e = 0; e < edges.count(); ++e) {
+    const int i = edges.vertices(0, e), j = edges.vertices(1, e);
+    const double length = edge_vector(mesh, edges, e).norm();
+    neighbours[i].emplace_back(j, length);
+    neighbours[j].emplace_back(i, length);
+  }
+  return neighbours;
+}
+
+double extent_of(const Mesh& mesh) {
+  const Vector2d extents =
+      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
+  return extents.maxCoeff();
+}
+
+/// Sizes between hmin and hmax; within the body's extent where these are not given.
+VectorXd bounded_size(const VectorXd& size, double extent,
+                      const SizeSettings& settings) {
+  const double largest = settings.largest > 0 ? settings.largest : extent;
+  const double smallest = std::max(settings.smallest, 1e-9 * extent);
+  return size.cwiseMax(smallest).cwiseMin(largest);
 }
 
 /// The error to ask for on the way to the target.
@@ -127,25 +171,20 @@ VectorXd size_ratios(const Ref<const VectorXd>& local_error,
   const auto ratios = [&](double inverse_lambda) -> Eigen::ArrayXd {
     return (inverse_lambda / (q * bounded)).pow(1 / (2 * q + 2));
   };
-  const double root = increasing_root([&](double inverse_lambda) {
+  const double log_root = increasing_zero([&](double log_inverse) {
+    const double inverse_lambda = std::exp(log_inverse);
     return (squared * ratios(inverse_lambda).pow(2 * q)).sum() /
                (wanted * wanted) -
            1;
   });
-  VectorXd result = ratios(root);
+  VectorXd result = ratios(std::exp(log_root));
   const double coarsest = (squared > 0).select(result.array(), 0).maxCoeff();
   return (squared > 0).select(result.array(), coarsest);
 }
 
 VectorXd graded_size(const Mesh& mesh, const Edges& edges, VectorXd size,
                      double gradation) {
-  std::vector<std::vector<std::pair<int, double>>> neighbours(size.size());
-  for (int e = 0; e < edges.count(); ++e) {
-    const double length = edge_vector(mesh, edges, e).norm();
-    for (int end = 0; end < 2; ++end)
-      neighbours[edges.vertices(end, e)].emplace_back(
-          edges.vertices(1 - end, e), length);
-  }
+  const auto neighbours = neighbours_of(mesh, edges);
   // Dijkstra's algorithm: the smallest size is final and bounds its neighbours.
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -155,24 +194,21 @@ VectorXd graded_size(const Mesh& mesh, const Edges& edges, VectorXd size,
     const auto [h, v] = queue.top();
     queue.pop();
     if (h > size[v]) continue;
-    for (const auto& [w, length] : neighbours[v])
-      if (size[w] > h + gradation * length) {
-        size[w] = h + gradation * length;
-        queue.emplace(size[w], w);
-      }
+    for (const auto& [w, length] : neighbours[v]) {
+      const double most = h + gradation * length;
+      if (size[w] <= most) continue;
+      size[w] = most;
+      queue.emplace(most, w);
+    }
   }
   return size;
 }
 
 VectorXd shape_quality(const Mesh& mesh) {
   VectorXd quality(mesh.cells.cols());
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    double squares = 0;
-    for (int k = 0; k < 3; ++k)
-      squares +=
-          (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
-    quality[t] = std::sqrt(16 * equilateral * signed_area(mesh, t) / squares);
-  }
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    quality[t] = std::sqrt(16 * equilateral * signed_area(mesh, t) /
+                           sum_of_squared_sides(mesh, t));
   return quality;
 }
 
@@ -182,21 +218,18 @@ OptimalSize optimal_size(const Mesh& mesh, const Edges& edges,
   require_size("eps_E", local_error.size(), mesh.cell_count());
   const VectorXd rates =
       rate.size() > 0 ? rate : VectorXd::Ones(local_error.size());
-  require_valid(mesh, local_error, rates, settings);
+  require_rates(mesh, rates);
+  require_nonnegative("eps_E", local_error);
+  require_valid(settings);
   const VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
   result.wanted = wanted_error(local_error.norm(), settings);
   result.ratio = size_ratios(error, rates, result.wanted);
 
-  const Vector2d extent =
-      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
-  const double largest =
-      settings.largest > 0 ? settings.largest : extent.maxCoeff();
-  const double smallest =
-      std::min(largest, std::max(settings.smallest, 1e-9 * extent.maxCoeff()));
-  VectorXd size =
-      vertex_sizes(mesh, result.ratio).cwiseMax(smallest).cwiseMin(largest);
-  result.size = graded_size(mesh, edges, std::move(size), settings.gradation);
+  result.size = graded_size(
+      mesh, edges,
+      bounded_size(vertex_sizes(mesh, result.ratio), extent_of(mesh), settings),
+      settings.gradation);
   result.predicted_count = predicted_triangles(mesh, result.size);
   result.predicted_error = predicted_error(mesh, result.size, error, rates);
   return result;
