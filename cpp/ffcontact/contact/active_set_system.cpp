@@ -72,6 +72,11 @@ class LinearStep {
     return kind;
   }
 
+  MatrixXd matrix() {
+    assemble();
+    return std::move(matrix_);
+  }
+
  private:
   /// Adds factor * P_row to equation e.
   void add_multiplier(Index e, int row, double factor) {
@@ -183,6 +188,11 @@ SystemKind solve_active_set(const CondensedContact& contact,
                             const std::vector<ContactState>& state,
                             ContactRows& rows) {
   return LinearStep(contact, law, state).solve(rows);
+}
+
+MatrixXd active_set_matrix(const CondensedContact& contact, const NodalLaw& law,
+                           const std::vector<ContactState>& state) {
+  return LinearStep(contact, law, state).matrix();
 }
 
 }  // namespace ffcontact
