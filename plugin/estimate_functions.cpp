@@ -114,6 +114,7 @@ class ContactErrorFunction : public E_F0mps {
     const ContactProblem& problem = *contact.problem;
     require_names_of_bodies(named_, of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
+    const StuckNodes stuck = stuck_nodes_of(stack, named_);
     Judged judged = matrix_.empty() ? own_solution(contact)
                                     : given_solution(stack, problem);
     add_law_and_loads(stack, problem, judged);
@@ -126,7 +127,7 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "oscillation", judged.oscillation);
     const double seconds = CPUtime() - start;
     const std::optional<CoulombBound> bound =
-        coulomb_bound_of(stack, problem, judged, estimate);
+        coulomb_bound_of(problem, judged, estimate, stuck);
     if (bound) {
       named_.put(stack, "coulomb", bound->constant.kappa);
       named_.put(stack, "bound", bound->value);
@@ -141,7 +142,8 @@ class ContactErrorFunction : public E_F0mps {
           "multiplier= is given, but pn and pt are not: it is known from "
           "contactsolve");
     const SolvedContact& solved = solved_contact(contact);
-    Judged judged{solved.system, {}};
+    Judged judged;
+    judged.system = solved.system;
     judged.body.displacement = solved.solution.displacement;
     judged.body.pressure = solved.solution.pressure;
     judged.body.law = solved.law;
@@ -182,11 +184,10 @@ class ContactErrorFunction : public E_F0mps {
 
   /// Nothing where the script does not ask for it; infinite for a pair that is not
   /// admissible.
-  std::optional<CoulombBound> coulomb_bound_of(Stack stack,
-                                               const ContactProblem& problem,
+  std::optional<CoulombBound> coulomb_bound_of(const ContactProblem& problem,
                                                const Judged& judged,
-                                               const Estimate& estimate) const {
-    const StuckNodes stuck = stuck_nodes_of(stack, named_);
+                                               const Estimate& estimate,
+                                               StuckNodes stuck) const {
     if (!named_.given("coulomb") && !named_.given("bound")) return std::nullopt;
     const ElasticSystem& system = *judged.system;
     std::shared_ptr<const CondensedStiffness> stiffness = judged.body.stiffness;

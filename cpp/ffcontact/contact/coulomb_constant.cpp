@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/krylov.hpp"
+#include "ffcontact/contact/trace_stiffness.hpp"
 
 namespace ffcontact {
 
@@ -19,47 +19,39 @@ constexpr double leash = 1e-10;
 /// What a motion without energy makes of kappa^2 is more than this.
 constexpr double largest_square = 1e8;
 
-/// The unknowns of kappa: all primary normal rows, then the tangential ones of phi.
+/// The unknowns of kappa: all normal rows, then the tangential ones of phi.
 struct Unknowns {
-  std::vector<int> rows;  ///< places in `primary`
+  std::vector<int> rows;  ///< places in the trace stiffness
   std::vector<int>
-      normal;       ///< of each phi: place in `rows` of the normal of its node
+      normal;       ///< of each phi: place in `rows` of its node's normal
   VectorXd weight;  ///< m of each phi
   Index normal_count = 0;
 };
 
-/// Does a primary unknown move a dependent row, on which v is to be 0?
-bool moves_others(const CondensedContact& contact, Index k) {
-  constexpr double rounding = 1e-9;
-  return contact.E.cols() > 0 &&
-         contact.E.row(k).cwiseAbs().maxCoeff() > rounding;
-}
-
 /// Nothing where a node may slip that v cannot follow.
 std::optional<Unknowns> unknowns(const CondensedContact& contact,
+                                 const TraceStiffness& traces,
                                  const VectorXd& weight,
                                  const std::vector<char>& is_left_out) {
   Unknowns result;
-  std::map<int, int> place;
-  const auto is_held = [&](int row) { return contact.held.row[row] != 0; };
-  for (std::size_t k = 0; k < contact.primary.size(); ++k)
-    if (contact.primary[k] % 2 == 0) {
-      place[contact.primary[k]] = static_cast<int>(result.rows.size());
-      result.rows.push_back(static_cast<int>(k));
+  std::vector<int> place(weight.size(), -1);
+  for (int node = 0; node < weight.size(); ++node)
+    if (traces.place[2 * node] >= 0) {
+      place[node] = static_cast<int>(result.rows.size());
+      result.rows.push_back(traces.place[2 * node]);
     }
   result.normal_count = static_cast<Index>(result.rows.size());
   std::vector<double> m;
   for (int node = 0; node < weight.size(); ++node) {
-    const int normal = 2 * node, tangential = 2 * node + 1;
-    if (is_held(tangential) || is_left_out[node]) continue;
-    const bool is_free =
-        contact.is_primary(tangential) && contact.is_primary(normal);
-    if (weight[node] != 0 &&
-        (!is_free || moves_others(contact, contact.position[normal])))
+    const int normal = traces.place[2 * node],
+              tangential = traces.place[2 * node + 1];
+    if (contact.held.row[2 * node + 1] || is_left_out[node]) continue;
+    const bool is_free = normal >= 0 && tangential >= 0;
+    if (weight[node] != 0 && (!is_free || traces.is_followed[normal]))
       return std::nullopt;
     if (!is_free) continue;
-    result.rows.push_back(contact.position[tangential]);
-    result.normal.push_back(place[normal]);
+    result.rows.push_back(tangential);
+    result.normal.push_back(place[node]);
     m.push_back(weight[node]);
   }
   result.weight = Map<const VectorXd>(m.data(), static_cast<Index>(m.size()));
@@ -80,12 +72,14 @@ double coulomb_constant(const CondensedContact& contact,
   const VectorXd weight = pattern.weight(largest_friction);
   if (weight.isZero(0)) return 0;
   const std::vector<char> none(pattern.sticks.size(), 0);
-  const std::optional<Unknowns> found = unknowns(
-      contact, weight, stuck == StuckNodes::stick ? pattern.sticks : none);
+  const TraceStiffness traces = trace_stiffness(contact);
+  const std::optional<Unknowns> found =
+      unknowns(contact, traces, weight,
+               stuck == StuckNodes::stick ? pattern.sticks : none);
   if (!found) return infinite;
   const Unknowns& phi = *found;
   const Index n = phi.normal_count, t = phi.weight.size();
-  const Cholesky factor = factor_of(contact.S, phi.rows);
+  const Cholesky factor = factor_of(traces.S, phi.rows);
   if (!factor.is_positive_definite()) return infinite;
   const auto L_nn =
       factor.lower().topLeftCorner(n, n).triangularView<Eigen::Lower>();
