@@ -68,7 +68,7 @@ double kappa_with(const Problem& problem, const SlipPattern& pattern, double mu,
 }
 
 TEST(coulomb_constant, is_the_largest_eigenvalue_of_its_definition) {
-  Random random(1);
+  std::mt19937 random(1);
   for (int cells : {2, 4, 8}) {
     const Problem problem = example_1(Multiplier::force, cells);
     const Index p = problem.line.node_count();
@@ -83,7 +83,7 @@ TEST(coulomb_constant, is_the_largest_eigenvalue_of_its_definition) {
 }
 
 TEST(coulomb_constant, weighs_a_coefficient_that_varies) {
-  Random random(2);
+  std::mt19937 random(2);
   const Problem problem = example_1(Multiplier::force, 4);
   SlipPattern pattern =
       pattern_of(VectorXd::Ones(problem.line.node_count()), 0);
@@ -153,6 +153,99 @@ TEST(coulomb_constant, of_example_2) {
       sequence.kappa.push_back(kappa_of(example_2(multiplier, 0.3, cells)));
     expect_sequence("example 2", sequence, {1.0885, 1.1374, 1.1718, 1.1965});
   }
+}
+
+TEST(coulomb_constant, is_none_without_friction_that_depends_on_pressure) {
+  Problem problem = example_1(Multiplier::force, 4);
+  problem.law.slip_bound = everywhere(problem.line, 1);
+  EXPECT_EQ(kappa_of(problem), 0);
+  problem = example_1(Multiplier::force, 4);
+  set_friction(problem, 0);
+  EXPECT_EQ(kappa_of(problem), 0);
+  problem = example_1(Multiplier::force, 4);
+  problem.law.shear_limit = everywhere(problem.line, 1e-3);
+  EXPECT_EQ(kappa_of(problem), 0);
+}
+
+TEST(coulomb_constant, is_lower_where_sticking_nodes_are_held) {
+  const Problem problem = example_2(Multiplier::force, 0.1, 16);
+  const ContactSolution solution = solved(problem);
+  EXPECT_LT(kappa_of(problem, solution, StuckNodes::stick),
+            kappa_of(problem, solution) - 1e-3);
+}
+
+/// Where the sign changes, v with v_n = |phi| bends sharply: kappa grows like log 1/h.
+TEST(coulomb_constant, grows_with_refinement_where_the_sign_changes) {
+  double last = 0, growth = 0;
+  for (int cells : {8, 16, 32}) {
+    const Problem problem = example_1(Multiplier::force, cells);
+    VectorXd sign = VectorXd::Ones(problem.line.node_count());
+    sign.head(cells).setConstant(-1);
+    const double kappa = kappa_with(problem, pattern_of(sign, 0.5), 0.5);
+    std::printf("one change, %d: %.2f\n", cells, kappa);
+    if (growth > 0) {
+      EXPECT_NEAR((kappa - last) / growth, 1, 0.15);
+    }
+    if (last > 0) growth = kappa - last;
+    last = kappa;
+  }
+}
+
+/// A body on two sides of a corner, one that slips where its normal dof is prescribed, and
+/// one that moves along t without energy while the sign of slip changes.
+TEST(coulomb_constant, is_infinite_where_no_displacement_follows) {
+  const auto kappa = [](const Problem& problem) {
+    const VectorXd sign = VectorXd::Ones(problem.line.node_count());
+    return kappa_with(problem, pattern_of(sign, 0.5), 0.5);
+  };
+  Problem corner =
+      body(rectangle(4, 4, 1, 1), material(1e3, 0.3), {bottom, right});
+  clamp(corner, left);
+  set_friction(corner, 0.5);
+  EXPECT_TRUE(std::isinf(kappa(corner)));
+
+  Problem held = example_1(Multiplier::force, 4);
+  EXPECT_TRUE(std::isfinite(kappa(held)));
+  prescribe(held, left, 1);
+  EXPECT_TRUE(std::isinf(kappa(held)));
+
+  Problem loose = body(rectangle(4, 4, 1, 1), material(1e3, 0.3));
+  set_friction(loose, 0.5);
+  VectorXd sign = VectorXd::Ones(5);
+  EXPECT_TRUE(std::isfinite(kappa_with(loose, pattern_of(sign, 0.5), 0.5)));
+  sign.head(2).setConstant(-1);
+  EXPECT_TRUE(std::isinf(kappa_with(loose, pattern_of(sign, 0.5), 0.5)));
+}
+
+/// The last node of the upper line moves along t with the body below alone.
+TEST(coulomb_constant, of_a_node_whose_opposite_vertices_move) {
+  const auto kappa = [](double stiffness_below) {
+    Bodies two =
+        bodies({shifted(rectangle(4, 3, 4, 3), {1, 4}), rectangle(8, 4, 8, 4)},
+               {material(1e3, 0.3), material(stiffness_below, 0.3)},
+               {{0, bottom, 1, top}});
+    clamp(two.problem, two.label(1, bottom));
+    prescribe(two.problem, two.label(0, right), 0);
+    set_friction(two.problem, 0.5);
+    const VectorXd sign = VectorXd::Ones(two.problem.line.node_count());
+    return kappa_with(two.problem, pattern_of(sign, 0.5), 0.5);
+  };
+  Problem alone = body(rectangle(4, 3, 4, 3), material(1e3, 0.3));
+  prescribe(alone, right, 0);
+  const VectorXd sign = VectorXd::Ones(alone.line.node_count());
+  const double on_a_foundation = kappa_with(alone, pattern_of(sign, 0.5), 0.5);
+  std::printf("kappa %.4f, on the foundation %.4f\n", kappa(1e3),
+              on_a_foundation);
+  EXPECT_TRUE(std::isfinite(kappa(1e3)));
+  EXPECT_NEAR(kappa(1e9), on_a_foundation, 1e-3);
+}
+
+TEST(coulomb_constant, bound_is_e_over_the_root_of_what_is_left) {
+  EXPECT_NEAR(coulomb_bound(3, 0.5, 1.5), 6, 1e-14);
+  EXPECT_EQ(coulomb_bound(3, 0, 1.5), 3);
+  EXPECT_EQ(coulomb_bound(3, 0.5, 0), 3);
+  EXPECT_TRUE(std::isinf(coulomb_bound(3, 0.5, 2)));
+  EXPECT_TRUE(std::isinf(coulomb_bound(3, 0.5, 1e300)));
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "support/bodies.hpp"
 #include "support/coulomb.hpp"
 #include "support/nested_reference.hpp"
+#include "support/random.hpp"
 
 namespace ffcontact::test {
 namespace {
@@ -153,6 +156,70 @@ TEST_P(Triangle, has_one_solution_below_it_and_a_family_at_it) {
 }
 
 INSTANTIATE_TEST_SUITE_P(poisson, Triangle, testing::Values(0.2, 0.3, 0.45));
+
+/// At a singular state with the motion u, forces r: |u|^2 = int r_t u_t = mu int r_n s u_t
+/// <= mu kappa |u|^2 with sticking nodes held.
+RC_GTEST_PROP(critical_friction, is_not_below_that_of_uniqueness,
+              (Random random)) {
+  Problem problem = body(irregular(*rc::gen::inRange(2, 8), 3, 6, 4, random),
+                         material(1e3, *real(0, 0.48)));
+  *rc::gen::arbitrary<bool>() ? clamp(problem, left)
+                              : clamp(problem, top, [](const Vector2d&) {
+                                  return Vector2d(1e-3, -1e-2);
+                                });
+  add_traction(problem, right, random_vector(2, random) * 5);
+  set_friction(problem, *real(0.05, 1));
+  const ContactSolution solution = solved(problem);
+  RC_PRE(solution.accepted({}));
+  const double critical = critical_friction_of(problem, solution),
+               kappa = kappa_of(problem, solution, StuckNodes::stick);
+  RC_CLASSIFY(std::isfinite(critical), "finite");
+  RC_ASSERT(critical >= (1 - 1e-6) / kappa);
+}
+
+/// Up to the coefficient found the determinant keeps its sign, beyond it has the other.
+TEST(critical_friction, is_where_the_determinant_vanishes_first) {
+  for (int cells : {4, 8}) {
+    const Bodies two = example_3(Multiplier::force, cells, 2 * cells);
+    const Problem& problem = two.problem;
+    const ContactSolution solution = solved(problem);
+    const Condensed condensed(problem);
+    const double critical = critical_friction_of(problem, solution);
+    const auto determinant = [&](double mu) {
+      NodalLaw law = condensed.law;
+      for (FrictionCone& cone : law.cone) cone.friction = mu;
+      return active_set_matrix(condensed.contact, law, solution.state)
+          .determinant();
+    };
+    ASSERT_TRUE(std::isfinite(critical));
+    for (double part : {0.0, 0.25, 0.5, 0.75, 0.999})
+      EXPECT_GT(determinant(part * critical) / determinant(0), 0) << part;
+    EXPECT_LT(determinant(1.001 * critical) / determinant(0), 0);
+  }
+}
+
+TEST(critical_friction, is_infinite_without_slip_that_depends_on_pressure) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  Problem problem = example_2(Multiplier::force, 0.8, 8);
+  EXPECT_EQ(critical_friction_of(problem, solved(problem)), infinite);
+  problem = example_1(Multiplier::force, 8);
+  problem.law.slip_bound = everywhere(problem.line, 1);
+  EXPECT_EQ(critical_friction_of(problem, solved(problem)), infinite);
+  problem = SlippingTriangle(0.3).problem(0.5, 2);
+  problem.law.shear_limit = everywhere(problem.line, 1e-3);
+  EXPECT_EQ(critical_friction_of(problem, solved(problem)), infinite);
+}
+
+TEST(critical_friction, is_the_largest_of_coefficients_that_vary) {
+  const SlippingTriangle triangle(0.3);
+  Problem problem = triangle.problem(0.5, 2);
+  const ContactSolution solution = solved(problem);
+  const double critical = critical_friction_of(problem, solution);
+  problem.law.friction *= 0.25;
+  EXPECT_NEAR(critical_friction_of(problem, solution) / critical, 1, 1e-10);
+  problem.law.friction[0] *= 2;  // at the clamped vertex, where none slips
+  EXPECT_NEAR(critical_friction_of(problem, solution) / critical, 2, 1e-10);
+}
 
 }  // namespace
 }  // namespace ffcontact::test
