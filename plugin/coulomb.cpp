@@ -35,9 +35,9 @@ const char* in_words(StuckNodes stuck) {
                                     : "sticking nodes free to slip";
 }
 
-CoulombConstant coulomb_constant_of(const ContactLine& line, ContactLaw law,
-                                    const ElasticSystem& system,
-                                    const CondensedStiffness& stiffness,
+CoulombConstant coulomb_constant_of(const ContactLine& line,
+                                    const ContactLaw& law,
+                                    const CondensedContact& contact,
                                     const VectorXd& displacement,
                                     const ContactForces& forces,
                                     StuckNodes stuck) {
@@ -50,19 +50,30 @@ CoulombConstant coulomb_constant_of(const ContactLine& line, ContactLaw law,
   const Matrix2Xd& between = law.between_nodes.most;
   const double largest =
       between.size() > 0 ? std::max(mu, between.maxCoeff()) : mu;
-  law.multiplier = Multiplier::force;
-  const CondensedContact contact =
-      condensed_contact(line, law, system, stiffness);
   return {coulomb_constant(contact, pattern, mu, stuck), largest};
+}
+
+std::shared_ptr<const CondensedContact> contact_of_forces(
+    const ContactLine& line, ContactLaw law, const ElasticSystem& system,
+    const CondensedStiffness& stiffness) {
+  law.multiplier = Multiplier::force;
+  return std::make_shared<const CondensedContact>(
+      condensed_contact(line, law, system, stiffness));
+}
+
+std::shared_ptr<const CondensedContact> contact_of_forces(
+    const ContactLine& line, const SolvedContact& solved) {
+  if (solved.law.multiplier == Multiplier::force)
+    return solved.solution.contact;
+  return contact_of_forces(line, solved.law, *solved.system,
+                           *solved.solution.stiffness);
 }
 
 double critical_friction_of(const ContactProblem& problem,
                             const SolvedContact& solved) {
   const ContactSolution& solution = solved.solution;
-  const CondensedContact contact = condensed_contact(
-      problem.line, solved.law, *solved.system, *solution.stiffness);
   return critical_friction(
-      contact, nodal_law(solved.law, problem.line), solution.state,
+      *solution.contact, nodal_law(solved.law, problem.line), solution.state,
       contact_forces(solved.law, solution).multiplier.reshaped());
 }
 

@@ -28,12 +28,20 @@ struct CoulombConstant {
   double kappa;
   double friction;  ///< mu, also between the nodes
 };
-CoulombConstant coulomb_constant_of(const ContactLine& line, ContactLaw law,
-                                    const ElasticSystem& system,
-                                    const CondensedStiffness& stiffness,
+/// @param contact  of Multiplier::force
+CoulombConstant coulomb_constant_of(const ContactLine& line,
+                                    const ContactLaw& law,
+                                    const CondensedContact& contact,
                                     const VectorXd& displacement,
                                     const ContactForces& forces,
                                     StuckNodes stuck);
+
+/// The condensed relation of Multiplier::force, without another factorisation.
+std::shared_ptr<const CondensedContact> contact_of_forces(
+    const ContactLine& line, ContactLaw law, const ElasticSystem& system,
+    const CondensedStiffness& stiffness);
+std::shared_ptr<const CondensedContact> contact_of_forces(
+    const ContactLine& line, const SolvedContact& solved);
 
 /// critical_friction of the solution.
 double critical_friction_of(const ContactProblem& problem,

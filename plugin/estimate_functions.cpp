@@ -33,6 +33,7 @@ struct Judged {
   std::shared_ptr<const ElasticSystem> system;
   SolvedBody body;
   ContactForces forces;
+  const SolvedContact* solved = nullptr;  ///< null: given by the script
   double oscillation = 0;
 };
 
@@ -149,6 +150,7 @@ class ContactErrorFunction : public E_F0mps {
     judged.body.law = solved.law;
     judged.body.stiffness = solved.solution.stiffness;
     judged.forces = contact_forces(solved.law, solved.solution);
+    judged.solved = &solved;
     return judged;
   }
 
@@ -182,6 +184,15 @@ class ContactErrorFunction : public E_F0mps {
     return judged;
   }
 
+  static std::shared_ptr<const CondensedContact> contact_of(
+      const ContactProblem& problem, const Judged& judged) {
+    if (judged.solved) return contact_of_forces(problem.line, *judged.solved);
+    const ElasticSystem& system = *judged.system;
+    return contact_of_forces(
+        problem.line, judged.body.law, system,
+        CondensedStiffness(system, contact_dofs(problem.line, system)));
+  }
+
   /// Nothing where the script does not ask for it; infinite for a pair that is not
   /// admissible.
   std::optional<CoulombBound> coulomb_bound_of(const ContactProblem& problem,
@@ -189,14 +200,9 @@ class ContactErrorFunction : public E_F0mps {
                                                const Estimate& estimate,
                                                StuckNodes stuck) const {
     if (!named_.given("coulomb") && !named_.given("bound")) return std::nullopt;
-    const ElasticSystem& system = *judged.system;
-    std::shared_ptr<const CondensedStiffness> stiffness = judged.body.stiffness;
-    if (!stiffness)
-      stiffness = std::make_shared<const CondensedStiffness>(
-          system, contact_dofs(problem.line, system));
-    const CoulombConstant constant =
-        coulomb_constant_of(problem.line, judged.body.law, system, *stiffness,
-                            judged.body.displacement, judged.forces, stuck);
+    const CoulombConstant constant = coulomb_constant_of(
+        problem.line, judged.body.law, *contact_of(problem, judged),
+        judged.body.displacement, judged.forces, stuck);
     const double value =
         estimate.admissible
             ? coulomb_bound(estimate.e, constant.friction, constant.kappa)

@@ -39,10 +39,11 @@ class CriticalFriction : public E_F0mps {
     const double critical = critical_friction_of(*contact.problem, solved);
     const bool reports = named_.verbosity_level(stack) >= 1 && mpirank == 0;
     if (!reports && !named_.given("unique")) return critical;
-    const CoulombConstant constant = coulomb_constant_of(
-        contact.problem->line, solved.law, *solved.system,
-        *solved.solution.stiffness, solved.solution.displacement,
-        contact_forces(solved.law, solved.solution), stuck);
+    const ContactLine& line = contact.problem->line;
+    const CoulombConstant constant =
+        coulomb_constant_of(line, solved.law, *contact_of_forces(line, solved),
+                            solved.solution.displacement,
+                            contact_forces(solved.law, solved.solution), stuck);
     const double unique = 1 / constant.kappa;
     named_.put(stack, "unique", unique);
     if (reports)

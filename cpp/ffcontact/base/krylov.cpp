@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace ffcontact {
 
 namespace {
 
 constexpr Index most_steps = 200;
-/// Ritz values are looked at every so many steps.
-constexpr Index between_looks = 10;
+/// Ritz values are looked at after so many steps, then after a quarter more than before.
+constexpr Index first_look = 12;
 /// What is left of A q beside its norm when the space is invariant.
 constexpr double invariant = 1e-13;
 /// Imaginary part, beside the modulus, below which a Ritz value is real.
@@ -61,51 +62,73 @@ class KrylovSpace {
 
 struct RitzValue {
   double value = 0, residual = 0;
+
+  bool is_accurate(double tolerance) const {
+    return residual <= tolerance * std::abs(value);
+  }
 };
 
-/// Steps until the wanted Ritz value is as accurate as asked, or no further one helps.
-template <class Wanted>
-double converged(const LinearMap& A, Index size, double tolerance,
-                 Wanted wanted) {
-  if (size == 0) return 0;
+/// The Ritz values that count, in descending order.
+using RitzValues = std::vector<RitzValue>;
+
+/// Steps until the first of the wanted Ritz values is as accurate as asked; where no
+/// further step is possible, the first one that is, or else the first.
+RitzValue first_accurate(
+    const LinearMap& A, Index size, double tolerance,
+    const std::function<RitzValues(const KrylovSpace&)>& wanted) {
+  if (size == 0) return {};
   KrylovSpace space(A, size);
-  for (Index k = 1;; ++k) {
+  const auto is_accurate = [tolerance](const RitzValue& ritz) {
+    return ritz.is_accurate(tolerance);
+  };
+  for (Index k = 1, look = first_look;; ++k) {
     space.step();
-    if (k % between_looks != 0 && !space.is_full()) continue;
-    const RitzValue ritz = wanted(space);
-    if (space.is_full()) return ritz.value;
-    if (ritz.value > 0 && ritz.residual <= tolerance * ritz.value)
-      return ritz.value;
+    if (k < look && !space.is_full()) continue;
+    look += look / 4;
+    const RitzValues ritz = wanted(space);
+    if (!ritz.empty() && is_accurate(ritz.front())) return ritz.front();
+    if (!space.is_full()) continue;
+    const auto found = std::find_if(ritz.begin(), ritz.end(), is_accurate);
+    if (found != ritz.end()) return *found;
+    return ritz.empty() ? RitzValue{} : ritz.front();
   }
 }
 
 }  // namespace
 
 double largest_eigenvalue(const LinearMap& A, Index size) {
-  return converged(A, size, 1e-8, [](const KrylovSpace& space) {
+  const auto wanted = [](const KrylovSpace& space) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(space.projection());
     const Index last = ritz.eigenvalues().size() - 1;
-    return RitzValue{
-        std::max(0.0, ritz.eigenvalues()[last]),
-        space.remainder() * std::abs(ritz.eigenvectors()(last, last))};
-  });
+    return RitzValues{
+        {std::max(0.0, ritz.eigenvalues()[last]),
+         space.remainder() * std::abs(ritz.eigenvectors()(last, last))}};
+  };
+  const RitzValue ritz = first_accurate(A, size, 1e-8, wanted);
+  return ritz.value + ritz.residual;
 }
 
 double largest_real_eigenvalue(const LinearMap& A, Index size, double below) {
-  return converged(A, size, 1e-6, [below](const KrylovSpace& space) {
+  constexpr double tolerance = 1e-6;
+  const auto wanted = [below](const KrylovSpace& space) {
     const Eigen::EigenSolver<MatrixXd> ritz(space.projection());
     const Eigen::VectorXcd theta = ritz.eigenvalues();
-    Index largest = -1;
+    const Eigen::MatrixXcd Y = ritz.eigenvectors();
+    RitzValues values;
     for (Index k = 0; k < theta.size(); ++k)
       if (std::abs(theta[k].imag()) <= real * std::abs(theta[k]) &&
-          theta[k].real() < below &&
-          theta[k].real() > (largest < 0 ? 0 : theta[largest].real()))
-        largest = k;
-    if (largest < 0) return RitzValue{};
-    const Eigen::VectorXcd y = ritz.eigenvectors().col(largest);
-    return RitzValue{theta[largest].real(),
-                     space.remainder() * std::abs(y[y.size() - 1]) / y.norm()};
-  });
+          theta[k].real() < below && theta[k].real() > 0)
+        values.push_back(
+            {theta[k].real(), space.remainder() * std::abs(Y(Y.rows() - 1, k)) /
+                                  Y.col(k).norm()});
+    std::sort(values.begin(), values.end(),
+              [](const RitzValue& a, const RitzValue& b) {
+                return a.value > b.value;
+              });
+    return values;
+  };
+  const RitzValue ritz = first_accurate(A, size, tolerance, wanted);
+  return ritz.is_accurate(tolerance) ? ritz.value : 0;
 }
 
 }  // namespace ffcontact

@@ -11,15 +11,16 @@ namespace ffcontact {
 using LinearMap = std::function<VectorXd(const VectorXd&)>;
 
 /// Largest eigenvalue of a symmetric positive semidefinite A by Lanczos' method with full
-/// orthogonalisation (Saad, Numerical Methods for Large Eigenvalue Problems, 6.6), from
-/// below: steps are taken until the residual of the Ritz vector is 1e-8 of the Ritz
-/// value, or 200; with as many steps as unknowns it is exact. 0 where A has none.
+/// orthogonalisation (Saad, Numerical Methods for Large Eigenvalue Problems, 6.6): the
+/// Ritz value and the residual of its vector, which is less than 1e-8 of it or what 200
+/// steps leave.
 double largest_eigenvalue(const LinearMap& A, Index size);
 
-/// Largest real eigenvalue of A in (0, below), by Arnoldi's method (ibid., 6.2) until
-/// the residual of its Ritz vector is 1e-6 of it, at most 200 steps; 0 if there is none.
-/// Complex eigenvalues do not count: a Ritz value is real when its imaginary part is less
-/// than 1e-8 of its modulus.
+/// Largest real eigenvalue of A in (0, below) by Arnoldi's method (ibid., 6.2), where the
+/// residual of its Ritz vector is 1e-6 of it after at most 200 steps; 0 if there is none.
+/// Up to 200 unknowns none is missed, beyond that those among complex eigenvalues that
+/// are farther from 0 may be. A Ritz value is real when its imaginary part is less than
+/// 1e-8 of its modulus.
 double largest_real_eigenvalue(const LinearMap& A, Index size, double below);
 
 }  // namespace ffcontact

@@ -194,8 +194,9 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
                              ? settings.stiffness
                              : std::make_shared<const CondensedStiffness>(
                                    system, contact_dofs(line, system));
-  const CondensedContact contact =
-      condensed_contact(line, law, system, *stiffness);
+  const auto shared = std::make_shared<const CondensedContact>(
+      condensed_contact(line, law, system, *stiffness));
+  const CondensedContact& contact = *shared;
 
   // 2. The conditions of Prop. 3.4 / 3.5.
   FixedPointResult condensed =
@@ -207,6 +208,7 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   const Matrix2Xd P = whole.answer.P.reshaped(2, line.node_count());
   ContactSolution solution;
   solution.stiffness = stiffness;
+  solution.contact = shared;
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
   solution.displacement = std::move(whole.answer.displacement);
