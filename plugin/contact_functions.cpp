@@ -7,7 +7,7 @@
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 //
-#include "contact_type.hpp"
+#include "coulomb.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
 
@@ -243,6 +243,7 @@ class ContactSolve : public E_F0mps {
         nodal_results(problem.line, solved.law, system.prescribed, solution);
     put(stack, problem, solved);
     report(stack, problem, solution, CPUtime() - start);
+    report_friction(stack, problem, solved);
     contact.last_states = solution.state;
     contact.last_abscissa = problem.abscissa;
     contact.solved = std::move(solved);
@@ -350,6 +351,23 @@ class ContactSolve : public E_F0mps {
     if (level > 1)
       cout << "contactsolve: violation " << solution.complementarity
            << ", residual " << solution.residual << endl;
+  }
+
+  /// Says that a second solution is near or may exist.
+  void report_friction(Stack stack, const ContactProblem& problem,
+                       const SolvedContact& solved) const {
+    constexpr double near = 0.01;
+    if (named_.verbosity_level(stack) < 1 || mpirank != 0) return;
+    const double mu = largest_friction(nodal_law(solved.law, problem.line));
+    if (mu == 0 || solved.solution.status != ContactStatus::converged) return;
+    const double critical = critical_friction_of(problem, solved);
+    if (mu < (1 - near) * critical) return;
+    cout << "contactsolve: friction " << mu
+         << (mu > (1 + near) * critical ? " is beyond " : " is within 1 % of ")
+         << critical
+         << ", where the solution with these open, sticking and slipping nodes "
+            "is not the only one"
+         << endl;
   }
 
   /// Part of a sentence that says which side of each pair of bodies carries the

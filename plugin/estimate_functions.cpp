@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
@@ -7,7 +9,7 @@
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 //
-#include "contact_type.hpp"
+#include "coulomb.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
 
@@ -30,7 +32,16 @@ const NamedArguments::Table of_bodies = {
 struct Judged {
   std::shared_ptr<const ElasticSystem> system;
   SolvedBody body;
+  ContactForces forces;
+  const SolvedContact* solved = nullptr;  ///< null: given by the script
   double oscillation = 0;
+};
+
+/// kappa of Coulomb's law and what it makes of e.
+struct CoulombBound {
+  CoulombConstant constant;
+  double value;
+  StuckNodes stuck;
 };
 
 /// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve
@@ -78,6 +89,9 @@ class ContactErrorFunction : public E_F0mps {
                                {"sweeps", &typeid(long)},
                                {"tightness", &typeid(double)},
                                {"verbosity", &typeid(long)},
+                               {"stick", &typeid(string*)},
+                               {"coulomb", &typeid(double*)},
+                               {"bound", &typeid(double*)},
                                {"e", &typeid(double*)},
                                {"elasticpart", &typeid(double*)},
                                {"contactpart", &typeid(double*)},
@@ -101,16 +115,25 @@ class ContactErrorFunction : public E_F0mps {
     const ContactProblem& problem = *contact.problem;
     require_names_of_bodies(named_, of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
+    const StuckNodes stuck = stuck_nodes_of(stack, named_);
     Judged judged = matrix_.empty() ? own_solution(contact)
                                     : given_solution(stack, problem);
     add_law_and_loads(stack, problem, judged);
-    const auto& [system, body, oscillation] = judged;
+    const SolvedBody& body = judged.body;
+    const auto& system = judged.system;
     const Estimate estimate = estimate_error(problem.topology(), problem.line,
                                              *system, body, settings);
     put(stack, problem, estimate);
     put_rates(stack, problem, *system, body);
-    named_.put(stack, "oscillation", oscillation);
-    report(stack, problem, estimate, CPUtime() - start);
+    named_.put(stack, "oscillation", judged.oscillation);
+    const double seconds = CPUtime() - start;
+    const std::optional<CoulombBound> bound =
+        coulomb_bound_of(problem, judged, estimate, stuck);
+    if (bound) {
+      named_.put(stack, "coulomb", bound->constant.kappa);
+      named_.put(stack, "bound", bound->value);
+    }
+    report(stack, problem, estimate, bound, seconds);
     return estimate.relative;
   }
 
@@ -120,11 +143,14 @@ class ContactErrorFunction : public E_F0mps {
           "multiplier= is given, but pn and pt are not: it is known from "
           "contactsolve");
     const SolvedContact& solved = solved_contact(contact);
-    Judged judged{solved.system, {}};
+    Judged judged;
+    judged.system = solved.system;
     judged.body.displacement = solved.solution.displacement;
     judged.body.pressure = solved.solution.pressure;
     judged.body.law = solved.law;
     judged.body.stiffness = solved.solution.stiffness;
+    judged.forces = contact_forces(solved.law, solved.solution);
+    judged.solved = &solved;
     return judged;
   }
 
@@ -154,7 +180,34 @@ class ContactErrorFunction : public E_F0mps {
                           value_of<KN<double>*>(stack, tangential_));
     body.pressure = multiplier_density(problem.line, body.law.multiplier,
                                        judged.system->prescribed, given);
+    judged.forces = contact_forces(problem.line, body.law, given);
     return judged;
+  }
+
+  static std::shared_ptr<const CondensedContact> contact_of(
+      const ContactProblem& problem, const Judged& judged) {
+    if (judged.solved) return contact_of_forces(problem.line, *judged.solved);
+    const ElasticSystem& system = *judged.system;
+    return contact_of_forces(
+        problem.line, judged.body.law, system,
+        CondensedStiffness(system, contact_dofs(problem.line, system)));
+  }
+
+  /// Nothing where the script does not ask for it; infinite for a pair that is not
+  /// admissible.
+  std::optional<CoulombBound> coulomb_bound_of(const ContactProblem& problem,
+                                               const Judged& judged,
+                                               const Estimate& estimate,
+                                               StuckNodes stuck) const {
+    if (!named_.given("coulomb") && !named_.given("bound")) return std::nullopt;
+    const CoulombConstant constant = coulomb_constant_of(
+        problem.line, judged.body.law, *contact_of(problem, judged),
+        judged.body.displacement, judged.forces, stuck);
+    const double value =
+        estimate.admissible
+            ? coulomb_bound(estimate.e, constant.friction, constant.kappa)
+            : std::numeric_limits<double>::infinity();
+    return CoulombBound{constant, value, stuck};
   }
 
   EstimateSettings estimate_settings(Stack stack) const {
@@ -354,7 +407,8 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   void report(Stack stack, const ContactProblem& problem,
-              const Estimate& estimate, double seconds) const {
+              const Estimate& estimate,
+              const std::optional<CoulombBound>& bound, double seconds) const {
     const long level = named_.verbosity_level(stack);
     if (level < 1 || mpirank != 0) return;
     cout << "contacterror: " << problem.mesh.cell_count() << " triangles, eps "
@@ -363,6 +417,10 @@ class ContactErrorFunction : public E_F0mps {
          << " s" << endl;
     if (!estimate.admissible)
       cout << "contacterror: not admissible: " << estimate.reason << endl;
+    if (bound)
+      cout << "contacterror: mu kappa "
+           << bound->constant.friction * bound->constant.kappa << ", bound "
+           << bound->value << ", " << in_words(bound->stuck) << endl;
     if (level > 1)
       cout << "contacterror: elastic part " << estimate.elastic
            << ", contact part of e^2 " << estimate.contact

@@ -18,6 +18,9 @@ class Cholesky {
   double reciprocal_condition()
       const;  ///< estimate of 1 / (|H| |H^-1|) in the 1-norm
 
+  const MatrixXd& lower() const {  ///< L in its lower triangle
+    return llt_.matrixLLT();
+  }
   VectorXd solve(const VectorXd& b) const;          ///< H^-1 b
   MatrixXd solve_columns(const MatrixXd& B) const;  ///< H^-1 B
   MatrixXd half_solve(const MatrixXd& B) const;     ///< L^-1 B

@@ -67,6 +67,11 @@ class LinearStep {
     return kind;
   }
 
+  MatrixXd matrix() {
+    assemble();
+    return std::move(matrix_);
+  }
+
  private:
   /// 1 / (E_d' R^2 E_d + F_dd)^(1/2), R the scale of v: what q_d moves.
   double q_scale(Index d) const {
@@ -189,6 +194,11 @@ SystemKind solve_active_set(const CondensedContact& contact,
                             const std::vector<ContactState>& state,
                             ContactRows& rows) {
   return LinearStep(contact, law, state).solve(rows);
+}
+
+MatrixXd active_set_matrix(const CondensedContact& contact, const NodalLaw& law,
+                           const std::vector<ContactState>& state) {
+  return LinearStep(contact, law, state).matrix();
 }
 
 }  // namespace ffcontact

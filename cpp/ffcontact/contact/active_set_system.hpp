@@ -41,4 +41,8 @@ SystemKind solve_active_set(const CondensedContact& contact,
                             const std::vector<ContactState>& state,
                             ContactRows& rows);
 
+/// The scaled matrix of that system; affine in the coefficients of friction.
+MatrixXd active_set_matrix(const CondensedContact& contact, const NodalLaw& law,
+                           const std::vector<ContactState>& state);
+
 }  // namespace ffcontact

@@ -204,8 +204,9 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   ContactSolution solution;
   solution.stiffness = prepared_stiffness(line, system, settings);
   const CondensedStiffness& stiffness = *solution.stiffness;
-  const CondensedContact contact =
-      condensed_contact(line, law, system, stiffness);
+  solution.contact = std::make_shared<const CondensedContact>(
+      condensed_contact(line, law, system, stiffness));
+  const CondensedContact& contact = *solution.contact;
 
   // 2. The conditions of Prop. 3.4 / 3.5.
   FixedPointResult condensed =

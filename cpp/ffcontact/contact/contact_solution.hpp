@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/active_set.hpp"
+#include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
@@ -48,6 +49,8 @@ struct ContactSolution {
   double residual = 0;  ///< residual_defect of the answer
   /// K and its factor, for further loads and for the estimate
   std::shared_ptr<const CondensedStiffness> stiffness;
+  /// the relation between P and v that was solved
+  std::shared_ptr<const CondensedContact> contact;
 
   bool accepted(const ContactSettings& settings) const {
     return status == ContactStatus::converged &&

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/krylov.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace ffcontact {
+
+namespace {
+
+constexpr Index most_steps = 200;
+/// Ritz values are looked at after so many steps, then after a quarter more than before.
+constexpr Index first_look = 12;
+/// What is left of A q beside its norm when the space is invariant.
+constexpr double invariant = 1e-13;
+/// Imaginary part, beside the modulus, below which a Ritz value is real.
+constexpr double real = 1e-8;
+
+/// An orthonormal basis Q of the Krylov space of a start without symmetry, and H = Q' A Q.
+class KrylovSpace {
+ public:
+  KrylovSpace(const LinearMap& A, Index size)
+      : A_(A), most_(std::min(size, most_steps)), Q_(size, most_ + 1) {
+    H_ = MatrixXd::Zero(most_ + 1, most_);
+    std::minstd_rand random;
+    for (Index i = 0; i < size; ++i)
+      Q_(i, 0) = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
+    Q_.col(0).normalize();
+  }
+
+  /// Is there nothing to be had from further steps?
+  bool is_full() const { return full_ || steps_ == most_; }
+  /// |A Q y - theta Q y| = remainder |y_last| for an eigenvector y of H.
+  double remainder() const { return full_ ? 0 : H_(steps_, steps_ - 1); }
+  MatrixXd projection() const { return H_.topLeftCorner(steps_, steps_); }
+
+  void step() {
+    const Index k = steps_++;
+    VectorXd next = A_(Q_.col(k));
+    const double length = next.norm();
+    // twice is enough
+    for (int pass = 0; pass < 2; ++pass) {
+      const VectorXd along = Q_.leftCols(k + 1).transpose() * next;
+      next -= Q_.leftCols(k + 1) * along;
+      H_.col(k).head(k + 1) += along;
+    }
+    H_(k + 1, k) = next.norm();
+    full_ = H_(k + 1, k) <= invariant * length || k + 1 == Q_.rows();
+    Q_.col(k + 1) = full_ ? VectorXd(VectorXd::Zero(next.size()))
+                          : VectorXd(next / H_(k + 1, k));
+  }
+
+ private:
+  const LinearMap& A_;
+  Index most_, steps_ = 0;
+  MatrixXd Q_, H_;
+  bool full_ = false;
+};
+
+struct RitzValue {
+  double value = 0, residual = 0;
+
+  bool is_accurate(double tolerance) const {
+    return residual <= tolerance * std::abs(value);
+  }
+};
+
+/// The Ritz values that count, in descending order.
+using RitzValues = std::vector<RitzValue>;
+
+/// Steps until the first of the wanted Ritz values is as accurate as asked; where no
+/// further step is possible, the first one that is, or else the first.
+RitzValue first_accurate(
+    const LinearMap& A, Index size, double tolerance,
+    const std::function<RitzValues(const KrylovSpace&)>& wanted) {
+  if (size == 0) return {};
+  KrylovSpace space(A, size);
+  const auto is_accurate = [tolerance](const RitzValue& ritz) {
+    return ritz.is_accurate(tolerance);
+  };
+  for (Index k = 1, look = first_look;; ++k) {
+    space.step();
+    if (k < look && !space.is_full()) continue;
+    look += look / 4;
+    const RitzValues ritz = wanted(space);
+    if (!ritz.empty() && is_accurate(ritz.front())) return ritz.front();
+    if (!space.is_full()) continue;
+    const auto found = std::find_if(ritz.begin(), ritz.end(), is_accurate);
+    if (found != ritz.end()) return *found;
+    return ritz.empty() ? RitzValue{} : ritz.front();
+  }
+}
+
+}  // namespace
+
+double largest_eigenvalue(const LinearMap& A, Index size) {
+  const auto wanted = [](const KrylovSpace& space) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(space.projection());
+    const Index last = ritz.eigenvalues().size() - 1;
+    return RitzValues{
+        {std::max(0.0, ritz.eigenvalues()[last]),
+         space.remainder() * std::abs(ritz.eigenvectors()(last, last))}};
+  };
+  const RitzValue ritz = first_accurate(A, size, 1e-8, wanted);
+  return ritz.value + ritz.residual;
+}
+
+double largest_real_eigenvalue(const LinearMap& A, Index size, double below) {
+  constexpr double tolerance = 1e-6;
+  const auto wanted = [below](const KrylovSpace& space) {
+    const Eigen::EigenSolver<MatrixXd> ritz(space.projection());
+    const Eigen::VectorXcd theta = ritz.eigenvalues();
+    const Eigen::MatrixXcd Y = ritz.eigenvectors();
+    RitzValues values;
+    for (Index k = 0; k < theta.size(); ++k)
+      if (std::abs(theta[k].imag()) <= real * std::abs(theta[k]) &&
+          theta[k].real() < below && theta[k].real() > 0)
+        values.push_back(
+            {theta[k].real(), space.remainder() * std::abs(Y(Y.rows() - 1, k)) /
+                                  Y.col(k).norm()});
+    std::sort(values.begin(), values.end(),
+              [](const RitzValue& a, const RitzValue& b) {
+                return a.value > b.value;
+              });
+    return values;
+  };
+  const RitzValue ritz = first_accurate(A, size, tolerance, wanted);
+  return ritz.is_accurate(tolerance) ? ritz.value : 0;
+}
+
+}  // namespace ffcontact

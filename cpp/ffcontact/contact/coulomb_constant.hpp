@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/base/eigen.hpp"
+#include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/slip_pattern.hpp"
+
+namespace ffcontact {
+
+/// Of the nodes where u_hat sticks.
+enum class StuckNodes {
+  may_slip,  ///< in the exact solution: with the sign that P_t says
+  stick,     ///< in the exact solution too: |w_t| - |w_hat_t| = 0 there
+};
+
+/// The constant of Coulomb's law [CHH01, Remark 2.6] on the space of displacements that is
+/// condensed:
+///     |2 mu int (r_n - r_hat_n)(|w_hat_t| - |w_t|)| <= 2 mu kappa |sigma - sigma_hat| |u - u_hat|,
+///     |sigma - sigma_hat|^2 + |u - u_hat|^2 <= e^2 / (1 - mu kappa).
+/// Where w_t and w_hat_t have the sign s, |w_hat_t| - |w_t| = s phi with phi = w_hat_t -
+/// w_t. For v with v_n = s phi, v_t = 0 on the line int (r_n - r_hat_n) s phi = int (sigma -
+/// sigma_hat) : eps(v), and |u - u_hat|^2 is at least the energy of phi with u_n left free:
+///     kappa^2 = max over phi of (m phi)' S_nn (m phi) / phi' (S_tt - S_tn S_nn^-1 S_nt) phi,
+/// with m = s where mu is the same all along, and generally s / mu times the slope of the
+/// friction bound (SlipPattern::weight), mu the largest coefficient. With the factor of S,
+/// normal rows first, S = L L', it is a matrix norm:
+///     kappa = |L_nn' m L_tt'^-1|.
+/// Bodies that only contact holds make S singular; 1e-10 of its diagonal is added.
+///
+/// Infinite where no v of finite energy exists: at a slipping node whose normal dof is
+/// prescribed, or at a corner of the line (two nodes on one vertex); and where a motion
+/// without energy changes phi, but not with the sign s.
+/// 0 if friction does not depend on r_n: Tresca's law, mu = 0.
+/// @param contact  of Multiplier::force: v are the components of the displacement
+/// @param largest_friction  mu
+double coulomb_constant(const CondensedContact& contact,
+                        const SlipPattern& pattern, double largest_friction,
+                        StuckNodes stuck);
+
+/// e / sqrt(1 - mu kappa), infinite where mu kappa >= 1.
+double coulomb_bound(double e, double largest_friction, double kappa);
+
+}  // namespace ffcontact

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/critical_friction.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "ffcontact/base/dense_lu.hpp"
+#include "ffcontact/base/krylov.hpp"
+#include "ffcontact/contact/slip_pattern.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+/// Reciprocal condition number below which a matrix is singular.
+constexpr double singular = 1e-12;
+/// Coefficients below this are those at which the body is not held without friction.
+constexpr double none = 1e-6;
+
+/// The law with every coefficient times `factor`.
+NodalLaw with_friction(NodalLaw law, double factor) {
+  for (FrictionCone& cone : law.cone) cone.friction *= factor;
+  return law;
+}
+
+/// The law with a largest coefficient of 1.
+NodalLaw normalised(NodalLaw law) {
+  const double largest = largest_friction(law);
+  const bool frictionless =
+      std::all_of(law.cone.begin(), law.cone.end(),
+                  [](const FrictionCone& c) { return c.frictionless(); });
+  if (largest > 0) return with_friction(std::move(law), 1 / largest);
+  for (FrictionCone& cone : law.cone) cone.friction = frictionless ? 1 : 0;
+  return law;
+}
+
+ContactState at_limit(ContactState state) {
+  const int slip = slip_sign(state);
+  if (slip == 0) return state;
+  return slip > 0 ? ContactState::limited_forward
+                  : ContactState::limited_backward;
+}
+
+bool slips_by_friction(const NodalLaw& law,
+                       const std::vector<ContactState>& state) {
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (slip_sign(state[i]) != 0 && !is_limited(state[i]) &&
+        law.cone[i].depends_on_contact())
+      return true;
+  return false;
+}
+
+}  // namespace
+
+double critical_friction(const CondensedContact& contact, const NodalLaw& law,
+                         std::vector<ContactState> state,
+                         const Ref<const VectorXd>& P) {
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (law.cone[i].at_limit(P[2 * i])) state[i] = at_limit(state[i]);
+  const NodalLaw unit = normalised(law);
+  if (!slips_by_friction(unit, state)) return infinite;
+  const auto matrix_at = [&](double mu) {
+    return active_set_matrix(contact, with_friction(unit, mu), state);
+  };
+  const MatrixXd A_0 = matrix_at(0), A_1 = matrix_at(1) - A_0;
+  for (const double shift : {0.0, -1.0}) {
+    const DenseLu factor(A_0 + shift * A_1);
+    if (factor.reciprocal_condition() < singular) continue;
+    // det(A_0 + mu A_1) = 0 where 1 / (mu - shift) is an eigenvalue
+    const double theta = largest_real_eigenvalue(
+        [&](const VectorXd& x) { return VectorXd(-factor.solve(A_1 * x)); },
+        A_0.rows(), 1 / (none - shift));
+    return theta > 0 ? shift + 1 / theta : infinite;
+  }
+  return 0;
+}
+
+}  // namespace ffcontact
