@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
@@ -10,6 +9,8 @@
 #include "coulomb.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
+#include "solve_report.hpp"
+#include "systems.hpp"
 
 namespace ffcontact::plugin {
 
@@ -19,19 +20,6 @@ ContactSolver solver_named(const std::string& name) {
   if (name == "newton") return ContactSolver::newton;
   if (name == "fixedpoint") return ContactSolver::fixed_point;
   refuse("solver must be \"newton\" or \"fixedpoint\", got \"", name, "\"");
-}
-
-struct Counts {
-  long open = 0, stick = 0, slip = 0;
-};
-
-Counts counted(const std::vector<ContactState>& states) {
-  Counts counts;
-  for (ContactState state : states)
-    ++(state == ContactState::open    ? counts.open
-       : state == ContactState::stick ? counts.stick
-                                      : counts.slip);
-  return counts;
 }
 
 /// 0 open, 1 stick, 2 slip along t, -2 slip against t.
@@ -53,53 +41,6 @@ ContactState state_of_number(long number) {
           "an initial state must be 0 (open), 1 (stick), 2 or -2 (slip), got ",
           number);
   }
-}
-
-/// What the script can do about a solve that failed.
-const char* remedy(ContactStatus status) {
-  switch (status) {
-    case ContactStatus::not_converged: return "; raise maxit=";
-    case ContactStatus::cycled:
-      return "; lower friction=, or bring the load in steps with loadstep=true";
-    case ContactStatus::singular:
-      return "; prescribe displacements or give friction= that hold the body";
-    default: return "; raise tol= if this is accurate enough";
-  }
-}
-
-/// Does no free dof of the node's vertex move it along its normal?
-bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system,
-                          int node) {
-  constexpr double tangential = 1e-3;
-  for (int c = 0; c < 2; ++c)
-    if (!system.prescribed[2 * line.vertex[node] + c] &&
-        std::abs(line.normal(c, node)) > tangential)
-      return false;
-  return true;
-}
-
-int number_in_its_mesh(const JoinedMesh& joined, int vertex) {
-  return vertex -
-         *std::prev(std::upper_bound(joined.first_vertex.begin(),
-                                     joined.first_vertex.end() - 1, vertex));
-}
-
-/// Part of a sentence that names the vertices of the line whose normal dof is prescribed,
-/// the first ones of many.
-std::string held_vertices(const ContactProblem& problem,
-                          const ElasticSystem& system) {
-  constexpr int most = 8;
-  std::ostringstream names;
-  int count = 0;
-  for (int i = 0; i < problem.line.node_count(); ++i)
-    if (is_held_along_normal(problem.line, system, i) && ++count <= most)
-      names << (count > 1 ? ", " : "")
-            << number_in_its_mesh(problem.joined, problem.line.vertex[i]);
-  if (count == 0) return "";
-  return "; on() prescribes the normal displacement on the contact line at "
-         "vertex " +
-         names.str() + (count > most ? ", ..." : "") +
-         ": leave it free there, or take these edges out of label=";
 }
 
 /// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
@@ -124,16 +65,28 @@ NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
   return results;
 }
 
+bool is_same(const RowMatrix& A, const RowMatrix& B) {
+  const auto same = [](const auto* a, const auto* b, Index count) {
+    return std::equal(a, a + count, b);
+  };
+  if (A.rows() != B.rows() || A.nonZeros() != B.nonZeros()) return false;
+  return same(A.valuePtr(), B.valuePtr(), A.nonZeros()) &&
+         same(A.innerIndexPtr(), B.innerIndexPtr(), A.nonZeros()) &&
+         same(A.outerIndexPtr(), B.outerIndexPtr(), A.rows() + 1);
+}
+
 bool is_same(const ElasticSystem& a, const ElasticSystem& b) {
-  const RowMatrix &A = a.stiffness, &B = b.stiffness;
-  if (A.rows() != B.rows() || A.nonZeros() != B.nonZeros() ||
-      a.prescribed != b.prescribed)
-    return false;
-  return std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr()) &&
-         std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(),
-                    B.innerIndexPtr()) &&
-         std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1,
-                    B.outerIndexPtr());
+  return a.prescribed == b.prescribed && is_same(a.stiffness, b.stiffness);
+}
+
+/// The vertices inside a body.
+std::vector<int> inner_vertices(const Mesh& mesh) {
+  std::vector<char> on_boundary(mesh.vertices.cols(), 0);
+  for (int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
+  std::vector<int> inner;
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    if (!on_boundary[v]) inner.push_back(v);
+  return inner;
 }
 
 /// Are b and u exchanged? Loads on the boundary alone are 0 inside, displacements are
@@ -141,20 +94,13 @@ bool is_same(const ElasticSystem& a, const ElasticSystem& b) {
 void require_order(const Mesh& mesh, const VectorXd& load,
                    const VectorXd& displacement) {
   if (!load.isZero(0) || displacement.isZero(0)) return;
-  std::vector<char> inside(mesh.vertices.cols(), 1);
-  for (int v : mesh.boundary.reshaped()) inside[v] = 0;
-  bool any_inside = false;
-  for (std::size_t v = 0; v < inside.size(); ++v) {
-    any_inside = any_inside || inside[v];
-    if (inside[v] &&
-        !displacement.segment<2>(2 * static_cast<Index>(v)).isZero(0))
-      return;
-  }
-  if (any_inside)
+  const std::vector<int> inner = inner_vertices(mesh);
+  for (int v : inner)
+    if (!displacement.segment<2>(2 * v).isZero(0)) return;
+  if (!inner.empty())
     refuse(
         "b is 0 and u is 0 inside the body, but not on its boundary: they are "
-        "exchanged, "
-        "give A, b, u");
+        "exchanged, give A, b, u");
 }
 
 /// iterations = contactsolve(C, A, b, u, ...), with matrix, load and displacement of each
@@ -229,12 +175,7 @@ class ContactSolve : public E_F0mps {
         solve_contact(problem.mesh, problem.line, solved.law, system, settings);
     const ContactSolution& solution = solved.solution;
     if (!solution.accepted(settings) && !named_.given("status"))
-      refuse("no solution after ", solution.iterations, " iterations (",
-             in_words(solution.status), "), largest violation ",
-             solution.complementarity, ", residual ", solution.residual,
-             remedy(solution.status),
-             "; status= returns the best iterate instead",
-             held_vertices(problem, system));
+      refuse_solution(problem, system, solution);
 
     for (int k = 0; k < problem.body_count(); ++k)
       vector_of(u[k]) = solution.displacement.segment(problem.first_dof(k),
@@ -242,8 +183,9 @@ class ContactSolve : public E_F0mps {
     solved.nodes =
         nodal_results(problem.line, solved.law, system.prescribed, solution);
     put(stack, problem, solved);
-    report(stack, problem, solution, CPUtime() - start);
-    report_friction(stack, problem, solved);
+    report_solution(named_.verbosity_level(stack), problem, solution,
+                    CPUtime() - start);
+    report_friction(named_.verbosity_level(stack), problem, solved);
     contact.last_states = solution.state;
     contact.last_abscissa = problem.abscissa;
     contact.solved = std::move(solved);
@@ -253,23 +195,16 @@ class ContactSolve : public E_F0mps {
   ElasticSystem system_of(Stack stack, const ContactProblem& problem,
                           const std::vector<KN<double>*>& u) const {
     std::vector<ElasticSystem> systems;
-    VectorXd load(problem.first_dof(problem.body_count())),
-        displacement(load.size());
+    VectorXd load(problem.first_dof(problem.body_count()));
     for (int k = 0; k < problem.body_count(); ++k) {
-      const RowMatrix A =
-          matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
+      const RowMatrix A = matrix_of_body(stack, problem, k, matrix_[k]);
       const VectorXd b = vector_of(value_of<KN<double>*>(stack, load_[k]));
-      problem.require_dofs("A", k, A.rows());
       problem.require_dofs("b", k, b.size());
-      problem.require_dofs("u", k, u[k]->N());
       load.segment(problem.first_dof(k), problem.dof_count(k)) = b;
-      displacement.segment(problem.first_dof(k), problem.dof_count(k)) =
-          vector_of(u[k]);
       systems.push_back(elastic_system(A, b));
     }
-    require_order(problem.mesh, load, displacement);
-    return systems.size() == 1 ? std::move(systems.front())
-                               : joined_systems(systems);
+    require_order(problem.mesh, load, joined_displacement(problem, u));
+    return joined(std::move(systems));
   }
 
   ContactLaw law_of(Stack stack, const Contact& contact) const {
@@ -325,58 +260,10 @@ class ContactSolve : public E_F0mps {
     named_.put_integers(stack, "state", nodes.state);
     named_.put(stack, "violation", solution.complementarity);
     named_.put(stack, "status", static_cast<long>(solution.status));
-    named_.put(
-        stack, "history",
-        Map<const VectorXd>(solution.history.data(), solution.history.size()));
+    named_.put(stack, "history", packed(solution.history));
     named_.put(stack, "opennodes", counts.open);
     named_.put(stack, "sticknodes", counts.stick);
     named_.put(stack, "slipnodes", counts.slip);
-  }
-
-  void report(Stack stack, const ContactProblem& problem,
-              const ContactSolution& solution, double seconds) const {
-    const long level = named_.verbosity_level(stack);
-    if (level < 1 || mpirank != 0) return;
-    const Counts counts = counted(solution.state);
-    cout << "contactsolve: " << 2 * problem.mesh.vertex_count() << " dofs, "
-         << problem.line.node_count() << " contact nodes" << sides(problem)
-         << ", " << solution.iterations << " iterations, " << counts.open
-         << " open, " << counts.stick << " stick, " << counts.slip << " slip, "
-         << in_words(solution.status) << ", " << seconds << " s" << endl;
-    if (level > 1 && !solution.history.empty())
-      cout
-          << "contactsolve: " << solution.history.size()
-          << " steps of the fixed point, last change of the normal multipliers "
-          << solution.history.back() << endl;
-    if (level > 1)
-      cout << "contactsolve: violation " << solution.complementarity
-           << ", residual " << solution.residual << endl;
-  }
-
-  /// Says that a second solution is near or may exist.
-  void report_friction(Stack stack, const ContactProblem& problem,
-                       const SolvedContact& solved) const {
-    constexpr double near = 0.01;
-    if (named_.verbosity_level(stack) < 1 || mpirank != 0) return;
-    const double mu = largest_friction(nodal_law(solved.law, problem.line));
-    if (mu == 0 || solved.solution.status != ContactStatus::converged) return;
-    const double critical = critical_friction_of(problem, solved);
-    if (mu < (1 - near) * critical) return;
-    cout << "contactsolve: friction " << mu
-         << (mu > (1 + near) * critical ? " is beyond " : " is within 1 % of ")
-         << critical
-         << ", where the solution with these open, sticking and slipping nodes "
-            "is not the only one"
-         << endl;
-  }
-
-  /// Part of a sentence that says which side of each pair of bodies carries the
-  /// multipliers.
-  static std::string sides(const ContactProblem& problem) {
-    std::ostringstream text;
-    for (std::size_t k = 0; k < problem.side.size(); ++k)
-      text << (k > 0 ? ", " : " on side ") << problem.side[k];
-    return text.str();
   }
 
   NamedArguments named_;

@@ -11,24 +11,11 @@
 #include <utility>
 
 #include "contact_problem.hpp"
+#include "contact_statement.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
-
-/// The line by its own normals, or along the directions of normal=.
-ContactLine line_of(Stack stack, const NamedArguments& named,
-                    const BodyPart& part, const Mesh& mesh, const Edges& edges,
-                    const std::vector<int>& labels) {
-  if (!named.given("normal")) return curved_contact_line(mesh, edges, labels);
-  const ContactLine line = smooth_contact_line(mesh, edges, labels);
-  Matrix2Xd direction(2, line.node_count());
-  for (int c = 0; c < 2; ++c)
-    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part,
-                                edges, line, stated_places(line, false), 0)
-                           .transpose();
-  return along_directions(mesh, edges, line, direction);
-}
 
 JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
   std::vector<Mesh> meshes;
@@ -39,39 +26,6 @@ JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
 /// What is stated for each body.
 const NamedArguments::Table of_bodies = {{"label", &typeid(KN_<long>)},
                                          {"previous", &typeid(KN<double>*)}};
-
-/// The labels of one body in the joined mesh's numbering.
-std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
-                               const std::string& name,
-                               const JoinedMesh& joined, int body) {
-  std::vector<int> labels = named.integers(stack, name);
-  if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
-  const int first = joined.first_boundary[body],
-            end = joined.first_boundary[body + 1];
-  for (int& label : labels) {
-    const int own = std::exchange(label, joined.label(body, label));
-    const auto* all = joined.mesh.boundary_label.data();
-    if (joined.body_count() > 1 &&
-        std::find(all + first, all + end, label) == all + end)
-      refuse(name, " is ", own, ", which is on no boundary edge of mesh ",
-             body + 1);
-  }
-  return labels;
-}
-
-/// Bodies may overlap a little, as polygons of curves do and interference fits, but not
-/// by more than their contact edges.
-void require_apart(const Mesh& mesh, const ContactLine& line,
-                   const VectorXd& gap) {
-  for (int i = 0; i < gap.size(); ++i) {
-    const Vector2d x = mesh.place(line.vertex[i]);
-    if (gap[i] < -line.length.maxCoeff())
-      refuse("the bodies overlap by ", -gap[i], " at (", x.x(), ", ", x.y(),
-             "), more than a contact edge: is the facing edge behind the "
-             "contact line? "
-             "Give gap= if it is meant");
-  }
-}
 
 void append(const VectorXd& values, VectorXd& all) {
   const Index before = all.size();
@@ -85,30 +39,29 @@ void append(const Matrix2Xd& values, Matrix2Xd& all) {
   all.rightCols(values.cols()) = values;
 }
 
-void require_law(const NamedArguments& named) {
-  if (!named.given("friction") && !named.given("slipbound"))
-    refuse(
-        "no law is given: friction= (Coulomb's coefficient, 0 for none), "
-        "slipbound= "
-        "(Tresca's bound), or both");
-}
+/// The labels of one body that face the one before it and the one after it.
+struct BodyLabels {
+  std::vector<int> towards_last, towards_next;
+};
 
-/// Which side of pair number `pair` the script wants, 1 or 2, or 0.
-int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
-  if (!named.given("side")) return 0;
-  const std::vector<int> sides = named.integers(stack, "side");
-  if (sides.size() != 1 && static_cast<int>(sides.size()) != pairs)
-    refuse("side has ", sides.size(),
-           " values: give one, or one for each of the ", pairs,
-           " pairs of bodies");
-  const int side = sides.size() == 1 ? sides[0] : sides[pair];
-  if (side != 1 && side != 2)
-    refuse(
-        "side must be 1 (the body that comes first carries the multipliers) or "
-        "2 (the "
-        "other one), got ",
-        side);
-  return side;
+std::vector<BodyLabels> labels_of_bodies(Stack stack,
+                                         const NamedArguments& named,
+                                         const JoinedMesh& joined) {
+  const int bodies = joined.body_count();
+  std::vector<BodyLabels> labels;
+  for (int k = 0; k < bodies; ++k) {
+    const std::vector<int> own = joined_labels(
+        stack, named, name_of_body("label", k, bodies), joined, k);
+    const bool between = k > 0 && k + 1 < bodies;
+    if (between && own.size() != 2)
+      refuse("label", k + 1, " must be two labels: the first faces body ", k,
+             ", the second body ", k + 2);
+    if (between)
+      labels.push_back({{own[0]}, {own[1]}});
+    else
+      labels.push_back({own, own});
+  }
+  return labels;
 }
 
 }  // namespace
@@ -142,24 +95,13 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
   require_law(named);
   if (bodies > 1 && named.given("opposite"))
     refuse("opposite= is given, but the contact has ", bodies, " meshes");
-  std::vector<std::vector<int>> labels;
-  for (int k = 0; k < bodies; ++k) {
-    labels.push_back(joined_labels(
-        stack, named, name_of_body("label", k, bodies), joined, k));
-    if (k > 0 && k + 1 < bodies && labels[k].size() != 2)
-      refuse("label", k + 1, " must be two labels: the first faces body ", k,
-             ", the second body ", k + 2);
-  }
-  if (bodies == 1) {
-    const std::vector<int> opposite =
-        joined_labels(stack, named, "opposite", joined, 0);
-    add_pair(stack, named, 0, labels[0], 0, opposite);
-  }
+  const std::vector<BodyLabels> labels = labels_of_bodies(stack, named, joined);
+  if (bodies == 1)
+    add_pair(stack, named, 0, labels[0].towards_next, 0,
+             joined_labels(stack, named, "opposite", joined, 0));
   for (int k = 0; k + 1 < bodies; ++k)
-    add_pair(
-        stack, named, k, k == 0 ? labels[k] : std::vector<int>{labels[k][1]},
-        k + 1,
-        k + 2 == bodies ? labels[k + 1] : std::vector<int>{labels[k + 1][0]});
+    add_pair(stack, named, k, labels[k].towards_next, k + 1,
+             labels[k + 1].towards_last);
   read_previous(stack, named);
   join_carriers();
 }
@@ -186,31 +128,48 @@ void ContactProblem::read_previous(Stack stack, const NamedArguments& named) {
   if (incremental) previous_ = previous;
 }
 
+BodyPart ContactProblem::part(int body) const {
+  return {*fem_meshes[body], joined.first_vertex[body],
+          joined.first_boundary[body]};
+}
+
+/// A curve that turns has one contact direction where the gap is the smallest.
+ContactLine ContactProblem::own_line(
+    Stack stack, const NamedArguments& named, int body,
+    const std::vector<int>& labels, bool rigid,
+    const std::vector<int>& opposite_labels) const {
+  ContactLine line = stated_line(stack, named, part(body), mesh, edges, labels);
+  if (named.given("normal") || !turns(line)) return line;
+  const Expression gap = named.expression("gap");
+  const VectorXd distance =
+      gap || rigid ? at_nodes(stack, gap, part(body), edges, line,
+                              stated_places(line, false), 0)
+                   : facing_traces(mesh, edges, line, opposite_labels).gap;
+  return with_one_direction_a_curve(mesh, edges, std::move(line), distance);
+}
+
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
                               int body, const std::vector<int>& labels,
                               int opposite_body,
                               const std::vector<int>& opposite_labels) {
-  const BodyPart part{*fem_meshes[body], joined.first_vertex[body],
-                      joined.first_boundary[body]};
-  ContactLine own = line_of(stack, named, part, mesh, edges, labels);
   const bool rigid = opposite_labels.empty() && opposite_body == body;
-  if (!named.given("normal") && turns(own)) {
-    const Expression gap = named.expression("gap");
-    const VectorXd distance =
-        gap || rigid ? at_nodes(stack, gap, part, edges, own,
-                                stated_places(own, false), 0)
-                     : facing_traces(mesh, edges, own, opposite_labels).gap;
-    own = with_one_direction_a_curve(mesh, edges, std::move(own), distance);
-  }
-  if (rigid) {
-    if (named.given("side"))
-      refuse(
-          "side= is for bodies that face each other, not for a rigid "
-          "foundation");
-    pairs_.push_back(
-        {true, 1, carrier(stack, named, body, own, own, false), std::nullopt});
+  const ContactLine own =
+      own_line(stack, named, body, labels, rigid, opposite_labels);
+  if (!rigid) {
+    add_facing_pair(stack, named, body, own, opposite_labels);
     return;
   }
+  if (named.given("side"))
+    refuse(
+        "side= is for bodies that face each other, not for a rigid "
+        "foundation");
+  pairs_.push_back(
+      {true, 1, carrier(stack, named, body, own, own, false), std::nullopt});
+}
+
+void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
+                                     int body, const ContactLine& own,
+                                     const std::vector<int>& opposite_labels) {
   const int wanted = wanted_side(stack, named, static_cast<int>(pairs_.size()),
                                  std::max(1, body_count() - 1));
   const ContactLine facing = facing_line(
@@ -221,9 +180,8 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
   if (!exchanged && wanted == 2)
     refuse(
         "side=2: the other body cannot carry the multipliers, as two parts of "
-        "the first "
-        "one's line face the same part "
-        "of it; give one contact direction with normal=[nx, ny], or side=1");
+        "the first one's line face the same part of it; give one contact "
+        "direction with normal=[nx, ny], or side=1");
   Pair pair{false, wanted, carrier(stack, named, body, own, facing, false),
             std::nullopt};
   if (exchanged)
@@ -234,8 +192,6 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
 ContactProblem::Carrier ContactProblem::carrier(
     Stack stack, const NamedArguments& named, int body,
     const ContactLine& stated, ContactLine line, bool on_opposite) const {
-  const BodyPart part{*fem_meshes[body], joined.first_vertex[body],
-                      joined.first_boundary[body]};
   const StatedPlaces places = stated_places(line, on_opposite);
   std::map<int, int> number;  // contact edge of each mesh edge
   for (int e = 0; e < stated.edge_count(); ++e) number[stated.edge[e]] = e;
@@ -252,79 +208,59 @@ ContactProblem::Carrier ContactProblem::carrier(
       if (!ends_at_its_node(line, end, e)) continue;
       const int node = line.edge_node(end, e);
       result.own_vertex[node] =
-          edges.vertices(place < 0.5 ? 0 : 1, edge) - part.first_vertex;
+          edges.vertices(place < 0.5 ? 0 : 1, edge) - joined.first_vertex[body];
       result.abscissa[node] = result.edge_abscissa(end, e);
     }
-  result.law = coefficients(stack, named, part, line, places);
+  result.law = stated_law(stack, named, part(body), mesh, edges, line, places);
   result.line = std::move(line);
   return result;
 }
 
-ContactLaw ContactProblem::coefficients(Stack stack,
-                                        const NamedArguments& named,
-                                        const BodyPart& part,
-                                        const ContactLine& line,
-                                        const StatedPlaces& places) const {
-  ContactLaw law;
-  const Expression friction = named.expression("friction"),
-                   slip_bound = named.expression("slipbound");
-  const auto add = [&](Expression coefficient, VectorXd& nodal,
-                       EdgeRange& between_nodes) {
-    nodal = at_nodes(stack, coefficient, part, edges, line, places, 0);
-    if (coefficient)
-      between_nodes =
-          enclosing_range(along_edges(stack, coefficient, part, edges, places));
-  };
-  add(friction, law.friction, law.between_nodes);
-  if (slip_bound && friction)
-    add(slip_bound, law.shear_limit, law.limit_between_nodes);
-  else if (slip_bound)
-    add(slip_bound, law.slip_bound, law.between_nodes);
-  if (const Expression gap = named.expression("gap")) {
-    law.gap = at_nodes(stack, gap, part, edges, line, places, 0);
-  } else if (line.against_a_body()) {
-    law.gap = facing_gap(line);
-    require_apart(mesh, line, law.gap);
+void ContactProblem::choose_sides(const ElasticSystem& system) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (pairs_[k].rigid || pairs_[k].wanted != 0 || !pairs_[k].other) continue;
+    const double ratio =
+        compliance_ratio(mesh, edges, pairs_[k].own.line, system);
+    side[k] = ratio > much_softer ? 2 : 1;
   }
-  return law;
+  join_carriers();
 }
 
-void ContactProblem::choose_sides(const ElasticSystem& system) {
-  for (std::size_t k = 0; k < pairs_.size(); ++k)
-    if (!pairs_[k].rigid && pairs_[k].wanted == 0 && pairs_[k].other)
-      side[k] = compliance_ratio(mesh, edges, pairs_[k].own.line, system) >
-                        much_softer
-                    ? 2
-                    : 1;
-  join_carriers();
+void ContactProblem::clear_line() {
+  law = {};
+  own_vertex.clear();
+  abscissa.resize(0);
+  edge_abscissa.resize(2, 0);
+}
+
+/// But for the line itself.
+void ContactProblem::append_carrier(const Carrier& carrier) {
+  own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
+                    carrier.own_vertex.end());
+  append(carrier.abscissa, abscissa);
+  append(carrier.edge_abscissa, edge_abscissa);
+  for (VectorXd ContactLaw::*nodal :
+       {&ContactLaw::friction, &ContactLaw::slip_bound,
+        &ContactLaw::shear_limit, &ContactLaw::gap})
+    append(carrier.law.*nodal, law.*nodal);
+  for (EdgeRange ContactLaw::*range :
+       {&ContactLaw::between_nodes, &ContactLaw::limit_between_nodes}) {
+    append((carrier.law.*range).least, (law.*range).least);
+    append((carrier.law.*range).most, (law.*range).most);
+  }
 }
 
 void ContactProblem::join_carriers() {
   if (side.empty())
     for (const Pair& pair : pairs_)
       if (!pair.rigid) side.push_back(std::max(1, pair.wanted));
+  clear_line();
   std::vector<ContactLine> lines;
-  law = {};
-  own_vertex.clear();
-  abscissa.resize(0);
-  edge_abscissa.resize(2, 0);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const Carrier& carrier =
-        !pairs_[k].rigid && side[k] == 2 ? *pairs_[k].other : pairs_[k].own;
+    const bool on_other = !pairs_[k].rigid && side[k] == 2;
+    const Carrier& carrier = on_other ? *pairs_[k].other : pairs_[k].own;
     lines.push_back(carrier.line);
-    own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
-                      carrier.own_vertex.end());
-    append(carrier.abscissa, abscissa);
-    append(carrier.edge_abscissa, edge_abscissa);
-    append(carrier.law.friction, law.friction);
-    append(carrier.law.slip_bound, law.slip_bound);
-    append(carrier.law.shear_limit, law.shear_limit);
-    append(carrier.law.gap, law.gap);
-    for (EdgeRange ContactLaw::*range :
-         {&ContactLaw::between_nodes, &ContactLaw::limit_between_nodes}) {
-      append((carrier.law.*range).least, (law.*range).least);
-      append((carrier.law.*range).most, (law.*range).most);
-    }
+    append_carrier(carrier);
   }
   line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
   if (previous_.size() > 0)

@@ -113,17 +113,23 @@ struct ContactProblem {
     std::optional<Carrier> other;
   };
 
+  BodyPart part(int body) const;
+  ContactLine own_line(Stack stack, const NamedArguments& named, int body,
+                       const std::vector<int>& labels, bool rigid,
+                       const std::vector<int>& opposite_labels) const;
   void add_pair(Stack stack, const NamedArguments& named, int body,
                 const std::vector<int>& labels, int opposite_body,
                 const std::vector<int>& opposite_labels);
+  void add_facing_pair(Stack stack, const NamedArguments& named, int body,
+                       const ContactLine& own,
+                       const std::vector<int>& opposite_labels);
   Carrier carrier(Stack stack, const NamedArguments& named, int body,
                   const ContactLine& stated, ContactLine line,
                   bool on_opposite) const;
-  ContactLaw coefficients(Stack stack, const NamedArguments& named,
-                          const BodyPart& part, const ContactLine& line,
-                          const StatedPlaces& places) const;
   void read_previous(Stack stack, const NamedArguments& named);
   void join_carriers();
+  void clear_line();
+  void append_carrier(const Carrier& carrier);
 
   mutable Topology
       topology_;  ///< stars are made when an estimate asks for them

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/estimate/estimate.hpp"
@@ -10,8 +12,11 @@
 #include "ffcontact/sizing/local_rates.hpp"
 //
 #include "coulomb.hpp"
+#include "estimate_arrays.hpp"
 #include "guard.hpp"
+#include "material_and_loads.hpp"
 #include "registration.hpp"
+#include "systems.hpp"
 
 namespace ffcontact::plugin {
 
@@ -34,7 +39,6 @@ struct Judged {
   SolvedBody body;
   ContactForces forces;
   const SolvedContact* solved = nullptr;  ///< null: given by the script
-  double oscillation = 0;
 };
 
 /// kappa of Coulomb's law and what it makes of e.
@@ -118,21 +122,18 @@ class ContactErrorFunction : public E_F0mps {
     const StuckNodes stuck = stuck_nodes_of(stack, named_);
     Judged judged = matrix_.empty() ? own_solution(contact)
                                     : given_solution(stack, problem);
-    add_law_and_loads(stack, problem, judged);
-    const SolvedBody& body = judged.body;
-    const auto& system = judged.system;
+    const double oscillation =
+        read_material_and_loads(stack, named_, problem, judged.body);
+    const ElasticSystem& system = *judged.system;
     const Estimate estimate = estimate_error(problem.topology(), problem.line,
-                                             *system, body, settings);
+                                             system, judged.body, settings);
     put(stack, problem, estimate);
-    put_rates(stack, problem, *system, body);
-    named_.put(stack, "oscillation", judged.oscillation);
+    put_rates(stack, problem, system, judged.body);
+    named_.put(stack, "oscillation", oscillation);
     const double seconds = CPUtime() - start;
     const std::optional<CoulombBound> bound =
         coulomb_bound_of(problem, judged, estimate, stuck);
-    if (bound) {
-      named_.put(stack, "coulomb", bound->constant.kappa);
-      named_.put(stack, "bound", bound->value);
-    }
+    if (bound) put_bound(stack, *bound);
     report(stack, problem, estimate, bound, seconds);
     return estimate.relative;
   }
@@ -157,31 +158,31 @@ class ContactErrorFunction : public E_F0mps {
   Judged given_solution(Stack stack, const ContactProblem& problem) const {
     problem.require_bodies("A, u", matrix_.size());
     std::vector<ElasticSystem> systems;
-    Judged judged;
-    SolvedBody& body = judged.body;
-    body.displacement.resize(problem.first_dof(problem.body_count()));
     for (int k = 0; k < problem.body_count(); ++k) {
-      const RowMatrix A =
-          matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix_[k]));
-      KN<double>* u = value_of<KN<double>*>(stack, displacement_[k]);
-      problem.require_dofs("A", k, A.rows());
-      problem.require_dofs("u", k, u->N());
-      body.displacement.segment(problem.first_dof(k), problem.dof_count(k)) =
-          vector_of(u);
+      const RowMatrix A = matrix_of_body(stack, problem, k, matrix_[k]);
       systems.push_back(elastic_system(A, VectorXd::Zero(A.rows())));
     }
-    judged.system = std::make_shared<const ElasticSystem>(
-        systems.size() == 1 ? std::move(systems.front())
-                            : joined_systems(systems));
-    body.law = problem.law;
-    body.law.multiplier = multiplier_of(stack, named_);
-    const Matrix2Xd given =
-        problem.pressures(value_of<KN<double>*>(stack, normal_),
-                          value_of<KN<double>*>(stack, tangential_));
-    body.pressure = multiplier_density(problem.line, body.law.multiplier,
-                                       judged.system->prescribed, given);
-    judged.forces = contact_forces(problem.line, body.law, given);
+    Judged judged;
+    judged.system =
+        std::make_shared<const ElasticSystem>(joined(std::move(systems)));
+    judged.body.displacement = joined_displacement(
+        problem, values_of<KN<double>*>(stack, displacement_));
+    judged.body.law = problem.law;
+    judged.body.law.multiplier = multiplier_of(stack, named_);
+    put_pressures(problem,
+                  problem.pressures(value_of<KN<double>*>(stack, normal_),
+                                    value_of<KN<double>*>(stack, tangential_)),
+                  judged);
     return judged;
+  }
+
+  /// What pn and pt stand for.
+  static void put_pressures(const ContactProblem& problem,
+                            const Matrix2Xd& given, Judged& judged) {
+    const ContactLaw& law = judged.body.law;
+    judged.body.pressure = multiplier_density(problem.line, law.multiplier,
+                                              judged.system->prescribed, given);
+    judged.forces = contact_forces(problem.line, law, given);
   }
 
   static std::shared_ptr<const CondensedContact> contact_of(
@@ -210,23 +211,32 @@ class ContactErrorFunction : public E_F0mps {
     return CoulombBound{constant, value, stuck};
   }
 
+  void put_bound(Stack stack, const CoulombBound& bound) const {
+    named_.put(stack, "coulomb", bound.constant.kappa);
+    named_.put(stack, "bound", bound.value);
+  }
+
+  Tractions tractions(Stack stack) const {
+    const std::string name = named_.text(stack, "tractions", "free");
+    if (name == "free") return Tractions::free;
+    if (name == "fixed") return Tractions::fixed;
+    if (name == "published") return Tractions::published;
+    refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"",
+           name, "\"");
+  }
+
+  Construction construction(Stack stack) const {
+    const std::string name = named_.text(stack, "construction", "composite");
+    if (name == "composite") return Construction::composite;
+    if (name == "polynomial") return Construction::polynomial;
+    refuse("construction must be \"composite\" or \"polynomial\", got \"", name,
+           "\"");
+  }
+
   EstimateSettings estimate_settings(Stack stack) const {
     EstimateSettings settings;
-    const std::string tractions = named_.text(stack, "tractions", "free");
-    if (tractions == "fixed")
-      settings.tractions = Tractions::fixed;
-    else if (tractions == "published")
-      settings.tractions = Tractions::published;
-    else if (tractions != "free")
-      refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"",
-             tractions, "\"");
-    const std::string construction =
-        named_.text(stack, "construction", "composite");
-    if (construction == "polynomial")
-      settings.construction = Construction::polynomial;
-    else if (construction != "composite")
-      refuse("construction must be \"composite\" or \"polynomial\", got \"",
-             construction, "\"");
+    settings.tractions = tractions(stack);
+    settings.construction = construction(stack);
     RelaxationSettings& relaxation = settings.relaxation;
     relaxation.tightness =
         named_.number(stack, "tightness", relaxation.tightness);
@@ -235,64 +245,6 @@ class ContactErrorFunction : public E_F0mps {
     relaxation.sweeps =
         static_cast<int>(named_.integer(stack, "sweeps", sweeps));
     return settings;
-  }
-
-  void add_law_and_loads(Stack stack, const ContactProblem& problem,
-                         Judged& judged) const {
-    const JoinedMesh& joined = problem.joined;
-    const int bodies = problem.body_count();
-    SolvedBody& body = judged.body;
-    body.neumann.resize(4, joined.first_boundary.back());
-    body.body_loads.resize(6, joined.first_triangle.back());
-    for (int k = 0; k < bodies; ++k) {
-      const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[k];
-      const std::string traction = name_of_body("traction", k, bodies),
-                        f = name_of_body("bodyforce", k, bodies);
-      add_hooke(stack, problem, k, body.hooke);
-      const Mesh mesh = mesh_of(&fem_mesh);
-      body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
-          traction_moments(stack, named_.component(traction, 0, 2),
-                           named_.component(traction, 1, 2), fem_mesh, mesh);
-      const BodyForce force =
-          body_force_loads(stack, named_.component(f, 0, 2),
-                           named_.component(f, 1, 2), fem_mesh, mesh);
-      body.body_loads.middleCols(joined.first_triangle[k], mesh.cells.cols()) =
-          force.loads;
-      judged.oscillation = std::hypot(judged.oscillation, force.oscillation);
-    }
-  }
-
-  /// Appends the tensors of one body's triangles.
-  void add_hooke(Stack stack, const ContactProblem& problem, int body,
-                 Hooke& all) const {
-    const int bodies = problem.body_count();
-    const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[body];
-    const std::string name = name_of_body("hooke", body, bodies),
-                      lambda_name = name_of_body("lambda", body, bodies),
-                      G_name = name_of_body("G", body, bodies);
-    const Expression lambda = named_.expression(lambda_name),
-                     G = named_.expression(G_name);
-    const bool lame = lambda && G;
-    if (lame == named_.given(name))
-      refuse("give either ", lambda_name, "= and ", G_name,
-             "= (Lame's constants) or ", name,
-             "=[C11, C12, C13, C22, C23, C33]");
-    Hooke hooke(fem_mesh.nt);
-    if (lame) {
-      const VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0);
-      const VectorXd Gs = at_triangles(stack, G, fem_mesh, 0);
-      for (Index t = 0; t < Gs.size(); ++t)
-        hooke[t] = isotropic(lambdas[t], Gs[t]);
-    } else {
-      constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
-      for (int c = 0; c < 6; ++c) {
-        const VectorXd values =
-            at_triangles(stack, named_.component(name, c, 6), fem_mesh, 0);
-        for (Index t = 0; t < values.size(); ++t)
-          hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
-      }
-    }
-    all.insert(all.end(), hooke.begin(), hooke.end());
   }
 
   bool is_wanted(const char* parameter, int bodies) const {
@@ -315,73 +267,30 @@ class ContactErrorFunction : public E_F0mps {
     put_by_triangles(stack, problem, "rate", local_rates(topology, singular));
   }
 
+  /// @param values  the same number of each triangle
   void put_by_triangles(Stack stack, const ContactProblem& problem,
                         const char* parameter, const VectorXd& values) const {
     const std::vector<int>& first = problem.joined.first_triangle;
+    const Index each = values.size() / first.back();
     const int bodies = problem.body_count();
     for (int k = 0; k < bodies; ++k)
-      named_.put(stack, name_of_body(parameter, k, bodies),
-                 values.segment(first[k], first[k + 1] - first[k]));
-  }
-
-  /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is
-  /// triangle t with vertex k moved to the centroid. FreeFEM keeps P1dc values at the
-  /// vertices shrunk by 1 % towards the triangle's centroid.
-  static VectorXd stress_component(const std::vector<CompositeStress>& stress,
-                                   int component) {
-    constexpr double shrink = 0.01;
-    VectorXd values(9 * static_cast<Index>(stress.size()));
-    for (std::size_t t = 0; t < stress.size(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        // k+1, k+2, centroid
-        const Vector3d corners =
-            stress[t].block<1, 3>(component, 3 * k).transpose();
-        for (int c = 0; c < 3; ++c) {
-          const int vertex = (k + 1 + c) % 3;
-          values[9 * static_cast<Index>(t) + 3 * k + vertex] =
-              (1 - shrink) * corners[c] + shrink * corners.mean();
-        }
-      }
-    return values;
+      named_.put(
+          stack, name_of_body(parameter, k, bodies),
+          values.segment(each * first[k], each * (first[k + 1] - first[k])));
   }
 
   void put_stress(Stack stack, const ContactProblem& problem,
                   const Estimate& estimate) const {
-    constexpr const char* parameter[] = {"sxx", "syy", "sxy"};
-    const int bodies = problem.body_count();
-    if (!is_wanted("sxx", bodies) && !is_wanted("syy", bodies) &&
-        !is_wanted("sxy", bodies))
-      return;
+    constexpr std::array parameter = {"sxx", "syy", "sxy"};
+    const auto wanted = [&](const char* name) {
+      return is_wanted(name, problem.body_count());
+    };
+    if (std::none_of(parameter.begin(), parameter.end(), wanted)) return;
     const std::vector<CompositeStress> stress =
         stress_on_triangles(problem.mesh, estimate);
-    const std::vector<int>& first = problem.joined.first_triangle;
-    for (int c = 0; c < 3; ++c) {
-      const VectorXd values = stress_component(stress, c);
-      for (int k = 0; k < bodies; ++k)
-        named_.put(stack, name_of_body(parameter[c], k, bodies),
-                   values.segment(9 * first[k], 9 * (first[k + 1] - first[k])));
-    }
-  }
-
-  /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the
-  /// line that coefficients are stated on.
-  static VectorXd abscissae(const ContactProblem& problem,
-                            const Estimate& estimate) {
-    if (!estimate.refinement) return problem.edge_abscissa.reshaped();
-    const ContactLine& line = estimate.refinement->line;
-    VectorXd values(2 * line.edge_count());
-    for (int e = 0; e < line.edge_count(); ++e) {
-      const int k = estimate.refinement->parent_contact_edge[e];
-      const Vector2d ends = problem.edge_abscissa.col(k);
-      for (int end = 0; end < 2; ++end) {
-        const int vertex = line.vertex[line.edge_node(end, e)];
-        const double place = estimate.refinement->place(problem.edges, vertex,
-                                                        problem.line.edge[k]);
-        values[2 * e + end] =
-            ends[0] + problem.line.share(k, place) * (ends[1] - ends[0]);
-      }
-    }
-    return values;
+    for (int c = 0; c < 3; ++c)
+      put_by_triangles(stack, problem, parameter[c],
+                       stress_component(stress, c));
   }
 
   void put(Stack stack, const ContactProblem& problem,
@@ -392,9 +301,7 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "e", estimate.e);
     named_.put(stack, "elasticpart", estimate.elastic);
     named_.put(stack, "contactpart", estimate.contact);
-    named_.put(
-        stack, "history",
-        Map<const VectorXd>(estimate.history.data(), estimate.history.size()));
+    named_.put(stack, "history", packed(estimate.history));
     named_.put(stack, "rn", estimate.tractions.normal.reshaped());
     named_.put(stack, "rt", estimate.tractions.tangential.reshaped());
     named_.put(stack, "corrected",

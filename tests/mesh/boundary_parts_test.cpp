@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/moved_onto_parts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "ffcontact/mesh/moved_onto_parts.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/edge_cuts.hpp"
 
-#include <algorithm>
-
 namespace ffcontact {
 
 namespace {
@@ -38,10 +36,11 @@ int EdgeCuts::vertex_at(int edge, double place) const {
 }
 
 bool EdgeCuts::lies_on(int vertex, int edge) const {
-  const auto places = of_edge.find(edge);
-  if (places == of_edge.end()) return false;
-  return std::any_of(places->second.begin(), places->second.end(),
-                     [&](const auto& at) { return at.second == vertex; });
+  const auto found = of_edge.find(edge);
+  if (found == of_edge.end()) return false;
+  for (const auto& [place, there] : found->second)
+    if (there == vertex) return true;
+  return false;
 }
 
 EdgeCuts edge_cuts(const Mesh& mesh, const Edges& edges,

@@ -17,8 +17,7 @@ EdgeByEnds boundary_by_ends(const Edges& edges) {
   EdgeByEnds boundary;
   for (int e = 0; e < edges.count(); ++e)
     if (edges.on_boundary(e))
-      boundary.emplace(std::pair(edges.vertices(0, e), edges.vertices(1, e)),
-                       e);
+      boundary[{edges.vertices(0, e), edges.vertices(1, e)}] = e;
   return boundary;
 }
 

@@ -37,7 +37,7 @@ struct Chain {
 /// The other edge at a vertex, nothing where it is an end or a branch.
 std::optional<int> next_column(const EdgesAtVertex& at, int vertex,
                                int column) {
-  const std::vector<int>& columns = at.find(vertex)->second;
+  const std::vector<int>& columns = at.at(vertex);
   if (columns.size() != 2) return std::nullopt;
   return columns[0] == column ? columns[1] : columns[0];
 }
@@ -58,17 +58,11 @@ Matrix2Xd points_of(const Mesh& mesh, const std::vector<int>& vertices) {
   return mesh.vertices(Eigen::all, vertices);
 }
 
-double turn_at(const Vector2d& before, const Vector2d& at,
-               const Vector2d& after) {
-  return angle_between(at - before, after - at);
-}
-
 /// Where a closed chain of points turns the most.
 Index sharpest_point(const Matrix2Xd& x) {
   const Index n = x.cols() - 1;
   VectorXd turn(n);
-  for (Index k = 0; k < n; ++k)
-    turn[k] = turn_at(x.col((k + n - 1) % n), x.col(k), x.col(k + 1));
+  for (Index k = 0; k < n; ++k) turn[k] = turn_at(x, (k + n - 1) % n, k, k + 1);
   Index sharpest;
   turn.maxCoeff(&sharpest);
   return sharpest;
@@ -123,7 +117,7 @@ Vector2d leaving(const Mesh& mesh, const BoundaryPart& part, bool backwards) {
 double largest_turn(const Matrix2Xd& x) {
   double largest = 0;
   for (Index k = 1; k + 1 < x.cols(); ++k)
-    largest = std::max(largest, turn_at(x.col(k - 1), x.col(k), x.col(k + 1)));
+    largest = std::max(largest, turn_at(x, k - 1, k, k + 1));
   return largest;
 }
 
@@ -221,9 +215,11 @@ int part_label(const Mesh& mesh, int part) {
 VectorXi labelled_by_parts(const Mesh& mesh,
                            const std::vector<BoundaryPart>& parts) {
   VectorXi labels = mesh.boundary_label;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    for (int column : parts[k].columns)
-      labels[column] = part_label(mesh, static_cast<int>(k));
+  int label = part_label(mesh, 0);
+  for (const BoundaryPart& part : parts) {
+    for (int column : part.columns) labels[column] = label;
+    ++label;
+  }
   return labels;
 }
 

@@ -148,9 +148,8 @@ class Gathering {
 template <int dim>
 Matrix<double, dim, 1> vector_of(const SimplexMesh<dim>& mesh,
                                  const Facets<dim>& facets, int facet) {
-  Matrix<double, dim, dim> corners;
-  for (int i = 0; i < dim; ++i)
-    corners.col(i) = mesh.vertices.col(facets.vertices(i, facet));
+  const Matrix<double, dim, dim> corners =
+      mesh.vertices(Eigen::all, facets.vertices.col(facet));
   return facet_vector(corners);
 }
 

@@ -94,12 +94,9 @@ Vector2d SmoothCurve::beside(const Vector2d& point) const {
 
 bool closes_smoothly(const Ref<const Matrix2Xd>& points) {
   const Index n = points.cols() - 1;
-  const auto turn = [&](Index before, Index at, Index after) {
-    return angle_between(points.col(at) - points.col(before),
-                         points.col(after) - points.col(at));
-  };
-  return turn(n - 1, 0, 1) <=
-         2 * std::max(turn(0, 1, 2), turn(n - 2, n - 1, n));
+  const double beside =
+      std::max(turn_at(points, 0, 1, 2), turn_at(points, n - 2, n - 1, n));
+  return turn_at(points, n - 1, 0, 1) <= 2 * beside;
 }
 
 SmoothCurve smooth_curve(const Ref<const Matrix2Xd>& points, bool closed) {

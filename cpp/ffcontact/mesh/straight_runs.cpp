@@ -92,8 +92,7 @@ int end_of_run(const Ref<const Matrix2Xd>& chain, int start, double tolerance) {
 VectorXd turns_of(const Ref<const Matrix2Xd>& chain) {
   VectorXd turn = VectorXd::Zero(chain.cols());
   for (Index k = 1; k + 1 < chain.cols(); ++k)
-    turn[k] = angle_between(chain.col(k) - chain.col(k - 1),
-                            chain.col(k + 1) - chain.col(k));
+    turn[k] = turn_at(chain, k - 1, k, k + 1);
   return turn;
 }
 
@@ -168,6 +167,12 @@ std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
 
 double angle_between(const Vector2d& a, const Vector2d& b) {
   return std::abs(std::atan2(cross(a, b), a.dot(b)));
+}
+
+double turn_at(const Ref<const Matrix2Xd>& points, Index before, Index at,
+               Index after) {
+  return angle_between(points.col(at) - points.col(before),
+                       points.col(after) - points.col(at));
 }
 
 double extent(const Ref<const Matrix2Xd>& points) {

@@ -46,6 +46,10 @@ std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
 /// Angle between two vectors [rad].
 double angle_between(const Vector2d& a, const Vector2d& b);
 
+/// Angle by which a chain of points turns at one of them [rad].
+double turn_at(const Ref<const Matrix2Xd>& points, Index before, Index at,
+               Index after);
+
 /// Diagonal of the box around points.
 double extent(const Ref<const Matrix2Xd>& points);
 

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_statement.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/interface/line_ends.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// Bodies may overlap a little, as polygons of curves do and interference fits, but not
+/// by more than their contact edges.
+void require_apart(const Mesh& mesh, const ContactLine& line,
+                   const VectorXd& gap) {
+  for (int i = 0; i < gap.size(); ++i) {
+    const Vector2d x = mesh.place(line.vertex[i]);
+    if (gap[i] < -line.length.maxCoeff())
+      refuse("the bodies overlap by ", -gap[i], " at (", x.x(), ", ", x.y(),
+             "), more than a contact edge: is the facing edge behind the "
+             "contact line? "
+             "Give gap= if it is meant");
+  }
+}
+
+VectorXd stated_gap(Stack stack, const NamedArguments& named,
+                    const BodyPart& part, const Mesh& mesh, const Edges& edges,
+                    const ContactLine& line, const StatedPlaces& places) {
+  if (const Expression given = named.expression("gap"))
+    return at_nodes(stack, given, part, edges, line, places, 0);
+  if (!line.against_a_body()) return {};
+  const VectorXd gap = facing_gap(line);
+  require_apart(mesh, line, gap);
+  return gap;
+}
+
+}  // namespace
+
+std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
+                               const std::string& name,
+                               const JoinedMesh& joined, int body) {
+  std::vector<int> labels = named.integers(stack, name);
+  if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
+  const int first = joined.first_boundary[body],
+            end = joined.first_boundary[body + 1];
+  for (int& label : labels) {
+    const int own = std::exchange(label, joined.label(body, label));
+    const auto* all = joined.mesh.boundary_label.data();
+    if (joined.body_count() > 1 &&
+        std::find(all + first, all + end, label) == all + end)
+      refuse(name, " is ", own, ", which is on no boundary edge of mesh ",
+             body + 1);
+  }
+  return labels;
+}
+
+ContactLine stated_line(Stack stack, const NamedArguments& named,
+                        const BodyPart& part, const Mesh& mesh,
+                        const Edges& edges, const std::vector<int>& labels) {
+  if (!named.given("normal")) return curved_contact_line(mesh, edges, labels);
+  const ContactLine line = smooth_contact_line(mesh, edges, labels);
+  Matrix2Xd direction(2, line.node_count());
+  for (int c = 0; c < 2; ++c)
+    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part,
+                                edges, line, stated_places(line, false), 0)
+                           .transpose();
+  return along_directions(mesh, edges, line, direction);
+}
+
+void require_law(const NamedArguments& named) {
+  if (!named.given("friction") && !named.given("slipbound"))
+    refuse(
+        "no law is given: friction= (Coulomb's coefficient, 0 for none), "
+        "slipbound= "
+        "(Tresca's bound), or both");
+}
+
+ContactLaw stated_law(Stack stack, const NamedArguments& named,
+                      const BodyPart& part, const Mesh& mesh,
+                      const Edges& edges, const ContactLine& line,
+                      const StatedPlaces& places) {
+  const auto read = [&](const char* name, VectorXd& nodal,
+                        EdgeRange& between_nodes) {
+    const Expression given = named.expression(name);
+    nodal = at_nodes(stack, given, part, edges, line, places, 0);
+    if (given)
+      between_nodes =
+          enclosing_range(along_edges(stack, given, part, edges, places));
+  };
+  const bool both = named.given("friction") && named.given("slipbound");
+  ContactLaw law;
+  read("friction", law.friction, law.between_nodes);
+  if (both)
+    read("slipbound", law.shear_limit, law.limit_between_nodes);
+  else if (named.given("slipbound"))
+    read("slipbound", law.slip_bound, law.between_nodes);
+  law.gap = stated_gap(stack, named, part, mesh, edges, line, places);
+  return law;
+}
+
+int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
+  if (!named.given("side")) return 0;
+  const std::vector<int> sides = named.integers(stack, "side");
+  if (sides.size() != 1 && static_cast<int>(sides.size()) != pairs)
+    refuse("side has ", sides.size(),
+           " values: give one, or one for each of the ", pairs,
+           " pairs of bodies");
+  const int side = sides.size() == 1 ? sides[0] : sides[pair];
+  if (side != 1 && side != 2)
+    refuse(
+        "side must be 1 (the body that comes first carries the multipliers) or "
+        "2 (the "
+        "other one), got ",
+        side);
+  return side;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/mesh/joined_mesh.hpp"
+#include "views.hpp"
+
+/// What the parameters of a statement say of labels, line, law and side.
+namespace ffcontact::plugin {
+
+/// The labels of one body in the joined mesh's numbering.
+/// @throws std::invalid_argument  if one of several bodies has none, or a label is on no
+///                                boundary edge of the body
+std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
+                               const std::string& name,
+                               const JoinedMesh& joined, int body);
+
+/// The line by its own normals, or along the directions of normal=.
+ContactLine stated_line(Stack stack, const NamedArguments& named,
+                        const BodyPart& part, const Mesh& mesh,
+                        const Edges& edges, const std::vector<int>& labels);
+
+/// @throws std::invalid_argument  if neither friction= nor slipbound= is given
+void require_law(const NamedArguments& named);
+
+/// The law on a line; against a body without gap= the gap is that of the meshes.
+/// @throws std::invalid_argument  if the bodies overlap by more than a contact edge
+ContactLaw stated_law(Stack stack, const NamedArguments& named,
+                      const BodyPart& part, const Mesh& mesh,
+                      const Edges& edges, const ContactLine& line,
+                      const StatedPlaces& places);
+
+/// Which side of pair number `pair` the script wants, 1 or 2, or 0.
+int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs);
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "contact_problem.hpp"
+#include "ffcontact/estimate/estimate.hpp"
+
+/// What an estimate leaves, as arrays of the script.
+namespace ffcontact::plugin {
+
+/// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is
+/// triangle t with vertex k moved to the centroid. FreeFEM keeps P1dc values at the
+/// vertices shrunk by 1 % towards the triangle's centroid.
+VectorXd stress_component(const std::vector<CompositeStress>& stress,
+                          int component);
+
+/// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the line
+/// that coefficients are stated on.
+VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate);
+
+}  // namespace ffcontact::plugin

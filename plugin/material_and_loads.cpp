@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material_and_loads.hpp"
+
+#include <cmath>
+
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// C = lambda 1 x 1 + 2 G I on each triangle.
+Hooke isotropic_of(Stack stack, Expression lambda, Expression G,
+                   const Fem2D::Mesh& fem_mesh) {
+  const VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0),
+                 Gs = at_triangles(stack, G, fem_mesh, 0);
+  Hooke hooke(fem_mesh.nt);
+  for (Index t = 0; t < Gs.size(); ++t) hooke[t] = isotropic(lambdas[t], Gs[t]);
+  return hooke;
+}
+
+/// From [C11, C12, C13, C22, C23, C33].
+Hooke general_of(Stack stack, const NamedArguments& named,
+                 const std::string& name, const Fem2D::Mesh& fem_mesh) {
+  constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
+  Hooke hooke(fem_mesh.nt);
+  for (int c = 0; c < 6; ++c) {
+    const VectorXd values =
+        at_triangles(stack, named.component(name, c, 6), fem_mesh, 0);
+    for (Index t = 0; t < values.size(); ++t)
+      hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
+  }
+  return hooke;
+}
+
+Hooke hooke_of(Stack stack, const NamedArguments& named,
+               const ContactProblem& problem, int body) {
+  const auto name_of = [&](const char* name) {
+    return name_of_body(name, body, problem.body_count());
+  };
+  const std::string general = name_of("hooke");
+  const Expression lambda = named.expression(name_of("lambda")),
+                   G = named.expression(name_of("G"));
+  const bool lame = lambda && G;
+  if (lame == named.given(general))
+    refuse("give either ", name_of("lambda"), "= and ", name_of("G"),
+           "= (Lame's constants) or ", general,
+           "=[C11, C12, C13, C22, C23, C33]");
+  const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[body];
+  return lame ? isotropic_of(stack, lambda, G, fem_mesh)
+              : general_of(stack, named, general, fem_mesh);
+}
+
+/// The components of a load, null where it is not given.
+struct Load {
+  Expression x, y;
+};
+
+Load load_of(const NamedArguments& named, const char* name, int body,
+             int bodies) {
+  const std::string own = name_of_body(name, body, bodies);
+  return {named.component(own, 0, 2), named.component(own, 1, 2)};
+}
+
+/// Reads one body into what is there for all of them.
+double read_body(Stack stack, const NamedArguments& named,
+                 const ContactProblem& problem, int k, SolvedBody& body) {
+  const JoinedMesh& joined = problem.joined;
+  const int bodies = problem.body_count();
+  const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[k];
+  const Hooke hooke = hooke_of(stack, named, problem, k);
+  body.hooke.insert(body.hooke.end(), hooke.begin(), hooke.end());
+  const Load F = load_of(named, "traction", k, bodies),
+             f = load_of(named, "bodyforce", k, bodies);
+  const Mesh mesh = mesh_of(&fem_mesh);
+  body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
+      traction_moments(stack, F.x, F.y, fem_mesh, mesh);
+  const BodyForce force = body_force_loads(stack, f.x, f.y, fem_mesh, mesh);
+  body.body_loads.middleCols(joined.first_triangle[k], mesh.cells.cols()) =
+      force.loads;
+  return force.oscillation;
+}
+
+}  // namespace
+
+double read_material_and_loads(Stack stack, const NamedArguments& named,
+                               const ContactProblem& problem,
+                               SolvedBody& body) {
+  body.neumann.resize(4, problem.joined.first_boundary.back());
+  body.body_loads.resize(6, problem.joined.first_triangle.back());
+  double oscillation = 0;
+  for (int k = 0; k < problem.body_count(); ++k)
+    oscillation =
+        std::hypot(oscillation, read_body(stack, named, problem, k, body));
+  return oscillation;
+}
+
+}  // namespace ffcontact::plugin
