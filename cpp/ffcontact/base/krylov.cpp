@@ -109,7 +109,7 @@ double largest_eigenvalue(const LinearMap& A, Index size) {
 }
 
 double largest_real_eigenvalue(const LinearMap& A, Index size, double below) {
-  constexpr double tolerance = 1e-6;
+  constexpr double tolerance = 1e-9;
   const auto wanted = [below](const KrylovSpace& space) {
     const Eigen::EigenSolver<MatrixXd> ritz(space.projection());
     const Eigen::VectorXcd theta = ritz.eigenvalues();

@@ -17,7 +17,7 @@ using LinearMap = std::function<VectorXd(const VectorXd&)>;
 double largest_eigenvalue(const LinearMap& A, Index size);
 
 /// Largest real eigenvalue of A in (0, below) by Arnoldi's method (ibid., 6.2), where the
-/// residual of its Ritz vector is 1e-6 of it after at most 200 steps; 0 if there is none.
+/// residual of its Ritz vector is 1e-9 of it after at most 200 steps; 0 if there is none.
 /// Up to 200 unknowns none is missed, beyond that those among complex eigenvalues that
 /// are farther from 0 may be. A Ritz value is real when its imaginary part is less than
 /// 1e-8 of its modulus.
