@@ -218,8 +218,7 @@ class ContactSolve : public E_F0mps {
     else if (!contact.last_states.empty() && law.previous.size() == 0)
       refuse(
           "loadstep=true, but the contact was stated anew since its last "
-          "solution: state "
-          "it with previous=");
+          "solution: state it with previous=");
     return law;
   }
 

@@ -161,8 +161,7 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
   }
   if (named.given("side"))
     refuse(
-        "side= is for bodies that face each other, not for a rigid "
-        "foundation");
+        "side= is for bodies that face each other, not for a rigid foundation");
   pairs_.push_back(
       {true, 1, carrier(stack, named, body, own, own, false), std::nullopt});
 }

@@ -21,8 +21,7 @@ void require_apart(const Mesh& mesh, const ContactLine& line,
     if (gap[i] < -line.length.maxCoeff())
       refuse("the bodies overlap by ", -gap[i], " at (", x.x(), ", ", x.y(),
              "), more than a contact edge: is the facing edge behind the "
-             "contact line? "
-             "Give gap= if it is meant");
+             "contact line? Give gap= if it is meant");
   }
 }
 
@@ -74,8 +73,7 @@ void require_law(const NamedArguments& named) {
   if (!named.given("friction") && !named.given("slipbound"))
     refuse(
         "no law is given: friction= (Coulomb's coefficient, 0 for none), "
-        "slipbound= "
-        "(Tresca's bound), or both");
+        "slipbound= (Tresca's bound), or both");
 }
 
 ContactLaw stated_law(Stack stack, const NamedArguments& named,
@@ -112,8 +110,7 @@ int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
   if (side != 1 && side != 2)
     refuse(
         "side must be 1 (the body that comes first carries the multipliers) or "
-        "2 (the "
-        "other one), got ",
+        "2 (the other one), got ",
         side);
   return side;
 }

@@ -62,8 +62,7 @@ class ContactErrorFunction : public E_F0mps {
     if (arguments.size() % 2 == 0 || arguments.size() < 5)
       CompileError(
           "contacterror: after the contact come A and u of each body, then pn "
-          "and pt, or "
-          "nothing at all");
+          "and pt, or nothing at all");
     const int last = arguments.size() - 2;
     for (int k = 1; k < last; k += 2) {
       matrix_.push_back(to<Matrice_Creuse<double>*>(arguments[k]));

@@ -76,8 +76,7 @@ void run_gmsh(const std::string& dimension, const path& input,
   if (WIFEXITED(status) && WEXITSTATUS(status) == shell_found_nothing)
     refuse(
         "the program gmsh was not found; install it (Debian: apt-get install "
-        "gmsh) or "
-        "add its folder to PATH");
+        "gmsh) or add its folder to PATH");
   if (status != 0 || !std::filesystem::exists(output))
     refuse("gmsh could not use ", what.string(), ": ", first_line(log));
 }

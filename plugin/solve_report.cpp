@@ -5,8 +5,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "coulomb.hpp"
 #include "ffcontact/base/require.hpp"
+//
+#include "coulomb.hpp"
 
 namespace ffcontact::plugin {
 

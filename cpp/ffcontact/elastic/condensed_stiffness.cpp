@@ -124,9 +124,7 @@ SparseCholesky factorised(const SparseMatrix& upper) {
   if (factor.reciprocal_condition() < 1e-15)
     throw std::runtime_error(
         "the stiffness matrix is singular: a part of the body is held neither "
-        "by "
-        "prescribed "
-        "displacements nor by contact");
+        "by prescribed displacements nor by contact");
   return factor;
 }
 

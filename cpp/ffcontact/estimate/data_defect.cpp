@@ -206,11 +206,10 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
            comparison.factor(), " times the stiffness of the law at ",
            in_words(mesh, worst / 2),
            "; give the constants of the script's varf");
-  refuse(
-      "A is not the stiffness of lambda and G (or hooke): its row of ",
-      in_words(mesh, worst / 2), " is off by ", comparison.off[worst],
-      " of its terms; give the law of the script's varf in every region, and A "
-      "without springs");
+  refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
+         in_words(mesh, worst / 2), " is off by ", comparison.off[worst],
+         " of its terms; give the law of the script's varf in every region, "
+         "and A without springs");
 }
 
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,

@@ -89,12 +89,10 @@ NodalResidual residual_without_contact(const SolvedProblem& solved,
   const Vector2d x = solved.topology.mesh.place(v);
   refuse(
       "no tractions in the cone have the resultant and the moment of the "
-      "loads; most of "
-      "the contact force acts at vertex ",
+      "loads; most of the contact force acts at vertex ",
       v, " (", x.x(), ", ", x.y(),
       "), as where a body stands on one end of its line; hold it otherwise, or "
-      "let the "
-      "line go on there");
+      "let the line go on there");
 }
 
 /// (4.1) alone: the shift of an edge has neither resultant nor moment, so that stresses
