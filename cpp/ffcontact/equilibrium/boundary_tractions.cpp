@@ -85,12 +85,9 @@ Matrix2d edge_frame(const ContactLine& line, int contact_edge) {
 
 Vector4d contact_moments(const ContactLine& line,
                          const ContactDensities& densities, int contact_edge) {
-  const Vector2d n = line.edge_normal(contact_edge),
-                 t = line.edge_tangent(contact_edge);
-  const Vector4d r = end_values(densities, contact_edge);
-  Vector4d density;
-  density << r[0] * n + r[1] * t, r[2] * n + r[3] * t;
-  return moments_of_density(density, line.length[contact_edge]);
+  const Matrix2d r = end_values(densities, contact_edge).reshaped(2, 2),
+                 density = edge_frame(line, contact_edge).transpose() * r;
+  return moments_of_density(density.reshaped(), line.length[contact_edge]);
 }
 
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,

@@ -61,7 +61,7 @@ std::map<int, int> inner_edges(const CommonRefinement& refinement,
   return column;
 }
 
-/// Those of a constant stress.
+/// The moments of a constant stress.
 Vector4d moments_of_stress(const Mesh& mesh, const Edges& edges, int edge,
                            const Vector3d& stress) {
   const Vector2d half = 0.5 * edge_vector(mesh, edges, edge).norm() *
@@ -118,7 +118,7 @@ void balance_fan(const CommonRefinement& refinement,
     moments.col(edge) += change.segment<4>(first);
 }
 
-/// The moments with the hat functions of an old edge's ends.
+/// By old edge: moments with the hat functions of its ends.
 using OldEdgeMoments = std::map<int, Vector4d>;
 
 /// Zeros for the old edges that the contact line or an edge that it faces is a part of.

@@ -65,8 +65,9 @@ struct Row {
 Row row_of(const RowMatrix& A, const VectorXd& z, Index dof) {
   Row row;
   for (RowMatrix::InnerIterator a(A, dof); a; ++a) {
-    row.sum += a.value() * z[a.col()];
-    row.terms += std::abs(a.value() * z[a.col()]);
+    const double term = a.value() * z[a.col()];
+    row.sum += term;
+    row.terms += std::abs(term);
   }
   return row;
 }

@@ -241,25 +241,33 @@ class Dual {
   const VectorXd& resultants_;
 };
 
+/// What a gradient has at least: of the terms of the resultants, and of eta.
+double rounding(const Dual::Point& point, double length, double scale) {
+  const double of_eta =
+      std::numeric_limits<double>::epsilon() * length * point.eta.norm();
+  return std::max(resultant_tolerance * scale, 2 * of_eta);
+}
+
+/// Regularised by what is left to do: no step is longer than the tractions, and the last
+/// ones are Newton's. [z] is of size 1: `length` is what the slope is where nothing is
+/// held.
+VectorXd newton_step(const Dual& dual, const Dual::Point& point, double length,
+                     double scale) {
+  const Index k = point.eta.size();
+  const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
+  const MatrixXd slope = dual.slope(point) + regular * MatrixXd::Identity(k, k);
+  return -slope.ldlt().solve(point.off);
+}
+
 /// Newton's method; nothing if it runs away. Where the dual is all but flat its last steps
 /// are long and lose digits: the point that was closest to the resultants.
 std::optional<Dual::Point> minimum(const Dual& dual, double length) {
   Dual::Point point = dual.start(), closest = point;
-  const Index k = point.eta.size();
   const double scale = dual.scale();
   for (int step = 0; step < most_steps; ++step) {
-    const double rounding =
-        std::numeric_limits<double>::epsilon() * length * point.eta.norm();
-    if (point.off.cwiseAbs().maxCoeff() <=
-        std::max(resultant_tolerance * scale, 2 * rounding))
+    if (point.off.cwiseAbs().maxCoeff() <= rounding(point, length, scale))
       return closest;
-    // Regularised by what is left to do: no step is longer than the tractions, and the
-    // last ones are Newton's. [z] is of size 1: `length` is what the slope is where
-    // nothing is held.
-    const double regular = length * point.off.cwiseAbs().maxCoeff() / scale;
-    const MatrixXd slope =
-        dual.slope(point) + regular * MatrixXd::Identity(k, k);
-    point = dual.moved(point, -slope.ldlt().solve(point.off));
+    point = dual.moved(point, newton_step(dual, point, length, scale));
     if (point.off.norm() < closest.off.norm()) closest = point;
   }
   return std::nullopt;
