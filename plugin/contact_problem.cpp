@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
@@ -170,7 +171,7 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
 void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                      int body, const ContactLine& own,
                                      const std::vector<int>& opposite_labels) {
-  const int wanted = wanted_side(stack, named, static_cast<int>(pairs_.size()),
+  const int wanted = wanted_side(stack, named, count_of(pairs_),
                                  std::max(1, body_count() - 1));
   const ContactLine facing = facing_line(
       mesh, edges, own, facing_traces(mesh, edges, own, opposite_labels));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/line_ends.hpp"
@@ -104,7 +105,7 @@ ContactLaw stated_law(Stack stack, const NamedArguments& named,
 int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
   if (!named.given("side")) return 0;
   const std::vector<int> sides = named.integers(stack, "side");
-  if (sides.size() != 1 && static_cast<int>(sides.size()) != pairs)
+  if (sides.size() != 1 && count_of(sides) != pairs)
     refuse("side has ", sides.size(),
            " values: give one, or one for each of the ", pairs,
            " pairs of bodies");

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "ffcontact/base/norms.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -106,8 +108,7 @@ ContactState start_state(const FrictionCone& cone, ContactState state) {
 }
 
 Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
-  const double P_largest =
-      std::max(rows.P.cwiseAbs().maxCoeff(), contact.g.cwiseAbs().maxCoeff());
+  const double P_largest = std::max(max_norm(rows.P), max_norm(contact.g));
   const double v_largest = motion_scale(contact, rows.v);
   return {relative_rounding * P_largest, relative_rounding * v_largest,
           relative_motion * v_largest};
@@ -241,7 +242,7 @@ void close_touching_ends(const CondensedContact& contact, const NodalLaw& law,
 /// The largest force of loads, or that of prescribed displacements.
 double load_scale(const CondensedContact& contact) {
   const double prescribed = contact.dependent_offset.lpNorm<Eigen::Infinity>();
-  return std::max(contact.g.cwiseAbs().maxCoeff(),
+  return std::max(max_norm(contact.g),
                   contact.S.diagonal().maxCoeff() * prescribed);
 }
 
@@ -260,15 +261,13 @@ void finish(const CondensedContact& contact, const NodalLaw& law,
 
 LawScales law_scales(const CondensedContact& contact, const VectorXd& v) {
   constexpr double share_of_loads = 1e-4;
-  return {motion_scale(contact, v),
-          share_of_loads * contact.g.cwiseAbs().maxCoeff()};
+  return {motion_scale(contact, v), share_of_loads * max_norm(contact.g)};
 }
 
 double law_violation(const CondensedContact& contact, const NodalLaw& law,
                      const ContactRows& rows) {
   constexpr double most_of_loads = 1e10;
-  if (rows.P.cwiseAbs().maxCoeff() > most_of_loads * load_scale(contact))
-    return std::numeric_limits<double>::infinity();
+  if (max_norm(rows.P) > most_of_loads * load_scale(contact)) return infinity;
   return law_violation(law, rows.P, rows.v, law_scales(contact, rows.v));
 }
 
@@ -278,7 +277,7 @@ ActiveSetResult active_set_newton(const CondensedContact& contact,
   for (std::size_t i = 0; i < state.size(); ++i)
     state[i] = start_state(law.cone[i], state[i]);
 
-  constexpr double unknown = std::numeric_limits<double>::infinity();
+  constexpr double unknown = infinity;
   const VectorXd zero = VectorXd::Zero(contact.position.size());
   ContactRows rows{zero, zero};
   ActiveSetResult result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/stars.hpp"
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -91,6 +92,11 @@ std::size_t free_colour(const std::vector<int>& taken_by, int vertex) {
   return colour;
 }
 
+void end_star(Stars& stars) {
+  stars.triangle_start.push_back(count_of(stars.triangle));
+  stars.spoke_start.push_back(count_of(stars.spoke));
+}
+
 }  // namespace
 
 Stars stars_of(const Mesh& mesh, const Edges& edges) {
@@ -102,8 +108,7 @@ Stars stars_of(const Mesh& mesh, const Edges& edges) {
     const int any = triangles.any[v];
     if (any >= 0)
       append_star(mesh, edges, v, first_triangle(mesh, edges, v, any), stars);
-    stars.triangle_start.push_back(static_cast<int>(stars.triangle.size()));
-    stars.spoke_start.push_back(static_cast<int>(stars.spoke.size()));
+    end_star(stars);
     if (stars.triangle_count(v) != triangles.count[v])
       refuse("the body touches itself in the single vertex ", v);
   }
