@@ -40,31 +40,6 @@ void append(const Matrix2Xd& values, Matrix2Xd& all) {
   all.rightCols(values.cols()) = values;
 }
 
-/// The labels of one body that face the one before it and the one after it.
-struct BodyLabels {
-  std::vector<int> towards_last, towards_next;
-};
-
-std::vector<BodyLabels> labels_of_bodies(Stack stack,
-                                         const NamedArguments& named,
-                                         const JoinedMesh& joined) {
-  const int bodies = joined.body_count();
-  std::vector<BodyLabels> labels;
-  for (int k = 0; k < bodies; ++k) {
-    const std::vector<int> own = joined_labels(
-        stack, named, name_of_body("label", k, bodies), joined, k);
-    const bool between = k > 0 && k + 1 < bodies;
-    if (between && own.size() != 2)
-      refuse("label", k + 1, " must be two labels: the first faces body ", k,
-             ", the second body ", k + 2);
-    if (between)
-      labels.push_back({{own[0]}, {own[1]}});
-    else
-      labels.push_back({own, own});
-  }
-  return labels;
-}
-
 }  // namespace
 
 NamedArguments::Table ContactProblem::table(const basicAC_F0& arguments) {
