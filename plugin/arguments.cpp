@@ -4,6 +4,7 @@
 #include <cstring>
 #include <set>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact::plugin {
@@ -26,6 +27,32 @@ const char* kept(const std::string& name) {
   return names.insert(name).first->c_str();
 }
 
+int integer_of(Stack stack, Expression expression) {
+  return static_cast<int>(GetAny<long>((*expression)(stack)));
+}
+
+std::vector<int> integers_of(Stack stack, const E_Array& list) {
+  std::vector<int> integers;
+  for (int i = 0; i < list.size(); ++i)
+    integers.push_back(integer_of(stack, CastTo<long>(list[i])));
+  return integers;
+}
+
+std::vector<int> integers_of(const KN_<long>& array) {
+  std::vector<int> integers;
+  for (int i = 0; i < array.N(); ++i)
+    integers.push_back(static_cast<int>(array[i]));
+  return integers;
+}
+
+/// Values in an array of the script, which is resized.
+template <class Value, class Values>
+void fill(Stack stack, Expression target, const Values& values) {
+  auto* array = GetAny<KN<Value>*>((*target)(stack));
+  array->resize(static_cast<long>(values.size()));
+  for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
+}
+
 }  // namespace
 
 NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
@@ -45,8 +72,7 @@ NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
       adapted[k].type = &typeid(long);
     }
   }
-  arguments.SetNameParam(static_cast<int>(adapted.size()), adapted.data(),
-                         values_.data());
+  arguments.SetNameParam(count_of(adapted), adapted.data(), values_.data());
   for (std::size_t k = 0; k < table_.size(); ++k) {
     components_.emplace_back();
     if (!values_[k] || *table_[k].type != typeid(E_Array)) continue;
@@ -71,7 +97,7 @@ Expression NamedArguments::component(const std::string& name, int k,
                                      int size) const {
   if (!given(name)) return nullptr;
   const std::vector<Expression>& components = components_[place(name)];
-  if (static_cast<int>(components.size()) != size)
+  if (count_of(components) != size)
     refuse(name, " must be a list of ", size, " expressions");
   return components[k];
 }
@@ -109,41 +135,25 @@ bool NamedArguments::flag(Stack stack, const std::string& name) const {
 
 std::vector<int> NamedArguments::integers(Stack stack,
                                           const std::string& name) const {
+  if (!given(name)) return {};
   const std::size_t k = place(name);
-  std::vector<int> result;
-  if (!given(name)) return result;
   const Expression value = values_[k];
-  if (list_kind_[k] == 'i') {
-    result.push_back(static_cast<int>(GetAny<long>((*value)(stack))));
-  } else if (list_kind_[k] == 'l') {
-    const auto* list = dynamic_cast<const E_Array*>(value);
-    for (int i = 0; i < list->size(); ++i)
-      result.push_back(
-          static_cast<int>(GetAny<long>((*CastTo<long>((*list)[i]))(stack))));
-  } else {
-    const KN_<long> array = GetAny<KN_<long>>((*value)(stack));
-    for (int i = 0; i < array.N(); ++i)
-      result.push_back(static_cast<int>(array[i]));
-  }
-  return result;
+  if (list_kind_[k] == 'i') return {integer_of(stack, value)};
+  if (list_kind_[k] == 'l')
+    return integers_of(stack, dynamic_cast<const E_Array&>(*value));
+  return integers_of(GetAny<KN_<long>>((*value)(stack)));
 }
 
 void NamedArguments::put(Stack stack, const std::string& name,
                          const Ref<const VectorXd>& values) const {
-  const Expression target = expression(name);
-  if (!target) return;
-  KN<double>* array = GetAny<KN<double>*>((*target)(stack));
-  array->resize(static_cast<long>(values.size()));
-  for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
+  if (const Expression target = expression(name))
+    fill<double>(stack, target, values);
 }
 
 void NamedArguments::put_integers(Stack stack, const std::string& name,
                                   const std::vector<long>& values) const {
-  const Expression target = expression(name);
-  if (!target) return;
-  KN<long>* array = GetAny<KN<long>*>((*target)(stack));
-  array->resize(static_cast<long>(values.size()));
-  for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
+  if (const Expression target = expression(name))
+    fill<long>(stack, target, values);
 }
 
 void NamedArguments::put(Stack stack, const std::string& name,

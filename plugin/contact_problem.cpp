@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
@@ -37,31 +38,6 @@ void append(const Matrix2Xd& values, Matrix2Xd& all) {
   const Index before = all.cols();
   all.conservativeResize(Eigen::NoChange, before + values.cols());
   all.rightCols(values.cols()) = values;
-}
-
-/// The labels of one body that face the one before it and the one after it.
-struct BodyLabels {
-  std::vector<int> towards_last, towards_next;
-};
-
-std::vector<BodyLabels> labels_of_bodies(Stack stack,
-                                         const NamedArguments& named,
-                                         const JoinedMesh& joined) {
-  const int bodies = joined.body_count();
-  std::vector<BodyLabels> labels;
-  for (int k = 0; k < bodies; ++k) {
-    const std::vector<int> own = joined_labels(
-        stack, named, name_of_body("label", k, bodies), joined, k);
-    const bool between = k > 0 && k + 1 < bodies;
-    if (between && own.size() != 2)
-      refuse("label", k + 1, " must be two labels: the first faces body ", k,
-             ", the second body ", k + 2);
-    if (between)
-      labels.push_back({{own[0]}, {own[1]}});
-    else
-      labels.push_back({own, own});
-  }
-  return labels;
 }
 
 }  // namespace
@@ -169,7 +145,7 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
 void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                      int body, const ContactLine& own,
                                      const std::vector<int>& opposite_labels) {
-  const int wanted = wanted_side(stack, named, static_cast<int>(pairs_.size()),
+  const int wanted = wanted_side(stack, named, count_of(pairs_),
                                  std::max(1, body_count() - 1));
   const ContactLine facing = facing_line(
       mesh, edges, own, facing_traces(mesh, edges, own, opposite_labels));

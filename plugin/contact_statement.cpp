@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/line_ends.hpp"
@@ -56,6 +57,26 @@ std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
   return labels;
 }
 
+std::vector<BodyLabels> labels_of_bodies(Stack stack,
+                                         const NamedArguments& named,
+                                         const JoinedMesh& joined) {
+  const int bodies = joined.body_count();
+  std::vector<BodyLabels> labels;
+  for (int k = 0; k < bodies; ++k) {
+    const std::vector<int> own = joined_labels(
+        stack, named, name_of_body("label", k, bodies), joined, k);
+    const bool between = k > 0 && k + 1 < bodies;
+    if (between && own.size() != 2)
+      refuse("label", k + 1, " must be two labels: the first faces body ", k,
+             ", the second body ", k + 2);
+    if (between)
+      labels.push_back({{own[0]}, {own[1]}});
+    else
+      labels.push_back({own, own});
+  }
+  return labels;
+}
+
 ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart& part, const Mesh& mesh,
                         const Edges& edges, const std::vector<int>& labels) {
@@ -102,7 +123,7 @@ ContactLaw stated_law(Stack stack, const NamedArguments& named,
 int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
   if (!named.given("side")) return 0;
   const std::vector<int> sides = named.integers(stack, "side");
-  if (sides.size() != 1 && static_cast<int>(sides.size()) != pairs)
+  if (sides.size() != 1 && count_of(sides) != pairs)
     refuse("side has ", sides.size(),
            " values: give one, or one for each of the ", pairs,
            " pairs of bodies");

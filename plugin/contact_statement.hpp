@@ -19,6 +19,18 @@ std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
                                const std::string& name,
                                const JoinedMesh& joined, int body);
 
+/// The labels of one body that face the one before it and the one after it.
+struct BodyLabels {
+  std::vector<int> towards_last, towards_next;
+};
+
+/// Those of label=, or label1=, label2=, ...
+/// @throws std::invalid_argument  as joined_labels, and if a body between two others has
+///                                not two labels
+std::vector<BodyLabels> labels_of_bodies(Stack stack,
+                                         const NamedArguments& named,
+                                         const JoinedMesh& joined);
+
 /// The line by its own normals, or along the directions of normal=.
 ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart& part, const Mesh& mesh,

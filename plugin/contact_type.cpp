@@ -122,46 +122,43 @@ const ContactProblem& problem_of(const Contact& contact) {
 }
 
 /// Arrays that members give are the script's own until the statement ends.
-KN<double>* array_of(Stack stack, const VectorXd& values) {
-  auto* array = new KN<double>(static_cast<long>(values.size()));
-  vector_of(array) = values;
-  return Add2StackOfPtr2Free(stack, array);
-}
-
-KN<long>* array_of(Stack stack, const std::vector<long>& values) {
-  auto* array = new KN<long>(static_cast<long>(values.size()));
-  std::copy(values.begin(), values.end(), static_cast<long*>(*array));
+template <class Value, class Values>
+KN<Value>* array_of(Stack stack, const Values& values) {
+  auto* array = new KN<Value>(static_cast<long>(values.size()));
+  std::copy(values.begin(), values.end(), static_cast<Value*>(*array));
   return Add2StackOfPtr2Free(stack, array);
 }
 
 template <VectorXd NodalResults::*values>
 KN<double>* nodal_values(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    return array_of(stack, solved_contact(contact_of(*variable)).nodes.*values);
+    return array_of<double>(
+        stack, solved_contact(contact_of(*variable)).nodes.*values);
   });
 }
 
 KN<long>* states(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    return array_of(stack, solved_contact(contact_of(*variable)).nodes.state);
+    return array_of<long>(stack,
+                          solved_contact(contact_of(*variable)).nodes.state);
   });
 }
 
 KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    return array_of(stack, problem_of(contact_of(*variable)).own_vertex);
+    return array_of<long>(stack, problem_of(contact_of(*variable)).own_vertex);
   });
 }
 
 KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    return array_of(stack, problem_of(contact_of(*variable)).abscissa);
+    return array_of<double>(stack, problem_of(contact_of(*variable)).abscissa);
   });
 }
 
 KN<long>* sides(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    return array_of(stack, problem_of(contact_of(*variable)).side);
+    return array_of<long>(stack, problem_of(contact_of(*variable)).side);
   });
 }
 

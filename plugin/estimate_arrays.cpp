@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate_arrays.hpp"
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/plane.hpp"
 
 namespace ffcontact::plugin {
@@ -32,7 +33,7 @@ Vector3d shrunk(const Vector3d& corners) {
 
 VectorXd stress_component(const std::vector<CompositeStress>& stress,
                           int component) {
-  VectorXd values(9 * static_cast<Index>(stress.size()));
+  VectorXd values(9 * count_of(stress));
   Index first = 0;
   for (const CompositeStress& of_triangle : stress)
     for (int k = 0; k < 3; ++k, first += 3) {

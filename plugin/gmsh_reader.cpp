@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact::plugin {
@@ -39,14 +40,14 @@ class Version2Reader {
     number_used_nodes();
     GmshMesh result;
     Mesh& mesh = result.mesh;
-    mesh.vertices.resize(2, static_cast<Index>(used_.size()));
+    mesh.vertices.resize(2, count_of(used_));
     for (std::size_t v = 0; v < used_.size(); ++v)
       mesh.vertices.col(v) = nodes_[used_[v]].head<2>();
     require_plane();
 
     const int surface_tag = tag_to_use(triangles_);
-    mesh.cells.resize(3, static_cast<Index>(triangles_.size()));
-    result.regions.resize(static_cast<Index>(triangles_.size()));
+    mesh.cells.resize(3, count_of(triangles_));
+    result.regions.resize(count_of(triangles_));
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       for (int k = 0; k < 3; ++k)
         mesh.cells(k, t) = vertex_[triangles_[t].nodes[k]];
@@ -77,7 +78,7 @@ class Version2Reader {
       long number;
       Vector3d x;
       stream_ >> number >> x[0] >> x[1] >> x[2];
-      index_[number] = static_cast<int>(nodes_.size());
+      index_[number] = count_of(nodes_);
       nodes_.push_back(x);
     }
     require_read("nodes");
@@ -146,7 +147,7 @@ class Version2Reader {
       for (const int node : triangle.nodes) vertex_[node] = 0;
     for (std::size_t node = 0; node < nodes_.size(); ++node)
       if (vertex_[node] == 0) {
-        vertex_[node] = static_cast<int>(used_.size());
+        vertex_[node] = count_of(used_);
         used_.push_back(static_cast<int>(node));
       }
   }
@@ -191,8 +192,8 @@ class Version2Reader {
       if (use.triangles == 1 && !use.labelled)
         boundary.push_back({use.first, use.second, 0});
 
-    mesh.boundary.resize(2, static_cast<Index>(boundary.size()));
-    mesh.boundary_label.resize(static_cast<Index>(boundary.size()));
+    mesh.boundary.resize(2, count_of(boundary));
+    mesh.boundary_label.resize(count_of(boundary));
     for (std::size_t e = 0; e < boundary.size(); ++e) {
       mesh.boundary.col(e) << boundary[e][0], boundary[e][1];
       mesh.boundary_label[e] = boundary[e][2];

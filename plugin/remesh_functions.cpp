@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What contactmesh in ffcontact.idp needs around adaptmesh: labels that keep corners, and
 // vertices put back on lines and curves.
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/moved_onto_parts.hpp"
 //
@@ -68,7 +69,7 @@ pmesh contactmeshlabelled(Stack stack, pmesh const& fine, pmesh const& Th,
     const Parted parted(Th, corner);
     Mesh mesh = mesh_of(fine);
     const int first = part_label(parted.mesh, 0),
-              count = static_cast<int>(parted.parts.size());
+              count = count_of(parted.parts);
     for (int& label : mesh.boundary_label)
       if (label >= first && label < first + count)
         label = parted.parts[label - first].label;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/plane.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 //
@@ -62,7 +64,7 @@ class PointEvaluator {
   /// sum, a mesh among the arguments.
   double value(Expression expression) const {
     StackOfPtr2Free& temporaries = *WhereStackOfPtr2Free(stack_);
-    const auto own = static_cast<int>(temporaries.size());
+    const auto own = count_of(temporaries);
     const int own_memory = temporaries.topmemory4tmp;
     const double result = GetAny<double>((*expression)(stack_));
     temporaries.clean(own);
@@ -90,6 +92,32 @@ double oscillation_square(const Matrix2Xd& f, const Matrix3Xd& phi,
     square += weight[q] * (f.col(q) - constant.col(k)).squaredNorm();
   }
   return 2 * area / (M_PI * M_PI) * square;
+}
+
+/// Place on its mesh edge of point k of a contact edge.
+double sampled_place(const ContactLine& line, int e, int k) {
+  const double share = static_cast<double>(k) / (samples_of_an_edge - 1);
+  return between(line.place(0, e), line.place(1, e), share);
+}
+
+StatedPlaces own_places(const ContactLine& line) {
+  StatedPlaces places(line.edge_count());
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int k = 0; k < samples_of_an_edge; ++k)
+      places[e].push_back({line.edge[e], sampled_place(line, e, k)});
+  return places;
+}
+
+/// The points of a piece become those that they face.
+void move_to_opposite(const ContactLine& line, const FacingPiece& piece,
+                      std::vector<EdgePlace>& places) {
+  for (int k = 0; k < samples_of_an_edge; ++k) {
+    const double x = sampled_place(line, piece.contact_edge, k);
+    if (x < piece.begin || x > piece.end) continue;
+    const double share = (x - piece.begin) / (piece.end - piece.begin);
+    places[k] = {piece.opposite_edge,
+                 between(piece.opposite_begin, piece.opposite_end, share)};
+  }
 }
 
 }  // namespace
@@ -132,26 +160,10 @@ Map<VectorXd> vector_of(KN<double>* array) {
 }
 
 StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
-  StatedPlaces places(line.edge_count(),
-                      std::vector<EdgePlace>(samples_of_an_edge));
-  const auto at = [&](int k, double begin, double end) {
-    return begin +
-           static_cast<double>(k) / (samples_of_an_edge - 1) * (end - begin);
-  };
-  for (int e = 0; e < line.edge_count(); ++e)
-    for (int k = 0; k < samples_of_an_edge; ++k)
-      places[e][k] = {line.edge[e], at(k, line.place(0, e), line.place(1, e))};
+  StatedPlaces places = own_places(line);
   if (!on_opposite) return places;
   for (auto piece = line.pieces.rbegin(); piece != line.pieces.rend(); ++piece)
-    for (int k = 0; k < samples_of_an_edge; ++k) {
-      const int e = piece->contact_edge;
-      const double x = at(k, line.place(0, e), line.place(1, e));
-      if (x < piece->begin || x > piece->end) continue;
-      const double share = (x - piece->begin) / (piece->end - piece->begin);
-      places[e][k] = {piece->opposite_edge,
-                      piece->opposite_begin + share * (piece->opposite_end -
-                                                       piece->opposite_begin)};
-    }
+    move_to_opposite(line, *piece, places[piece->contact_edge]);
   return places;
 }
 
@@ -175,7 +187,7 @@ VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
 
 MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
                      const Edges& edges, const StatedPlaces& places) {
-  MatrixXd values(samples_of_an_edge, static_cast<Index>(places.size()));
+  MatrixXd values(samples_of_an_edge, count_of(places));
   PointEvaluator point(stack, part.fem_mesh);
   for (std::size_t e = 0; e < places.size(); ++e)
     for (int k = 0; k < samples_of_an_edge; ++k) {

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
 
@@ -60,7 +61,7 @@ class LinearStep {
     SystemKind kind = SystemKind::regular;
     const VectorXd x = solution(kind);
     if (!x.allFinite()) return SystemKind::inconsistent;
-    const auto n = static_cast<Index>(unknown_.size());
+    const Index n = count_of(unknown_);
     VectorXd v = VectorXd::Zero(contact_.S.rows());
     for (Index j = 0; j < n; ++j) v[unknown_[j]] = v_scale_[unknown_[j]] * x[j];
     spread(v, q_scale_.cwiseProduct(x.tail(q_scale_.size())), rows);
@@ -75,14 +76,15 @@ class LinearStep {
  private:
   /// 1 / (E_d' R^2 E_d + F_dd)^(1/2), R the scale of v: what q_d moves.
   double q_scale(Index d) const {
-    const double own = contact_.E.col(d).cwiseProduct(v_scale_).norm();
-    const double reach = std::hypot(own, std::sqrt(contact_.F(d, d)));
+    const double reach =
+        std::hypot(contact_.E.col(d).cwiseProduct(v_scale_).norm(),
+                   std::sqrt(contact_.F(d, d)));
     return 1 / (reach > 0 ? reach : v_scale_.mean());
   }
 
   /// Adds factor * P_row to equation e.
   void add_multiplier(Index e, int row, double factor) {
-    const auto n = static_cast<Index>(unknown_.size());
+    const Index n = count_of(unknown_);
     const int k = contact_.position[row];
     if (k < 0) {
       matrix_(e, n - 1 - k) += factor * q_scale_[-1 - k];
@@ -105,7 +107,7 @@ class LinearStep {
   }
 
   void dependent_displacement_equation(Index e, Index d) {
-    const auto n = static_cast<Index>(unknown_.size());
+    const Index n = count_of(unknown_);
     double steering = 0;
     for (Index j = 0; j < n; ++j) {
       matrix_(e, j) =
@@ -130,7 +132,7 @@ class LinearStep {
   }
 
   void assemble() {
-    const auto n = static_cast<Index>(unknown_.size()), d = contact_.E.cols();
+    const Index n = count_of(unknown_), d = contact_.E.cols();
     matrix_ = MatrixXd::Zero(n + d, n + d);
     right_ = VectorXd::Zero(n + d);
     for (Index e = 0; e < n; ++e)

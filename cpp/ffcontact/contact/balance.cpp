@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
@@ -91,7 +92,7 @@ void require_balance(const Mesh& mesh, const ContactLine& line,
   if (motions.cols() == 0) return;
   const VectorXd pushed = motions.transpose() * system.load;
   const double scale = system.load.cwiseAbs().sum();
-  if (pushed.cwiseAbs().maxCoeff() <= unbalanced * scale) return;
+  if (max_norm(pushed) <= unbalanced * scale) return;
 
   const MatrixXd forces = extreme_forces(line, law, motions);
   const VectorXd left =

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
@@ -24,14 +25,14 @@ void number_rows(const std::vector<int>& primary, int row_count,
     contact.position[primary[k]] = static_cast<int>(k);
   for (int row = 0; row < row_count; ++row) {
     if (contact.position[row] != not_yet) continue;
-    contact.position[row] = -1 - static_cast<int>(contact.dependent.size());
+    contact.position[row] = -1 - count_of(contact.dependent);
     contact.dependent.push_back(row);
   }
 }
 
 SparseMatrix selected_rows(const SparseMatrix& A,
                            const std::vector<int>& rows) {
-  const auto count = static_cast<Index>(rows.size());
+  const auto count = count_of(rows);
   Triplets entries;
   for (int k = 0; k < count; ++k) entries.emplace_back(k, rows[k], 1.0);
   return packed(count, A.rows(), entries) * A;
@@ -40,7 +41,7 @@ SparseMatrix selected_rows(const SparseMatrix& A,
 /// A of the primary rows, for w and for w_o:   v_primary = A w + A_o w_o.
 SparseMatrix own_A(const CondensedContact& contact) {
   const SparseMatrix A = selected_rows(contact.A, contact.primary);
-  return A.leftCols(static_cast<Index>(contact.primary.size()));
+  return A.leftCols(count_of(contact.primary));
 }
 SparseMatrix opposite_A(const CondensedContact& contact) {
   const SparseMatrix A = selected_rows(contact.A, contact.primary);
@@ -67,7 +68,7 @@ struct Terms {
 /// S and E as if w_o were given, S = A^-T S_w A^-1 and E = A^-T A_dependent'.
 void put_own_relation(const Terms& terms, const SparseLu& factor,
                       CondensedContact& contact) {
-  const auto f = static_cast<Index>(contact.primary.size());
+  const Index f = count_of(contact.primary);
   const MatrixXd half =
       factor.solve_transposed_columns(terms.S.topLeftCorner(f, f));
   contact.S = symmetric_part(factor.solve_transposed_columns(half.transpose()));
@@ -84,8 +85,7 @@ struct OppositeTerms {
 /// By w = A^-1 (v - v_prescribed) - X w_o with X = A^-1 A_o.
 OppositeTerms opposite_terms(const Terms& terms, const SparseLu& factor,
                              const CondensedContact& contact) {
-  const auto f = static_cast<Index>(contact.primary.size()),
-             o = contact.A.cols() - f;
+  const Index f = count_of(contact.primary), o = contact.A.cols() - f;
   const MatrixXd &S = terms.S, &A = terms.A_dependent;
   const MatrixXd X = factor.solve_columns(opposite_A(contact));
   const MatrixXd S_ow =
@@ -151,8 +151,7 @@ VectorXd prescribed_motion(const SparseLu& factor,
 void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
                const VectorXd& v_prescribed, const SparseLu& factor,
                CondensedContact& contact) {
-  const auto f = static_cast<Index>(contact.primary.size()),
-             o = contact.A.cols() - f;
+  const Index f = count_of(contact.primary), o = contact.A.cols() - f;
   contact.v_prescribed = v_prescribed;
   const VectorXd w = prescribed_motion(factor, contact);
   contact.load = stiffness.condensed(load);
@@ -202,7 +201,7 @@ std::vector<int> contact_dofs(const ContactLine& line,
 }
 
 double motion_scale(const CondensedContact& contact, const VectorXd& v) {
-  double scale = v.cwiseAbs().maxCoeff();
+  double scale = max_norm(v);
   for (Index i = 0; i < contact.g.size(); ++i) {
     const double stiffness = stiffer_component(contact, i);
     if (stiffness > 0)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "ffcontact/base/require.hpp"
 
@@ -15,13 +16,10 @@ namespace {
 /// and left in peace.
 constexpr double rounding = 1e-13;
 
-void require_fitting(const ContactLine& line,
-                     const ContactDensities& densities) {
-  require_size("normal densities", densities.normal.cols(), line.edge_count());
-  require_size("tangential densities", densities.tangential.cols(),
-               line.edge_count());
-  require_finite("normal density", densities.normal.reshaped());
-  require_finite("tangential density", densities.tangential.reshaped());
+void require_fitting(const ContactLine& line, const std::string& name,
+                     const Matrix2Xd& values) {
+  require_size(name + " densities", values.cols(), line.edge_count());
+  require_finite(name + " density", values.reshaped());
 }
 
 void require_fixed_direction(const ContactLine& line) {
@@ -66,7 +64,8 @@ std::optional<double> smallest_shift(const ConesAtEnds& cones,
 
 ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law,
                                const ContactDensities& densities) {
-  require_fitting(line, densities);
+  require_fitting(line, "normal", densities.normal);
+  require_fitting(line, "tangential", densities.tangential);
   require_fixed_direction(line);
   ConeCorrection result{densities, VectorXd::Zero(line.edge_count()), {}};
   const double tolerance = rounding * largest_traction(densities);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/norms.hpp"
+
 namespace ffcontact {
 
 ContactDensities edge_densities(const ContactLine& line,
@@ -19,8 +21,7 @@ ContactDensities edge_densities(const ContactLine& line,
 
 double largest_traction(const ContactDensities& densities) {
   if (densities.normal.size() == 0) return 0;
-  return std::max(densities.normal.cwiseAbs().maxCoeff(),
-                  densities.tangential.cwiseAbs().maxCoeff());
+  return std::max(max_norm(densities.normal), max_norm(densities.tangential));
 }
 
 }  // namespace ffcontact

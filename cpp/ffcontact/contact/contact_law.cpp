@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
@@ -31,7 +32,7 @@ Chords enclosing_chords(const VectorXd& values) {
   const Vector2d ends(values[0], values[values.size() - 1]);
   const VectorXd above =
       values - ends[0] * (1 - s.array()).matrix() - ends[1] * s;
-  if (above.cwiseAbs().maxCoeff() <= rounding * values.maxCoeff())
+  if (max_norm(above) <= rounding * values.maxCoeff())
     return {positive_or(values, ends), ends};
   const Vector2d least = ends.array() + above.minCoeff();
   return {positive_or(values, least), ends.array() + above.maxCoeff()};
@@ -136,7 +137,7 @@ double largest_given(const ContactLaw& law) {
 
 double largest_displacement(const ContactLaw& law,
                             const Ref<const VectorXd>& displacement) {
-  return std::max(displacement.cwiseAbs().maxCoeff(), largest_given(law));
+  return std::max(max_norm(displacement), largest_given(law));
 }
 
 }  // namespace ffcontact

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/convex_contact.hpp"
@@ -125,7 +126,7 @@ void require_sound(const Mesh& mesh, const ContactLine& line,
   require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
   if (settings.max_iterations < 1)
     refuse("maxit must be at least 1, got ", settings.max_iterations);
-  const auto given = static_cast<Index>(settings.initial_state.size());
+  const auto given = count_of(settings.initial_state);
   if (given > 0) require_size("initial state", given, line.node_count());
   require_feasible(mesh, line, law, system);
   require_balance(mesh, line, law, system);
@@ -186,7 +187,7 @@ std::vector<ContactState> states_at(
     const ContactLine& line, const Ref<const VectorXd>& old_abscissa,
     const std::vector<ContactState>& old_state) {
   require_size("abscissa of the initial states", old_abscissa.size(),
-               static_cast<Index>(old_state.size()));
+               count_of(old_state));
   if (old_state.empty()) return {};
   std::vector<ContactState> states;
   for (double s : line.abscissa)

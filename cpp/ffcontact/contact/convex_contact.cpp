@@ -2,10 +2,10 @@
 #include "ffcontact/contact/convex_contact.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "ffcontact/base/bounded_minimum.hpp"
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/norms.hpp"
 
 namespace ffcontact {
 
@@ -58,7 +58,7 @@ class ProximalPasses {
     const VectorXd v = (compliance_ * x_ + h)
                            .head(primary_)
                            .cwiseQuotient(unit_.head(primary_));
-    change_ = (v - v_).cwiseAbs().maxCoeff();
+    change_ = max_norm(v - v_);
     v_ = v;
     return minimum.steps;
   }
@@ -70,9 +70,8 @@ class ProximalPasses {
   /// the proximal terms still carry.
   double imbalance() const {
     const VectorXd P = unit_.cwiseProduct(x_);
-    const double largest =
-        std::max(P.cwiseAbs().maxCoeff(), contact_.g.cwiseAbs().maxCoeff());
-    const double off = (P.head(primary_) - balanced()).cwiseAbs().maxCoeff();
+    const double largest = std::max(max_norm(P), max_norm(contact_.g));
+    const double off = max_norm(P.head(primary_) - balanced());
     return largest > 0 ? off / largest : 0;
   }
 
@@ -166,7 +165,7 @@ class ProximalPasses {
     high_.resize(unit_.size());
     for (Index k = 0; k < unit_.size(); ++k) {
       const bool normal = rows_[k] % 2 == 0;
-      low_[k] = normal ? -std::numeric_limits<double>::infinity() : -bound(k);
+      low_[k] = normal ? -infinity : -bound(k);
       high_[k] = normal ? 0 : bound(k);
     }
     for (Index d = 0; d < dependent_; ++d)
@@ -262,7 +261,7 @@ ActiveSetResult convex_contact(const CondensedContact& contact,
                                const NodalLaw& law,
                                const NewtonSettings& settings) {
   ActiveSetResult result;
-  result.violation = std::numeric_limits<double>::infinity();
+  result.violation = infinity;
   for (const double proximal : proximal_terms)
     if (pass_to_the_minimum(contact, law, proximal, settings, result)) break;
   if (result.violation <= settings.tolerance) {

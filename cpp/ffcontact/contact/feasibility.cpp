@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -100,7 +102,7 @@ std::vector<std::pair<int, double>> components_along_n(const Station& station) {
 
 Clearance clearance_of(const std::vector<Station>& stations,
                        const ElasticSystem& system) {
-  const auto rows = static_cast<Index>(stations.size());
+  const auto rows = count_of(stations);
   Clearance clearance{WeightsByNode(rows, system.dof_count()), VectorXd(rows)};
   std::vector<Eigen::Triplet<double>> entries;
   for (Index row = 0; row < rows; ++row) {
@@ -122,7 +124,7 @@ double largest_given(const Station& station, const ElasticSystem& system) {
   double largest = std::abs(station.gap);
   for (const auto& [vertex, weight] : station.weights) {
     const Vector2d u = system.prescribed_value.segment<2>(2 * vertex);
-    largest = std::max(largest, u.cwiseAbs().maxCoeff());
+    largest = std::max(largest, max_norm(u));
   }
   return largest;
 }
@@ -213,7 +215,7 @@ std::map<Index, Index> places_of_dofs(const WeightsByNode& G,
   std::map<Index, Index> place;
   for (int i : selected)
     for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
-      place.emplace(entry.col(), static_cast<Index>(place.size()));
+      place.emplace(entry.col(), count_of(place));
   return place;
 }
 
@@ -221,8 +223,7 @@ std::map<Index, Index> places_of_dofs(const WeightsByNode& G,
 MatrixXd transposed_rows(const WeightsByNode& G,
                          const std::vector<int>& selected) {
   const std::map<Index, Index> place = places_of_dofs(G, selected);
-  MatrixXd rows = MatrixXd::Zero(static_cast<Index>(place.size()),
-                                 static_cast<Index>(selected.size()));
+  MatrixXd rows = MatrixXd::Zero(count_of(place), count_of(selected));
   for (std::size_t k = 0; k < selected.size(); ++k)
     for (WeightsByNode::InnerIterator entry(G, selected[k]); entry; ++entry)
       rows(place.at(entry.col()), static_cast<Index>(k)) = entry.value();
@@ -238,7 +239,7 @@ VectorXd shares_in_contradiction(const Clearance& clearance,
   Eigen::RowVectorXd c(count);
   for (Index k = 0; k < count; ++k) c[k] = clearance.c[selected[k]];
   MatrixXd rows(dofs + 1, count);
-  rows << G, c / clearance.c.cwiseAbs().maxCoeff();
+  rows << G, c / max_norm(clearance.c);
   const VectorXd wanted = VectorXd::Unit(dofs + 1, dofs);
   const VectorXd y = nonnegative_least_squares(rows, wanted);
   if ((rows * y - wanted).norm() > held) return VectorXd::Zero(count);

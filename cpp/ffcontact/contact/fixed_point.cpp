@@ -2,9 +2,9 @@
 #include "ffcontact/contact/fixed_point.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/convex_contact.hpp"
 
 namespace ffcontact {
@@ -20,9 +20,8 @@ VectorXd normal_multipliers(const VectorXd& P) {
 }
 
 double relative_change(const VectorXd& g, const VectorXd& image) {
-  const double scale = image.cwiseAbs().maxCoeff();
-  return scale > 0 ? (image - g).cwiseAbs().maxCoeff() / scale
-                   : g.cwiseAbs().maxCoeff();
+  const double scale = max_norm(image);
+  return scale > 0 ? max_norm(image - g) / scale : max_norm(g);
 }
 
 ContactState sliding_state(double vt) {
@@ -56,7 +55,7 @@ class Iteration {
         with_newton_(with_newton),
         state_(std::move(state)),
         g_(VectorXd::Zero(law.node_count())) {
-    result_.answer.violation = std::numeric_limits<double>::infinity();
+    result_.answer.violation = infinity;
   }
 
   FixedPointResult result() && {
@@ -111,9 +110,9 @@ class Iteration {
   }
 
   bool newton_ends() {
-    const int most = std::min(newton_systems, left());
-    ActiveSetResult newton =
-        active_set_newton(contact_, law_, state_, {most, settings_.tolerance});
+    ActiveSetResult newton = active_set_newton(
+        contact_, law_, state_,
+        {std::min(newton_systems, left()), settings_.tolerance});
     systems_ += newton.iterations;
     if (newton.status != ContactStatus::converged) return false;
     result_.answer = std::move(newton);

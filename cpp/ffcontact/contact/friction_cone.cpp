@@ -23,7 +23,8 @@ void put_limits(const ContactLine& line, const ContactLaw& law, Bound bound,
                 int edge, ConesAtEnds& cones) {
   const Vector2d limits =
       at_ends(line, law.limit_between_nodes.*bound, law.shear_limit, edge);
-  for (int end = 0; end < 2; ++end) cones[end].limit = limits[end];
+  cones[0].limit = limits[0];
+  cones[1].limit = limits[1];
 }
 
 /// The cones by the least or the most of what the law has along an edge.

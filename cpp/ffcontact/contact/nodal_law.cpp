@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 
 namespace ffcontact {
@@ -77,9 +77,8 @@ NodalLaw with_given_slip_limit(const NodalLaw& law,
 
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                      const Ref<const VectorXd>& v, const LawScales& scales) {
-  if (!P.allFinite() || !v.allFinite())
-    return std::numeric_limits<double>::infinity();
-  const double p_scale = std::max(scales.P, P.cwiseAbs().maxCoeff());
+  if (!P.allFinite() || !v.allFinite()) return infinity;
+  const double p_scale = std::max(scales.P, max_norm(P));
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {
     const FrictionCone cone = relative(law.cone[i], p_scale);

@@ -28,7 +28,7 @@ std::vector<int> sources(const ContactLine& line,
   const std::vector<char> held = held_rows(line, prescribed);
   const std::vector<int> continued = continued_rows(line, prescribed);
   std::vector<int> source(held.size());
-  for (int row = 0; row < static_cast<int>(source.size()); ++row) {
+  for (int row = 0; row < count_of(source); ++row) {
     const int next = continued[row];
     source[row] = !held[row] ? row : next >= 0 && !held[next] ? next : -1;
   }

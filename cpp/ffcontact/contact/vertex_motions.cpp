@@ -98,8 +98,7 @@ SparseMatrix kept_operator(const VertexMotions& motions,
       entries.emplace_back(static_cast<int>(k), motion.column + j,
                            motion.directions(kept[k] % 2, j));
   }
-  return packed(static_cast<Index>(kept.size()), motions.component_count,
-                entries);
+  return packed(count_of(kept), motions.component_count, entries);
 }
 
 }  // namespace ffcontact

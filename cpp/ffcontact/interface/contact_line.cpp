@@ -25,7 +25,7 @@ enum class Shape { polygon, parts, curve };
 
 Matrix2Xd vertices_of(const Mesh& mesh, const Edges& edges,
                       const std::vector<int>& chain) {
-  Matrix2Xd points(2, static_cast<Index>(chain.size()) + 1);
+  Matrix2Xd points(2, count_of(chain) + 1);
   points.col(0) = mesh.vertices.col(edges.vertices(0, chain.front()));
   Index next = 1;
   for (int edge : chain)
@@ -55,7 +55,7 @@ Matrix2Xd normals_of(const Matrix2Xd& points, bool straight) {
 
 Matrix2Xd places_of(const Mesh& mesh, const Edges& edges,
                     const std::vector<int>& boundary) {
-  Matrix2Xd points(2, 2 * static_cast<Index>(boundary.size()));
+  Matrix2Xd points(2, 2 * count_of(boundary));
   Index next = 0;
   for (int edge : boundary)
     for (int v : edges.vertices.col(edge)) points.col(next++) = mesh.place(v);
@@ -70,7 +70,7 @@ class LineBuilder {
 
   /// @param tolerance  of straight_runs
   void add_chain(const std::vector<int>& chain, double tolerance) {
-    const int first_node = static_cast<int>(vertex_.size());
+    const int first_node = count_of(vertex_);
     if (shape_ == Shape::curve)
       add_part(chain, 0, Matrix2Xd::Zero(2, count(chain) + 1), false);
     else
@@ -90,9 +90,7 @@ class LineBuilder {
   }
 
  private:
-  static int count(const std::vector<int>& chain) {
-    return static_cast<int>(chain.size());
-  }
+  static int count(const std::vector<int>& chain) { return count_of(chain); }
 
   /// Straight lines and smooth curves, each from the node that the one before ends at
   /// where the line goes on.
@@ -142,7 +140,7 @@ class LineBuilder {
     length_.push_back(edge_vector(mesh_, edges_, e).norm());
     arc_ += length_.back();
     add_node(edges_.vertices(1, e), second_normal);
-    const int second_node = static_cast<int>(vertex_.size()) - 1;
+    const int second_node = count_of(vertex_) - 1;
     edge_.push_back(e);
     edge_node_.emplace_back(first_node, second_node);
     return second_node;
@@ -160,7 +158,7 @@ class LineBuilder {
   void add_part(const std::vector<int>& chain, int first,
                 const Matrix2Xd& normals, bool shared) {
     if (!shared) add_node(edges_.vertices(0, chain[first]), normals.col(0));
-    int node = static_cast<int>(vertex_.size()) - 1;
+    int node = count_of(vertex_) - 1;
     if (normals.col(0) == normals.col(1)) normal_[node] = normals.col(0);
     for (Index k = 1; k < normals.cols(); ++k)
       node = add_edge(chain[first + k - 1], node, normals.col(k));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/curve_directions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -37,26 +39,38 @@ Vector2d snapped_to_axis(const Vector2d& direction, double angle) {
   return direction;
 }
 
+/// The place on a curve, by the number of its node, where the gap is the smallest.
+std::size_t lowest_place(const Nodes& curve, const Ref<const VectorXd>& gap) {
+  const auto lower = [&](int a, int b) { return gap[a] < gap[b]; };
+  return std::min_element(curve.begin(), curve.end(), lower) - curve.begin();
+}
+
+/// Where the parabola through (a, f_a), (0, 0) and (b, f_b), a < 0 < b, is the lowest.
+std::optional<double> lowest_of_parabola(double a, double f_a, double b,
+                                         double f_b) {
+  // slopes of chords
+  const double left = f_a / a, right = f_b / b;
+  const double bend = (right - left) / (b - a);
+  if (!(a < 0 && b > 0 && bend > 0)) return std::nullopt;
+  return -(left - bend * a) / (2 * bend);
+}
+
 Spot smallest_gap(const ContactLine& line, const Nodes& curve,
                   const Ref<const VectorXd>& gap) {
-  std::size_t k = 0;
-  for (std::size_t i = 1; i < curve.size(); ++i)
-    if (gap[curve[i]] < gap[curve[k]]) k = i;
-  const Vector2d n = line.normal.col(curve[k]);
-  if (k == 0 || k + 1 == curve.size()) return {curve[k], n};
+  const std::size_t k = lowest_place(curve, gap);
+  const int node = curve[k];
+  const Vector2d n = line.normal.col(node);
+  if (k == 0 || k + 1 == curve.size()) return {node, n};
   const int before = curve[k - 1], after = curve[k + 1];
-  const double a = line.abscissa[before] - line.abscissa[curve[k]],
-               b = line.abscissa[after] - line.abscissa[curve[k]];
-  // slopes of chords
-  const double left = (gap[before] - gap[curve[k]]) / a,
-               right = (gap[after] - gap[curve[k]]) / b;
-  const double bend = (right - left) / (b - a);
-  if (!(a < 0 && b > 0 && bend > 0)) return {curve[k], n};
-  const double s = -(left - bend * a) / (2 * bend);
-  const Vector2d other = line.normal.col(s < 0 ? before : after);
+  const double a = line.abscissa[before] - line.abscissa[node],
+               b = line.abscissa[after] - line.abscissa[node];
+  const auto s =
+      lowest_of_parabola(a, gap[before] - gap[node], b, gap[after] - gap[node]);
+  if (!s) return {node, n};
+  const Vector2d other = line.normal.col(*s < 0 ? before : after);
   const Vector2d direction =
-      (n + s / (s < 0 ? a : b) * (other - n)).normalized();
-  return {curve[k], snapped_to_axis(direction, 0.05 * (other - n).norm())};
+      (n + *s / (*s < 0 ? a : b) * (other - n)).normalized();
+  return {node, snapped_to_axis(direction, 0.05 * (other - n).norm())};
 }
 
 /// The straight line that shares an end with a curve gives its normal; of two with
@@ -107,7 +121,7 @@ ContactLine polygon_where_it_turns(const Mesh& mesh, const Edges& edges,
       int fresh = -1;
       int& now = turns(line, e) ? fresh : kept[node];
       if (now < 0) {
-        now = static_cast<int>(origin.size());
+        now = count_of(origin);
         origin.push_back(node);
         normals.push_back(turns(line, e)
                               ? edge_normal(mesh, edges, line.edge[e])
@@ -121,7 +135,7 @@ ContactLine polygon_where_it_turns(const Mesh& mesh, const Edges& edges,
       result.edge_node(end, e) = now;
     }
   result.vertex = line.vertex(origin);
-  result.normal.resize(2, static_cast<Index>(normals.size()));
+  result.normal.resize(2, count_of(normals));
   for (std::size_t i = 0; i < normals.size(); ++i)
     result.normal.col(static_cast<Index>(i)) = normals[i];
   result.abscissa = Map<const VectorXd>(abscissae.data(), result.normal.cols());

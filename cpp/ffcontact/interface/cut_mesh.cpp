@@ -71,7 +71,7 @@ class Fans {
   int add(const Vector3i& triangle, int parent) {
     triangles_.push_back(triangle);
     parent_.push_back(parent);
-    return static_cast<int>(triangles_.size()) - 1;
+    return count_of(triangles_) - 1;
   }
 
   /// All triangles of a fan but the first.

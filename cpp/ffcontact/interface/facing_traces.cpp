@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/directed_pieces.hpp"
@@ -134,17 +134,21 @@ class Pairing {
     return Target{k, std::abs(found->distance), missed * length};
   }
 
+  /// The distance below which a place touches an edge.
+  double touch(const Segment& edge) const {
+    return std::max(off_, touching * edge.length());
+  }
+
   /// Of equally near ones that which the ray misses least comes first.
   bool comes_first(const Target& next, const Target& best) const {
-    const double equal =
-        std::max(off_, touching * segment_[next.number].length());
+    const double equal = touch(segment_[next.number]);
     if (next.distance > best.distance + equal) return false;
     return next.distance <= best.distance - equal || next.missed < best.missed;
   }
 
   /// The nearest facing edge a ray hits, by its number in target_; -1 for none.
   int nearest(const Rays& rays, double x) const {
-    constexpr double far = std::numeric_limits<double>::infinity();
+    constexpr double far = infinity;
     Target best{-1, far, far};
     for (int k = 0; k < target_.size(); ++k) {
       const std::optional<Target> next = target(rays, x, k);
@@ -199,8 +203,7 @@ class Pairing {
   }
 
   double gap_of(const Hit& hit, const Rays& ray) const {
-    const double none = std::max(off_, touching * ray.edge.length());
-    return std::abs(hit.distance) < none ? 0 : hit.distance;
+    return std::abs(hit.distance) < touch(ray.edge) ? 0 : hit.distance;
   }
 
   const Mesh& mesh_;

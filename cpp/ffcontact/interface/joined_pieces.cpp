@@ -51,7 +51,7 @@ class Joining {
       runs_.push_back({next, next});
     runs_.back().last = next;
     pieces_.push_back(next.piece);
-    pieces_.back().contact_edge = static_cast<int>(runs_.size()) - 1;
+    pieces_.back().contact_edge = count_of(runs_) - 1;
   }
 
   bool share_a_node(const Run& run, const Run& next) const {
@@ -94,7 +94,7 @@ class Joining {
     vertex_.push_back(vertex);
     normal_.push_back(n);
     abscissa_.push_back(abscissa_at(whole_, e, place));
-    return static_cast<int>(vertex_.size()) - 1;
+    return count_of(vertex_) - 1;
   }
 
   ContactLine joined() const {

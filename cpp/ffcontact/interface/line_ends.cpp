@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/line_ends.hpp"
 
-#include <limits>
+#include "ffcontact/base/norms.hpp"
 
 namespace ffcontact {
 
@@ -25,7 +25,7 @@ bool ends_at_its_node(const ContactLine& line, int end, int e) {
 }
 
 VectorXd facing_gap(const ContactLine& line) {
-  constexpr double none = std::numeric_limits<double>::infinity();
+  constexpr double none = infinity;
   VectorXd gap = VectorXd::Constant(line.node_count(), none);
   for (const FacingPiece& piece : line.pieces)
     for (int end = 0; end < 2; ++end) {

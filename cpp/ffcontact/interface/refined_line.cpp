@@ -78,8 +78,8 @@ class Refining {
   RefinedLine refined() const {
     RefinedLine result;
     result.parent = packed(parent_);
-    result.node_weights = packed<WeightsByNode>(
-        static_cast<Index>(vertex_.size()), old_.node_count(), weights_);
+    result.node_weights =
+        packed<WeightsByNode>(count_of(vertex_), old_.node_count(), weights_);
     put_nodes(result);
     put_edges(result.line);
     return result;
@@ -91,7 +91,7 @@ class Refining {
   }
 
   int add_node(int vertex, int e, double share) {
-    const int node = static_cast<int>(vertex_.size());
+    const int node = count_of(vertex_);
     vertex_.push_back(vertex);
     const bool from_second = !ends_at_its_node(old_, 0, e);
     abscissa_.push_back(old_.abscissa[old_.edge_node(0, e)] +

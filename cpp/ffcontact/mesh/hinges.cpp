@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/sorted_parts.hpp"
 
@@ -24,17 +25,23 @@ struct HingeSide {
   }
 };
 
+/// The vertices of a facet but the local vertex k, ascending.
+template <int dim>
+std::array<int, dim - 1> opposite_hinge(const Facets<dim>& facets, int f,
+                                        int k) {
+  std::array<int, dim - 1> vertices;
+  for (int i = 1; i < dim; ++i)
+    vertices[i - 1] = facets.vertices((k + i) % dim, f);
+  return ascending(vertices);
+}
+
 template <int dim>
 std::vector<HingeSide<dim>> sides_of(const Facets<dim>& facets) {
   std::vector<HingeSide<dim>> sides;
   sides.reserve(dim * facets.vertices.cols());
   for (int f = 0; f < facets.count(); ++f)
-    for (int k = 0; k < dim; ++k) {
-      std::array<int, dim - 1> vertices;
-      for (int i = 1; i < dim; ++i)
-        vertices[i - 1] = facets.vertices((k + i) % dim, f);
-      sides.push_back({ascending(vertices), f, k});
-    }
+    for (int k = 0; k < dim; ++k)
+      sides.push_back({opposite_hinge(facets, f, k), f, k});
   return sides;
 }
 
@@ -80,6 +87,16 @@ Hinges<dim> room_for(int hinges, int facets) {
   return result;
 }
 
+/// Appends a facet to its hinge, of which all before are there.
+template <int dim>
+void append(const HingeSide<dim>& side, int hinge, Hinges<dim>& hinges) {
+  for (int i = 0; i < dim - 1; ++i)
+    hinges.vertices(i, hinge) = side.vertices[i];
+  hinges.of_facet(side.local, side.facet) = hinge;
+  hinges.facet.push_back(side.facet);
+  hinges.facet_start[hinge + 1] = count_of(hinges.facet);
+}
+
 }  // namespace
 
 template <int dim>
@@ -90,14 +107,8 @@ Hinges<dim> hinges_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets) {
   const int count = numbers.empty() ? 0 : numbers.back() + 1;
   Hinges<dim> hinges = room_for<dim>(count, facets.count());
   for (std::size_t s = 0; s < sides.size(); ++s) {
-    const HingeSide<dim>& side = sides[s];
-    const int hinge = numbers[s];
-    for (int i = 0; i < dim - 1; ++i)
-      hinges.vertices(i, hinge) = side.vertices[i];
-    hinges.of_facet(side.local, side.facet) = hinge;
-    hinges.facet.push_back(side.facet);
-    hinges.facet_start[hinge + 1] = static_cast<int>(hinges.facet.size());
-    if (facets.on_boundary(side.facet)) hinges.on_boundary[hinge] = 1;
+    append(sides[s], numbers[s], hinges);
+    if (facets.on_boundary(sides[s].facet)) hinges.on_boundary[numbers[s]] = 1;
   }
   return hinges;
 }

@@ -33,12 +33,20 @@ Vector2d origin_near(const Matrix2Xd& vertices) {
   if (vertices.cols() == 0) return Vector2d::Zero();
   const Vector2d lowest = vertices.rowwise().minCoeff(),
                  highest = vertices.rowwise().maxCoeff();
-  const double step =
-      std::exp2(std::ceil(std::log2((highest - lowest).norm())) + 3);
+  const double size = (highest - lowest).norm(),
+               step = std::exp2(std::ceil(std::log2(size)) + 3);
   const Vector2d middle = 0.5 * (lowest + highest);
   if (!middle.allFinite() || !std::isnormal(step)) return Vector2d::Zero();
   return {std::rint(middle.x() / step) * step,
           std::rint(middle.y() / step) * step};
+}
+
+void make_room(JoinedMesh& joined) {
+  const int edges = joined.first_boundary.back();
+  joined.mesh.vertices.resize(2, joined.first_vertex.back());
+  joined.mesh.cells.resize(3, joined.first_triangle.back());
+  joined.mesh.boundary.resize(2, edges);
+  joined.mesh.boundary_label.resize(edges);
 }
 
 /// Where each body begins, and room for all of them.
@@ -51,10 +59,7 @@ JoinedMesh room_for(const std::vector<Mesh>& bodies) {
   joined.first_boundary =
       offsets(bodies, [](const Mesh& m) { return m.boundary.cols(); });
   joined.label_stride = span_of_labels(bodies);
-  joined.mesh.vertices.resize(2, joined.first_vertex.back());
-  joined.mesh.cells.resize(3, joined.first_triangle.back());
-  joined.mesh.boundary.resize(2, joined.first_boundary.back());
-  joined.mesh.boundary_label.resize(joined.first_boundary.back());
+  make_room(joined);
   return joined;
 }
 

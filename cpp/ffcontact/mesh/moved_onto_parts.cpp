@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/smooth_curve.hpp"
 
@@ -69,7 +70,7 @@ std::map<int, Vector2d> wanted_places(const Mesh& fine, const Mesh& mesh,
                                       const std::vector<BoundaryPart>& parts) {
   std::vector<Places> places;
   for (const BoundaryPart& part : parts) places.emplace_back(mesh, part);
-  const int part_count = static_cast<int>(parts.size());
+  const int part_count = count_of(parts);
   std::map<int, Vector2d> wanted;
   for (const auto& [vertex, at] :
        parts_at_vertices(fine, part_label(mesh, 0), part_count)) {

@@ -2,9 +2,9 @@
 #include "ffcontact/mesh/smooth_curve.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 
@@ -79,7 +79,7 @@ Vector2d SmoothCurve::at(int piece, double s) const {
 
 Vector2d SmoothCurve::beside(const Vector2d& point) const {
   Vector2d best = nearer_end(points, point);
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = infinity;
   for (int piece = 0; piece < pieces(); ++piece) {
     const Chord chord = chord_of(*this, piece);
     const auto s = foot(point, chord);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/stars.hpp"
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -84,8 +85,7 @@ Stars stars_of(const Mesh& mesh, const Edges& edges) {
     const int any = triangles.any[v];
     if (any >= 0)
       append_star(mesh, edges, v, first_triangle(mesh, edges, v, any), stars);
-    stars.triangle_start.push_back(static_cast<int>(stars.triangle.size()));
-    stars.spoke_start.push_back(static_cast<int>(stars.spoke.size()));
+    end_star(stars);
     if (stars.triangle_count(v) != triangles.count[v])
       refuse("the body touches itself in the single vertex ", v);
   }

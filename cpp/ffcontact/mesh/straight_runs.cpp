@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/plane.hpp"
 
 namespace ffcontact {
@@ -75,8 +76,7 @@ class Sleeve {
   const double tolerance_;
   Vector2d axis_ = Vector2d::Zero();  ///< angles are measured from it
   double farthest_ = 0;
-  double lowest_ = -std::numeric_limits<double>::infinity(),
-         highest_ = std::numeric_limits<double>::infinity();
+  double lowest_ = -infinity, highest_ = infinity;
 };
 
 /// The last point of a chain on a straight line from `start`.
@@ -132,7 +132,7 @@ std::size_t end_of_curve(const Ref<const Matrix2Xd>& chain,
 
 double coordinate_precision(const Ref<const Matrix2Xd>& points, double size) {
   constexpr int all = 16;
-  const double largest = points.cwiseAbs().maxCoeff();
+  const double largest = max_norm(points);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest;
   const int decimals = decimals_needed(points, rounding, all);
   if (decimals == 0 || decimals == all) return rounding;
