@@ -15,7 +15,8 @@
 ///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
 ///                few dofs; as meshes and facets for plane bodies and solids
 ///   interface    the contact line, facing traces, their common refinement
-///   contact      the laws of contact and friction, the solver, tractions brought into the cone
+///   contact      the laws of contact and friction, the solver, tractions brought into the cone, the constant of Coulomb's law
+///                and the coefficient at which solutions branch
 ///   equilibrium  edge tractions in equilibrium, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
 ///   sizing       optimal sizes for a wanted error
@@ -23,6 +24,8 @@
 /// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1),
 /// compression negative, u_n <= 0 does not penetrate.
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/coulomb_constant.hpp"
+#include "ffcontact/contact/critical_friction.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/interface/facing_line.hpp"

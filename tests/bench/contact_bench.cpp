@@ -4,6 +4,8 @@
 // the shortest of five runs in random order; memory is the peak of a process of its own
 // on top of mesh and matrix.
 #include "comparison.hpp"
+#include "ffcontact/contact/coulomb_constant.hpp"
+#include "ffcontact/contact/critical_friction.hpp"
 #include "linear_solve.hpp"
 
 namespace ffcontact::bench {
@@ -28,6 +30,26 @@ Case contact(Multiplier multiplier) {
   };
 }
 
+/// What a solution tells of Coulomb's law: kappa, and the critical coefficient.
+std::function<void()> coulomb(int n) {
+  static std::map<int, ContactSolution> solutions;
+  const test::Problem& body = problem(n);
+  if (!solutions.count(n))
+    solutions.emplace(
+        n, solve_contact(body.mesh, body.line, body.law, elastic_system_of(n)));
+  return [&body, &solution = solutions.at(n)] {
+    const NodalLaw law = nodal_law(body.law, body.line);
+    const Matrix2Xd w = displacement_against_foundation(body.line, body.law,
+                                                        solution.displacement);
+    benchmark::DoNotOptimize(coulomb_constant(
+        *solution.contact,
+        slip_pattern(law, solution.force, solution.force, w.row(1)),
+        largest_friction(law), StuckNodes::may_slip));
+    benchmark::DoNotOptimize(critical_friction(
+        *solution.contact, law, solution.state, solution.force.reshaped()));
+  };
+}
+
 }  // namespace ffcontact::bench
 
 int main(int argc, char** argv) {
@@ -36,6 +58,7 @@ int main(int argc, char** argv) {
   return compare(argc, argv,
                  {{"linear solve", linear_solve},
                   {"contact, forces", contact(Multiplier::force)},
-                  {"contact, pressures", contact(Multiplier::pressure)}},
+                  {"contact, pressures", contact(Multiplier::pressure)},
+                  {"kappa and critical friction", coulomb}},
                  {122, 250, 500});
 }

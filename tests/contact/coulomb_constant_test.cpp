@@ -59,7 +59,7 @@ double dense_kappa(const Problem& problem, const VectorXd& weight) {
 
 SlipPattern pattern_of(const VectorXd& sign, double mu) {
   return {sign, VectorXd::Constant(sign.size(), mu),
-          std::vector<char>(sign.size(), 0)};
+          std::vector<char>(sign.size(), 0), false};
 }
 
 double kappa_with(const Problem& problem, const SlipPattern& pattern, double mu,
@@ -164,7 +164,8 @@ TEST(coulomb_constant, is_none_without_friction_that_depends_on_pressure) {
   EXPECT_EQ(kappa_of(problem), 0);
   problem = example_1(Multiplier::force, 4);
   problem.law.shear_limit = everywhere(problem.line, 1e-3);
-  EXPECT_EQ(kappa_of(problem), 0);
+  EXPECT_EQ(kappa_of(problem, solved(problem), StuckNodes::stick), 0);
+  EXPECT_TRUE(std::isinf(kappa_of(problem)));
 }
 
 TEST(coulomb_constant, is_lower_where_sticking_nodes_are_held) {

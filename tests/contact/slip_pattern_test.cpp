@@ -48,6 +48,10 @@ TEST(slip_pattern, weighs_the_slope_of_the_bound) {
   EXPECT_EQ(nodes.pattern().weight(0.5),
             (VectorXd(5) << 1, 0.5, -1, -1, 0).finished());
   EXPECT_EQ(nodes.pattern().weight(0), VectorXd::Zero(5));
+  EXPECT_TRUE(nodes.pattern().reaches_limit);
+  nodes.law.cone[4].limit = 3;
+  EXPECT_FALSE(nodes.pattern().reaches_limit);
+  EXPECT_EQ(nodes.pattern().weight(0.5)[4], 1);
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ Cholesky factor_of(const MatrixXd& S, const std::vector<int>& rows) {
 double coulomb_constant(const CondensedContact& contact,
                         const SlipPattern& pattern, double largest_friction,
                         StuckNodes stuck) {
+  if (pattern.reaches_limit && stuck == StuckNodes::may_slip) return infinite;
   const VectorXd weight = pattern.weight(largest_friction);
   if (weight.isZero(0)) return 0;
   const std::vector<char> none(pattern.sticks.size(), 0);

@@ -7,10 +7,10 @@
 
 namespace ffcontact {
 
-/// Of the nodes where u_hat sticks.
+/// Of the nodes where u_hat sticks, in the exact solution.
 enum class StuckNodes {
-  may_slip,  ///< in the exact solution: with the sign that P_t says
-  stick,     ///< in the exact solution too: |w_t| - |w_hat_t| = 0 there
+  may_slip,  ///< with the sign that P_t says
+  stick,  ///< |w_t| - |w_hat_t| = 0 there; and the shear limit is reached where it is
 };
 
 /// The constant of Coulomb's law [CHH01, Remark 2.6] on the space of displacements that is
@@ -29,7 +29,9 @@ enum class StuckNodes {
 ///
 /// Infinite where no v of finite energy exists: at a slipping node whose normal dof is
 /// prescribed, or at a corner of the line (two nodes on one vertex); and where a motion
-/// without energy changes phi, but not with the sign s.
+/// without energy changes phi, but not with the sign s. Infinite, too, where a node is at
+/// the shear limit, unless it is there in the exact solution (StuckNodes::stick): the
+/// slope of the bound between two solutions is not known then.
 /// 0 if friction does not depend on r_n: Tresca's law, mu = 0.
 /// @param contact  of Multiplier::force: v are the components of the displacement
 /// @param largest_friction  mu

@@ -43,7 +43,7 @@ SlipPattern slip_pattern(const NodalLaw& law,
                          const Ref<const VectorXd>& slip) {
   const Index nodes = law.node_count();
   SlipPattern pattern{VectorXd(nodes), VectorXd(nodes),
-                      std::vector<char>(nodes)};
+                      std::vector<char>(nodes), false};
   const double least_P = tolerance * multiplier.cwiseAbs().maxCoeff(),
                least_force = tolerance * force.cwiseAbs().maxCoeff(),
                least_slip = tolerance * slip.cwiseAbs().maxCoeff();
@@ -56,6 +56,7 @@ SlipPattern slip_pattern(const NodalLaw& law,
                                   : -sign_above(Pt, least_P);
     pattern.sign[i] = against != 0 ? against : sign_above(slip[i], least_slip);
     pattern.slope[i] = cone.at_limit(Pn) ? 0 : cone.friction;
+    pattern.reaches_limit = pattern.reaches_limit || cone.at_limit(Pn);
     pattern.sticks[i] = sticks;
   }
   fill_signs(pattern.sign);

@@ -22,7 +22,7 @@ namespace ffcontact {
 ///     e^2 = |sigma_hat - C eps(u_hat)|^2 + 2 int (mu |r_n||w_t| + r_t w_t + r_n w_n)                              (2.11)
 ///     eps = e / |sigma_hat + C eps(u_hat)|,   eps^2 = sum of eps_E^2                                        (2.12), (2.13)
 /// For Tresca's law and without friction e bounds the error of the pair (2.20); for
-/// Coulomb's law (2.14) has one more term.
+/// Coulomb's law (2.14) has one more term, for which there is coulomb_bound.
 struct Estimate {
   double e = 0;         ///< [(N/mm times mm)^(1/2)]
   double relative = 0;  ///< eps [-]
