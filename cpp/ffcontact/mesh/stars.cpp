@@ -74,6 +74,11 @@ void append_star(const Mesh& mesh, const Edges& edges, int vertex, int first,
   }
 }
 
+void end_star(Stars& stars) {
+  stars.triangle_start.push_back(count_of(stars.triangle));
+  stars.spoke_start.push_back(count_of(stars.spoke));
+}
+
 }  // namespace
 
 Stars stars_of(const Mesh& mesh, const Edges& edges) {
