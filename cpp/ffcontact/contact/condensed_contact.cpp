@@ -215,12 +215,12 @@ CondensedContact condensed_contact(const ContactLine& line,
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness) {
   CondensedContact contact;
-  contact.held = held_rows(line, law, system);
   contact.kept_dofs = contact_dofs(line, system);
   const VertexMotions motions = vertex_motions(line, system.prescribed);
   number_rows(motions.rows, 2 * line.node_count(), contact);
   if (contact.primary.empty())
     refuse("every dof of the contact line is prescribed");
+  contact.held = held_rows(line, law, system);
   const std::vector<int> continued = continued_rows(line, system.prescribed);
   for (int row : contact.dependent) contact.continued.push_back(continued[row]);
 
