@@ -285,20 +285,24 @@ void check_supports(const Assembled& parts, const ContactSolution& solution,
                               parts.value[dof]));
 }
 
-/// The jump at the nodes; held components are 0 when the vertices of little weight could
-/// make them so.
+/// The jump at the nodes, in held components that of the prescribed values, or 0 when the
+/// vertices of little weight could make it so.
 Matrix2Xd steered_jumps(const Assembled& parts, const VectorXd& u,
                         double scale) {
-  Matrix2Xd w =
-      against_foundation(parts.line, parts.law.gap, parts.law.previous, u);
+  const auto against = [&](const VectorXd& field) {
+    return against_foundation(parts.line, parts.law.gap, parts.law.previous,
+                              field);
+  };
+  Matrix2Xd w = against(u);
+  const Matrix2Xd given = against(parts.value);
   for (int i = 0; i < parts.line.node_count(); ++i) {
     const Vector2d n = parts.line.normal.col(i),
                    direction[2] = {n, {-n.y(), n.x()}};
     for (int c = 0; c < 2; ++c) {
       const FreeParts part = free_parts(parts, i, direction[c]);
-      if (is_held(part) &&
-          std::abs(w(c, i)) <= (unsteered + 2 * part.beside) * scale)
-        w(c, i) = 0;
+      if (!is_held(part)) continue;
+      const double none = (unsteered + 2 * part.beside) * scale;
+      w(c, i) = std::abs(given(c, i)) <= none ? 0 : given(c, i);
     }
   }
   return w;
