@@ -287,14 +287,17 @@ void check_supports(const Assembled& parts, const ContactSolution& solution,
 
 /// The jump at the nodes, in held components that of the prescribed values, or 0 when the
 /// vertices of little weight could make it so.
-Matrix2Xd steered_jumps(const Assembled& parts, const VectorXd& u,
-                        double scale) {
+Matrix2Xd steered_jumps(const Assembled& parts, const VectorXd& u) {
   const auto against = [&](const VectorXd& field) {
     return against_foundation(parts.line, parts.law.gap, parts.law.previous,
                               field);
   };
   Matrix2Xd w = against(u);
   const Matrix2Xd given = against(parts.value);
+  double scale = parts.value.cwiseAbs().maxCoeff();
+  for (const VectorXd* field : {&parts.law.gap, &parts.law.previous})
+    if (field->size() > 0)
+      scale = std::max(scale, field->cwiseAbs().maxCoeff());
   for (int i = 0; i < parts.line.node_count(); ++i) {
     const Vector2d n = parts.line.normal.col(i),
                    direction[2] = {n, {-n.y(), n.x()}};
@@ -331,7 +334,7 @@ void check_law(const Case& problem, const Assembled& parts,
   const Dense M = mass_of(parts.mesh(), line),
               W = pressures ? M : Dense::Identity(p, p);
   const double u_scale = displacement_scale(parts, solution.displacement);
-  const Matrix2Xd w = steered_jumps(parts, solution.displacement, u_scale);
+  const Matrix2Xd w = steered_jumps(parts, solution.displacement);
   const Matrix2Xd v = w * W.transpose(),
                   &P = pressures ? solution.pressure : solution.force;
   const double v_scale = u_scale * W.rowwise().sum().maxCoeff();
