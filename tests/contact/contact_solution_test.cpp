@@ -37,8 +37,7 @@ INSTANTIATE_TEST_SUITE_P(ContactSolution, BothMultipliers,
                                                                   : "pressure";
                          });
 
-// ---- the published examples
-// ---------------------------------------------------------------------
+// ---- the published examples -----------------------------------------------
 
 TEST_P(BothMultipliers,
        example_1_is_solved_and_slips_everywhere_but_on_the_symmetry_line) {

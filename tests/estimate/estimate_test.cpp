@@ -22,8 +22,7 @@ double norm_of_sum(const Estimate& estimate) {
   return estimate.e / estimate.relative;
 }
 
-// ---- Property 2.3: the error of an exact pair is zero
-// -------------------------------------------
+// ---- Property 2.3: the error of an exact pair is zero ---------------------
 
 TEST(Estimate, of_uniform_compression_is_zero_to_rounding) {
   Random random(21);
@@ -56,8 +55,7 @@ TEST(Estimate, of_a_sticking_patch_is_zero_to_rounding) {
             1e-14 * std::pow(norm_of_sum(estimate), 2));
 }
 
-// ---- what holds for every estimate
-// --------------------------------------------------------------
+// ---- what holds for every estimate ----------------------------------------
 
 RC_GTEST_PROP(Estimate, is_admissible_with_tractions_in_the_cone, ()) {
   const Problem problem = problem_of(*random_case(0.5));
@@ -323,8 +321,7 @@ TEST(Estimate, says_where_u_penetrates) {
   }
 }
 
-// ---- against an exact solution
-// ------------------------------------------------------------------
+// ---- against an exact solution --------------------------------------------
 
 TEST(Estimate, of_the_smooth_problem_in_contact_is_a_tight_bound) {
   const Manufactured exact = smooth_solution(0.3);
@@ -434,8 +431,7 @@ TEST(Estimate, of_example_2_falls_with_the_mesh_for_both_methods) {
   }
 }
 
-// ---- the numerical construction of [CHH01, 4.2.2]
-// -----------------------------------------------
+// ---- the numerical construction of [CHH01, 4.2.2] -------------------------
 
 TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   const Problem problem = example_1(Multiplier::force);
@@ -456,8 +452,7 @@ TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   RecordProperty("ratio", std::to_string(polynomial.e / composite.e));
 }
 
-// ---- checks and refusals
-// ------------------------------------------------------------------------
+// ---- checks and refusals --------------------------------------------------
 
 TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {
   const Problem problem = example_2(Multiplier::force, 0.2);
