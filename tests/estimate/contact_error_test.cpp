@@ -230,6 +230,8 @@ TEST(PenetrationDefect, is_zero_clear_of_the_foundation_and_counts_the_gap) {
   EXPECT_EQ(penetration_defect(problem.line, law, u).value, 0);
   law.gap[2] = 0.5;
   EXPECT_NEAR(penetration_defect(problem.line, law, u).value, 0.5, 1e-15);
+  const double least = 4 * u.cwiseAbs().maxCoeff();
+  EXPECT_LT(penetration_defect(problem.line, law, u, least).value, 0.3);
 }
 
 TEST(AdmissibleDisplacement, does_not_penetrate_at_a_sharp_corner) {

@@ -142,12 +142,14 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
 
 PenetrationDefect penetration_defect(const ContactLine& line,
                                      const ContactLaw& law,
-                                     const Ref<const VectorXd>& displacement) {
+                                     const Ref<const VectorXd>& displacement,
+                                     double least) {
   const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
   PenetrationDefect defect;
   const double deepest = w.row(0).maxCoeff(&defect.node);
   if (deepest > 0)
-    defect.value = deepest / largest_displacement(law, displacement);
+    defect.value =
+        deepest / std::max(least, largest_displacement(law, displacement));
   return defect;
 }
 

@@ -29,8 +29,11 @@ struct PenetrationDefect {
   double value = 0;
   int node = 0;  ///< where
 };
+/// @param least  what it is relative to at least [mm]: of u_hat that of u, whose rounding
+///               is all that is left of it where all nodes stick
 PenetrationDefect penetration_defect(const ContactLine& line,
                                      const ContactLaw& law,
-                                     const Ref<const VectorXd>& displacement);
+                                     const Ref<const VectorXd>& displacement,
+                                     double least = 0);
 
 }  // namespace ffcontact

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
@@ -229,7 +230,7 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
   estimate.cone = cone_defect(line, body.law, estimate.tractions) *
                   share_of_contact(estimate.tractions, compared.stress);
   const PenetrationDefect penetration =
-      penetration_defect(line, body.law, u_hat);
+      penetration_defect(line, body.law, u_hat, max_norm(body.displacement));
   estimate.penetration = penetration.value;
   const Vector2d deepest = mesh.place(line.vertex[penetration.node]);
   estimate.reason = reason_against(estimate, construction, deepest);
