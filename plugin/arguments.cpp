@@ -53,6 +53,16 @@ void fill(Stack stack, Expression target, const Values& values) {
   for (long k = 0; k < array->N(); ++k) (*array)[k] = values[k];
 }
 
+/// "a", "b" or "c", in quotation marks.
+std::string quoted_list(const std::vector<std::string>& words) {
+  std::string list;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (k > 0) list += k + 1 == words.size() ? " or " : ", ";
+    list += '"' + words[k] + '"';
+  }
+  return list;
+}
+
 }  // namespace
 
 NamedArguments::NamedArguments(const basicAC_F0& arguments, Table table)
@@ -122,10 +132,14 @@ long NamedArguments::integer(Stack stack, const std::string& name,
   return value ? GetAny<long>((*value)(stack)) : otherwise;
 }
 
-std::string NamedArguments::text(Stack stack, const std::string& name,
-                                 const char* otherwise) const {
-  const Expression value = expression(name);
-  return value ? *GetAny<string*>((*value)(stack)) : otherwise;
+std::size_t NamedArguments::place_of_word(
+    Stack stack, const std::string& name,
+    const std::vector<std::string>& words) const {
+  const std::string given = *value_of<string*>(stack, expression(name));
+  const auto found = std::find(words.begin(), words.end(), given);
+  if (found == words.end())
+    refuse(name, " must be ", quoted_list(words), ", got \"", given, "\"");
+  return found - words.begin();
 }
 
 bool NamedArguments::flag(Stack stack, const std::string& name) const {

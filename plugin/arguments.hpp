@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
@@ -51,8 +52,16 @@ class NamedArguments {
 
   double number(Stack stack, const std::string& name, double otherwise) const;
   long integer(Stack stack, const std::string& name, long otherwise) const;
-  std::string text(Stack stack, const std::string& name,
-                   const char* otherwise) const;
+  /// What the word that the script gives stands for.
+  /// @throws std::invalid_argument  listing the words, if it is none of them
+  template <class T>
+  T choice(Stack stack, const std::string& name, T otherwise,
+           const std::vector<std::pair<std::string, T>>& words) const {
+    if (!given(name)) return otherwise;
+    std::vector<std::string> known;
+    for (const auto& [word, meaning] : words) known.push_back(word);
+    return words[place_of_word(stack, name, known)].second;
+  }
   std::vector<int> integers(Stack stack, const std::string& name) const;
   bool flag(Stack stack, const std::string& name) const;
   long verbosity_level(Stack stack) const {
@@ -70,6 +79,9 @@ class NamedArguments {
   void put(Stack stack, const std::string& name, bool value) const;
 
  private:
+  std::size_t place_of_word(Stack stack, const std::string& name,
+                            const std::vector<std::string>& words) const;
+
   static constexpr std::size_t nowhere = -1;
   std::size_t place(const std::string& name) const;
 

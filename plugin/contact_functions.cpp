@@ -16,12 +16,6 @@ namespace ffcontact::plugin {
 
 namespace {
 
-ContactSolver solver_named(const std::string& name) {
-  if (name == "newton") return ContactSolver::newton;
-  if (name == "fixedpoint") return ContactSolver::fixed_point;
-  refuse("solver must be \"newton\" or \"fixedpoint\", got \"", name, "\"");
-}
-
 /// 0 open, 1 stick, 2 slip along t, -2 slip against t.
 std::vector<long> state_numbers(const std::vector<ContactState>& states) {
   std::vector<long> numbers;
@@ -225,7 +219,10 @@ class ContactSolve : public E_F0mps {
   ContactSettings settings_of(Stack stack, const Contact& contact,
                               const ElasticSystem& system) const {
     ContactSettings settings;
-    settings.solver = solver_named(named_.text(stack, "solver", "newton"));
+    settings.solver =
+        named_.choice(stack, "solver", settings.solver,
+                      {{"newton", ContactSolver::newton},
+                       {"fixedpoint", ContactSolver::fixed_point}});
     settings.max_iterations = static_cast<int>(
         named_.integer(stack, "maxit", settings.max_iterations));
     settings.tolerance = named_.number(stack, "tol", settings.tolerance);

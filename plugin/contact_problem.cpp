@@ -54,11 +54,9 @@ NamedArguments::Table ContactProblem::table(const basicAC_F0& arguments) {
 }
 
 Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
-  const std::string name = named.text(stack, "multiplier", "force");
-  if (name == "pressure") return Multiplier::pressure;
-  if (name != "force")
-    refuse("multiplier must be \"pressure\" or \"force\", got \"", name, "\"");
-  return Multiplier::force;
+  return named.choice(
+      stack, "multiplier", Multiplier::force,
+      {{"pressure", Multiplier::pressure}, {"force", Multiplier::force}});
 }
 
 ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,

@@ -18,16 +18,14 @@ ContactForces contact_forces(const ContactLine& line, const ContactLaw& law,
                              const Matrix2Xd& given) {
   if (law.multiplier == Multiplier::pressure)
     return {given, forces_of(line, given)};
-  const Matrix2Xd force = given * nodal_lengths(line).asDiagonal();
+  const Matrix2Xd force = lumped_forces(line, given);
   return {force, force};
 }
 
 StuckNodes stuck_nodes_of(Stack stack, const NamedArguments& named) {
-  const std::string stuck = named.text(stack, "stick", "free");
-  if (stuck == "held") return StuckNodes::stick;
-  if (stuck != "free")
-    refuse("stick must be \"free\" or \"held\", got \"", stuck, "\"");
-  return StuckNodes::may_slip;
+  return named.choice(
+      stack, "stick", StuckNodes::may_slip,
+      {{"free", StuckNodes::may_slip}, {"held", StuckNodes::stick}});
 }
 
 const char* in_words(StuckNodes stuck) {
@@ -55,18 +53,12 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
 
 std::shared_ptr<const CondensedContact> contact_of_forces(
     const ContactLine& line, ContactLaw law, const ElasticSystem& system,
-    const CondensedStiffness& stiffness) {
+    const CondensedStiffness& stiffness,
+    const std::shared_ptr<const CondensedContact>& solved) {
+  if (solved && law.multiplier == Multiplier::force) return solved;
   law.multiplier = Multiplier::force;
   return std::make_shared<const CondensedContact>(
       condensed_contact(line, law, system, stiffness));
-}
-
-std::shared_ptr<const CondensedContact> contact_of_forces(
-    const ContactLine& line, const SolvedContact& solved) {
-  if (solved.law.multiplier == Multiplier::force)
-    return solved.solution.contact;
-  return contact_of_forces(line, solved.law, *solved.system,
-                           *solved.solution.stiffness);
 }
 
 double critical_friction_of(const ContactProblem& problem,

@@ -37,11 +37,11 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
                                     StuckNodes stuck);
 
 /// The condensed relation of Multiplier::force, without another factorisation.
+/// @param solved  that of `law`, if there is one
 std::shared_ptr<const CondensedContact> contact_of_forces(
     const ContactLine& line, ContactLaw law, const ElasticSystem& system,
-    const CondensedStiffness& stiffness);
-std::shared_ptr<const CondensedContact> contact_of_forces(
-    const ContactLine& line, const SolvedContact& solved);
+    const CondensedStiffness& stiffness,
+    const std::shared_ptr<const CondensedContact>& solved);
 
 /// critical_friction of the solution.
 double critical_friction_of(const ContactProblem& problem,

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 //
-#include "coulomb.hpp"
 #include "estimate_arrays.hpp"
 #include "guard.hpp"
+#include "judged.hpp"
 #include "material_and_loads.hpp"
 #include "registration.hpp"
 #include "systems.hpp"
@@ -32,21 +30,6 @@ const NamedArguments::Table of_bodies = {
     {"bodyforce", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
     {"rate", &typeid(KN<double>*)},  {"sxx", &typeid(KN<double>*)},
     {"syy", &typeid(KN<double>*)},   {"sxy", &typeid(KN<double>*)}};
-
-/// A solution that is to be judged: of contactsolve, or given by the script.
-struct Judged {
-  std::shared_ptr<const ElasticSystem> system;
-  SolvedBody body;
-  ContactForces forces;
-  const SolvedContact* solved = nullptr;  ///< null: given by the script
-};
-
-/// kappa of Coulomb's law and what it makes of e.
-struct CoulombBound {
-  CoulombConstant constant;
-  double value;
-  StuckNodes stuck;
-};
 
 /// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve
 /// found, or eps = contacterror(C, A, u, pn, pt, ...) with matrix and displacement of
@@ -130,9 +113,12 @@ class ContactErrorFunction : public E_F0mps {
     put_rates(stack, problem, system, judged.body);
     named_.put(stack, "oscillation", oscillation);
     const double seconds = CPUtime() - start;
-    const std::optional<CoulombBound> bound =
-        coulomb_bound_of(problem, judged, estimate, stuck);
-    if (bound) put_bound(stack, *bound);
+    std::optional<CoulombBound> bound;
+    if (wants_bound()) {
+      bound = coulomb_bound_of(problem.line, judged, estimate, stuck);
+      named_.put(stack, "coulomb", bound->constant.kappa);
+      named_.put(stack, "bound", bound->value);
+    }
     report(stack, problem, estimate, bound, seconds);
     return estimate.relative;
   }
@@ -142,16 +128,7 @@ class ContactErrorFunction : public E_F0mps {
       refuse(
           "multiplier= is given, but pn and pt are not: it is known from "
           "contactsolve");
-    const SolvedContact& solved = solved_contact(contact);
-    Judged judged;
-    judged.system = solved.system;
-    judged.body.displacement = solved.solution.displacement;
-    judged.body.pressure = solved.solution.pressure;
-    judged.body.law = solved.law;
-    judged.body.stiffness = solved.solution.stiffness;
-    judged.forces = contact_forces(solved.law, solved.solution);
-    judged.solved = &solved;
-    return judged;
+    return judged_of(solved_contact(contact));
   }
 
   Judged given_solution(Stack stack, const ContactProblem& problem) const {
@@ -161,81 +138,33 @@ class ContactErrorFunction : public E_F0mps {
       const RowMatrix A = matrix_of_body(stack, problem, k, matrix_[k]);
       systems.push_back(elastic_system(A, VectorXd::Zero(A.rows())));
     }
-    Judged judged;
-    judged.system =
-        std::make_shared<const ElasticSystem>(joined(std::move(systems)));
-    judged.body.displacement = joined_displacement(
-        problem, values_of<KN<double>*>(stack, displacement_));
-    judged.body.law = problem.law;
-    judged.body.law.multiplier = multiplier_of(stack, named_);
-    put_pressures(problem,
-                  problem.pressures(value_of<KN<double>*>(stack, normal_),
-                                    value_of<KN<double>*>(stack, tangential_)),
-                  judged);
+    const Matrix2Xd pressures =
+        problem.pressures(value_of<KN<double>*>(stack, normal_),
+                          value_of<KN<double>*>(stack, tangential_));
+    Judged judged =
+        judged_of(problem, joined(std::move(systems)),
+                  joined_displacement(
+                      problem, values_of<KN<double>*>(stack, displacement_)),
+                  multiplier_of(stack, named_), pressures);
+    // for the estimate, too
+    if (wants_bound()) judged.factorise(problem.line);
     return judged;
   }
 
-  /// What pn and pt stand for.
-  static void put_pressures(const ContactProblem& problem,
-                            const Matrix2Xd& given, Judged& judged) {
-    const ContactLaw& law = judged.body.law;
-    judged.body.pressure = multiplier_density(problem.line, law.multiplier,
-                                              judged.system->prescribed, given);
-    judged.forces = contact_forces(problem.line, law, given);
-  }
-
-  static std::shared_ptr<const CondensedContact> contact_of(
-      const ContactProblem& problem, const Judged& judged) {
-    if (judged.solved) return contact_of_forces(problem.line, *judged.solved);
-    const ElasticSystem& system = *judged.system;
-    return contact_of_forces(
-        problem.line, judged.body.law, system,
-        CondensedStiffness(system, contact_dofs(problem.line, system)));
-  }
-
-  /// Nothing where the script does not ask for it; infinite for a pair that is not
-  /// admissible.
-  std::optional<CoulombBound> coulomb_bound_of(const ContactProblem& problem,
-                                               const Judged& judged,
-                                               const Estimate& estimate,
-                                               StuckNodes stuck) const {
-    if (!named_.given("coulomb") && !named_.given("bound")) return std::nullopt;
-    const CoulombConstant constant = coulomb_constant_of(
-        problem.line, judged.body.law, *contact_of(problem, judged),
-        judged.body.displacement, judged.forces, stuck);
-    const double value =
-        estimate.admissible
-            ? coulomb_bound(estimate.e, constant.friction, constant.kappa)
-            : std::numeric_limits<double>::infinity();
-    return CoulombBound{constant, value, stuck};
-  }
-
-  void put_bound(Stack stack, const CoulombBound& bound) const {
-    named_.put(stack, "coulomb", bound.constant.kappa);
-    named_.put(stack, "bound", bound.value);
-  }
-
-  Tractions tractions(Stack stack) const {
-    const std::string name = named_.text(stack, "tractions", "free");
-    if (name == "free") return Tractions::free;
-    if (name == "fixed") return Tractions::fixed;
-    if (name == "published") return Tractions::published;
-    refuse("tractions must be \"free\", \"fixed\" or \"published\", got \"",
-           name, "\"");
-  }
-
-  Construction construction(Stack stack) const {
-    const std::string name = named_.text(stack, "construction", "composite");
-    if (name == "composite") return Construction::composite;
-    if (name == "polynomial") return Construction::polynomial;
-    refuse("construction must be \"composite\" or \"polynomial\", got \"", name,
-           "\"");
+  bool wants_bound() const {
+    return named_.given("coulomb") || named_.given("bound");
   }
 
   EstimateSettings estimate_settings(Stack stack) const {
     EstimateSettings settings;
-    settings.tractions = tractions(stack);
-    settings.construction = construction(stack);
+    settings.tractions = named_.choice(stack, "tractions", Tractions::free,
+                                       {{"free", Tractions::free},
+                                        {"fixed", Tractions::fixed},
+                                        {"published", Tractions::published}});
+    settings.construction =
+        named_.choice(stack, "construction", Construction::composite,
+                      {{"composite", Construction::composite},
+                       {"polynomial", Construction::polynomial}});
     RelaxationSettings& relaxation = settings.relaxation;
     relaxation.tightness =
         named_.number(stack, "tightness", relaxation.tightness);

@@ -40,10 +40,13 @@ class CriticalFriction : public E_F0mps {
     const bool reports = named_.verbosity_level(stack) >= 1 && mpirank == 0;
     if (!reports && !named_.given("unique")) return critical;
     const ContactLine& line = contact.problem->line;
+    const ContactSolution& solution = solved.solution;
+    const auto of_forces =
+        contact_of_forces(line, solved.law, *solved.system, *solution.stiffness,
+                          solution.contact);
     const CoulombConstant constant =
-        coulomb_constant_of(line, solved.law, *contact_of_forces(line, solved),
-                            solved.solution.displacement,
-                            contact_forces(solved.law, solved.solution), stuck);
+        coulomb_constant_of(line, solved.law, *of_forces, solution.displacement,
+                            contact_forces(solved.law, solution), stuck);
     const double unique = 1 / constant.kappa;
     named_.put(stack, "unique", unique);
     if (reports)
