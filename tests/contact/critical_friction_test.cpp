@@ -43,16 +43,9 @@ struct SlippingTriangle {
   }
 
   Mesh mesh(int times) const {
-    Mesh mesh;
-    mesh.vertices.resize(2, 3);
-    mesh.vertices << 0, base, top_vertex().x(), 0, 0, top_vertex().y();
-    mesh.cells.resize(3, 1);
-    mesh.cells << 0, 1, 2;
-    mesh.boundary.resize(2, 3);
-    mesh.boundary << 0, 1, 2, 1, 2, 0;
-    mesh.boundary_label.resize(3);
-    mesh.boundary_label << bottom, right, left;
-    return subdivided(mesh, times);
+    return subdivided(
+        triangle({0, 0}, {base, 0}, top_vertex(), {bottom, right, left}),
+        times);
   }
 
   Field solution(double mu) const {

@@ -96,16 +96,9 @@ TEST(Feasibility, along_an_oblique_direction_one_free_component_is_enough) {
 
 /// A tip that points along x between two walls, free to move along y alone.
 Problem tip_in_a_groove(double lower_gap, double upper_gap) {
-  Mesh mesh;
-  mesh.vertices.resize(2, 3);
-  mesh.vertices << 0, 2, 0, -1, 0, 1;
-  mesh.cells.resize(3, 1);
-  mesh.cells << 0, 1, 2;
-  mesh.boundary.resize(2, 3);
-  mesh.boundary << 0, 1, 2, 1, 2, 0;
-  mesh.boundary_label.resize(3);
-  mesh.boundary_label << bottom, bottom, left;
-  Problem problem = body(mesh, material(100, 0.3));
+  Problem problem =
+      body(triangle({0, -1}, {2, 0}, {0, 1}, {bottom, bottom, left}),
+           material(100, 0.3));
   prescribe_dof(problem, 2, 0);
   problem.law.gap = everywhere(problem.line, 1);
   for (int i = 0; i < problem.line.node_count(); ++i)

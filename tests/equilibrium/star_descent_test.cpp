@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ffcontact/base/least_squares.hpp"
-#include "ffcontact/equilibrium/boundary_relaxation.hpp"
+#include "ffcontact/equilibrium/boundary_corrections.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 
@@ -62,7 +62,8 @@ struct Dense {
     const Stars& stars = setting.stars;
     const MatrixXd Z =
         stars.on_boundary(vertex)
-            ? corrections_with_known_tractions(setting, vertex)
+            ? admissible_corrections(StarGroup(setting, {vertex}),
+                                     setting.boundary, nullptr)
             : MatrixXd(MatrixXd::Identity(star_unknowns(stars, vertex),
                                           star_unknowns(stars, vertex)));
     MatrixXd result = MatrixXd::Zero(n, Z.cols());

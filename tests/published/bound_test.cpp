@@ -96,26 +96,16 @@ TEST(bound, holds_for_tresca_and_without_friction) {
 /// 64.
 RC_GTEST_PROP(bound, holds_on_random_meshes_under_random_loads,
               (Random random)) {
-  const Mesh mesh =
-      irregular(*rc::gen::inRange(2, 6), *rc::gen::inRange(2, 5), 6, 4, random);
-  const Vector2d on_left = random_vector(2, random) * 5,
-                 on_right = random_vector(2, random) * 5;
-  const double slip_bound = *rc::gen::element(0.0, 0.5, 2.0),
-               nu = *real(0, 0.4);
-  const Multiplier multiplier =
-      *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  const RandomBlock block = random_block(random);
+  const double slip_bound = *rc::gen::element(0.0, 0.5, 2.0);
   const auto problem_on = [&](const Mesh& body_mesh) {
-    Problem problem = body(body_mesh, material(1e3, nu));
-    clamp(problem, top, [](const Vector2d&) { return Vector2d(1e-3, -1e-2); });
-    add_traction(problem, left, on_left);
-    add_traction(problem, right, on_right);
+    Problem problem = block.on(body_mesh);
     if (slip_bound > 0)
       problem.law.slip_bound = everywhere(problem.line, slip_bound);
-    problem.law.multiplier = multiplier;
     return problem;
   };
-  const Problem coarse = problem_on(mesh),
-                fine = problem_on(subdivided(mesh, 3));
+  const Problem coarse = problem_on(block.mesh),
+                fine = problem_on(subdivided(block.mesh, 3));
   const ContactSolution solution = solved(coarse), reference = solved(fine);
   RC_ASSERT(solution.accepted({}) && reference.accepted({}));
   const Estimate estimate = estimated(coarse, solution, sweeps(2));

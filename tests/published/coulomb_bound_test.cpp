@@ -87,28 +87,19 @@ TEST(coulomb_bound, of_the_published_problems) {
 /// of slip are those that come.
 RC_GTEST_PROP(coulomb_bound, holds_on_random_meshes_under_random_loads,
               (Random random)) {
-  const Mesh mesh =
-      irregular(*rc::gen::inRange(2, 6), *rc::gen::inRange(2, 5), 6, 4, random);
-  const Vector2d on_left = random_vector(2, random) * 5,
-                 on_right = random_vector(2, random) * 5;
-  const double mu = *real(0.05, 1), nu = *real(0, 0.4),
-               slope = *rc::gen::element(0.0, -0.15, 0.1),
+  const RandomBlock block = random_block(random);
+  const double mu = *real(0.05, 1), slope = *rc::gen::element(0.0, -0.15, 0.1),
                limit = *rc::gen::element(0.0, 0.0, 0.5);
-  const Multiplier multiplier =
-      *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const auto problem_on = [&](const Mesh& body_mesh) {
-    Problem problem = body(body_mesh, material(1e3, nu));
-    clamp(problem, top, [](const Vector2d&) { return Vector2d(1e-3, -1e-2); });
-    add_traction(problem, left, on_left);
-    add_traction(problem, right, on_right);
+    Problem problem = block.on(body_mesh);
     for (int i = 0; i < problem.line.node_count(); ++i)
       problem.law.friction[i] =
           mu * (1 + slope * problem.mesh.vertices(0, problem.line.vertex[i]));
     if (limit > 0) problem.law.shear_limit = everywhere(problem.line, limit);
-    problem.law.multiplier = multiplier;
     return problem;
   };
-  const Judged j = judged(problem_on(mesh), problem_on(subdivided(mesh, 3)));
+  const Judged j =
+      judged(problem_on(block.mesh), problem_on(subdivided(block.mesh, 3)));
   RC_ASSERT(j.admissible);
   RC_CLASSIFY(std::isfinite(j.bound()), "bound");
   RC_CLASSIFY(j.error > (1 + 1e-6) * j.e, "e alone is none");

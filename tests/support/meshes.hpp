@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -221,6 +222,21 @@ inline std::vector<int> triangles_near(const Mesh& mesh, const Vector2d& point,
     if (closest <= distance) near.push_back(t);
   }
   return near;
+}
+
+/// One triangle, counter-clockwise, its sides a b, b c and c a labelled in this order.
+inline Mesh triangle(const Vector2d& a, const Vector2d& b, const Vector2d& c,
+                     const std::array<int, 3>& labels) {
+  Mesh mesh;
+  mesh.vertices.resize(2, 3);
+  mesh.vertices << a, b, c;
+  mesh.cells.resize(3, 1);
+  mesh.cells << 0, 1, 2;
+  mesh.boundary.resize(2, 3);
+  mesh.boundary << 0, 1, 2, 1, 2, 0;
+  mesh.boundary_label.resize(3);
+  mesh.boundary_label << labels[0], labels[1], labels[2];
+  return mesh;
 }
 
 inline Mesh rotated(Mesh mesh, double angle) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/estimates.hpp"
+#include "support/random.hpp"
 
 /// Errors against the solution on a nested finer mesh, in the energy norm.
 namespace ffcontact::test {
@@ -179,6 +180,34 @@ inline SquaredDistances squared_distances(const Problem& coarse,
     }
   }
   return squares;
+}
+
+/// A block on any mesh, pressed on the foundation by its clamped top and loaded on its
+/// sides.
+struct RandomBlock {
+  Mesh mesh;
+  Vector2d on_left, on_right;
+  double nu;
+  Multiplier multiplier;
+
+  /// On its mesh or a finer one, without a law.
+  Problem on(const Mesh& body_mesh) const {
+    Problem problem = body(body_mesh, material(1e3, nu));
+    clamp(problem, top, [](const Vector2d&) { return Vector2d(1e-3, -1e-2); });
+    add_traction(problem, left, on_left);
+    add_traction(problem, right, on_right);
+    problem.law.multiplier = multiplier;
+    return problem;
+  }
+};
+
+inline RandomBlock random_block(Random& random) {
+  const int nx = *rc::gen::inRange(2, 6), ny = *rc::gen::inRange(2, 5);
+  const Mesh mesh = irregular(nx, ny, 6, 4, random);
+  const Vector2d on_left = random_vector(2, random) * 5,
+                 on_right = random_vector(2, random) * 5;
+  return {mesh, on_left, on_right, *real(0, 0.4),
+          *rc::gen::element(Multiplier::force, Multiplier::pressure)};
 }
 
 }  // namespace ffcontact::test

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/base/norms.hpp"
 
 namespace ffcontact {
 
@@ -72,7 +72,7 @@ class LeastDistance {
       const bool free = direction.norm() > dependent;
       const double full =
           free ? std::max(0.0, h_[row] - g.dot(z_)) / direction.squaredNorm()
-               : std::numeric_limits<double>::infinity();
+               : infinity;
       double step = full;
       Index dropped = -1;
       for (Index k = 0; k < share.size(); ++k)

@@ -40,14 +40,6 @@ int differences(const States& a, const States& b) {
       a.begin(), a.end(), b.begin(), 0, std::plus<>(), std::not_equal_to<>()));
 }
 
-void keep(const States& state, const ContactRows& rows, double violation,
-          ActiveSetResult& result) {
-  result.P = rows.P;
-  result.v = rows.v;
-  result.state = state;
-  result.violation = violation;
-}
-
 /// The closed state of an open node that touches.
 ContactState closed_by_touch(const FrictionCone& cone, ContactState open,
                              double vt, const Rounding& rounding) {
@@ -95,7 +87,7 @@ void close_touching_ends(const CondensedContact& contact, const NodalLaw& law,
       next_states(contact, law, closed, rows) != closed)
     return;
   const double violation = law_violation(contact, law, rows);
-  if (violation <= tolerance) keep(closed, rows, violation, result);
+  if (violation <= tolerance) result.keep(closed, rows, violation);
 }
 
 /// The largest force of loads, or that of prescribed displacements.
@@ -151,7 +143,7 @@ ActiveSetResult active_set_newton(const CondensedContact& contact,
     const States next = next_states(contact, law, state, rows);
     const bool settled = next == state;
     if (settled || violation < result.violation || result.iterations == 1)
-      keep(state, rows, violation, result);
+      result.keep(state, rows, violation);
     ends = settled || patience.ends_with(differences(state, next));
     if (settled)
       result.status =

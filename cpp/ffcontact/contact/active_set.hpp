@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
@@ -24,6 +25,18 @@ struct ActiveSetResult {
   double violation = 0;             ///< law_violation of P and v
   int iterations = 0;
   ContactStatus status = ContactStatus::not_converged;
+
+  /// Takes these rows and their active set for the answer.
+  void keep(std::vector<ContactState> active_set, ContactRows rows,
+            double of_law) {
+    P = std::move(rows.P);
+    v = std::move(rows.v);
+    state = std::move(active_set);
+    violation = of_law;
+  }
+  bool is_better_than(const ActiveSetResult& other) const {
+    return status == ContactStatus::converged || violation < other.violation;
+  }
 };
 
 struct NewtonSettings {

@@ -29,8 +29,7 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact,
     return newton;
   FixedPointResult path =
       fixed_point(contact, law, start, {left, settings.tolerance}, true);
-  const bool better = path.answer.status == ContactStatus::converged ||
-                      path.answer.violation < newton.answer.violation;
+  const bool better = path.answer.is_better_than(newton.answer);
   const int systems = newton.answer.iterations + path.answer.iterations;
   if (better) newton = std::move(path);
   newton.answer.iterations = systems;

@@ -6,6 +6,7 @@
 #include "ffcontact/base/bounded_minimum.hpp"
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/contact/next_states.hpp"
 
 namespace ffcontact {
 
@@ -90,10 +91,8 @@ class ProximalPasses {
 
   std::vector<ContactState> states() const {
     std::vector<ContactState> states;
-    for (int node = 0; node < x_.size() / 2; ++node) {
-      const bool open = x_[place(2 * node)] == 0;
-      states.push_back(open ? open_state(node) : closed_state(node));
-    }
+    for (int node = 0; node < x_.size() / 2; ++node)
+      states.push_back(state(node));
     return states;
   }
 
@@ -103,19 +102,11 @@ class ProximalPasses {
     const Index t = place(2 * node + 1);
     return x_[t] == -bound(t) ? 1 : x_[t] == bound(t) ? -1 : 0;
   }
-  ContactState open_state(int node) const {
-    if (law_.cone[node].frictionless()) return ContactState::open;
-    const int along = slip(node);
-    return along > 0   ? ContactState::open_slip_forward
-           : along < 0 ? ContactState::open_slip_backward
-                       : ContactState::open_stick;
-  }
-  ContactState closed_state(int node) const {
-    if (law_.cone[node].frictionless()) return ContactState::slip_forward;
-    const int along = slip(node);
-    return along > 0   ? ContactState::slip_forward
-           : along < 0 ? ContactState::slip_backward
-                       : ContactState::stick;
+  ContactState state(int node) const {
+    const bool open = x_[place(2 * node)] == 0;
+    if (law_.cone[node].frictionless())
+      return open ? ContactState::open : ContactState::slip_forward;
+    return open ? open_state(slip(node)) : closed_state(slip(node));
   }
 
   /// Multipliers of the primary rows that balance v.
@@ -211,14 +202,6 @@ class ProximalPasses {
   double change_ = 0;
 };
 
-void keep(std::vector<ContactState> state, ContactRows rows, double violation,
-          ActiveSetResult& result) {
-  result.violation = violation;
-  result.state = std::move(state);
-  result.P = std::move(rows.P);
-  result.v = std::move(rows.v);
-}
-
 /// Whether the face that a pass ended on fulfils the law without the proximal terms.
 bool keep_face(const CondensedContact& contact, const NodalLaw& law,
                const ProximalPasses& passes, double tolerance,
@@ -228,7 +211,7 @@ bool keep_face(const CondensedContact& contact, const NodalLaw& law,
   if (kind == SystemKind::inconsistent) return false;
   const double violation = law_violation(contact, law, rows);
   if (violation > tolerance) return false;
-  keep(passes.states(), std::move(rows), violation, result);
+  result.keep(passes.states(), std::move(rows), violation);
   return true;
 }
 
@@ -248,7 +231,7 @@ bool pass_to_the_minimum(const CondensedContact& contact, const NodalLaw& law,
         violation <= settings.tolerance &&
         passes.change() <= settled * motion_scale(contact, rows.v);
     if (violation < result.violation || ends)
-      keep(passes.states(), std::move(rows), violation, result);
+      result.keep(passes.states(), std::move(rows), violation);
     if (ends || keep_face(contact, law, passes, settings.tolerance, result))
       return true;
   }
@@ -281,10 +264,7 @@ ActiveSetResult solve_convex(const CondensedContact& contact,
   if (newton.status == ContactStatus::converged || left <= 0) return newton;
   ActiveSetResult convex =
       convex_contact(contact, law, {left, settings.tolerance});
-  ActiveSetResult& better = convex.status == ContactStatus::converged ||
-                                    convex.violation < newton.violation
-                                ? convex
-                                : newton;
+  ActiveSetResult& better = convex.is_better_than(newton) ? convex : newton;
   better.iterations = newton.iterations + convex.iterations;
   return better;
 }

@@ -2,18 +2,18 @@
 #include "ffcontact/contact/coulomb_constant.hpp"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/krylov.hpp"
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/trace_stiffness.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Added to S, relative to its diagonal.
 constexpr double leash = 1e-10;
 /// What a motion without energy makes of kappa^2 is more than this.
@@ -37,10 +37,10 @@ std::optional<Unknowns> unknowns(const CondensedContact& contact,
   std::vector<int> place(weight.size(), -1);
   for (int node = 0; node < weight.size(); ++node)
     if (traces.place[2 * node] >= 0) {
-      place[node] = static_cast<int>(result.rows.size());
+      place[node] = count_of(result.rows);
       result.rows.push_back(traces.place[2 * node]);
     }
-  result.normal_count = static_cast<Index>(result.rows.size());
+  result.normal_count = count_of(result.rows);
   std::vector<double> m;
   for (int node = 0; node < weight.size(); ++node) {
     const int normal = traces.place[2 * node],
@@ -54,7 +54,7 @@ std::optional<Unknowns> unknowns(const CondensedContact& contact,
     result.normal.push_back(place[node]);
     m.push_back(weight[node]);
   }
-  result.weight = Map<const VectorXd>(m.data(), static_cast<Index>(m.size()));
+  result.weight = packed(m);
   return result;
 }
 
@@ -69,7 +69,7 @@ Cholesky factor_of(const MatrixXd& S, const std::vector<int>& rows) {
 double coulomb_constant(const CondensedContact& contact,
                         const SlipPattern& pattern, double largest_friction,
                         StuckNodes stuck) {
-  if (pattern.reaches_limit && stuck == StuckNodes::may_slip) return infinite;
+  if (pattern.reaches_limit && stuck == StuckNodes::may_slip) return infinity;
   const VectorXd weight = pattern.weight(largest_friction);
   if (weight.isZero(0)) return 0;
   const std::vector<char> none(pattern.sticks.size(), 0);
@@ -77,11 +77,11 @@ double coulomb_constant(const CondensedContact& contact,
   const std::optional<Unknowns> found =
       unknowns(contact, traces, weight,
                stuck == StuckNodes::stick ? pattern.sticks : none);
-  if (!found) return infinite;
+  if (!found) return infinity;
   const Unknowns& phi = *found;
   const Index n = phi.normal_count, t = phi.weight.size();
   const Cholesky factor = factor_of(traces.S, phi.rows);
-  if (!factor.is_positive_definite()) return infinite;
+  if (!factor.is_positive_definite()) return infinity;
   const auto L_nn =
       factor.lower().topLeftCorner(n, n).triangularView<Eigen::Lower>();
   const auto L_tt =
@@ -96,13 +96,13 @@ double coulomb_constant(const CondensedContact& contact,
         L_tt.solve(VectorXd(phi.weight.cwiseProduct(forces(phi.normal)))));
   };
   const double largest = largest_eigenvalue(square, t);
-  return largest < largest_square ? std::sqrt(largest) : infinite;
+  return largest < largest_square ? std::sqrt(largest) : infinity;
 }
 
 double coulomb_bound(double e, double largest_friction, double kappa) {
   if (largest_friction == 0 || kappa == 0) return e;
   const double rest = 1 - largest_friction * kappa;
-  return rest > 0 ? e / std::sqrt(rest) : infinite;
+  return rest > 0 ? e / std::sqrt(rest) : infinity;
 }
 
 }  // namespace ffcontact

@@ -2,17 +2,16 @@
 #include "ffcontact/contact/critical_friction.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/krylov.hpp"
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/slip_pattern.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Reciprocal condition number below which a matrix is singular.
 constexpr double singular = 1e-12;
 /// Coefficients below this are those at which the body is not held without friction.
@@ -59,7 +58,7 @@ double critical_friction(const CondensedContact& contact, const NodalLaw& law,
   for (std::size_t i = 0; i < state.size(); ++i)
     if (law.cone[i].at_limit(P[2 * i])) state[i] = at_limit(state[i]);
   const NodalLaw unit = normalised(law);
-  if (!slips_by_friction(unit, state)) return infinite;
+  if (!slips_by_friction(unit, state)) return infinity;
   const auto matrix_at = [&](double mu) {
     return active_set_matrix(contact, with_friction(unit, mu), state);
   };
@@ -71,7 +70,7 @@ double critical_friction(const CondensedContact& contact, const NodalLaw& law,
     const double theta = largest_real_eigenvalue(
         [&](const VectorXd& x) { return VectorXd(-factor.solve(A_1 * x)); },
         A_0.rows(), 1 / (none - shift));
-    return theta > 0 ? shift + 1 / theta : infinite;
+    return theta > 0 ? shift + 1 / theta : infinity;
   }
   return 0;
 }

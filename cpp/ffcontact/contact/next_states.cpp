@@ -24,12 +24,6 @@ ContactState limited_state(int slip) {
                   : ContactState::limited_backward;
 }
 
-ContactState open_state(int slip) {
-  return slip > 0   ? ContactState::open_slip_forward
-         : slip < 0 ? ContactState::open_slip_backward
-                    : ContactState::open_stick;
-}
-
 /// What the answer makes of the slip of a node that friction holds.
 int next_slip(double Pt, double vt, double bound, int slip,
               const Rounding& rounding) {
@@ -129,6 +123,12 @@ ContactState closed_state(int slip) {
   return slip > 0   ? ContactState::slip_forward
          : slip < 0 ? ContactState::slip_backward
                     : ContactState::stick;
+}
+
+ContactState open_state(int slip) {
+  return slip > 0   ? ContactState::open_slip_forward
+         : slip < 0 ? ContactState::open_slip_backward
+                    : ContactState::open_stick;
 }
 
 ContactState start_state(const FrictionCone& cone, ContactState state) {

@@ -20,6 +20,8 @@ int slip_direction(double vt, const Rounding& rounding);
 
 /// @param slip  1 along t, -1 against t, 0 where it sticks
 ContactState closed_state(int slip);
+/// Likewise, where friction does not ask for contact.
+ContactState open_state(int slip);
 
 /// The nearest state that a node may have.
 ContactState start_state(const FrictionCone& cone, ContactState state);

@@ -71,6 +71,11 @@ Matrix2Xd lumped_pressures(const ContactLine& line,
   return force * nodal_lengths(line).cwiseInverse().asDiagonal();
 }
 
+Matrix2Xd lumped_forces(const ContactLine& line,
+                        const Ref<const Matrix2Xd>& pressure) {
+  return pressure * nodal_lengths(line).asDiagonal();
+}
+
 Matrix2Xd forces_of(const ContactLine& line,
                     const Ref<const Matrix2Xd>& density) {
   return (weight_of_rows(Multiplier::pressure, line) * density.reshaped())
@@ -100,8 +105,7 @@ Matrix2Xd multiplier_density(const ContactLine& line, Multiplier multiplier,
                              const std::vector<char>& prescribed,
                              const Ref<const Matrix2Xd>& pressure) {
   if (multiplier == Multiplier::pressure) return pressure;
-  return consistent_pressures(line, prescribed,
-                              pressure * nodal_lengths(line).asDiagonal());
+  return consistent_pressures(line, prescribed, lumped_forces(line, pressure));
 }
 
 std::vector<int> continued_rows(const ContactLine& line,

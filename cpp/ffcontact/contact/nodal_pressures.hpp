@@ -20,6 +20,10 @@ VectorXd nodal_lengths(const ContactLine& line);
 Matrix2Xd lumped_pressures(const ContactLine& line,
                            const Ref<const Matrix2Xd>& force);
 
+/// F_i = len_i p_i [2 x p].
+Matrix2Xd lumped_forces(const ContactLine& line,
+                        const Ref<const Matrix2Xd>& pressure);
+
 /// The forces F_i = int lambda_h psi_i of a density with these nodal values [2 x p].
 Matrix2Xd forces_of(const ContactLine& line,
                     const Ref<const Matrix2Xd>& density);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/norms.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -44,9 +46,9 @@ SlipPattern slip_pattern(const NodalLaw& law,
   const Index nodes = law.node_count();
   SlipPattern pattern{VectorXd(nodes), VectorXd(nodes),
                       std::vector<char>(nodes), false};
-  const double least_P = tolerance * multiplier.cwiseAbs().maxCoeff(),
-               least_force = tolerance * force.cwiseAbs().maxCoeff(),
-               least_slip = tolerance * slip.cwiseAbs().maxCoeff();
+  const double least_P = tolerance * max_norm(multiplier),
+               least_force = tolerance * max_norm(force),
+               least_slip = tolerance * max_norm(slip);
   for (Index i = 0; i < nodes; ++i) {
     const FrictionCone& cone = law.cone[i];
     const double Pn = multiplier(0, i), Pt = multiplier(1, i);

@@ -2,6 +2,7 @@
 #include "ffcontact/contact/trace_stiffness.hpp"
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
 
@@ -19,7 +20,7 @@ struct DependentRows {
 DependentRows dependent_rows(const CondensedContact& contact) {
   DependentRows rows;
   const double stiffness = contact.S.diagonal().mean();
-  for (int d = 0; d < static_cast<int>(contact.dependent.size()); ++d) {
+  for (int d = 0; d < count_of(contact.dependent); ++d) {
     if (contact.held.row[contact.dependent[d]]) continue;
     const bool is_free = contact.F(d, d) * stiffness > rounding;
     (is_free ? rows.free : rows.following).push_back(d);
@@ -31,8 +32,7 @@ DependentRows dependent_rows(const CondensedContact& contact) {
 
 TraceStiffness trace_stiffness(const CondensedContact& contact) {
   const DependentRows dependent = dependent_rows(contact);
-  const auto f = static_cast<Index>(contact.primary.size()),
-             d = static_cast<Index>(dependent.free.size());
+  const Index f = count_of(contact.primary), d = count_of(dependent.free);
   TraceStiffness traces;
   traces.row = contact.primary;
   traces.S.resize(f + d, f + d);

@@ -9,22 +9,17 @@
 
 namespace ffcontact {
 
-/// Relaxes the stars of some boundary vertices together: one vertex, or those that
-/// contact edges join across bodies.
+/// Relaxes the stars of a contact vertex and of those that contact edges join to it
+/// across bodies together.
 ///
 /// min y'Hy + 2 g'y + contact cost over the corrections y of the stars that leave known
 /// boundary tractions alone and load both bodies of a contact edge oppositely, with r_hat
 /// in the cone at the ends of free contact edges.
 /// @param airy     unknowns of AirySpace, changed in place
-/// @param contact  r_hat, relaxed in place; null: all contact tractions are known
+/// @param contact  r_hat, relaxed in place
 /// @return by how much e^2 fell
 double relax_boundary(const StarSetting& setting,
                       const std::vector<int>& vertices, VectorXd& airy,
-                      FreeContact* contact);
-
-/// Basis of the corrections of a boundary star that leave all known tractions alone, those
-/// of contact among them [unknowns x n].
-MatrixXd corrections_with_known_tractions(const StarSetting& setting,
-                                          int vertex);
+                      FreeContact& contact);
 
 }  // namespace ffcontact

@@ -62,7 +62,7 @@ ContactStars contact_stars(const Stars& stars, const ContactLine& line) {
 
 /// Relaxes colour by colour; returns by how much e^2 fell.
 double relax_all(const StarSetting& setting, const ContactStars& stars,
-                 VectorXd& airy, FreeContact* contact) {
+                 VectorXd& airy, FreeContact& contact) {
   double fallen = 0;
   for (const std::vector<Group>& colour : stars.colours) {
     std::vector<double> fall(colour.size());
@@ -114,7 +114,7 @@ class Relaxation {
  private:
   double relax_contact() {
     return descent_.changed(on_contact_.triangles, [&](VectorXd& airy) {
-      return relax_all(setting_, on_contact_, airy, contact_);
+      return relax_all(setting_, on_contact_, airy, *contact_);
     });
   }
 

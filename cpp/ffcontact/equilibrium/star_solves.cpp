@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ffcontact/equilibrium/boundary_relaxation.hpp"
+#include "ffcontact/equilibrium/boundary_corrections.hpp"
 
 namespace ffcontact {
 
@@ -77,7 +77,8 @@ void StarSolves::factorise(int vertex) {
 }
 
 void StarSolves::factorise_on_boundary(int vertex) {
-  MatrixXd Z = corrections_with_known_tractions(setting_, vertex);
+  MatrixXd Z = admissible_corrections(StarGroup(setting_, {vertex}),
+                                      setting_.boundary, nullptr);
   if (Z.cols() == 0) return;
   const StarEnergy<Dynamic> energy(setting_, vertex);
   const MatrixXd H = energy.H.selfadjointView<Eigen::Lower>();

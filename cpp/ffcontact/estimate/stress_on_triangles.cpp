@@ -2,8 +2,8 @@
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 
 #include <Eigen/LU>
-#include <limits>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/equilibrium/refined_moments.hpp"
 
 namespace ffcontact {
@@ -32,7 +32,6 @@ struct Place {
 /// Where among some triangles a point is farthest inside.
 Place place_of(const Mesh& mesh, const std::vector<int>& triangles,
                const Vector2d& x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Place place{triangles.front(), Vector3d::Constant(-infinity)};
   for (int t : triangles) {
     const Vector3d coordinates = barycentric(corners_of(mesh, t), x);

@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
 
@@ -55,7 +55,7 @@ double size_at(const Mesh& mesh, const Stars& stars, int v) {
 }
 
 double reach(const Mesh& mesh, const std::vector<int>& others, int v) {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinity;
   for (int w : others)
     if (w != v)
       nearest = std::min(nearest,

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/edge_projection.hpp"
+
+#include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/quadratic_minimum.hpp"
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Conditions that are met with equality to this part of the tractions hold the
+/// projection.
+constexpr double tight = 1e-11;
+
+/// [z] at a node, one column per motion.
+Matrix2Xd jumps_at(const ContactLine& line, const MatrixXd& motions, int node) {
+  Matrix2Xd jumps = motions.middleRows<2>(2 * line.vertex[node]);
+  visit_opposite(line, node, [&](int vertex, double weight) {
+    jumps -= weight * motions.middleRows<2>(2 * vertex);
+  });
+  return jumps;
+}
+
+/// Basis of the end values that friction leaves free.
+MatrixXd free_end_values(const EdgeCone& cone) {
+  MatrixXd basis = MatrixXd::Zero(4, 4 - cone.frictionless.count());
+  for (int k = 0, column = 0; k < 4; ++k)
+    if (k % 2 == 0 || !cone.frictionless[k / 2]) basis(k, column++) = 1;
+  return basis;
+}
+
+}  // namespace
+
+EndValues motions_on_edge(const ContactLine& line, const MatrixXd& motions,
+                          int e) {
+  EndValues values(4, motions.cols());
+  for (int end = 0; end < 2; ++end)
+    values.middleRows<2>(2 * end) =
+        edge_frame(line, e) * jumps_at(line, motions, line.edge_node(end, e));
+  return values;
+}
+
+Matrix4d mass_of(const ContactLine& line, int e) {
+  Matrix4d mass = 2 * Matrix4d::Identity();
+  mass.topRightCorner<2, 2>().setIdentity();
+  mass.bottomLeftCorner<2, 2>().setIdentity();
+  return line.length[e] / 6 * mass;
+}
+
+EdgeProjection::EdgeProjection(const ContactLine& line, const ContactLaw& law,
+                               const MatrixXd& motions, int e)
+    : line_(line),
+      law_(law),
+      edge_(e),
+      cone_(edge_cone(line, law, e)),
+      mass_(mass_of(line, e)),
+      motions_(motions_on_edge(line, motions, e)),
+      basis_(free_end_values(cone_)),
+      free_mass_(basis_.transpose() * mass_ * basis_),
+      half_(free_mass_),
+      moving_(half_.half_solve(basis_.transpose() * mass_ * motions_)) {}
+
+Vector4d EdgeProjection::operator()(const Vector4d& r) const {
+  const auto y = quadratic_minimum(free_mass_, -basis_.transpose() * mass_ * r,
+                                   cone_.C * basis_, cone_.d);
+  return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y)
+           : Vector4d::Zero();
+}
+
+MatrixXd EdgeProjection::slope(const Vector4d& r,
+                               const Vector4d& outside) const {
+  return moving_.transpose() * moving_on_face(held(r, outside));
+}
+
+std::vector<int> EdgeProjection::held(const Vector4d& r,
+                                      const Vector4d& outside) const {
+  const double scale = max_norm(outside) + max_norm(cone_.d);
+  std::vector<int> held;
+  for (int row = 0; row < cone_.d.size(); ++row)
+    if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale)
+      held.push_back(row);
+  return held;
+}
+
+MatrixXd EdgeProjection::moving_on_face(const std::vector<int>& held) const {
+  if (held.empty()) return moving_;
+  const MatrixXd normals =
+      half_.half_solve((cone_.C(held, Eigen::all) * basis_).transpose());
+  return moving_ - normals * least_squares_of_columns(normals, moving_);
+}
+
+}  // namespace ffcontact
