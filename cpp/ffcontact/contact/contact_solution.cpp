@@ -45,36 +45,42 @@ struct Judged {
   double residual;
 };
 
+/// Multipliers that the residual does not notice are none with Coulomb's law: their
+/// friction would know no slip.
+Judged judged_without_rounding(const ContactLine& line, const ContactLaw& law,
+                               const ElasticSystem& system,
+                               const HeldRows& held, BodyAnswer answer) {
+  const double residual = residual_defect(line, law, system, held, answer);
+  Judged judged{std::move(answer), residual};
+  if (law.tresca()) return judged;
+  BodyAnswer none{judged.answer.displacement,
+                  VectorXd::Zero(judged.answer.P.size())};
+  const double without = residual_defect(line, law, system, held, none);
+  if (without > std::max(rounding, residual)) return judged;
+  return {std::move(none), without};
+}
+
 /// Refined until rounding is all that is left of the residual.
 Judged refined_answer(const ContactLine& line, const ContactLaw& law,
                       const ElasticSystem& system,
                       const CondensedStiffness& stiffness,
                       const CondensedContact& contact,
-                      const std::vector<ContactState>& state, Judged best) {
+                      const std::vector<ContactState>& state,
+                      BodyAnswer answer) {
   constexpr int most_steps = 3;
   const NodalLaw nodal = nodal_law(law, line);
+  Judged best = judged_without_rounding(line, law, system, contact.held,
+                                        std::move(answer));
   for (int k = 0; k < most_steps && best.residual > rounding; ++k) {
     BodyAnswer next =
         refined(line, law, system, stiffness, contact, state, best.answer);
     put_into_law(nodal, state, next.P);
-    const double residual =
-        residual_defect(line, law, system, contact.held, next);
-    if (!(residual < 0.5 * best.residual)) break;
-    best = {std::move(next), residual};
+    Judged judged = judged_without_rounding(line, law, system, contact.held,
+                                            std::move(next));
+    if (!(judged.residual < 0.5 * best.residual)) break;
+    best = std::move(judged);
   }
   return best;
-}
-
-/// Multipliers that the residual does not notice are none with Coulomb's law: their
-/// friction would know no slip.
-Judged without_rounding(const ContactLine& line, const ContactLaw& law,
-                        const ElasticSystem& system, const HeldRows& held,
-                        Judged judged) {
-  if (law.tresca()) return judged;
-  BodyAnswer none{judged.answer.displacement,
-                  VectorXd::Zero(judged.answer.P.size())};
-  const double residual = residual_defect(line, law, system, held, none);
-  return residual <= rounding ? Judged{std::move(none), residual} : judged;
 }
 
 /// The whole body of a condensed answer.
@@ -88,13 +94,12 @@ Judged body_answer(const ContactLine& line, const ContactLaw& law,
   BodyAnswer answer{
       stiffness.extended(contact.load, kept) + system.prescribed_value,
       condensed.P};
+  if (condensed.status == ContactStatus::converged)
+    return refined_answer(line, law, system, stiffness, contact,
+                          condensed.state, std::move(answer));
   const double residual =
       residual_defect(line, law, system, contact.held, answer);
-  Judged judged{std::move(answer), residual};
-  if (condensed.status != ContactStatus::converged) return judged;
-  judged = refined_answer(line, law, system, stiffness, contact,
-                          condensed.state, std::move(judged));
-  return without_rounding(line, law, system, contact.held, std::move(judged));
+  return {std::move(answer), residual};
 }
 
 /// A state as answers have it.
