@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# install.sh BUILD SCRATCH COMPILER FLAGS: installs the build into SCRATCH, loads the installed plugin in FreeFEM, and builds
+# install.sh BUILD SCRATCH COMPILER FLAGS: installs the build into SCRATCH, runs scripts with the installed command, and builds
 # and runs a project that uses the installed library.
 set -euo pipefail
 build=$1 scratch=$2 compiler=$3 flags=${4//;/ }
@@ -11,11 +11,27 @@ prefix=$scratch/prefix
 
 cmake --install "$build" --prefix "$prefix" >"$scratch/install.log"
 
+# ffcontact-freefem ...: the installed command, from a folder of its own; a plugin with sanitizers needs what the build preloads.
+installed() (
+  eval "$(grep -s '^export LD_PRELOAD' "$build/freefem" || true)"
+  cd "$scratch"
+  "$prefix/bin/ffcontact-freefem" "$@" </dev/null 2>&1
+)
+
 if [ -f "$build/freefem" ]; then
-  idp=$prefix/share/ffcontact/idp
-  [ -f "$idp/ffcontact.idp" ]
-  printf '%s\n' "load \"$prefix/lib/ffcontact/ffcontact\"" 'include "ffcontact.idp"' 'cout << "loaded" << endl;' >"$scratch/load.edp"
-  FF_LOADPATH=$prefix/lib/ffcontact FF_INCLUDEPATH=$idp "$build/freefem" "$scratch/load.edp"
+  printf '%s\n' 'load "iovtk"' 'include "getARGV.idp"' 'include "ffcontact.idp"' \
+    'cout << "loaded with " << getARGV("-word", "no word") << endl;' >"$scratch/load.edp"
+  [ "$(installed load.edp -nw -ne -v 0 -word hello)" = "loaded with hello" ]
+  [ "$(installed "$prefix/share/ffcontact/examples/block_pressed.edp" -nw -ne -v 0 | grep -c '^result ')" -gt 1 ]
+
+  printf '%s\n' '#!/bin/sh' 'echo 9.9' >"$scratch/other"
+  chmod +x "$scratch/other"
+  ! answer=$(FREEFEM_PROGRAM=$scratch/other installed load.edp)
+  [[ $answer = *"the plugin was built for FreeFEM "*", and $scratch/other is 9.9: build it with "* ]]
+  ! answer=$(FREEFEM_PROGRAM=$scratch/none installed load.edp)
+  [[ $answer = *"there is no $scratch/none"* ]]
+  installed --help | grep -q '^usage: ffcontact-freefem '
+  for file in README.md plugin/README.md .images/block_pressed.png LICENSE CITATION.cff; do [ -f "$prefix/share/doc/ffcontact/$file" ]; done
 fi
 
 cmake -G Ninja -S "$consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
