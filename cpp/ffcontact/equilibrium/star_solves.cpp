@@ -63,12 +63,15 @@ StarSolves::StarSolves(const StarSetting& setting)
 
 void StarSolves::factorise(int vertex) {
   double* inverse_pivot = inverse_pivot_.get() + first_unknown(vertex);
+  float* below = below_.get() + first_below_[vertex];
   const int n = star_unknowns(setting_.stars, vertex);
   const auto keep = [&](auto energy) {
-    if (factorise_in_place(energy.H))
-      pack(energy.H, below_.get() + first_below_[vertex], inverse_pivot);
-    else
+    if (factorise_in_place(energy.H)) {
+      pack(energy.H, below, inverse_pivot);
+    } else {
+      std::fill_n(below, n * (n - 1) / 2, 0.0f);
       std::fill_n(inverse_pivot, n, 0);
+    }
   };
   if (n <= usual)
     keep(StarEnergy<usual>(setting_, vertex));
