@@ -85,15 +85,6 @@ struct RelaxedTractions {
   std::vector<double> falls;  ///< of e^2, sweep by sweep
 };
 
-/// Edge moments with those of r_hat on the contact edges.
-/// @param contact_edge  contact_edge_numbers
-EdgeMoments with_contact(EdgeMoments moments, const BoundaryTractions& boundary,
-                         const std::vector<int>& contact_edge) {
-  for (Index e = 0; e < moments.cols(); ++e)
-    if (contact_edge[e] >= 0) moments.col(e) = boundary.moments.col(e);
-  return moments;
-}
-
 FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
                              const ContactDensities& densities,
                              const std::vector<int>& contact_edge) {
@@ -112,11 +103,9 @@ RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
   const ContactDensities& densities = first.contact.densities;
   const BoundaryTractions boundary = bodies.boundary_with(densities);
   const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
-  const EdgeMoments moments =
-      with_contact(first.moments, boundary, contact_edge);
 
   RelaxedTractions result{
-      difference_loads(mesh, edges, moments, compared.stress), {}, {}};
+      difference_loads(mesh, edges, first.moments, compared.stress), {}, {}};
   FreeTractions tractions =
       free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions};
