@@ -42,13 +42,18 @@ Judged judged_of(const ContactProblem& problem, ElasticSystem system,
   return judged;
 }
 
-CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
-                              const Estimate& estimate, StuckNodes stuck) {
+CoulombConstant coulomb_constant_of(const ContactLine& line,
+                                    const Judged& judged, StuckNodes stuck) {
   const SolvedBody& body = judged.body;
   const auto contact = contact_of_forces(line, body.law, *judged.system,
                                          *body.stiffness, judged.contact);
-  const CoulombConstant constant = coulomb_constant_of(
-      line, body.law, *contact, body.displacement, judged.forces, stuck);
+  return coulomb_constant_of(line, body.law, *contact, body.displacement,
+                             judged.forces, stuck);
+}
+
+CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
+                              const Estimate& estimate, StuckNodes stuck) {
+  const CoulombConstant constant = coulomb_constant_of(line, judged, stuck);
   const double value =
       estimate.admissible
           ? coulomb_bound(estimate.e, constant.friction, constant.kappa)

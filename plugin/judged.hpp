@@ -27,6 +27,11 @@ Judged judged_of(const ContactProblem& problem, ElasticSystem system,
                  VectorXd displacement, Multiplier multiplier,
                  const Matrix2Xd& pressures);
 
+/// kappa of Coulomb's law and the largest friction of a solution.
+/// @param judged  factorised
+CoulombConstant coulomb_constant_of(const ContactLine& line,
+                                    const Judged& judged, StuckNodes stuck);
+
 /// kappa of Coulomb's law and what it makes of e.
 struct CoulombBound {
   CoulombConstant constant;

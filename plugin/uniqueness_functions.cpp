@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "coulomb.hpp"
 #include "guard.hpp"
+#include "judged.hpp"
 #include "registration.hpp"
 
 namespace ffcontact::plugin {
@@ -39,14 +39,8 @@ class CriticalFriction : public E_F0mps {
     const double critical = critical_friction_of(*contact.problem, solved);
     const bool reports = named_.verbosity_level(stack) >= 1 && mpirank == 0;
     if (!reports && !named_.given("unique")) return critical;
-    const ContactLine& line = contact.problem->line;
-    const ContactSolution& solution = solved.solution;
-    const auto of_forces =
-        contact_of_forces(line, solved.law, *solved.system, *solution.stiffness,
-                          solution.contact);
     const CoulombConstant constant =
-        coulomb_constant_of(line, solved.law, *of_forces, solution.displacement,
-                            contact_forces(solved.law, solution), stuck);
+        coulomb_constant_of(contact.problem->line, judged_of(solved), stuck);
     const double unique = 1 / constant.kappa;
     named_.put(stack, "unique", unique);
     if (reports)
