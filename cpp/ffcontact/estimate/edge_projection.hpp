@@ -8,16 +8,20 @@
 
 namespace ffcontact {
 
+/// (n, t) at the first end of an edge, (n, t) at the second one, a column each.
 using EndValues = Matrix<double, 4, Dynamic>;
 
-/// The components (n, t) of [z] at both ends of an edge, one column per motion.
+/// [z] at both ends of an edge, one column per motion.
+/// @param motions  rigid motions z on all dofs [2 v x k]
 EndValues motions_on_edge(const ContactLine& line, const MatrixXd& motions,
                           int e);
 
 /// int a . b over an edge for end values a and b: a' mass b.
 Matrix4d mass_of(const ContactLine& line, int e);
 
-/// The projection Pi_C on the cone of one edge, in L2 of the edge.
+/// The projection Pi_C of end values r [MPa] of tractions on the cone of one edge, in L2
+/// of the edge: |Pi_C r - r| is the least, r_n <= 0 and |r_t| within friction's bound all
+/// along; 0 where rounding hides the minimum.
 class EdgeProjection {
  public:
   /// @param line, law  stay where they are
@@ -31,15 +35,17 @@ class EdgeProjection {
     return r + motions_ * eta;
   }
 
+  /// int r . [z_k] of each motion [k], N/mm for a translation by 1.
   VectorXd resultants(const Vector4d& r) const {
     return motions_.transpose() * (mass_ * r);
   }
 
+  /// The same of absolute values, which the resultants are rounded against [k].
   VectorXd terms_of_resultants(const Vector4d& r) const {
     return motions_.cwiseAbs().transpose() * (mass_ * r.cwiseAbs());
   }
 
-  /// d resultants / d eta where r is the projection of `outside`.
+  /// d resultants / d eta where r is the projection of `outside` [k x k].
   MatrixXd slope(const Vector4d& r, const Vector4d& outside) const;
 
  private:
