@@ -20,7 +20,7 @@ Problem standing_block(double mu) {
   return problem;
 }
 
-std::string refusal_of(const Problem& problem) {
+std::string refusal_by_balance(const Problem& problem) {
   return refusal([&] {
     require_balance(problem.mesh, problem.line, problem.law, problem.system());
   });
@@ -32,13 +32,14 @@ std::string no_equilibrium(const std::string& motion) {
 }
 
 TEST(Balance, a_pressed_block_is_held) {
-  EXPECT_EQ(refusal_of(standing_block(0)), "accepted");
+  EXPECT_EQ(refusal_by_balance(standing_block(0)), "accepted");
 }
 
 TEST(Balance, a_lifted_block_is_refused) {
   Problem problem = example_2(Multiplier::force, 0.3, 4);
   add_traction(problem, top, {0, 6});
-  EXPECT_EQ(refusal_of(problem), no_equilibrium("translation along (0, 1)"));
+  EXPECT_EQ(refusal_by_balance(problem),
+            no_equilibrium("translation along (0, 1)"));
 }
 
 TEST(Balance,
@@ -46,16 +47,16 @@ TEST(Balance,
   Problem problem =
       standing_block(0.5);  // 4 N/mm down, 2 N/mm of friction at most
   add_body_force(problem, {1.99 / 8, 0});
-  EXPECT_EQ(refusal_of(problem), "accepted");
+  EXPECT_EQ(refusal_by_balance(problem), "accepted");
   add_body_force(problem, {0.02 / 8, 0});
-  EXPECT_TRUE(says(refusal_of(problem),
+  EXPECT_TRUE(says(refusal_by_balance(problem),
                    "no equilibrium: the loads push the body in a "));
 }
 
 TEST(Balance, without_friction_a_push_sideways_is_refused) {
   Problem problem = standing_block(0);
   add_body_force(problem, {0.1, 0});
-  EXPECT_TRUE(says(refusal_of(problem), "no equilibrium"));
+  EXPECT_TRUE(says(refusal_by_balance(problem), "no equilibrium"));
 }
 
 TEST(Balance, a_block_that_tips_over_is_refused_with_its_rotation) {
@@ -64,18 +65,18 @@ TEST(Balance, a_block_that_tips_over_is_refused_with_its_rotation) {
   set_friction(problem, 10);
   // 10 N/mm at the height 1: moment 10 against 16 about the corner (4, 0)
   add_traction(problem, left, {5, 0});
-  EXPECT_EQ(refusal_of(problem), "accepted");
+  EXPECT_EQ(refusal_by_balance(problem), "accepted");
   add_traction(problem, left, {5, 0});
-  EXPECT_TRUE(says(refusal_of(problem), "rotation about ("));
+  EXPECT_TRUE(says(refusal_by_balance(problem), "rotation about ("));
 }
 
 TEST(Balance, with_tresca_a_bounded_force_is_no_reason_to_refuse) {
   Problem problem = standing_block(0);
   problem.law.slip_bound = everywhere(problem.line, 1);
   add_body_force(problem, {0.1, 0});
-  EXPECT_EQ(refusal_of(problem), "accepted");
+  EXPECT_EQ(refusal_by_balance(problem), "accepted");
   problem.law.slip_bound.setZero();
-  EXPECT_TRUE(says(refusal_of(problem), "no equilibrium"));
+  EXPECT_TRUE(says(refusal_by_balance(problem), "no equilibrium"));
 }
 
 TEST(Balance, a_spring_holds_a_body_as_a_support_does) {
@@ -84,13 +85,13 @@ TEST(Balance, a_spring_holds_a_body_as_a_support_does) {
   EXPECT_EQ(unheld_motions(problem.mesh, problem.system()).cols(), 3);
   problem.A.coeffRef(0, 0) += 1;  // along x
   EXPECT_EQ(unheld_motions(problem.mesh, problem.system()).cols(), 2);
-  EXPECT_EQ(refusal_of(problem), "accepted");
+  EXPECT_EQ(refusal_by_balance(problem), "accepted");
 }
 
 TEST(Balance, loads_on_a_body_that_supports_hold_are_never_refused) {
   Problem problem = example_1(Multiplier::force, 4);
   add_traction(problem, left, {0, 1e6});
-  EXPECT_EQ(refusal_of(problem), "accepted");
+  EXPECT_EQ(refusal_by_balance(problem), "accepted");
 }
 
 }  // namespace

@@ -33,8 +33,6 @@ Bodies block_on_block(Multiplier multiplier, double apart) {
   return two;
 }
 
-const Multiplier both[] = {Multiplier::force, Multiplier::pressure};
-
 TEST(HeldRows, are_those_that_no_free_dof_moves) {
   for (double apart : {0.0, 1e-9, 1e-7, 1e-5, 1e-4}) {
     const Bodies two = block_on_block(Multiplier::force, apart);
@@ -52,7 +50,7 @@ TEST(HeldRows, are_those_that_no_free_dof_moves) {
 }
 
 TEST(HeldRows, vertices_that_all_but_meet_change_answers_as_little) {
-  for (Multiplier multiplier : both) {
+  for (Multiplier multiplier : both_multipliers) {
     const ContactSolution met = solved(block_on_block(multiplier, 0).problem);
     for (double apart : {1e-7, 1e-6, 1e-5, 1e-4}) {
       const ContactSolution near =

@@ -46,11 +46,9 @@ double patch_defect(const Mesh& upper, const Mesh& lower,
   return patch_defect(stack, solution, 7);
 }
 
-constexpr Multiplier both[] = {Multiplier::force, Multiplier::pressure};
-
 TEST(SeveralBodies,
      uniform_pressure_passes_through_interfaces_that_do_not_match) {
-  for (const Multiplier multiplier : both)
+  for (const Multiplier multiplier : both_multipliers)
     for (const auto& [upper, lower] :
          {std::pair(2, 3), std::pair(3, 2), std::pair(7, 11), std::pair(11, 7)})
       EXPECT_LT(patch_defect(shifted(rectangle(upper, 2, 6, 4), {0, 5}),
@@ -84,7 +82,7 @@ TEST(SeveralBodies, stack_of_three_passes_uniform_pressure) {
 /// Loads and contact forces balance on each body: their sum over its vertices, supports
 /// excepted.
 TEST(SeveralBodies, example_3_carries_its_load_through_contact) {
-  for (const Multiplier multiplier : both) {
+  for (const Multiplier multiplier : both_multipliers) {
     const Bodies two = example_3(multiplier);
     const ContactSolution solution = solved(two.problem);
     ASSERT_TRUE(solution.accepted({})) << in_words(solution.status);
@@ -96,7 +94,7 @@ TEST(SeveralBodies, example_3_carries_its_load_through_contact) {
 
 /// Which of two matching traces carries the multipliers makes no difference.
 TEST(SeveralBodies, matching_bodies_can_be_exchanged) {
-  for (const Multiplier multiplier : both) {
+  for (const Multiplier multiplier : both_multipliers) {
     const auto problem = [&](bool exchanged) {
       const Mesh upper = shifted(rectangle(6, 3, 6, 3), {0, 4}),
                  lower = rectangle(6, 4, 6, 4);
@@ -134,7 +132,7 @@ TEST(SeveralBodies, very_stiff_opposite_body_is_a_rigid_foundation) {
   clamp(two.problem, two.label(1, bottom));
   Problem one = body(rectangle(8, 4, 8, 4), material(1e3, 0.3));
   load(one, top, left);
-  for (const Multiplier multiplier : both) {
+  for (const Multiplier multiplier : both_multipliers) {
     two.problem.law.multiplier = one.law.multiplier = multiplier;
     const ContactSolution on_body = solved(two.problem),
                           on_foundation = solved(one);

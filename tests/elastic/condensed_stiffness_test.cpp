@@ -30,13 +30,6 @@ ElasticSystem random_system(bool fixed, Random& random, Mesh& mesh) {
   return problem.system();
 }
 
-std::vector<int> free_dofs(const ElasticSystem& system) {
-  std::vector<int> dofs;
-  for (int dof = 0; dof < system.dof_count(); ++dof)
-    if (!system.prescribed[dof]) dofs.push_back(dof);
-  return dofs;
-}
-
 /// Both dofs of two vertices, which hold a floating body, and one dof of `more` others,
 /// in random order.
 std::vector<int> random_kept(const ElasticSystem& system, int more,

@@ -36,13 +36,6 @@ Body random_body(bool held, Random& random) {
   return {mesh, elastic_system(A, b, 3)};
 }
 
-std::vector<int> free_dofs(const ElasticSystem& system) {
-  std::vector<int> dofs;
-  for (int dof = 0; dof < system.dof_count(); ++dof)
-    if (!system.prescribed[dof]) dofs.push_back(dof);
-  return dofs;
-}
-
 /// All dofs of the vertices below, which hold the body, and single ones of others, in
 /// random order.
 std::vector<int> random_kept(const Body& body, Random& random) {

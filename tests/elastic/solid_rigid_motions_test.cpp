@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 
 /// The brick (0, 4) x (0, 2) x (0, 1) with vertex numbers 15 k + 5 j + i.
-SolidMesh block() { return brick({4, 2, 1}, {4, 2, 1}); }
+SolidMesh solid_block() { return brick({4, 2, 1}, {4, 2, 1}); }
 
 std::vector<char> prescribed(const SolidMesh& mesh,
                              const std::vector<int>& dofs) {
@@ -32,12 +32,13 @@ std::vector<int> all_at(const std::vector<int>& vertices) {
   return dofs;
 }
 
-Index free_count(const SolidMesh& mesh, const std::vector<int>& dofs) {
+Index free_motions(const SolidMesh& mesh, const std::vector<int>& dofs) {
   return free_rigid_motions(mesh, prescribed(mesh, dofs)).cols();
 }
 
 /// The only free motion in words, in the direction of the axes.
-std::string free_motion(const SolidMesh& mesh, const std::vector<int>& dofs) {
+std::string free_solid_motion(const SolidMesh& mesh,
+                              const std::vector<int>& dofs) {
   const MatrixXd motions = free_rigid_motions(mesh, prescribed(mesh, dofs));
   if (motions.cols() != 1) return std::to_string(motions.cols()) + " motions";
   return motion_in_words(mesh, motions.col(0) * (motions.sum() < 0 ? -1 : 1));
@@ -47,7 +48,7 @@ std::string free_motion(const SolidMesh& mesh, const std::vector<int>& dofs) {
 std::string words(const Vector3d& shift,
                   const Vector3d& turn = Vector3d::Zero(),
                   const Vector3d& point = Vector3d::Zero(),
-                  const SolidMesh& mesh = block()) {
+                  const SolidMesh& mesh = solid_block()) {
   return motion_in_words(mesh,
                          nodal_values(mesh, [&](const Vector3d& x) -> Vector3d {
                            return shift + turn.cross(x - point);
@@ -55,27 +56,27 @@ std::string words(const Vector3d& shift,
 }
 
 TEST(SolidRigidMotions, are_six_for_each_part_that_nothing_holds) {
-  EXPECT_EQ(free_count(block(), {}), 6);
-  const SolidMesh two = joined(block(), block());
-  EXPECT_EQ(free_count(two, {}), 12);
-  EXPECT_EQ(free_count(two, all_at({0, 4, 10})), 6);
+  EXPECT_EQ(free_motions(solid_block(), {}), 6);
+  const SolidMesh two = joined(solid_block(), solid_block());
+  EXPECT_EQ(free_motions(two, {}), 12);
+  EXPECT_EQ(free_motions(two, all_at({0, 4, 10})), 6);
 }
 
 TEST(SolidRigidMotions, are_none_where_three_vertices_are_held) {
-  EXPECT_EQ(free_count(block(), all_at({0, 4, 10})), 0);
+  EXPECT_EQ(free_motions(solid_block(), all_at({0, 4, 10})), 0);
 }
 
 TEST(SolidRigidMotions, a_ball_joint_leaves_three_and_a_symmetry_plane_too) {
-  EXPECT_EQ(free_count(block(), all_at({7})), 3);
+  EXPECT_EQ(free_motions(solid_block(), all_at({7})), 3);
   std::vector<int> plane;
   for (int v = 0; v < 15; ++v) plane.push_back(3 * v + 2);
-  EXPECT_EQ(free_count(block(), plane), 3);
+  EXPECT_EQ(free_motions(solid_block(), plane), 3);
 }
 
 TEST(SolidRigidMotions, two_held_vertices_leave_the_rotation_about_their_line) {
-  EXPECT_EQ(free_motion(block(), all_at({4, 19})),
+  EXPECT_EQ(free_solid_motion(solid_block(), all_at({4, 19})),
             "rotation about (0, 0, -1) through (4, 0, 0.5)");
-  EXPECT_EQ(free_motion(block(), all_at({0, 4})),
+  EXPECT_EQ(free_solid_motion(solid_block(), all_at({0, 4})),
             "rotation about (1, 0, 0) through (2, 0, 0)");
 }
 
@@ -83,7 +84,8 @@ TEST(SolidRigidMotions, three_symmetry_planes_but_one_leave_a_translation) {
   std::vector<int> dofs;
   for (int v : {0, 4, 10, 14}) dofs.push_back(3 * v + 2);
   for (int v : {0, 4}) dofs.push_back(3 * v + 1);
-  EXPECT_EQ(free_motion(block(), dofs), "translation along (1, 0, 0)");
+  EXPECT_EQ(free_solid_motion(solid_block(), dofs),
+            "translation along (1, 0, 0)");
 }
 
 TEST(SolidRigidMotions,
@@ -94,7 +96,7 @@ TEST(SolidRigidMotions,
   mesh.vertices(0, 1) = 2;
   mesh.cells.resize(4, 1);
   mesh.cells << 0, 1, 2, 3;
-  EXPECT_EQ(free_motion(mesh, all_at({0, 3})),
+  EXPECT_EQ(free_solid_motion(mesh, all_at({0, 3})),
             "rotation about (0, 0, 1) through (0, 0, 0.25)");
 }
 
@@ -109,18 +111,18 @@ TEST(SolidRigidMotions, slanted_ones_are_told_by_direction_axis_and_pitch) {
 }
 
 TEST(SolidRigidMotions, are_told_in_the_coordinates_of_who_made_the_mesh) {
-  SolidMesh mesh = block();
+  SolidMesh mesh = solid_block();
   mesh.origin = Vector3d(100, 200, 300);
   EXPECT_EQ(words({0, 0, 0}, {0, 0, -1}, {4, 0, 0}, mesh),
             "rotation about (0, 0, -1) through (104, 200, 300.5)");
 }
 
 TEST(SolidRigidMotions, of_the_second_part_are_told_where_it_is) {
-  SolidMesh mesh = joined(block(), block());
+  SolidMesh mesh = joined(solid_block(), solid_block());
   mesh.vertices.rightCols(30).row(0).array() += 10;
   std::vector<int> held = all_at({0, 4, 10});
   for (int dof : all_at({30, 45})) held.push_back(dof);
-  EXPECT_EQ(free_motion(mesh, held),
+  EXPECT_EQ(free_solid_motion(mesh, held),
             "rotation about (0, 0, 1) through (10, 0, 0.5)");
 }
 

@@ -27,7 +27,7 @@ struct Refined {
   const Mesh& old() const { return two.problem.mesh; }
 };
 
-Refined random_rows(std::mt19937& random) {
+Refined refined_rows(std::mt19937& random) {
   const int upper = 1 + static_cast<int>(random() % 6),
             lower = 1 + static_cast<int>(random() % 6);
   const Mesh above = shifted(with_random_rows(upper, 2, 6, 2, random), {0, 3});
@@ -38,7 +38,7 @@ Refined random_rows(std::mt19937& random) {
 
 RC_GTEST_PROP(CommonRefinement, cuts_triangles_into_parts_of_the_same_area,
               (Random random)) {
-  const Refined refined = random_rows(random);
+  const Refined refined = refined_rows(random);
   require_valid(refined.fine.mesh);
   VectorXd area = VectorXd::Zero(refined.old().cell_count());
   for (int t = 0; t < refined.fine.mesh.cell_count(); ++t)
@@ -51,7 +51,7 @@ RC_GTEST_PROP(CommonRefinement, cuts_triangles_into_parts_of_the_same_area,
 
 RC_GTEST_PROP(CommonRefinement, has_traces_that_match_point_by_point,
               (Random random)) {
-  const CommonRefinement fine = random_rows(random).fine;
+  const CommonRefinement fine = refined_rows(random).fine;
   const ContactLine& line = fine.line;
   RC_ASSERT(line.matches() &&
             static_cast<int>(line.pieces.size()) == line.edge_count());
@@ -75,7 +75,7 @@ RC_GTEST_PROP(CommonRefinement, has_traces_that_match_point_by_point,
 
 RC_GTEST_PROP(CommonRefinement, weights_say_where_vertices_and_nodes_are,
               (Random random)) {
-  const Refined refined = random_rows(random);
+  const Refined refined = refined_rows(random);
   const CommonRefinement& fine = refined.fine;
   const ContactLine& old_line = refined.two.problem.line;
   const Matrix2Xd x =
@@ -96,7 +96,7 @@ RC_GTEST_PROP(CommonRefinement, weights_say_where_vertices_and_nodes_are,
 
 RC_GTEST_PROP(CommonRefinement, edges_know_the_edges_they_are_parts_of,
               (Random random)) {
-  const Refined refined = random_rows(random);
+  const Refined refined = refined_rows(random);
   const CommonRefinement& fine = refined.fine;
   const Edges& old_edges = refined.two.problem.edges;
   VectorXd length = VectorXd::Zero(old_edges.count());

@@ -7,6 +7,7 @@
 
 #include "ffcontact/interface/curve_directions.hpp"
 #include "support/meshes.hpp"
+#include "support/pi.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 
@@ -14,8 +15,6 @@ namespace ffcontact {
 namespace {
 
 using namespace test;
-
-constexpr double pi = 3.14159265358979323846;
 
 ContactLine line_of(const Mesh& mesh, const std::vector<int>& labels) {
   return contact_line(mesh, edges_of(mesh), labels);

@@ -5,6 +5,7 @@
 
 #include "ffcontact/mesh/moved_onto_parts.hpp"
 #include "support/meshes.hpp"
+#include "support/pi.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = 3.14159265358979323846, corner = pi / 6;
+constexpr double corner = pi / 6;
 
 /// A block on (0, 4) x (0, 3) whose lower side is bent downwards to an arc.
 Mesh block_on_arc(int n, double radius) {

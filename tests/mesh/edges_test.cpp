@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-std::string refusal_of(const Mesh& mesh) {
+std::string refusal_of_edges(const Mesh& mesh) {
   return refusal([&] { edges_of(mesh); });
 }
 
@@ -110,12 +110,12 @@ TEST(Edges, refuses_a_boundary_edge_without_label) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.boundary.conservativeResize(Eigen::NoChange, 3);
   mesh.boundary_label.conservativeResize(3);
-  EXPECT_EQ(refusal_of(mesh),
+  EXPECT_EQ(refusal_of_edges(mesh),
             "the boundary edge between vertices 0 and 2 has no label");
 }
 
 TEST(Edges, refuses_a_labelled_edge_of_no_triangle) {
-  EXPECT_EQ(refusal_of(square_with_labelled_edge(1, 2)),
+  EXPECT_EQ(refusal_of_edges(square_with_labelled_edge(1, 2)),
             "labelled edge 4 belongs to no triangle");
 }
 
@@ -123,7 +123,7 @@ TEST(Edges, refuses_triangles_that_overlap) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.cells.conservativeResize(Eigen::NoChange, 3);
   mesh.cells.col(2) = mesh.cells.col(0);
-  EXPECT_EQ(refusal_of(mesh),
+  EXPECT_EQ(refusal_of_edges(mesh),
             "the edge between vertices 0 and 1 has triangles that overlap");
 }
 
@@ -134,7 +134,7 @@ TEST(Edges,
   mesh.vertices << 0, 1, 0.5, 0.5, 0.6, 0, 0, 1, -1, -0.8;
   mesh.cells.resize(3, 3);
   mesh.cells << 1, 1, 0, 0, 0, 1, 3, 4, 2;
-  EXPECT_EQ(refusal_of(mesh),
+  EXPECT_EQ(refusal_of_edges(mesh),
             "the edge between vertices 0 and 1 has triangles that overlap");
 }
 
@@ -144,7 +144,7 @@ TEST(Edges, refuses_a_third_triangle_on_an_edge) {
   mesh.vertices.col(4) << 0.8, 0.1;
   mesh.cells.conservativeResize(Eigen::NoChange, 3);
   mesh.cells.col(2) << 0, 4, 3;
-  EXPECT_EQ(refusal_of(mesh),
+  EXPECT_EQ(refusal_of_edges(mesh),
             "the edge between vertices 0 and 3 has triangles that overlap");
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-std::string refusal_of(const SolidMesh& mesh) {
+std::string refusal_of_facets(const SolidMesh& mesh) {
   return refusal([&] { facets_of(mesh); });
 }
 
@@ -151,25 +151,26 @@ TEST(Faces, refuses_a_boundary_face_without_label) {
   SolidMesh mesh = bipyramid();
   mesh.boundary.conservativeResize(Eigen::NoChange, 5);
   mesh.boundary_label.conservativeResize(5);
-  EXPECT_EQ(refusal_of(mesh),
+  EXPECT_EQ(refusal_of_facets(mesh),
             "the boundary face between vertices 1, 2 and 4 has no label");
 }
 
 TEST(Faces, refuses_a_labelled_face_of_no_tetrahedron) {
   SolidMesh mesh = bipyramid();
   append_boundary(mesh, {0, 3, 4});
-  EXPECT_EQ(refusal_of(mesh), "labelled face 6 belongs to no tetrahedron");
+  EXPECT_EQ(refusal_of_facets(mesh),
+            "labelled face 6 belongs to no tetrahedron");
 }
 
 TEST(Faces, refuses_tetrahedra_that_overlap) {
   SolidMesh mesh = bipyramid();
   append_cell(mesh, {0, 1, 2, 3});
-  EXPECT_EQ(refusal_of(mesh),
+  EXPECT_EQ(refusal_of_facets(mesh),
             "the face between vertices 0, 1 and 2 has tetrahedra that overlap");
   mesh = bipyramid();
   mesh.vertices(2, 4) = 2;
   mesh.cells.col(1) << 0, 1, 2, 4;
-  EXPECT_EQ(refusal_of(mesh),
+  EXPECT_EQ(refusal_of_facets(mesh),
             "the face between vertices 0, 1 and 2 has tetrahedra that overlap");
 }
 

@@ -17,7 +17,7 @@ namespace {
 using namespace test;
 
 template <int dim>
-std::string refusal_of(const SimplexMesh<dim>& mesh) {
+std::string refusal_of_hinges(const SimplexMesh<dim>& mesh) {
   return refusal([&] { hinges_of(mesh, facets_of(mesh)); });
 }
 
@@ -96,7 +96,7 @@ TEST(Hinges, refuses_a_body_that_touches_itself_in_a_single_edge) {
   add_boundary(mesh);
   require_valid(mesh);
   EXPECT_EQ(
-      refusal_of(mesh),
+      refusal_of_hinges(mesh),
       "the body touches itself in the single edge between vertices 0 and 1");
 }
 
@@ -109,7 +109,8 @@ TEST(Hinges, refuses_a_plane_body_that_touches_itself_in_a_single_vertex) {
   mesh.boundary.resize(2, 6);
   mesh.boundary << 0, 1, 2, 0, 3, 4, 1, 2, 0, 3, 4, 0;
   mesh.boundary_label = VectorXi::Ones(6);
-  EXPECT_EQ(refusal_of(mesh), "the body touches itself in the single vertex 0");
+  EXPECT_EQ(refusal_of_hinges(mesh),
+            "the body touches itself in the single vertex 0");
 }
 
 }  // namespace

@@ -5,14 +5,13 @@
 
 #include <cmath>
 
+#include "support/pi.hpp"
 #include "support/random.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-constexpr double pi = 3.14159265358979323846;
 
 Vector2d on_circle(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};

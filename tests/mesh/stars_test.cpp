@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/meshes.hpp"
+#include "support/pi.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 
@@ -13,8 +14,6 @@ namespace ffcontact {
 namespace {
 
 using namespace test;
-
-constexpr double pi = 3.14159265358979323846;
 
 /// Vector along spoke k of a vertex, away from it.
 Vector2d spoke_vector(const Topology& body, int vertex, int k) {

@@ -5,14 +5,13 @@
 
 #include <cmath>
 
+#include "support/pi.hpp"
 #include "support/random.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-constexpr double pi = 3.14159265358979323846;
 
 Matrix2Xd along(const Vector2d& first, const Vector2d& last, int edges) {
   Matrix2Xd points(2, edges + 1);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
 namespace ffcontact::test {
@@ -10,6 +12,14 @@ inline VectorXd displacement(const ElasticSystem& system) {
   const CondensedStiffness stiffness(system, {});
   return stiffness.extended(stiffness.condensed(system.load), VectorXd()) +
          system.prescribed_value;
+}
+
+/// Dofs that no support prescribes, in order.
+inline std::vector<int> free_dofs(const ElasticSystem& system) {
+  std::vector<int> dofs;
+  for (int dof = 0; dof < system.dof_count(); ++dof)
+    if (!system.prescribed[dof]) dofs.push_back(dof);
+  return dofs;
 }
 
 }  // namespace ffcontact::test

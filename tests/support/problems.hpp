@@ -20,6 +20,9 @@ inline Material material(double youngs_modulus, double nu) {
           youngs_modulus / (2 * (1 + nu))};
 }
 
+constexpr Multiplier both_multipliers[] = {Multiplier::force,
+                                           Multiplier::pressure};
+
 constexpr double penalty = 1e30;  ///< FreeFEM's tgv
 
 using Field = std::function<Vector2d(const Vector2d&)>;

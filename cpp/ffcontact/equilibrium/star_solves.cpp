@@ -118,7 +118,8 @@ void StarSolves::solve(int vertex, double* y) const {
 }
 
 VectorXd StarSolves::operator()(const VectorXd& r) const {
-  const auto& [space, stars, boundary, energies] = setting_;
+  const auto& space = setting_.space;
+  const Stars& stars = setting_.stars;
   VectorXd z(r.size());
   Matrix2Xd on_spokes(2, space.edges.count());  // of the star of either vertex
 #pragma omp parallel
