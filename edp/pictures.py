@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the result files of an example as the paper shows them: meshes, deformed body, map of eps_E, contact pressures.
+"""Draws the files of contactpicture as the paper shows such results: meshes, deformed body, map of eps_E, contact pressures.
 
-usage: pictures.py FOLDER    (what -out named; the pictures go there too)
+usage: pictures.py FOLDER    (that contactpicture named; the pictures go there too)
 """
-import base64
 import io
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree
 
@@ -31,28 +31,32 @@ plt.rcParams.update({
 
 
 class Step:
-    """One mesh of a run, or the meshes of both bodies."""
+    """What one call of contactpicture wrote."""
 
-    def __init__(self, folder, row):
-        number = row["step"]
-        files = [folder / f"step{number}{suffix}.vtu" for suffix in ("", "b")]
-        bodies = [read_body(file) for file in files if file.is_file()]
+    def __init__(self, folder, number):
+        bodies = [read_body(file) for file in sorted(folder.glob(f"step{number}*.vtu"))
+                  if re.fullmatch(f"step{number}[a-z]?.vtu", file.name)]
         self.on_foundation = len(bodies) == 1
         first = np.cumsum([0] + [len(body["points"]) for body in bodies])
         self.points = np.vstack([body["points"] for body in bodies])
         self.triangles = np.vstack([body["triangles"] + start for body, start in zip(bodies, first)])
         self.displacement = np.vstack([body["displacement"] for body in bodies])
-        self.error = np.hstack([body["error"] for body in bodies])
-        self.nodes = np.loadtxt(folder / f"contact{number}.txt", ndmin=2)
-        self.edges = np.loadtxt(folder / f"tractions{number}.txt", ndmin=2).reshape(-1, 2, 3)
-        self.eps, self.friction = float(row["eps"]), float(row["friction"])
+        head, self.nodes = read_nodes(folder / f"contact{number}.txt")
+        self.facing = np.column_stack([self.nodes["facingx"], self.nodes["facingy"]])
+        self.is_coulomb = head["law"] == "coulomb"
+        self.is_judged = "eps" in head
+        if self.is_judged:
+            self.eps = float(head["eps"])
+            self.error = np.hstack([body["eps_E"] for body in bodies])
+            self.edges = np.loadtxt(folder / f"tractions{number}.txt", ndmin=2).reshape(-1, 2, 3)
         largest = np.linalg.norm(self.displacement, axis=1).max()
-        self.scale = round_down(0.08 * np.ptp(self.points, axis=0).max() / largest)
+        self.scale = round_down(0.08 * np.ptp(self.points, axis=0).max() / largest) if largest > 0 else 1
         self.moved = self.points + self.scale * self.displacement
 
     def limits(self):
         """Lower left and upper right corner of the body before and after its deformation."""
-        low, high = np.minimum(self.points, self.moved).min(axis=0), np.maximum(self.points, self.moved).max(axis=0)
+        all_points = np.vstack([self.points, self.moved, self.facing])
+        low, high = all_points.min(axis=0), all_points.max(axis=0)
         pad = 0.02 * (high - low).max()
         return low - pad, high + pad
 
@@ -62,24 +66,22 @@ class Step:
         return unique[count == 1]
 
 
-def read_vtu(path):
-    """Arrays of a VTK file by name; its data are in base64 after their length, as FreeFEM's savevtk writes them."""
-    types = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt8": "<u1"}
+def read_body(path):
+    """Points, triangles, displacements and, if it was judged, contributions to the error of one body."""
     arrays = {}
     for node in xml.etree.ElementTree.parse(path).iter("DataArray"):
-        values = np.frombuffer(base64.b64decode(node.text)[4:], types[node.get("type")])
-        components = int(node.get("NumberOfComponents", 1))
-        arrays[node.get("Name") or "points"] = values.reshape(-1, components) if components > 1 else values
-    return arrays
+        values = np.array(node.text.split(), int if node.get("type").startswith("Int") else float)
+        components = int(node.get("NumberOfComponents"))
+        arrays[node.get("Name")] = values.reshape(-1, components) if components > 1 else values
+    return {**arrays, "points": arrays["points"][:, :2], "displacement": arrays["displacement"][:, :2],
+            "triangles": arrays["connectivity"]}
 
 
-def read_body(path):
-    """Points, triangles, displacements and contributions to the error of one body."""
-    arrays = read_vtu(path)
-    is_triangle = arrays["types"] == 5
-    return {"points": arrays["points"][:, :2], "displacement": arrays["displacement"][:, :2],
-            "triangles": arrays["connectivity"][:3 * is_triangle.sum()].reshape(-1, 3),
-            "error": arrays["eps_E"][is_triangle]}
+def read_nodes(path):
+    """The words of the first line and the columns by name."""
+    with open(path) as file:
+        words, names = file.readline().split()[1:], file.readline().split()[1:]
+    return dict(zip(words[::2], words[1::2])), dict(zip(names, np.loadtxt(path, ndmin=2).T))
 
 
 def round_down(value):
@@ -88,10 +90,10 @@ def round_down(value):
     return power * max(digit for digit in (1, 2, 5) if digit * power <= value)
 
 
-def read_rows(folder):
-    """The result lines of a run, one a step."""
-    lines = (folder / "results.txt").read_text().splitlines()
-    return [dict(word.split("=", 1) for word in line.split()[1:]) for line in lines]
+def steps_in(folder):
+    """The numbers of the steps in a folder, ascending."""
+    names = (re.fullmatch(r"contact(\d+)\.txt", file.name) for file in folder.iterdir())
+    return sorted(int(name[1]) for name in names if name)
 
 
 def finish(axes, title):
@@ -107,17 +109,20 @@ def outline(points, edges, **style):
 def draw_mesh(axes, step, name):
     axes.add_collection(PolyCollection(step.points[step.triangles], facecolors="none", edgecolors=INK, linewidths=0.35))
     axes.add_collection(outline(step.points, step.boundary()))
-    finish(axes, f"{name}: {len(step.triangles)} triangles, $\\epsilon$ = {100 * step.eps:.2f} %")
+    error = f", $\\epsilon$ = {100 * step.eps:.2f} %" if step.is_judged else ""
+    finish(axes, f"{name}: {len(step.triangles)} triangles{error}")
 
 
 def draw_foundation(axes, line):
-    """The contact line, hatched on its outer side."""
-    length = np.linalg.norm(line[-1] - line[0])
-    along = (line[-1] - line[0]) / length
-    slanted = 0.018 * length * (np.array([along[1], -along[0]]) - along)
-    ends = line[0] + np.linspace(0.02, 1, 50)[:, None] * (line[-1] - line[0])
-    axes.plot(*line[[0, -1]].T, color=INK, linewidth=1.2, solid_capstyle="butt")
-    axes.add_collection(LineCollection([(p, p + slanted) for p in ends], colors=GREY, linewidths=0.7, clip_on=False))
+    """What the contact line faces, hatched on its outer side."""
+    length = np.insert(np.linalg.norm(np.diff(line, axis=0), axis=1).cumsum(), 0, 0)
+    places = np.linspace(0.02, 1, 50) * length[-1]
+    ends = np.column_stack([np.interp(places, length, coordinate) for coordinate in line.T])
+    before = np.column_stack([np.interp(places - 0.02 * length[-1], length, coordinate) for coordinate in line.T])
+    along = (ends - before) / 0.02
+    slanted = 0.018 * (np.column_stack([along[:, 1], -along[:, 0]]) - along)
+    axes.plot(*line.T, color=INK, linewidth=1.2, solid_capstyle="butt")
+    axes.add_collection(LineCollection(np.stack([ends, ends + slanted], 1), colors=GREY, linewidths=0.7, clip_on=False))
 
 
 def draw_deformed(axes, step):
@@ -126,7 +131,7 @@ def draw_deformed(axes, step):
     axes.add_collection(outline(step.moved, step.boundary()))
     axes.add_collection(outline(step.points, step.boundary(), colors=RED, linewidths=0.8, linestyles=(0, (5, 3))))
     if step.on_foundation:
-        draw_foundation(axes, step.nodes[:, 6:8])
+        draw_foundation(axes, step.facing)
     finish(axes, f"Deformed {'body' if step.on_foundation else 'bodies'}, displacement × {step.scale:g}")
 
 
@@ -147,23 +152,35 @@ def draw_error(axes, step):
 
 
 def draw_pressures(axes, step):
-    abscissa, normal, tangential = step.nodes[:, 0], -step.nodes[:, 1], -step.nodes[:, 2]
-    cone = step.friction * np.abs(normal)
-    broken = np.insert(step.edges, 2, np.nan, axis=1).reshape(-1, 3)  # a gap after each edge
+    nodes = step.nodes
+    abscissa, friction, limit = nodes["abscissa"], nodes["friction"], nodes["limit"]
+    bound = np.minimum(friction * np.abs(nodes["pn"]), limit) if step.is_coulomb else limit
     dots = {"linewidth": 1.1, "marker": "o", "markersize": 2.4}
-    axes.fill_between(abscissa, -cone, cone, color="#e2e2e2", linewidth=0, label=r"$\pm\mu|\lambda_{hn}|$")
+    name = r"$\pm\mu|\lambda_{hn}|$" if step.is_coulomb else r"$\pm k$"
+    axes.fill_between(abscissa, -bound, bound, color="#e2e2e2", linewidth=0, label=name)
     axes.axhline(0, color=GREY, linewidth=0.5)
-    axes.plot(abscissa, normal, color=INK, label=r"$-\lambda_{hn}$", **dots)
-    axes.plot(abscissa, tangential, color=BLUE, label=r"$-\lambda_{ht}$", **dots)
-    for side in (1, -1):
-        axes.plot(broken[:, 0], side * step.friction * broken[:, 1], color=RED, linewidth=0.7, linestyle=(0, (2, 2)),
-                  label=r"$\pm\mu|r_n|$" if side > 0 else None)
-    axes.plot(broken[:, 0], -broken[:, 2], color=RED, linewidth=1.3, label=r"$-r_t$")
+    axes.plot(abscissa, -nodes["pn"], color=INK, label=r"$-\lambda_{hn}$", **dots)
+    axes.plot(abscissa, -nodes["pt"], color=BLUE, label=r"$-\lambda_{ht}$", **dots)
+    title = "computed $\\lambda_h$"
+    if step.is_judged:
+        draw_tractions(axes, step)
+        title += ", admissible $r$"
     axes.set(xlim=(abscissa.min(), abscissa.max()), xlabel="contact line  [mm]", ylabel="pressure  [MPa]")
-    axes.set_title("Contact pressures on the first mesh: computed $\\lambda_h$, admissible $r$", pad=22)
+    axes.set_title(f"Contact pressures on the first mesh: {title}", pad=22)
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 0.985), ncols=5, handlelength=1.8, columnspacing=1.8,
                 borderaxespad=0.2)
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def draw_tractions(axes, step):
+    broken = np.insert(step.edges, 2, np.nan, axis=1).reshape(-1, 3)  # a gap after each edge
+    if step.is_coulomb:
+        bound = np.minimum(np.interp(broken[:, 0], step.nodes["abscissa"], step.nodes["friction"]) * np.abs(broken[:, 1]),
+                           np.interp(broken[:, 0], step.nodes["abscissa"], step.nodes["limit"]))
+        for side in (1, -1):
+            axes.plot(broken[:, 0], side * bound, color=RED, linewidth=0.7, linestyle=(0, (2, 2)),
+                      label=r"$\pm\mu|r_n|$" if side > 0 else None)
+    axes.plot(broken[:, 0], -broken[:, 2], color=RED, linewidth=1.3, label=r"$-r_t$")
 
 
 def new_axes(figure, left, top, width, height):
@@ -192,16 +209,15 @@ def save(figure, path, dpi):
 
 
 def draw(folder):
-    rows = read_rows(folder)
-    first, last = Step(folder, rows[0]), Step(folder, rows[-1])
+    numbers = steps_in(folder)
+    first, last = Step(folder, numbers[0]), Step(folder, numbers[-1])
     low, high = first.limits()
     aspect = (high - low)[1] / (high - low)[0]
-    panels = {
-        "mesh_first": lambda axes: draw_mesh(axes, first, "First mesh"),
-        "error": lambda axes: draw_error(axes, first),
-        "deformed": lambda axes: draw_deformed(axes, first),
-    }
-    if len(rows) > 1:
+    panels = {"mesh_first": lambda axes: draw_mesh(axes, first, "First mesh")}
+    if first.is_judged:
+        panels["error"] = lambda axes: draw_error(axes, first)
+    panels["deformed"] = lambda axes: draw_deformed(axes, first)
+    if len(last.triangles) != len(first.triangles):
         panels["mesh_last"] = lambda axes: draw_mesh(axes, last, "Optimised mesh")
     title, bar, gap = 0.32, 0.62, 0.1  # inches
 
@@ -224,6 +240,6 @@ def draw(folder):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2 or not (pathlib.Path(sys.argv[1]) / "results.txt").is_file():
-        sys.exit(__doc__ + "\nno results.txt there: run the example with -out FOLDER first")
+    if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir() or not steps_in(pathlib.Path(sys.argv[1])):
+        sys.exit(__doc__ + "\nno contactN.txt there: call contactpicture first (examples: -out FOLDER)")
     draw(pathlib.Path(sys.argv[1]))

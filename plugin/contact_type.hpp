@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 //
 #include "contact_problem.hpp"
 
@@ -27,6 +28,8 @@ struct SolvedContact {
   ContactLaw law;  ///< with the multiplier, and u_t of the load step before
   ContactSolution solution;
   NodalResults nodes;
+  /// what contacterror made of it last; null before
+  std::shared_ptr<const Estimate> estimate;
 };
 
 /// What a script variable of type `contact` holds.

@@ -97,7 +97,7 @@ class ContactErrorFunction : public E_F0mps {
 
   double run(Stack stack) const {
     const double start = CPUtime();
-    const Contact& contact = stated_contact(stack, contact_);
+    Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
     require_names_of_bodies(named_, of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
@@ -107,8 +107,8 @@ class ContactErrorFunction : public E_F0mps {
     const double oscillation =
         read_material_and_loads(stack, named_, problem, judged.body);
     const ElasticSystem& system = *judged.system;
-    const Estimate estimate = estimate_error(problem.topology(), problem.line,
-                                             system, judged.body, settings);
+    Estimate estimate = estimate_error(problem.topology(), problem.line, system,
+                                       judged.body, settings);
     put(stack, problem, estimate);
     put_rates(stack, problem, system, judged.body);
     named_.put(stack, "oscillation", oscillation);
@@ -120,7 +120,11 @@ class ContactErrorFunction : public E_F0mps {
       named_.put(stack, "bound", bound->value);
     }
     report(stack, problem, estimate, bound, seconds);
-    return estimate.relative;
+    const double relative = estimate.relative;
+    if (matrix_.empty())
+      contact.solved->estimate =
+          std::make_shared<const Estimate>(std::move(estimate));
+    return relative;
   }
 
   Judged own_solution(const Contact& contact) const {

@@ -11,6 +11,7 @@ void register_all() {
   ffcontact::plugin::register_multiplier_functions();
   ffcontact::plugin::register_estimate_functions();
   ffcontact::plugin::register_uniqueness_functions();
+  ffcontact::plugin::register_picture_functions();
   ffcontact::plugin::register_sizing_functions();
   ffcontact::plugin::register_gmsh_functions();
   ffcontact::plugin::register_remesh_functions();

@@ -8,6 +8,7 @@ void register_contact_functions();     ///< contactsolve
 void register_multiplier_functions();  ///< contactproject, conecorrection
 void register_estimate_functions();    ///< contacterror
 void register_uniqueness_functions();  ///< criticalfriction
+void register_picture_functions();     ///< contactpicture
 void register_sizing_functions();      ///< optimalsize
 void register_gmsh_functions();        ///< gmshmesh, gmshlabel
 void register_remesh_functions();  ///< contactmeshparts, -angle, -moved, -labelled

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture_files.hpp"
+
+#include <limits>
+#include <string>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/estimate/stress_on_triangles.hpp"
+//
+#include "estimate_arrays.hpp"
+#include "text_file.hpp"
+#include "vtu.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Name with the number of the step and the letter of the body: none, b, c, ...
+std::string file_name(const char* name, long step, int body) {
+  return name + std::to_string(step) +
+         (body > 0 ? std::string(1, static_cast<char>('a' + body)) : "") +
+         ".vtu";
+}
+
+/// A displacement of the plane in space [3 x vertices].
+MatrixXd in_space(const Ref<const VectorXd>& displacement) {
+  MatrixXd u = MatrixXd::Zero(3, displacement.size() / 2);
+  u.topRows<2>() = displacement.reshaped(2, u.cols());
+  return u;
+}
+
+VtuTriangles body_triangles(const JoinedMesh& joined, int body) {
+  const int v = joined.first_vertex[body], t = joined.first_triangle[body];
+  VtuTriangles triangles;
+  triangles.points =
+      joined.mesh.vertices.middleCols(v, joined.first_vertex[body + 1] - v)
+          .colwise() +
+      joined.mesh.origin;
+  triangles.corners =
+      joined.mesh.cells.middleCols(t, joined.first_triangle[body + 1] - t)
+          .array() -
+      v;
+  return triangles;
+}
+
+void write_body(const fs::path& folder, long step,
+                const ContactProblem& problem, const SolvedContact& solved,
+                int body) {
+  VtuTriangles triangles = body_triangles(problem.joined, body);
+  triangles.on_points = {
+      {"displacement", in_space(solved.solution.displacement.segment(
+                           problem.first_dof(body), problem.dof_count(body)))}};
+  if (solved.estimate)
+    triangles.on_triangles = {
+        {"eps_E", solved.estimate->local
+                      .segment(problem.joined.first_triangle[body],
+                               triangles.corners.cols())
+                      .transpose()}};
+  write_vtu(folder / file_name("step", step, body), triangles);
+}
+
+/// The three subtriangles k+1, k+2, centroid of each triangle, with corners of their own:
+/// the stress jumps between them.
+void write_stress(const fs::path& folder, long step,
+                  const ContactProblem& problem,
+                  const std::vector<CompositeStress>& stress, int body) {
+  const VtuTriangles whole = body_triangles(problem.joined, body);
+  const int first = problem.joined.first_triangle[body];
+  const Index count = 9 * whole.corners.cols();
+  MatrixXd at_corners(3, count);
+  VtuTriangles parts;
+  parts.points.resize(2, count);
+  parts.corners =
+      Eigen::VectorXi::LinSpaced(count, 0, static_cast<int>(count) - 1)
+          .reshaped(3, count / 3);
+  for (Index t = 0; t < whole.corners.cols(); ++t) {
+    TriangleCorners corners;
+    for (int c = 0; c < 3; ++c)
+      corners.col(c) = whole.points.col(whole.corners(c, t));
+    at_corners.middleCols<9>(9 * t) = stress[first + t];
+    for (int k = 0; k < 3; ++k)
+      parts.points.middleCols<3>(9 * t + 3 * k) << corners.col((k + 1) % 3),
+          corners.col((k + 2) % 3), corners.rowwise().mean();
+  }
+  const std::array names = {"sxx", "syy", "sxy"};
+  for (int c = 0; c < 3; ++c)
+    parts.on_points.push_back({names[c], at_corners.row(c)});
+  write_vtu(folder / file_name("stress", step, body), parts);
+}
+
+double value_or(const VectorXd& values, Index i, double otherwise) {
+  return values.size() > 0 ? values[i] : otherwise;
+}
+
+void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
+                 const SolvedContact& solved) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const ContactLaw& law = solved.law;
+  const NodalResults& nodes = solved.nodes;
+  TextFile text(file);
+  text << "# step " << step << " law " << (law.tresca() ? "tresca" : "coulomb");
+  if (solved.estimate)
+    text << " eps " << solved.estimate->relative << " e " << solved.estimate->e;
+  text << "\n# abscissa x y ux uy facingx facingy state pn pt fn ft gap slip "
+          "friction limit\n";
+  for (int i = 0; i < problem.line.node_count(); ++i) {
+    const int v = problem.line.vertex[i];
+    const Vector2d x = problem.mesh.vertices.col(v) + problem.mesh.origin,
+                   u = solved.solution.displacement.segment<2>(2 * v),
+                   facing =
+                       x + value_or(law.gap, i, 0) * problem.line.normal.col(i);
+    text << problem.abscissa[i];
+    for (const Vector2d& of_node : {x, u, facing})
+      text << " " << of_node.x() << " " << of_node.y();
+    text << " " << nodes.state[i] << " " << nodes.pn[i] << " " << nodes.pt[i]
+         << " " << nodes.fn[i] << " " << nodes.ft[i] << " " << nodes.gap[i]
+         << " " << nodes.slip[i] << " " << value_or(law.friction, i, 0) << " "
+         << value_or(law.tresca() ? law.slip_bound : law.shear_limit, i, none)
+         << "\n";
+  }
+  text.close();
+}
+
+void write_tractions(const fs::path& file, const ContactProblem& problem,
+                     const Estimate& estimate) {
+  const ContactDensities& r = estimate.tractions;
+  const VectorXd abscissa = abscissae(problem, estimate);
+  TextFile text(file);
+  text << "# abscissa rn rt at the first end, abscissa rn rt at the other\n";
+  for (Index k = 0; k < r.normal.cols(); ++k)
+    for (int end = 0; end < 2; ++end)
+      text << abscissa[2 * k + end] << " " << r.normal(end, k) << " "
+           << r.tangential(end, k) << (end == 0 ? " " : "\n");
+  text.close();
+}
+
+}  // namespace
+
+void write_pictures(const fs::path& folder, long step,
+                    const ContactProblem& problem,
+                    const SolvedContact& solved) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    refuse("the folder ", folder.string(),
+           " cannot be made: ", error.message());
+  const std::string number = std::to_string(step) + ".txt";
+  write_nodes(folder / ("contact" + number), step, problem, solved);
+  for (int body = 0; body < problem.body_count(); ++body)
+    write_body(folder, step, problem, solved, body);
+  if (!solved.estimate) return;
+  write_tractions(folder / ("tractions" + number), problem, *solved.estimate);
+  const std::vector<CompositeStress> stress =
+      stress_on_triangles(problem.mesh, *solved.estimate);
+  for (int body = 0; body < problem.body_count(); ++body)
+    write_stress(folder, step, problem, stress, body);
+}
+
+}  // namespace ffcontact::plugin

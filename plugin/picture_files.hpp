@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "contact_type.hpp"
+
+namespace ffcontact::plugin {
+
+/// Writes a solution, and what its estimate left if there is one, for pictures.py and
+/// ParaView, as plugin/README.md describes the files:
+///   stepN.vtu, stepNb.vtu, ...      the bodies: displacement, eps_E
+///   stressN.vtu, stressNb.vtu, ...  sigma_hat on the subtriangles
+///   contactN.txt                    the nodes of the contact line
+///   tractionsN.txt                  r_hat on the edges of the line
+/// @throws std::invalid_argument  if a file cannot be written
+void write_pictures(const std::filesystem::path& folder, long step,
+                    const ContactProblem& problem, const SolvedContact& solved);
+
+}  // namespace ffcontact::plugin
