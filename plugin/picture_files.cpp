@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture_files.hpp"
 
+#include <array>
 #include <limits>
+#include <regex>
 #include <string>
 
 #include "ffcontact/base/packed.hpp"
@@ -136,16 +138,35 @@ void write_tractions(const fs::path& file, const ContactProblem& problem,
   text.close();
 }
 
-}  // namespace
+/// Is this a file of the step or of a later one?
+bool is_of_step(const std::string& name, long step) {
+  static const std::regex pattern(
+      R"((?:(?:contact|tractions)(\d{1,9})\.txt)|(?:(?:step|stress)(\d{1,9})[a-z]?\.vtu))");
+  std::smatch match;
+  if (!std::regex_match(name, match, pattern)) return false;
+  return std::stol(match[match[1].matched ? 1 : 2]) >= step;
+}
 
-void write_pictures(const fs::path& folder, long step,
-                    const ContactProblem& problem,
-                    const SolvedContact& solved) {
+/// Removes what an earlier run left, so that its last steps are not taken for these.
+void prepare(const fs::path& folder, long step) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
     refuse("the folder ", folder.string(),
            " cannot be made: ", error.message());
+  std::vector<fs::path> old;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (is_of_step(entry.path().filename().string(), step))
+      old.push_back(entry.path());
+  for (const fs::path& file : old) fs::remove(file);
+}
+
+}  // namespace
+
+void write_pictures(const fs::path& folder, long step,
+                    const ContactProblem& problem,
+                    const SolvedContact& solved) {
+  prepare(folder, step);
   const std::string number = std::to_string(step) + ".txt";
   write_nodes(folder / ("contact" + number), step, problem, solved);
   for (int body = 0; body < problem.body_count(); ++body)

@@ -13,6 +13,7 @@ namespace ffcontact::plugin {
 ///   stressN.vtu, stressNb.vtu, ...  sigma_hat on the subtriangles
 ///   contactN.txt                    the nodes of the contact line
 ///   tractionsN.txt                  r_hat on the edges of the line
+/// Such files of this and of later steps that an earlier run left are removed.
 /// @throws std::invalid_argument  if a file cannot be written
 void write_pictures(const std::filesystem::path& folder, long step,
                     const ContactProblem& problem, const SolvedContact& solved);
