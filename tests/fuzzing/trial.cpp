@@ -2,6 +2,7 @@
 #include "trial.hpp"
 
 #include <cctype>
+#include <chrono>
 #include <functional>
 #include <stdexcept>
 
@@ -211,14 +212,16 @@ std::vector<std::function<void(Case&)>> simplifications(const Case& problem) {
 }  // namespace
 
 Case shrunk(const Case& problem, const Find& what) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + std::chrono::seconds(20);
   Case smallest = problem;
-  int left = 400;  // trials
-  for (bool progress = true; progress && left > 0;) {
+  for (bool progress = true; progress;) {
     progress = false;
     for (const auto& simplify : simplifications(smallest)) {
       Case candidate = smallest;
       simplify(candidate);
-      if (text_of(candidate) == text_of(smallest) || --left < 0) continue;
+      if (text_of(candidate) == text_of(smallest)) continue;
+      if (Clock::now() > end) return smallest;
       if (!still(candidate, what)) continue;
       smallest = candidate;
       progress = true;

@@ -20,7 +20,7 @@ Outcome outcome_of(const Case& problem);
 std::string without_numbers(const std::string& message);
 
 /// A smaller case with a find of the same check and cause: loads, motions, laws and
-/// triangles are taken out while it stays.
+/// triangles are taken out while it stays, for 20 seconds at most.
 Case shrunk(const Case& problem, const Find& what);
 
 }  // namespace ffcontact::fuzz
