@@ -12,7 +12,6 @@ namespace {
 
 /// Resultants that are met to this part of their size are met.
 constexpr double met = 1e-7;
-constexpr double jammed = 1e3;
 
 /// Rigid motions of each body alone that prescribed dofs leave free, of size 1 [dofs x
 /// k].
@@ -154,18 +153,14 @@ Dense cone_conditions(const Assembled& parts, int steps) {
 }
 
 /// How far resultants are from those of densities that are in the cone at some places.
-/// work p - work q = resultants and conditions (p - q) = slack with p, q, slack >= 0. Forces
-/// of `jammed` times the resultants are as far as `met`: between two sides friction holds
-/// forces of any size, which are no answer to the loads.
+/// work p - work q = resultants and conditions (p - q) = slack with p, q, slack >= 0.
 double distance_to_densities(const Dense& work, const Dense& conditions,
                              const VectorXd& resultants) {
   const Index m = work.rows(), n = conditions.rows(), d = work.cols();
-  const Dense size = met / jammed * work.colwise().norm().asDiagonal();
-  Dense columns = Dense::Zero(m + n + d, 2 * d + n);
-  columns << work, -work, Dense::Zero(m, n),            //
-      conditions, -conditions, -Dense::Identity(n, n),  //
-      size, size, Dense::Zero(d, n);
-  VectorXd wanted = VectorXd::Zero(m + n + d);
+  Dense columns = Dense::Zero(m + n, 2 * d + n);
+  columns << work, -work, Dense::Zero(m, n), conditions, -conditions,
+      -Dense::Identity(n, n);
+  VectorXd wanted = VectorXd::Zero(m + n);
   wanted.head(m) = resultants / resultants.norm();
   return distance_to_cone(columns, wanted);
 }
