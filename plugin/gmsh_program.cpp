@@ -9,6 +9,8 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/edges.hpp"
+//
+#include "text_file.hpp"
 
 namespace ffcontact::plugin {
 
@@ -114,8 +116,7 @@ void write_size_view(const path& file, const Mesh& mesh,
                      const Ref<const VectorXd>& size) {
   // of the edge, as the rise of an arc of 120 degrees
   constexpr double strip_width = 0.3;
-  std::ofstream stream(file);
-  stream.precision(17);
+  TextFile stream(file);
   const auto put = [&](const std::array<Vector2d, 3>& x,
                        const std::array<double, 3>& h) {
     stream << "ST(";
@@ -142,8 +143,7 @@ void write_size_view(const path& file, const Mesh& mesh,
     put({b, c, d}, {size[j], size[i], size[j]});
   }
   stream << "};\n";
-  if (!stream.flush())
-    refuse("the size field cannot be written to ", file.string());
+  stream.close();
 }
 
 /// The geometry with the view as the only source of sizes. gmsh's edges are 4 % shorter
@@ -151,7 +151,7 @@ void write_size_view(const path& file, const Mesh& mesh,
 /// of triangles is as predicted within 5 %.
 void write_sized_geometry(const path& file, const path& geometry,
                           const path& view) {
-  std::ofstream stream(file);
+  TextFile stream(file);
   stream << "Merge " << quoted_for_gmsh(geometry) << ";\nMerge "
          << quoted_for_gmsh(view) << R"(;
 ffcontact_sizes = newf;
@@ -165,6 +165,7 @@ Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeMin = 0;
 Mesh.MeshSizeMax = 1e22;
 )";
+  stream.close();
 }
 
 }  // namespace

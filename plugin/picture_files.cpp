@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 //
 #include "estimate_arrays.hpp"
@@ -68,19 +69,19 @@ void write_body(const fs::path& folder, long step,
 void write_stress(const fs::path& folder, long step,
                   const ContactProblem& problem,
                   const std::vector<CompositeStress>& stress, int body) {
-  const VtuTriangles whole = body_triangles(problem.joined, body);
-  const int first = problem.joined.first_triangle[body];
-  const Index count = 9 * whole.corners.cols();
+  const std::vector<int>& first_triangle = problem.joined.first_triangle;
+  const int first = first_triangle[body],
+            triangles = first_triangle[body + 1] - first;
+  const Index count = 9 * triangles;
   MatrixXd at_corners(3, count);
   VtuTriangles parts;
   parts.points.resize(2, count);
   parts.corners =
       Eigen::VectorXi::LinSpaced(count, 0, static_cast<int>(count) - 1)
           .reshaped(3, count / 3);
-  for (Index t = 0; t < whole.corners.cols(); ++t) {
-    TriangleCorners corners;
-    for (int c = 0; c < 3; ++c)
-      corners.col(c) = whole.points.col(whole.corners(c, t));
+  for (int t = 0; t < triangles; ++t) {
+    const TriangleCorners corners =
+        corners_of(problem.mesh, first + t).colwise() + problem.mesh.origin;
     at_corners.middleCols<9>(9 * t) = stress[first + t];
     for (int k = 0; k < 3; ++k)
       parts.points.middleCols<3>(9 * t + 3 * k) << corners.col((k + 1) % 3),
@@ -109,7 +110,7 @@ void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
           "friction limit\n";
   for (int i = 0; i < problem.line.node_count(); ++i) {
     const int v = problem.line.vertex[i];
-    const Vector2d x = problem.mesh.vertices.col(v) + problem.mesh.origin,
+    const Vector2d x = problem.mesh.place(v),
                    u = solved.solution.displacement.segment<2>(2 * v),
                    facing =
                        x + value_or(law.gap, i, 0) * problem.line.normal.col(i);
@@ -147,18 +148,24 @@ bool is_of_step(const std::string& name, long step) {
   return std::stol(match[match[1].matched ? 1 : 2]) >= step;
 }
 
-/// Removes what an earlier run left, so that its last steps are not taken for these.
-void prepare(const fs::path& folder, long step) {
+void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
     refuse("the folder ", folder.string(),
            " cannot be made: ", error.message());
+}
+
+/// Removes what an earlier run left, so that its last steps are not taken for these.
+void remove_later_steps(const fs::path& folder, long step) try {
   std::vector<fs::path> old;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (is_of_step(entry.path().filename().string(), step))
       old.push_back(entry.path());
   for (const fs::path& file : old) fs::remove(file);
+} catch (const fs::filesystem_error& error) {
+  refuse("old files in the folder ", folder.string(),
+         " cannot be removed: ", error.code().message());
 }
 
 }  // namespace
@@ -166,7 +173,8 @@ void prepare(const fs::path& folder, long step) {
 void write_pictures(const fs::path& folder, long step,
                     const ContactProblem& problem,
                     const SolvedContact& solved) {
-  prepare(folder, step);
+  make_folder(folder);
+  remove_later_steps(folder, step);
   const std::string number = std::to_string(step) + ".txt";
   write_nodes(folder / ("contact" + number), step, problem, solved);
   for (int body = 0; body < problem.body_count(); ++body)
