@@ -25,8 +25,8 @@ JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
 }
 
 /// What is stated for each body.
-const NamedArguments::Table of_bodies = {{"label", &typeid(KN_<long>)},
-                                         {"previous", &typeid(KN<double>*)}};
+const NamedArguments::Table stated_of_bodies = {
+    {"label", &typeid(KN_<long>)}, {"previous", &typeid(KN<double>*)}};
 
 void append(const VectorXd& values, VectorXd& all) {
   const Index before = all.size();
@@ -43,7 +43,7 @@ void append(const Matrix2Xd& values, Matrix2Xd& all) {
 }  // namespace
 
 NamedArguments::Table ContactProblem::table(const basicAC_F0& arguments) {
-  NamedArguments::Table table = for_bodies(of_bodies, arguments);
+  NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
   table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
                              {"friction", &typeid(double)},
                              {"slipbound", &typeid(double)},
@@ -65,7 +65,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
       fem_meshes(meshes.begin(), meshes.end()),
       topology_{joined.mesh, edges_of(joined.mesh), {}} {
   const int bodies = body_count();
-  require_names_of_bodies(named, of_bodies, bodies);
+  require_names_of_bodies(named, stated_of_bodies, bodies);
   require_law(named);
   if (bodies > 1 && named.given("opposite"))
     refuse("opposite= is given, but the contact has ", bodies, " meshes");

@@ -24,7 +24,7 @@ namespace {
 constexpr int most_sweeps = 20;
 
 /// What is given for each body.
-const NamedArguments::Table of_bodies = {
+const NamedArguments::Table estimates_of_bodies = {
     {"lambda", &typeid(double)},     {"G", &typeid(double)},
     {"hooke", &typeid(E_Array)},     {"traction", &typeid(E_Array)},
     {"bodyforce", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
@@ -68,7 +68,7 @@ class ContactErrorFunction : public E_F0mps {
 
  private:
   static NamedArguments::Table table(const basicAC_F0& arguments) {
-    NamedArguments::Table table = for_bodies(of_bodies, arguments);
+    NamedArguments::Table table = for_bodies(estimates_of_bodies, arguments);
     table.insert(table.end(), {{"multiplier", &typeid(string*)},
                                {"tractions", &typeid(string*)},
                                {"construction", &typeid(string*)},
@@ -99,7 +99,7 @@ class ContactErrorFunction : public E_F0mps {
     const double start = CPUtime();
     Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
-    require_names_of_bodies(named_, of_bodies, problem.body_count());
+    require_names_of_bodies(named_, estimates_of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
     const StuckNodes stuck = stuck_nodes_of(stack, named_);
     Judged judged = matrix_.empty() ? own_solution(contact)

@@ -11,9 +11,9 @@ namespace ffcontact::plugin {
 namespace {
 
 /// What is given for each body.
-const NamedArguments::Table of_bodies = {{"rate", &typeid(KN<double>*)},
-                                         {"size", &typeid(KN<double>*)},
-                                         {"ratio", &typeid(KN<double>*)}};
+const NamedArguments::Table sizes_of_bodies = {{"rate", &typeid(KN<double>*)},
+                                               {"size", &typeid(KN<double>*)},
+                                               {"ratio", &typeid(KN<double>*)}};
 
 /// predicted triangles = optimalsize(C, eps, target=, size=, ...), with eps of each body:
 /// one wanted error and one Lambda for all of them.
@@ -41,7 +41,7 @@ class OptimalSizeFunction : public E_F0mps {
 
  private:
   static NamedArguments::Table table(const basicAC_F0& arguments) {
-    NamedArguments::Table table = for_bodies(of_bodies, arguments);
+    NamedArguments::Table table = for_bodies(sizes_of_bodies, arguments);
     table.insert(table.end(), {{"target", &typeid(double)},
                                {"hmin", &typeid(double)},
                                {"hmax", &typeid(double)},
@@ -71,7 +71,7 @@ class OptimalSizeFunction : public E_F0mps {
     const JoinedMesh& all = problem.joined;
     const int bodies = problem.body_count();
     problem.require_bodies("eps", local_error_.size());
-    require_names_of_bodies(named_, of_bodies, bodies);
+    require_names_of_bodies(named_, sizes_of_bodies, bodies);
     std::vector<Expression> rates;
     for (int k = 0; k < bodies; ++k) {
       require_size("eps", value_of<KN<double>*>(stack, local_error_[k])->N(),

@@ -13,7 +13,7 @@ namespace ffcontact {
 namespace {
 
 /// A gradient below this part of the terms it consists of is rounding.
-constexpr double rounding = 1e-14;
+constexpr double gradient_rounding = 1e-14;
 /// Least part of the slope by which a clamped step must lower the function.
 constexpr double sufficient = 1e-4;
 
@@ -50,7 +50,7 @@ class FaceByFace {
     x_ = x;
     gradient_ = H_ * x + h_;
     tolerance_ =
-        rounding *
+        gradient_rounding *
         (H_.diagonal().cwiseProduct(x_.cwiseAbs()) + h_.cwiseAbs()).maxCoeff();
   }
 

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "ffcontact/base/symmetric_eigen.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -98,11 +100,10 @@ RitzValue first_accurate(
 
 double largest_eigenvalue(const LinearMap& A, Index size) {
   const auto wanted = [](const KrylovSpace& space) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz(space.projection());
-    const Index last = ritz.eigenvalues().size() - 1;
-    return RitzValues{
-        {std::max(0.0, ritz.eigenvalues()[last]),
-         space.remainder() * std::abs(ritz.eigenvectors()(last, last))}};
+    const SymmetricEigen ritz = symmetric_eigen(space.projection());
+    const Index last = ritz.values.size() - 1;
+    return RitzValues{{std::max(0.0, ritz.values[last]),
+                       space.remainder() * std::abs(ritz.vectors(last, last))}};
   };
   const RitzValue ritz = first_accurate(A, size, 1e-8, wanted);
   return ritz.value + ritz.residual;

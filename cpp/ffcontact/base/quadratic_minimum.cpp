@@ -18,7 +18,7 @@ namespace {
 constexpr double dependent = 1e-11;
 
 /// Conditions are met to this part of the terms they consist of.
-constexpr double rounding = 1e-14;
+constexpr double condition_rounding = 1e-14;
 
 /// The smallest z with G z >= h, rows of G of length 1, by the dual method: z is at any
 /// time the smallest one for the active conditions alone, and the multipliers u >= 0 of z
@@ -35,8 +35,8 @@ class LeastDistance {
     const Index most = 20 * (h_.size() + 1);
     for (Index round = 0; round < most; ++round) {
       Index violated = 0;
-      const VectorXd missing = h_ - G_ * z_ - rounding * scale_;
-      if (missing.maxCoeff(&violated) <= rounding * z_.norm() ||
+      const VectorXd missing = h_ - G_ * z_ - condition_rounding * scale_;
+      if (missing.maxCoeff(&violated) <= condition_rounding * z_.norm() ||
           is_active(violated))
         return true;
       if (!activate(violated)) return false;

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/active_set_system.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
-#include "ffcontact/base/dense_lu.hpp"
-#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Reciprocal condition number below which the scaled system counts as singular.
-constexpr double singular = 1e-13;
-/// Residual, relative to the right-hand side, up to which a singular system counts as
-/// solved.
-constexpr double solved = 1e-10;
 /// A row that the unknowns move by less than this part is none of theirs.
 constexpr double unsteered = 1e-6;
-/// Stiffness, relative to the diagonal, that holds a body which nothing else holds.
-constexpr double leash = 1e-8;
-
 /// A condition on one row: P_row - ratio P_n = value, or v_row = 0.
 struct RowCondition {
   bool on_displacement;
@@ -59,7 +48,7 @@ class LinearStep {
   SystemKind solve(ContactRows& rows) {
     assemble();
     SystemKind kind = SystemKind::regular;
-    const VectorXd x = solution(kind);
+    const VectorXd x = solved(matrix_, right_, count_of(unknown_), kind);
     if (!x.allFinite()) return SystemKind::inconsistent;
     const Index n = count_of(unknown_);
     VectorXd v = VectorXd::Zero(contact_.S.rows());
@@ -145,19 +134,6 @@ class LinearStep {
       else
         multiplier_equation(n + k, row, 1 / q_scale_[k]);
     }
-  }
-
-  VectorXd solution(SystemKind& kind) {
-    if (matrix_.rows() == 0) return right_;
-    const DenseLu lu(matrix_);
-    if (lu.reciprocal_condition() > singular) return lu.solve(right_);
-    const VectorXd smallest = least_squares(matrix_, right_, {10 * singular});
-    kind = SystemKind::consistent;
-    if ((matrix_ * smallest - right_).norm() <= solved * right_.norm())
-      return smallest;
-    kind = SystemKind::inconsistent;
-    for (std::size_t j = 0; j < unknown_.size(); ++j) matrix_(j, j) += leash;
-    return matrix_.partialPivLu().solve(right_);
   }
 
   void spread(const VectorXd& v, const VectorXd& q, ContactRows& rows) const {

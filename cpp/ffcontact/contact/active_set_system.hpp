@@ -6,23 +6,13 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/nodal_law.hpp"
+#include "ffcontact/contact/singular_system.hpp"
 
 namespace ffcontact {
 
 /// Multipliers and displacements of all rows 2 i + c [2 p].
 struct ContactRows {
   VectorXd P, v;
-};
-
-/// How the linear system of an active set was solved.
-enum class SystemKind {
-  regular,
-  /// singular, but the loads do not work on the motion that is left free: the smallest
-  /// solution
-  consistent,
-  /// the loads push along a motion that the active set leaves free: the body is let go a
-  /// long way along it
-  inconsistent,
 };
 
 /// With the state of every node known, all conditions are linear:

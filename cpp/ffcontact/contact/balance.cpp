@@ -7,6 +7,7 @@
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
 namespace ffcontact {
@@ -16,7 +17,7 @@ namespace {
 constexpr double unbalanced = 1e-9;
 /// A motion is held by the stiffness when a row of K z is larger than this against |K|
 /// |z|.
-constexpr double rounding = 1e-11;
+constexpr double motion_rounding = 1e-11;
 
 /// W [z] of motions z, one column each.
 MatrixXd weighted_traces(const ContactLine& line, const ContactLaw& law,
@@ -69,9 +70,68 @@ MatrixXd relative_forces(const ElasticSystem& system, const MatrixXd& motions) {
   return forces;
 }
 
+/// Forces that span the cone of a node, from a thousandth outside [3 x k].
+Matrix3Xd spanning_forces(const FrictionCone& cone) {
+  constexpr int sides = 64;
+  if (cone.frictionless()) return Vector3d(-1, 0, 0);
+  const bool given = !cone.depends_on_contact();
+  const double radius = (given ? 1 : cone.friction) / std::cos(M_PI / sides);
+  Matrix3Xd forces(3, sides + 1);
+  for (int k = 0; k < sides; ++k) {
+    const double angle = 2 * M_PI * k / sides;
+    forces.col(k) = Vector3d(given ? 0 : -1, radius * std::cos(angle),
+                             radius * std::sin(angle));
+  }
+  forces.col(sides) = Vector3d(-1, 0, 0);
+  return forces;
+}
+
+/// Their work along each motion, one column a force.
+MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
+                        const MatrixXd& motions) {
+  const NodalLaw cones = nodal_law(law, surface);
+  std::vector<MatrixXd> work;
+  Index columns = 0;
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const auto z = motions.middleRows<3>(dof_of<3>(surface.vertex[i], 0));
+    work.push_back(z.transpose() * surface.frame(i) *
+                   spanning_forces(cones.cone[i]));
+    columns += work.back().cols();
+  }
+  MatrixXd all(motions.cols(), columns);
+  Index next = 0;
+  for (const MatrixXd& of_node : work) {
+    all.middleCols(next, of_node.cols()) = of_node;
+    next += of_node.cols();
+  }
+  return all;
+}
+
+/// @param extreme  forces(motions): what they do on each of the motions
+template <int dim, class Forces>
+void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
+                     const Forces& extreme) {
+  const MatrixXd motions = unheld_motions(mesh, system);
+  if (motions.cols() == 0) return;
+  const VectorXd pushed = motions.transpose() * system.load;
+  const double scale = system.load.cwiseAbs().sum();
+  if (max_norm(pushed) <= unbalanced * scale) return;
+
+  const MatrixXd forces = extreme(motions);
+  const VectorXd left =
+      pushed + forces * nonnegative_least_squares(forces, -pushed);
+  if (left.norm() > unbalanced * scale)
+    refuse(
+        "no equilibrium: the loads push the body in a ",
+        motion_in_words(mesh, motions * left),
+        ", which neither prescribed displacements nor contact forces oppose");
+}
+
 }  // namespace
 
-MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
+template <int dim>
+MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
+                        const ElasticSystem& system) {
   const MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
   if (motions.cols() == 0) return motions;
   const MatrixXd forces = relative_forces(system, motions);
@@ -81,27 +141,26 @@ MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system) {
   Index held = 0;
   while (held < motions.cols() &&
          svd.singularValues()[held] >
-             rounding * std::sqrt(static_cast<double>(forces.rows())))
+             motion_rounding * std::sqrt(static_cast<double>(forces.rows())))
     ++held;
   return motions * svd.matrixV().rightCols(motions.cols() - held);
 }
 
+template MatrixXd unheld_motions(const Mesh&, const ElasticSystem&);
+template MatrixXd unheld_motions(const SolidMesh&, const ElasticSystem&);
+
 void require_balance(const Mesh& mesh, const ContactLine& line,
                      const ContactLaw& law, const ElasticSystem& system) {
-  const MatrixXd motions = unheld_motions(mesh, system);
-  if (motions.cols() == 0) return;
-  const VectorXd pushed = motions.transpose() * system.load;
-  const double scale = system.load.cwiseAbs().sum();
-  if (max_norm(pushed) <= unbalanced * scale) return;
+  require_balance(mesh, system, [&](const MatrixXd& motions) {
+    return extreme_forces(line, law, motions);
+  });
+}
 
-  const MatrixXd forces = extreme_forces(line, law, motions);
-  const VectorXd left =
-      pushed + forces * nonnegative_least_squares(forces, -pushed);
-  if (left.norm() > unbalanced * scale)
-    refuse(
-        "no equilibrium: the loads push the body in a ",
-        motion_in_words(mesh, motions * left),
-        ", which neither prescribed displacements nor contact forces oppose");
+void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
+                     const SurfaceLaw& law, const ElasticSystem& system) {
+  require_balance(mesh, system, [&](const MatrixXd& motions) {
+    return extreme_forces(surface, law, motions);
+  });
 }
 
 }  // namespace ffcontact

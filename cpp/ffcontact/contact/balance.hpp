@@ -3,13 +3,16 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/surface_law.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
 namespace ffcontact {
 
 /// The rigid motions z that neither prescribed dofs nor the stiffness (springs, K z = 0
 /// to rounding) hold, one column each.
-MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system);
+template <int dim>
+MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
+                        const ElasticSystem& system);
 
 /// Can contact balance the loads on the unheld rigid motions z?
 ///
@@ -21,5 +24,10 @@ MatrixXd unheld_motions(const Mesh& mesh, const ElasticSystem& system);
 /// @throws std::invalid_argument  naming that motion
 void require_balance(const Mesh& mesh, const ContactLine& line,
                      const ContactLaw& law, const ElasticSystem& system);
+
+/// Likewise on a surface. The cones are taken a thousandth wider, with 64 sides: what they
+/// cannot balance no force in the cones can.
+void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
+                     const SurfaceLaw& law, const ElasticSystem& system);
 
 }  // namespace ffcontact

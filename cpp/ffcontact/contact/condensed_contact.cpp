@@ -2,6 +2,7 @@
 #include "ffcontact/contact/condensed_contact.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
@@ -169,8 +170,12 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
 
 /// The larger S_ii of the components of the node of primary unknown i.
 double stiffer_component(const CondensedContact& contact, Index i) {
-  const int other = contact.position[contact.primary[i] ^ 1];
-  return std::max(contact.S(i, i), other >= 0 ? contact.S(other, other) : 0);
+  const int dim = contact.dimension, first = contact.primary[i] / dim * dim;
+  double largest = 0;
+  for (int row = first; row < first + dim; ++row)
+    if (const int k = contact.position[row]; k >= 0)
+      largest = std::max(largest, contact.S(k, k));
+  return largest;
 }
 
 /// The relation, loads apart.
@@ -210,29 +215,40 @@ double motion_scale(const CondensedContact& contact, const VectorXd& v) {
   return scale;
 }
 
+CondensedContact condensed_contact(ContactTrace trace,
+                                   const std::vector<int>& primary,
+                                   const VectorXd& load,
+                                   const CondensedStiffness& stiffness) {
+  CondensedContact contact;
+  static_cast<ContactTrace&>(contact) = std::move(trace);
+  number_rows(primary, static_cast<int>(contact.A.rows()), contact);
+  const SparseLu factor = primary_factor(contact);
+  put_relation(stiffness, factor, contact);
+  put_loads(stiffness, load, VectorXd(contact.v_prescribed), factor, contact);
+  return contact;
+}
+
 CondensedContact condensed_contact(const ContactLine& line,
                                    const ContactLaw& law,
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness) {
-  CondensedContact contact;
-  contact.kept_dofs = contact_dofs(line, system);
   const VertexMotions motions = vertex_motions(line, system.prescribed);
-  number_rows(motions.rows, 2 * line.node_count(), contact);
-  if (contact.primary.empty())
+  if (motions.rows.empty())
     refuse("every dof of the contact line is prescribed");
-  contact.held = held_rows(line, law, system);
+  HeldRows held = held_rows(line, law, system);
+  const SparseMatrix W = weight_of_rows(law.multiplier, line);
+  const Matrix2Xd v =
+      steered_displacement(line, law, held, system.prescribed_value);
+  ContactTrace trace;
+  trace.kept_dofs = contact_dofs(line, system);
+  trace.to_kept = kept_operator(motions, trace.kept_dofs);
+  trace.A = W * trace_operator(line, held.row, motions);
+  trace.v_prescribed = W * v.reshaped();
+  CondensedContact contact =
+      condensed_contact(std::move(trace), motions.rows, system.load, stiffness);
+  contact.held = std::move(held);
   const std::vector<int> continued = continued_rows(line, system.prescribed);
   for (int row : contact.dependent) contact.continued.push_back(continued[row]);
-
-  const SparseMatrix W = weight_of_rows(law.multiplier, line);
-  contact.A = W * trace_operator(line, contact.held.row, motions);
-  contact.to_kept = kept_operator(motions, contact.kept_dofs);
-  const SparseLu factor = primary_factor(contact);
-  put_relation(stiffness, factor, contact);
-  const Matrix2Xd v_prescribed =
-      steered_displacement(line, law, contact.held, system.prescribed_value);
-  put_loads(stiffness, system.load, W * v_prescribed.reshaped(), factor,
-            contact);
   return contact;
 }
 

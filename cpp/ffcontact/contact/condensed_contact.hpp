@@ -11,10 +11,22 @@
 
 namespace ffcontact {
 
+/// How the free dofs of the contact boundary and of what it faces move it.
+struct ContactTrace {
+  int dimension = 2;  ///< rows of a node
+  /// free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
+  std::vector<int> kept_dofs;
+  /// displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]
+  SparseMatrix to_kept;
+  SparseMatrix A;  ///< v of all rows = A (w, w_o) + v_prescribed [rows x f + o]
+  /// v of the prescribed values, gap and previous displacement included [rows]
+  VectorXd v_prescribed;
+};
+
 /// The body as the contact conditions see it: a small dense relation between multipliers
 /// P and v = W (u_n - gap, u_t - previous).
 ///
-/// Row 2 i + c stands for component c (0 normal, 1 tangential) of node i. Rows are
+/// Row dim i + c stands for component c (0 normal, others tangential) of node i. Rows are
 /// primary, as many as the contact vertices have free dofs, or dependent: a row whose dof
 /// is prescribed, or that of the second node at a corner. With S u_c = g + W'P from
 /// CondensedStiffness and v = A w in terms of the free components w,
@@ -32,12 +44,13 @@ namespace ffcontact {
 ///
 /// At a vertex with one free dof the primary row is the normal one unless the dof is
 /// tangential.
-struct CondensedContact {
-  HeldRows held;
+struct CondensedContact : ContactTrace {
+  HeldRows held;               ///< of a contact line
   std::vector<int> primary;    ///< row of each primary unknown [f]
   std::vector<int> dependent;  ///< row of each dependent unknown [d]
-  std::vector<int> continued;  ///< continued_rows of the dependent ones [d]
-  /// of each row: its place in `primary`, or -1 - its place in `dependent` [2 p]
+  /// continued_rows of the dependent ones of a contact line [d]
+  std::vector<int> continued;
+  /// of each row: its place in `primary`, or -1 - its place in `dependent` [rows]
   VectorXi position;
   CondensedStiffness::Load load;  ///< on all dofs, as the body's factor sees it
   MatrixXd S;                     ///< [f x f]
@@ -45,13 +58,6 @@ struct CondensedContact {
   MatrixXd E;                     ///< [f x d]
   MatrixXd F;                     ///< [d x d], zero on a rigid foundation
   VectorXd dependent_offset;      ///< [d]
-  /// free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
-  std::vector<int> kept_dofs;
-  /// displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]
-  SparseMatrix to_kept;
-  SparseMatrix A;  ///< v of all rows = A (w, w_o) + v_prescribed [2 p x f + o]
-  /// v of the prescribed values, gap and previous displacement included [2 p]
-  VectorXd v_prescribed;
   /// w_o = opposite_offset + opposite_of_v v + opposite_of_q q [o]
   VectorXd opposite_offset;
   MatrixXd opposite_of_v;   ///< [o x f]
@@ -78,6 +84,13 @@ std::vector<int> contact_dofs(const ContactLine& line,
 /// component in which the body is free is rounding). Where all nodes stick v is nothing
 /// but rounding.
 double motion_scale(const CondensedContact& contact, const VectorXd& v);
+
+/// @param primary  rows whose v the own components w determine, one each [f]
+/// @throws std::invalid_argument  if the rows are not independent
+CondensedContact condensed_contact(ContactTrace trace,
+                                   const std::vector<int>& primary,
+                                   const VectorXd& load,
+                                   const CondensedStiffness& stiffness);
 
 /// @throws std::invalid_argument  if the contact line has no free dof
 CondensedContact condensed_contact(const ContactLine& line,

@@ -14,7 +14,7 @@ namespace {
 
 /// Violations below this, relative to the largest traction, are rounding of the solver
 /// and left in peace.
-constexpr double rounding = 1e-13;
+constexpr double traction_rounding = 1e-13;
 
 void require_fitting(const ContactLine& line, const std::string& name,
                      const Matrix2Xd& values) {
@@ -68,7 +68,7 @@ ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law,
   require_fitting(line, "tangential", densities.tangential);
   require_fixed_direction(line);
   ConeCorrection result{densities, VectorXd::Zero(line.edge_count()), {}};
-  const double tolerance = rounding * largest_traction(densities);
+  const double tolerance = traction_rounding * largest_traction(densities);
   for (int e = 0; e < line.edge_count(); ++e) {
     const auto d =
         smallest_shift(least_cones(line, law, e), densities.normal.col(e),

@@ -13,7 +13,7 @@ namespace ffcontact {
 namespace {
 
 /// Deviations from the chord below this part of the coefficient are rounding.
-constexpr double rounding = 1e-12;
+constexpr double chord_rounding = 1e-12;
 
 /// End values where they are not negative, otherwise the least value at both ends.
 Vector2d positive_or(const VectorXd& values, const Vector2d& ends) {
@@ -32,7 +32,7 @@ Chords enclosing_chords(const VectorXd& values) {
   const Vector2d ends(values[0], values[values.size() - 1]);
   const VectorXd above =
       values - ends[0] * (1 - s.array()).matrix() - ends[1] * s;
-  if (max_norm(above) <= rounding * values.maxCoeff())
+  if (max_norm(above) <= chord_rounding * values.maxCoeff())
     return {positive_or(values, ends), ends};
   const Vector2d least = ends.array() + above.minCoeff();
   return {positive_or(values, least), ends.array() + above.maxCoeff()};

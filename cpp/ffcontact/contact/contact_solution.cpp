@@ -37,7 +37,7 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact,
 }
 
 /// Residuals below this are rounding.
-constexpr double rounding = 1e-12;
+constexpr double residual_rounding = 1e-12;
 
 /// An answer and how well the body is in equilibrium.
 struct Judged {
@@ -56,7 +56,7 @@ Judged judged_without_rounding(const ContactLine& line, const ContactLaw& law,
   BodyAnswer none{judged.answer.displacement,
                   VectorXd::Zero(judged.answer.P.size())};
   const double without = residual_defect(line, law, system, held, none);
-  if (without > std::max(rounding, residual)) return judged;
+  if (without > std::max(residual_rounding, residual)) return judged;
   return {std::move(none), without};
 }
 
@@ -85,7 +85,7 @@ Judged refined_answer(const ContactLine& line, const ContactLaw& law,
   for (int k = 0; k < most_steps; ++k) {
     const std::vector<ContactState> states =
         open_where_cut(state, best.answer.P);
-    if (best.residual <= rounding && states == state) break;
+    if (best.residual <= residual_rounding && states == state) break;
     BodyAnswer next =
         refined(line, law, system, stiffness, contact, states, best.answer);
     put_into_law(nodal, states, next.P);
@@ -170,18 +170,6 @@ FixedPointResult condensed_answer(const CondensedContact& contact,
              : fixed_point(contact, law, start, limits);
 }
 
-/// What the measures of a solution make of the status of its condensed answer.
-ContactStatus judged_status(ContactStatus condensed,
-                            const ContactSolution& solution, double tolerance) {
-  const bool fulfilled =
-      solution.complementarity <= tolerance && solution.residual <= tolerance;
-  if (fulfilled)
-    return condensed == ContactStatus::singular ? condensed
-                                                : ContactStatus::converged;
-  return condensed == ContactStatus::converged ? ContactStatus::inaccurate
-                                               : condensed;
-}
-
 Index nearest(const Ref<const VectorXd>& values, double value) {
   Index place;
   (values.array() - value).abs().minCoeff(&place);
@@ -189,6 +177,15 @@ Index nearest(const Ref<const VectorXd>& values, double value) {
 }
 
 }  // namespace
+
+ContactStatus judged_status(ContactStatus condensed, double complementarity,
+                            double residual, double tolerance) {
+  if (complementarity <= tolerance && residual <= tolerance)
+    return condensed == ContactStatus::singular ? condensed
+                                                : ContactStatus::converged;
+  return condensed == ContactStatus::converged ? ContactStatus::inaccurate
+                                               : condensed;
+}
 
 const char* in_words(ContactStatus status) {
   switch (status) {
@@ -247,7 +244,8 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   solution.complementarity =
       complementarity_defect(line, law, contact.held, solution.displacement, P,
                              law_scales(contact, answer.v));
-  solution.status = judged_status(answer.status, solution, settings.tolerance);
+  solution.status = judged_status(answer.status, solution.complementarity,
+                                  solution.residual, settings.tolerance);
   return solution;
 }
 

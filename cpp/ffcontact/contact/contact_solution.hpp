@@ -93,6 +93,10 @@ std::vector<ContactState> states_at(const ContactLine& line,
                                     const Ref<const VectorXd>& old_abscissa,
                                     const std::vector<ContactState>& old_state);
 
+/// What the measures of a solution make of the status of its condensed answer.
+ContactStatus judged_status(ContactStatus condensed, double complementarity,
+                            double residual, double tolerance);
+
 /// What a status means, as the end of a sentence.
 const char* in_words(ContactStatus status);
 

@@ -15,7 +15,7 @@ namespace ffcontact {
 namespace {
 
 /// Added to S, relative to its diagonal.
-constexpr double leash = 1e-10;
+constexpr double stabilisation = 1e-10;
 /// What a motion without energy makes of kappa^2 is more than this.
 constexpr double largest_square = 1e8;
 
@@ -60,7 +60,7 @@ std::optional<Unknowns> unknowns(const CondensedContact& contact,
 
 Cholesky factor_of(const MatrixXd& S, const std::vector<int>& rows) {
   MatrixXd own = S(rows, rows);
-  own.diagonal() *= 1 + leash;
+  own.diagonal() *= 1 + stabilisation;
   return Cholesky(own);
 }
 

@@ -13,7 +13,7 @@ namespace ffcontact {
 namespace {
 
 /// Reciprocal condition number below which a matrix is singular.
-constexpr double singular = 1e-12;
+constexpr double singular_matrix = 1e-12;
 /// Coefficients below this are those at which the body is not held without friction.
 constexpr double none = 1e-6;
 
@@ -65,7 +65,7 @@ double critical_friction(const CondensedContact& contact, const NodalLaw& law,
   const MatrixXd A_0 = matrix_at(0), A_1 = matrix_at(1) - A_0;
   for (const double shift : {0.0, -1.0}) {
     const DenseLu factor(A_0 + shift * A_1);
-    if (factor.reciprocal_condition() < singular) continue;
+    if (factor.reciprocal_condition() < singular_matrix) continue;
     // det(A_0 + mu A_1) = 0 where 1 / (mu - shift) is an eigenvalue
     const double theta = largest_real_eigenvalue(
         [&](const VectorXd& x) { return VectorXd(-factor.solve(A_1 * x)); },

@@ -19,7 +19,7 @@ namespace {
 
 /// Penetrations are compared with the largest normal displacement and gap, and with what
 /// the coordinates resolve.
-constexpr double rounding = 1e-10, coordinate_rounding = 1e-14;
+constexpr double penetration_rounding = 1e-10, coordinate_rounding = 1e-14;
 /// The largest penetration over the largest displacement that may remove it.
 constexpr double held = 1e-3;
 
@@ -138,7 +138,7 @@ double accepted_penetration(const Mesh& mesh,
   double scale = 0;
   for (const Station& station : stations)
     scale = std::max(scale, largest_given(station, system));
-  return rounding * scale + coordinate_rounding * extent.maxCoeff();
+  return penetration_rounding * scale + coordinate_rounding * extent.maxCoeff();
 }
 
 /// Are there vertices on the line that are prescribed, and against another body some on
@@ -173,7 +173,7 @@ bool clear_by_retreat(const Clearance& clearance) {
   const VectorXd moved = clearance.G * retreat;
   const double step = step_to_clear(clearance.c, moved);
   return (clearance.c + step * moved).maxCoeff() <=
-         rounding * clearance.c.maxCoeff();
+         penetration_rounding * clearance.c.maxCoeff();
 }
 
 /// The dofs that lower some of the rows and raise others.

@@ -76,22 +76,27 @@ Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
       .reshaped(2, line.node_count());
 }
 
-double residual_defect(const ContactLine& line, const ContactLaw& law,
-                       const ElasticSystem& system, const HeldRows& held,
-                       const BodyAnswer& answer) {
-  const VectorXd& u = answer.displacement;
-  const VectorXd contact = contact_load(line, law, held, answer);
-  const VectorXd r = residual(system, u, contact);
-  const double forces = largest_force(system, contact);
-  const double apart = largest_given(law);
+double equilibrium_defect(const ElasticSystem& system,
+                          const VectorXd& displacement,
+                          const VectorXd& contact_load, double apart) {
+  const VectorXd r = residual(system, displacement, contact_load);
+  const double forces = largest_force(system, contact_load);
   double defect = 0;
   for (Index dof = 0; dof < r.size(); ++dof) {
     if (r[dof] == 0) continue;
-    const double terms = terms_of_equation(system, dof, u, apart);
+    const double terms = terms_of_equation(system, dof, displacement, apart);
     const double scale = std::max(forces, share_of_terms * terms);
     defect = std::max(defect, std::abs(r[dof]) / scale);
   }
   return defect;
+}
+
+double residual_defect(const ContactLine& line, const ContactLaw& law,
+                       const ElasticSystem& system, const HeldRows& held,
+                       const BodyAnswer& answer) {
+  return equilibrium_defect(system, answer.displacement,
+                            contact_load(line, law, held, answer),
+                            largest_given(law));
 }
 
 BodyAnswer refined(const ContactLine& line, const ContactLaw& law,

@@ -19,10 +19,15 @@ Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
 
 /// |K u - b - contact forces| on the free dofs, relative to the largest load or force,
 /// or, dof by dof, to 1e-4 of the terms that its row adds up, sum_j |K_ij| (|u_j| + d),
-/// with d the largest gap or previous displacement. The latter is what rounding asks for:
+/// with d (apart) the largest gap or previous displacement. The latter is what rounding asks for:
 /// 1e-10 of it are some fifty units in the last place of the terms. It counts where a
 /// stiff body moves much more than it strains, and where nothing but gaps and prescribed
 /// motions load the body.
+double equilibrium_defect(const ElasticSystem& system,
+                          const VectorXd& displacement,
+                          const VectorXd& contact_load, double apart);
+
+/// The same of an answer on a contact line.
 double residual_defect(const ContactLine& line, const ContactLaw& law,
                        const ElasticSystem& system, const HeldRows& held,
                        const BodyAnswer& answer);

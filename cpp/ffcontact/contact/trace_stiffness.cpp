@@ -9,7 +9,7 @@ namespace ffcontact {
 namespace {
 
 /// What moves a row by less than this, beside what moves the primary ones, does not.
-constexpr double rounding = 1e-9;
+constexpr double row_rounding = 1e-9;
 
 /// Columns of E and F of the dependent rows that are not held: those that move by
 /// themselves, and those that follow.
@@ -22,7 +22,7 @@ DependentRows dependent_rows(const CondensedContact& contact) {
   const double stiffness = contact.S.diagonal().mean();
   for (int d = 0; d < count_of(contact.dependent); ++d) {
     if (contact.held.row[contact.dependent[d]]) continue;
-    const bool is_free = contact.F(d, d) * stiffness > rounding;
+    const bool is_free = contact.F(d, d) * stiffness > row_rounding;
     (is_free ? rows.free : rows.following).push_back(d);
   }
   return rows;
@@ -54,7 +54,7 @@ TraceStiffness trace_stiffness(const CondensedContact& contact) {
   traces.is_followed.assign(f + d, 0);
   for (int k : dependent.following)
     for (Index j = 0; j < f; ++j)
-      if (std::abs(contact.E(j, k)) > rounding) traces.is_followed[j] = 1;
+      if (std::abs(contact.E(j, k)) > row_rounding) traces.is_followed[j] = 1;
   return traces;
 }
 

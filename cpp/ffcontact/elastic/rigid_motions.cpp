@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/rigid_motions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "ffcontact/base/symmetric_eigen.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
@@ -122,8 +122,8 @@ Index vanishing(const VectorXd& values) {
 /// @param squares  stopped
 template <int dim>
 MatrixXd unstopped(const MotionMatrix<dim>& squares) {
-  const Eigen::SelfAdjointEigenSolver<MotionMatrix<dim>> eigen(squares);
-  return eigen.eigenvectors().leftCols(vanishing(eigen.eigenvalues()));
+  const SymmetricEigen eigen = symmetric_eigen(squares);
+  return eigen.vectors.leftCols(vanishing(eigen.values));
 }
 
 /// A rigid motion in space, or in the plane z = 0: u(x) = shift + turn x (x - centre).

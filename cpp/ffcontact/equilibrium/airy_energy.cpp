@@ -40,7 +40,7 @@ EdgeLoads reference_loads(const ReferenceUnknowns& x) {
   return loads;
 }
 
-ReferenceStress solve_reference() {
+ReferenceStress solve_reference_airy() {
   ReferenceStress stress;
   for (int c = 0; c < 12; ++c) {
     const EdgeLoads loads = reference_loads(ReferenceUnknowns::Unit(c));
@@ -52,7 +52,7 @@ ReferenceStress solve_reference() {
 }
 
 const ReferenceStress& reference_stress() {
-  static const ReferenceStress stress = solve_reference();
+  static const ReferenceStress stress = solve_reference_airy();
   return stress;
 }
 

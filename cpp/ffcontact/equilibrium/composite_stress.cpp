@@ -41,11 +41,11 @@ Matrix3d force_per_moment(double area) {
 /// The conditions of the header on a triangle, conditions * stress = right * loads, as
 /// tractions: divergences times the root of the area, jumps of unit normals, moments over
 /// lengths.
-struct Conditions {
+struct StressConditions {
   MatrixXd matrix = MatrixXd::Zero(30, 27),
            right = MatrixXd::Zero(30, all_loads);
 
-  explicit Conditions(const TriangleCorners& corners) {
+  explicit StressConditions(const TriangleCorners& corners) {
     x_ << corners, corners.rowwise().mean();
     twice_area_ =
         turned_right(x_.col(2) - x_.col(0)).dot(x_.col(1) - x_.col(0));
@@ -106,13 +106,13 @@ struct Conditions {
 };
 
 /// The conditions on the reference triangle, solved for every unit load.
-StressMap solve_reference() {
-  const Conditions conditions(reference_triangle());
+StressMap solve_reference_triangle() {
+  const StressConditions conditions(reference_triangle());
   return least_squares_of_columns(conditions.matrix, conditions.right);
 }
 
 const StressMap& reference_map() {
-  static const StressMap map = solve_reference();
+  static const StressMap map = solve_reference_triangle();
   return map;
 }
 
@@ -136,7 +136,8 @@ using Loads = Matrix<double, all_loads, 1>;
 /// Backward stable: what is left of each condition is of the size of rounding.
 CompositeStress solved_directly(const TriangleCorners& corners,
                                 const Loads& loads) {
-  const Conditions conditions(corners.colwise() - corners.rowwise().mean());
+  const StressConditions conditions(corners.colwise() -
+                                    corners.rowwise().mean());
   const VectorXd stress =
       least_squares(conditions.matrix, conditions.right * loads);
   return Map<const CompositeStress>(stress.data());

@@ -157,7 +157,7 @@ Matrix<long double, 3, 3> hat_mass() {
   return (Square::Ones() + Square::Identity()) / 24;
 }
 
-Reference solve_reference() {
+Reference integrate_reference() {
   const LongProducts gram = mass_matrix() + products_of_derivatives(0, 0) +
                             products_of_derivatives(1, 1);
   const Eigen::LLT<LongProducts> llt(gram);
@@ -177,7 +177,7 @@ Reference solve_reference() {
 }
 
 const Reference& reference() {
-  static const Reference integrals = solve_reference();
+  static const Reference integrals = integrate_reference();
   return integrals;
 }
 

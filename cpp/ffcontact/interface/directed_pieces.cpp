@@ -9,7 +9,7 @@ namespace {
 
 /// Ends of a trace this near to a vertex, in edge lengths, are the vertex: the rest of
 /// the edge would be too thin to compute with.
-constexpr double sliver = 1e-4;
+constexpr double least_part = 1e-4;
 
 /// Gives the part of the opposite edge that a piece faces to the piece before or after
 /// the vertex that it all but is.
@@ -66,13 +66,13 @@ std::vector<DirectedPiece> without_slivers(std::vector<DirectedPiece> pieces) {
   for (std::size_t k = 0, next = 0; k < pieces.size(); k = next) {
     next = end_of_run(pieces, k);
     FacingPiece &first = pieces[k].piece, &last = pieces[next - 1].piece;
-    if (last.end <= sliver) {
+    if (last.end <= least_part) {
       if (!kept.empty()) put_end(first, kept.back().piece);
-    } else if (first.begin >= 1 - sliver) {
+    } else if (first.begin >= 1 - least_part) {
       if (next < pieces.size()) put_begin(last, pieces[next].piece);
     } else {
-      if (first.begin <= sliver) first.begin = 0;
-      if (last.end >= 1 - sliver) last.end = 1;
+      if (first.begin <= least_part) first.begin = 0;
+      if (last.end >= 1 - least_part) last.end = 1;
       kept.insert(kept.end(), &pieces[k], &pieces[next - 1] + 1);
     }
   }

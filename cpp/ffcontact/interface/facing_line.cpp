@@ -14,7 +14,7 @@ namespace ffcontact {
 namespace {
 
 /// Places on an edge that differ by less are the same.
-constexpr double same_place = 1e-10;
+constexpr double same_spot = 1e-10;
 
 using Pieces = std::vector<DirectedPiece>;
 
@@ -52,8 +52,8 @@ std::optional<Pieces> without_overlap(Pieces pieces) {
     const FacingPiece& before = pieces[k - 1].piece;
     FacingPiece& piece = pieces[k].piece;
     if (piece.contact_edge != before.contact_edge) continue;
-    if (piece.begin < before.end - same_place) return std::nullopt;
-    if (piece.begin < before.end + same_place) piece.begin = before.end;
+    if (piece.begin < before.end - same_spot) return std::nullopt;
+    if (piece.begin < before.end + same_spot) piece.begin = before.end;
   }
   return pieces;
 }

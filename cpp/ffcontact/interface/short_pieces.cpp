@@ -5,11 +5,11 @@ namespace ffcontact {
 
 namespace {
 
-constexpr double sliver = 1e-4;
+constexpr double least_length = 1e-4;
 
-class Pieces {
+class LinePieces {
  public:
-  Pieces(const Mesh& mesh, const Edges& edges, const ContactLine& line)
+  LinePieces(const Mesh& mesh, const Edges& edges, const ContactLine& line)
       : mesh_(mesh), edges_(edges), line_(line), pieces_(line.pieces) {}
 
   std::vector<FacingPiece> without_short_ones() && {
@@ -27,7 +27,8 @@ class Pieces {
     return length(line_.edge[piece.contact_edge]);
   }
   double smallest_length(const FacingPiece& piece) const {
-    return sliver * std::min(own_length(piece), length(piece.opposite_edge));
+    return least_length *
+           std::min(own_length(piece), length(piece.opposite_edge));
   }
 
   /// Do two pieces that follow each other face parts of the same edge?
@@ -97,7 +98,7 @@ class Pieces {
 std::vector<FacingPiece> without_short_pieces(const Mesh& mesh,
                                               const Edges& edges,
                                               const ContactLine& line) {
-  return Pieces(mesh, edges, line).without_short_ones();
+  return LinePieces(mesh, edges, line).without_short_ones();
 }
 
 }  // namespace ffcontact

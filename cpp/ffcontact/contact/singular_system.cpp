@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/singular_system.hpp"
+
+#include <utility>
+
+#include "ffcontact/base/dense_lu.hpp"
+#include "ffcontact/base/least_squares.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Reciprocal condition number below which the scaled system counts as singular.
+constexpr double singular = 1e-13;
+/// Residual, relative to the right-hand side, up to which a singular system counts as
+/// solved.
+constexpr double fulfilled = 1e-10;
+/// Stiffness, relative to the diagonal, that holds a body which nothing else holds.
+constexpr double leash = 1e-8;
+
+}  // namespace
+
+VectorXd solved(MatrixXd A, const VectorXd& b, Index displacements,
+                SystemKind& kind) {
+  kind = SystemKind::regular;
+  if (A.rows() == 0) return b;
+  const DenseLu lu(A);
+  if (lu.reciprocal_condition() > singular) return lu.solve(b);
+  const VectorXd smallest = least_squares(A, b, {10 * singular});
+  kind = SystemKind::consistent;
+  if ((A * smallest - b).norm() <= fulfilled * b.norm()) return smallest;
+  kind = SystemKind::inconsistent;
+  A.diagonal().head(displacements).array() += leash;
+  return DenseLu(std::move(A)).solve(b);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/base/eigen.hpp"
+
+namespace ffcontact {
+
+/// How the linear system of an active set was solved.
+enum class SystemKind {
+  regular,
+  /// singular, but the loads do not work on the motion that is left free: the smallest
+  /// solution
+  consistent,
+  /// the loads push along a motion that the active set leaves free: the body is let go a
+  /// long way along it
+  inconsistent,
+};
+
+/// x of A x = b, rows and columns scaled.
+/// @param displacements  how many of the unknowns are; they come first
+/// @param kind           how it was solved
+VectorXd solved(MatrixXd A, const VectorXd& b, Index displacements,
+                SystemKind& kind);
+
+}  // namespace ffcontact

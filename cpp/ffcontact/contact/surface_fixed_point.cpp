@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/surface_fixed_point.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/contact/surface_newton.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+constexpr double smallest_damping = 1.0 / 32;
+/// Of Tresca's problem, which is convex.
+constexpr int most_systems = 60;
+
+VectorXd normal_forces(const VectorXd& P) {
+  return Map<const VectorXd, 0, Eigen::InnerStride<3>>(P.data(), P.size() / 3);
+}
+
+double relative_change(const VectorXd& g, const VectorXd& image) {
+  const double scale = max_norm(image);
+  return scale > 0 ? max_norm(image - g) / scale : max_norm(g);
+}
+
+}  // namespace
+
+FixedPointResult surface_fixed_point(const CondensedContact& contact,
+                                     const NodalLaw& law,
+                                     const std::vector<char>& held,
+                                     std::vector<ContactState> state,
+                                     const NewtonSettings& settings) {
+  FixedPointResult result;
+  ActiveSetResult& best = result.answer;
+  best.violation = infinity;
+  VectorXd g = VectorXd::Zero(law.node_count());
+  double damping = 1;
+  for (int systems = 0; systems < settings.max_iterations;) {
+    const int left = settings.max_iterations - systems;
+    ActiveSetResult step =
+        surface_newton(contact, with_given_slip_limit(law, g), held, state,
+                       {std::min(left, most_systems), settings.tolerance});
+    systems += step.iterations;
+    state = step.state;
+    const VectorXd image = normal_forces(step.P);
+    const double change = relative_change(g, image);
+    if (!result.history.empty() && change > result.history.back())
+      damping = std::max(damping / 2, smallest_damping);
+    result.history.push_back(change);
+    g += damping * (image - g);
+    step.violation = surface_violation(contact, law, held, {step.P, step.v});
+    const bool found = step.violation <= settings.tolerance;
+    step.status =
+        found ? ContactStatus::converged : ContactStatus::not_converged;
+    if (step.violation < best.violation) best = std::move(step);
+    best.iterations = systems;
+    if (found || law.is_convex()) break;
+  }
+  return result;
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/fixed_point.hpp"
+
+namespace ffcontact {
+
+/// Coulomb's law on a surface as a fixed point over Tresca's problems, as fixed_point on
+/// a line; each of them is solved by surface_newton from the states of the last.
+FixedPointResult surface_fixed_point(const CondensedContact& contact,
+                                     const NodalLaw& law,
+                                     const std::vector<char>& held,
+                                     std::vector<ContactState> state,
+                                     const NewtonSettings& settings = {});
+
+}  // namespace ffcontact

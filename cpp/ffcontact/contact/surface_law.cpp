@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/surface_law.hpp"
+
+#include <algorithm>
+
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+void require_coefficient(const char* name, const VectorXd& values,
+                         const ContactSurface& surface) {
+  require_size(name, values.size(), surface.node_count());
+  require_nonnegative(name, values);
+}
+
+/// The violation where one of two must be 0.
+double both(double P, double v) { return std::min(std::abs(P), std::abs(v)); }
+
+/// 2 sin(a / 2), a the angle between -P_t and v_t; 0 where one of them is 0.
+double misdirection(const Vector2d& Pt, const Vector2d& vt) {
+  return (Pt.stableNormalized() + vt.stableNormalized()).norm() *
+         (Pt.isZero(0) || vt.isZero(0) ? 0 : 1);
+}
+
+/// P, v and the cone's c and k relative.
+double violation(const FrictionCone& cone, const Vector3d& P,
+                 const Vector3d& v) {
+  const Vector2d Pt = P.tail<2>(), vt = v.tail<2>();
+  const double bound =
+      std::min(cone.cohesion - cone.friction * P[0], cone.limit);
+  return std::max({P[0], v[0], both(P[0], v[0]), Pt.norm() - bound,
+                   both(bound - Pt.norm(), vt.norm()),
+                   both(Pt.norm(), vt.norm()) * misdirection(Pt, vt)});
+}
+
+}  // namespace
+
+void require_valid(const SurfaceLaw& law, const ContactSurface& surface) {
+  require_coefficient("friction", law.friction, surface);
+  if (law.slip_bound.size() > 0)
+    require_coefficient("slipbound", law.slip_bound, surface);
+  if (law.shear_limit.size() > 0)
+    require_coefficient("shear limit", law.shear_limit, surface);
+  if (law.gap.size() > 0) {
+    require_size("gap", law.gap.size(), surface.node_count());
+    require_finite("gap", law.gap);
+  }
+  if (law.previous.size() > 0) {
+    require_size("previous tangential displacement", law.previous.cols(),
+                 surface.node_count());
+    require_finite("previous tangential displacement", law.previous.reshaped());
+  }
+}
+
+NodalLaw nodal_law(const SurfaceLaw& law, const ContactSurface& surface) {
+  NodalLaw nodal{std::vector<FrictionCone>(surface.node_count())};
+  for (int i = 0; i < surface.node_count(); ++i) {
+    FrictionCone& cone = nodal.cone[i];
+    if (law.slip_bound.size() > 0)
+      cone.cohesion = surface.area[i] * law.slip_bound[i];
+    else
+      cone.friction = law.friction[i];
+    if (law.shear_limit.size() > 0)
+      cone.limit = surface.area[i] * law.shear_limit[i];
+  }
+  return nodal;
+}
+
+Matrix3Xd displacement_against_foundation(
+    const ContactSurface& surface, const SurfaceLaw& law,
+    const Ref<const VectorXd>& displacement) {
+  Matrix3Xd v = contact_components(surface, displacement);
+  if (law.gap.size() > 0) v.row(0) -= law.gap.transpose();
+  if (law.previous.size() > 0) v.bottomRows<2>() -= law.previous;
+  return v;
+}
+
+double largest_displacement(const SurfaceLaw& law,
+                            const Ref<const VectorXd>& displacement) {
+  double largest = max_norm(displacement);
+  if (law.gap.size() > 0) largest = std::max(largest, max_norm(law.gap));
+  if (law.previous.size() > 0)
+    largest = std::max(largest, max_norm(law.previous));
+  return largest;
+}
+
+double surface_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
+                         const Ref<const VectorXd>& v,
+                         const LawScales& scales) {
+  if (!P.allFinite() || !v.allFinite()) return infinity;
+  const double p_scale = std::max(scales.P, max_norm(P));
+  const double p = p_scale > 0 ? 1 / p_scale : 0,
+               length = scales.v > 0 ? 1 / scales.v : 0;
+  double largest = 0;
+  for (int i = 0; i < law.node_count(); ++i) {
+    FrictionCone cone = law.cone[i];
+    cone.cohesion *= p;
+    if (cone.limit < infinity) cone.limit *= p;
+    largest = std::max(largest, violation(cone, p * P.segment<3>(3 * i),
+                                          length * v.segment<3>(3 * i)));
+  }
+  return largest;
+}
+
+}  // namespace ffcontact

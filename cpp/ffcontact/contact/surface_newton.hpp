@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/active_set.hpp"
+
+namespace ffcontact {
+
+/// Semismooth Newton for the law of a surface (SurfaceLaw) on its condensed relation,
+/// full steps [Alart, Curnier 1991]. With tau = P - c v at each node, c the mean of
+/// diag(S) there,
+///     P_n = min(0, tau_n),   P_t = Pi(tau_t) onto |.| <= rho,   rho = b(tau_n),
+/// is the law whatever c > 0. Its derivative D gives the equations of the next P and v:
+///     open:   P_n = 0                      closed:  v_n = 0
+///     stick:  v_t = 0
+///     slip:   (I - D) P_t + c D v_t = (k - mu P_n) e,   D = rho / |tau_t| (I - e e'),
+///             e = tau_t / |tau_t|,  k - mu P_n = rho,
+/// where v that are known leave the system, so that sticking bodies cost nothing. Rows
+/// that are held have no force and no condition.
+///
+/// Ends when the violation is no more than rounding, or no longer falls below the
+/// tolerance; as cycled when thirty steps have not lowered it.
+/// @param held   of surface_trace [3 p]
+/// @param state  first guess, a slip without direction sticks [p]
+/// @return states open, stick and slip_forward, which stands for any direction
+ActiveSetResult surface_newton(const CondensedContact& contact,
+                               const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const std::vector<ContactState>& state,
+                               const NewtonSettings& settings = {});
+
+/// surface_violation of an answer, relative to law_scales.
+double surface_violation(const CondensedContact& contact, const NodalLaw& law,
+                         const std::vector<char>& held,
+                         const ContactRows& rows);
+
+}  // namespace ffcontact
