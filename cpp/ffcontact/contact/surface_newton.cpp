@@ -15,8 +15,13 @@ namespace {
 
 /// Violations below this are rounding.
 constexpr double least_violation = 1e-13;
-/// Steps that may fail to lower the violation.
-constexpr int most_failures = 30;
+/// Full steps that may fail to, before steps are shortened.
+constexpr int most_full_steps = 5;
+constexpr double smallest_step = 1e-3;
+/// r of the proximal terms, where what the unknowns move is 1.
+constexpr double proximal = 1e-8;
+/// Steps that may fail to lower the violation, before the tolerance is met and after.
+constexpr int most_failures = 30, most_failures_of_rounding = 2;
 
 /// The next P and v of a node: what its state makes of them.
 struct NodeState {
@@ -63,6 +68,13 @@ struct Equation {
   double value = 0;
 };
 
+/// Pi(tau): what the law makes of tau.
+Vector3d projected(const FrictionCone& cone, const Vector3d& tau) {
+  const double rho = cone.bound(tau[0]), length = tau.tail<2>().norm();
+  const double share = length > rho ? rho / length : 1;
+  return {std::min(tau[0], 0.0), share * tau[1], share * tau[2]};
+}
+
 /// The linear system of the next P and v: unknown are v of the primary rows without the
 /// condition v = 0, and P of the dependent rows that are not held.
 class NewtonStep {
@@ -84,10 +96,24 @@ class NewtonStep {
            stiffness_[node] * rows.v.segment<3>(3 * node);
   }
 
+  /// sum |P - Pi(tau)|^2 / c over the rows that are not held.
+  double merit(const NodalLaw& law, const ContactRows& rows) const {
+    double sum = 0;
+    for (int i = 0; i < law.node_count(); ++i) {
+      const Vector3d at = tau(rows, i);
+      Vector3d missed = rows.P.segment<3>(3 * i) - projected(law.cone[i], at);
+      for (int c = 0; c < 3; ++c)
+        if (held_[3 * i + c]) missed[c] = 0;
+      sum += missed.squaredNorm() / stiffness_[i];
+    }
+    return sum;
+  }
+
   /// The next rows; unchanged if the system is not finite.
   SystemKind solve(const std::vector<NodeState>& states, ContactRows& rows) {
     put_unknowns(states);
     assemble(states);
+    add_proximal_terms(rows.P);
     SystemKind kind;
     const Index n = count_of(unknown_);
     const VectorXd x = solved(std::move(matrix_), right_, n, kind);
@@ -212,9 +238,20 @@ class NewtonStep {
     for (Index e = 0; e < n; ++e)
       put_equation(e, states, contact_.primary[unknown_[e]],
                    v_scale_[unknown_[e]], 0);
-    for (Index d = 0; d < q; ++d)
-      put_equation(n + d, states, contact_.dependent[dependent_[d]],
-                   1 / q_scale_[d], q_scale_[d]);
+    for (Index d = 0; d < q; ++d) {
+      const int row = contact_.dependent[dependent_[d]];
+      put_equation(n + d, states, row, 1 / q_scale_[d], q_scale_[d]);
+    }
+  }
+
+  /// + r (P - last P) in the equation of a dependent row.
+  void add_proximal_terms(const VectorXd& last) {
+    const Index n = count_of(unknown_);
+    for (Index d = 0; d < count_of(dependent_); ++d) {
+      const int row = contact_.dependent[dependent_[d]];
+      matrix_(n + d, n + d) += proximal;
+      right_[n + d] += proximal * last[row] / q_scale_[d];
+    }
   }
 
   void spread(const VectorXd& x, const std::vector<NodeState>& states,
@@ -290,20 +327,41 @@ class Newton {
   bool ends() {
     if (result_.iterations >= settings_.max_iterations) return true;
     ++result_.iterations;
+    const ContactRows last = rows_;
     const SystemKind kind = step_.solve(states_, rows_);
     const bool loose = kind == SystemKind::inconsistent;
+    if (failures_ > most_full_steps) shorten_step(last);
     const double violation =
         loose ? infinity : surface_violation(contact_, law_, held_, rows_);
     const bool better = violation < result_.violation;
-    const bool was_accepted = result_.violation <= settings_.tolerance;
     if (better || result_.iterations == 1) keep(violation);
     failures_ = better ? 0 : failures_ + 1;
-    if (violation <= least_violation || (was_accepted && !better)) return true;
+    if (violation <= least_violation) return true;
     result_.status = loose ? ContactStatus::singular : ContactStatus::cycled;
     for (std::size_t i = 0; i < states_.size(); ++i)
       states_[i] =
           node_state(law_.cone[i], step_.tau(rows_, static_cast<int>(i)));
-    return failures_ > most_failures;
+    return failures_ > (result_.violation <= settings_.tolerance
+                            ? most_failures_of_rounding
+                            : most_failures);
+  }
+
+  /// Back towards the rows before, as far as the merit asks for.
+  void shorten_step(const ContactRows& last) {
+    const double before = step_.merit(law_, last);
+    ContactRows best = rows_;
+    double least = infinity;
+    for (double t = 1; t > smallest_step; t /= 2) {
+      const ContactRows trial{last.P + t * (rows_.P - last.P),
+                              last.v + t * (rows_.v - last.v)};
+      const double merit = step_.merit(law_, trial);
+      if (merit < least) {
+        least = merit;
+        best = trial;
+      }
+      if (merit < (1 - t / 4) * before) break;
+    }
+    rows_ = best;
   }
 
   void keep(double violation) {

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "support/pi.hpp"
+#include "support/random.hpp"
+#include "support/refusals.hpp"
+#include "support/solid_problems.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// What is wrong with a solution, all of it measured here: equilibrium of every free dof
+/// with the forces, the law node by node. Relative to all forces and to |u|, which is
+/// small where friction holds: 4.5e-10 at most in 9000 random problems.
+struct Defects {
+  double balance = 0, tension = 0, penetration = 0, normal = 0, cone = 0,
+         slip = 0;
+  double largest() const {
+    return std::max({balance, tension, penetration, normal, cone, slip});
+  }
+};
+
+Defects defects(const SolidProblem& problem, const SurfaceSolution& solution) {
+  Defects found;
+  const ElasticSystem system = problem.system();
+  const VectorXd& u = solution.displacement;
+  VectorXd r = problem.b - problem.A * u;
+  for (int i = 0; i < problem.surface.node_count(); ++i)
+    r.segment<3>(3 * problem.surface.vertex[i]) +=
+        problem.surface.frame(i) * solution.force.col(i);
+  double forces = solution.force.norm() + 1e-300, length = u.norm() + 1e-300;
+  for (int dof = 0; dof < r.size(); ++dof)
+    if (!system.prescribed[dof])
+      forces = std::max(forces, std::abs(problem.b[dof]));
+  for (int dof = 0; dof < r.size(); ++dof)
+    if (!system.prescribed[dof])
+      found.balance = std::max(found.balance, std::abs(r[dof]) / forces);
+  for (int i = 0; i < problem.surface.node_count(); ++i) {
+    const int vertex = problem.surface.vertex[i];
+    Vector3d v =
+        problem.surface.frame(i).transpose() * u.segment<3>(3 * vertex);
+    if (problem.law.gap.size() > 0) v[0] -= problem.law.gap[i];
+    if (problem.law.previous.size() > 0)
+      v.tail<2>() -= problem.law.previous.col(i);
+    v /= length;
+    const Vector3d F = solution.force.col(i) / forces;
+    const double bound = problem.law.friction[i] * -F[0],
+                 Ft = F.tail<2>().norm();
+    bool is_free =
+        true;  // where a dof is prescribed the cone acts on what is left
+    for (int c = 0; c < 3; ++c)
+      is_free = is_free && !system.prescribed[3 * vertex + c];
+    found.tension = std::max(found.tension, F[0]);
+    found.cone = std::max(found.cone, Ft - bound);
+    if (!is_free) continue;
+    found.penetration = std::max(found.penetration, v[0]);
+    found.normal = std::max(found.normal, std::min(-F[0], -v[0]));
+    const double vt = v.tail<2>().norm();
+    if (vt > 0)
+      found.slip = std::max(
+          found.slip,
+          std::min(vt, (F.tail<2>() + bound * v.tail<2>() / vt).norm()));
+  }
+  return found;
+}
+
+/// A brick 3 x 2 x 2 on its side low_z, held or pressed in one of some ways.
+SolidProblem random_problem(double mu, Random& random) {
+  SolidProblem problem(irregular_solid(random), mu);
+  const auto drawn = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const int kind = static_cast<int>(random() % 4);
+  if (kind < 2) {
+    const Vector3d shift(drawn(-1e-3, 1e-3), drawn(-1e-3, 1e-3),
+                         drawn(-2e-3, 1e-3));
+    const Vector3d turn(drawn(-1e-3, 1e-3), drawn(-1e-3, 1e-3), 0);
+    problem.move(high_z, [&](const Vector3d& x) {
+      return Vector3d(shift + turn.cross(x - Vector3d(1.5, 1, 2)));
+    });
+  } else if (kind == 2) {
+    problem.guide(low_x, 0);
+    problem.guide(low_y, 1);
+    problem.load(high_z, {0, 0, -drawn(1, 5)});
+  } else {
+    problem.load(high_z, {0, 0, -drawn(2, 5)});
+    problem.guide(low_x, 0);
+    problem.guide(low_x, 1);
+  }
+  problem.load(high_x, {drawn(-3, 1), drawn(-1, 1), 0});
+  problem.load(high_y, {0, drawn(-3, 1), 0});
+  return problem;
+}
+
+RC_GTEST_PROP(SolidContact, fulfils_the_law_and_equilibrium, (Random random)) {
+  const SolidProblem problem = random_problem(*real(0, 5), random);
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+}
+
+RC_GTEST_PROP(SolidContact, with_gaps_variable_friction_and_a_step_before_too,
+              (Random random)) {
+  SolidProblem problem = random_problem(0, random);
+  const int nodes = problem.surface.node_count();
+  problem.law.friction = random_vector(nodes, random).cwiseAbs();
+  problem.law.gap = 1e-3 * random_vector(nodes, random).cwiseAbs();
+  problem.law.previous = 1e-3 * random_matrix(2, nodes, random);
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+}
+
+class BlockCases : public testing::TestWithParam<BlockCase> {};
+INSTANTIATE_TEST_SUITE_P(Loads, BlockCases,
+                         testing::Values(BlockCase::press, BlockCase::press_x,
+                                         BlockCase::shear, BlockCase::lift));
+
+/// Newton's steps over four loads, straight and moved meshes of two sizes were 1 to 14
+/// with friction up to 5.
+TEST_P(BlockCases, newton_needs_few_steps) {
+  std::mt19937 random(1);
+  for (int n : {1, 2})
+    for (bool straight : {true, false})
+      for (double mu : {0.0, 0.3, 0.5, 1.0, 2.0, 5.0}) {
+        const SolidMesh bricks = brick({8 * n, 4 * n, 4 * n}, {80, 40, 40});
+        const SolidProblem problem = block_problem(
+            straight ? bricks : moved(bricks, 10.0 / n, 0.15, random),
+            GetParam(), mu);
+        const SurfaceSolution solution = problem.solve();
+        EXPECT_TRUE(solution.accepted({}));
+        EXPECT_TRUE(solution.history.empty());
+        EXPECT_LE(solution.iterations, 20);
+        EXPECT_LT(defects(problem, solution).largest(), 1e-8);
+      }
+}
+
+TEST_P(BlockCases, fixed_point_and_newton_agree) {
+  for (double mu : {0.0, 0.3, 1.0}) {
+    const SolidProblem problem =
+        block_problem(brick({4, 2, 2}, {80, 40, 40}), GetParam(), mu);
+    ContactSettings settings;
+    settings.solver = ContactSolver::fixed_point;
+    const SurfaceSolution newton = problem.solve(),
+                          steps = problem.solve(settings);
+    EXPECT_TRUE(steps.accepted(settings));
+    EXPECT_FALSE(steps.history.empty());
+    EXPECT_LT((newton.force - steps.force).norm(), 1e-8 * newton.force.norm());
+  }
+}
+
+TEST_P(BlockCases, no_friction_is_tresca_s_law_with_the_bound_0) {
+  SolidProblem problem =
+      block_problem(brick({4, 2, 2}, {80, 40, 40}), GetParam(), 0);
+  const SurfaceSolution coulomb = problem.solve();
+  problem.law.slip_bound = VectorXd::Zero(problem.surface.node_count());
+  const SurfaceSolution tresca = problem.solve();
+  EXPECT_EQ(coulomb.displacement, tresca.displacement);
+  EXPECT_EQ(coulomb.force, tresca.force);
+  EXPECT_TRUE(coulomb.force.bottomRows<2>().isZero(0));
+}
+
+RC_GTEST_PROP(SolidContact, does_not_depend_on_numbers_and_units,
+              (Random random)) {
+  const SolidMesh mesh =
+      moved(brick({4, 2, 2}, {80, 40, 40}), 20, 0.15, random);
+  const auto loads = *rc::gen::element(BlockCase::press, BlockCase::press_x,
+                                       BlockCase::shear, BlockCase::lift);
+  const double mu = *real(0, 2);
+  const SolidProblem problem = block_problem(mesh, loads, mu);
+  const SurfaceSolution solution = problem.solve();
+  const Vector3d force = solution.force.rowwise().sum();
+  const SurfaceSolution other =
+      block_problem(shuffled(mesh, random), loads, mu).solve();
+  RC_ASSERT((other.force.rowwise().sum() - force).norm() < 1e-9 * force.norm());
+
+  const double unit = std::pow(10, *rc::gen::inRange(-9, 10));
+  SolidProblem scaled = problem;
+  scaled.A *= unit;
+  for (Index dof = 0; dof < scaled.b.size(); ++dof) scaled.b[dof] *= unit;
+  const SurfaceSolution in_units = scaled.solve();
+  RC_ASSERT((in_units.force - unit * solution.force).norm() <
+            1e-9 * unit * solution.force.norm());
+}
+
+/// The body, its foundation and loads turned in space.
+RC_GTEST_PROP(SolidContact, does_not_depend_on_the_direction_in_space,
+              (Random random)) {
+  const SolidMesh mesh =
+      moved(brick({4, 2, 2}, {80, 40, 40}), 20, 0.15, random);
+  const Matrix3d Q =
+      Eigen::Quaterniond(Vector4d(random_vector(4, random).normalized()))
+          .toRotationMatrix();
+  const auto solve = [&](const Matrix3d& turn) {
+    SolidMesh turned = mesh;
+    turned.vertices = turn * mesh.vertices;
+    SolidProblem problem(turned, 0.4);
+    problem.move(high_z, [&](const Vector3d& x) {
+      const Vector3d at = turn.transpose() * x;
+      return Vector3d(turn * Vector3d(0.02, 0.01, -0.03 + 5e-4 * at.x()));
+    });
+    const SurfaceSolution solution = problem.solve();
+    Matrix3Xd forces(3, problem.surface.node_count());
+    for (int i = 0; i < forces.cols(); ++i)
+      forces.col(i) =
+          turn.transpose() * problem.surface.frame(i) * solution.force.col(i);
+    return forces;
+  };
+  const Matrix3Xd forces = solve(Matrix3d::Identity());
+  RC_ASSERT((solve(Q) - forces).norm() < 1e-9 * forces.norm());
+}
+
+RC_GTEST_PROP(SolidContact, a_uniform_pressure_passes_exactly,
+              (Random random)) {
+  SolidProblem problem(irregular_solid(random), *real(0, 1));
+  problem.load(high_z, {0, 0, -10});
+  problem.guide(low_x, 0);
+  problem.guide(low_y, 1);
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  if (problem.law.friction[0] > 0) return;  // its lateral strain would slide
+  for (int i = 0; i < problem.surface.node_count(); ++i)
+    RC_ASSERT(std::abs(solution.force(0, i) + 10 * problem.surface.area[i]) <
+              1e-9 * problem.surface.area[i]);
+}
+
+/// u = (g z, 0, -e z) with G g = mu (lambda + 2 G) e slips everywhere under a uniform
+/// pressure (lambda + 2 G) e.
+RC_GTEST_PROP(SolidContact, homogeneous_slip_is_exact, (Random random)) {
+  const double mu = 0.5, lambda = 13e3 * 0.2 / 0.72, G = 13e3 / 2.4, e = 1e-3,
+               g = mu * (lambda + 2 * G) * e / G;
+  SolidProblem problem(irregular_solid(random), mu);
+  const SolidField exact = [=](const Vector3d& x) {
+    return Vector3d(0.1 + g * x.z(), 0, -e * x.z());
+  };
+  for (int side : {high_z, low_x, high_x, low_y, high_y})
+    for (int v : vertices_on(problem.mesh, side)) {
+      const Vector3d x = problem.mesh.vertices.col(v);
+      if (x.z() == 0) continue;
+      for (int c = 0; c < 3; ++c) problem.prescribe(v, c, exact(x)[c]);
+    }
+  // the faces of those sides at the bottom edge have free dofs and tractions
+  const Matrix3d sigma = (Matrix3d() << -lambda * e, 0, G * g, 0, -lambda * e,
+                          0, G * g, 0, -(lambda + 2 * G) * e)
+                             .finished();
+  for (int side : {low_x, high_x, low_y, high_y}) {
+    Vector3d n = Vector3d::Zero();
+    n[(side - 1) / 2] = side % 2 == 1 ? -1 : 1;
+    SolidProblem loaded = problem;
+    loaded.load(side, sigma * n);
+    for (Index dof = 0; dof < problem.b.size(); ++dof)
+      if (problem.A.coeff(dof, dof) < 1e20) problem.b[dof] = loaded.b[dof];
+  }
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  const VectorXd expected = nodal_values(problem.mesh, exact);
+  RC_ASSERT((solution.displacement - expected).norm() < 1e-9 * expected.norm());
+}
+
+/// Dragged by its top, friction opposes slip at every node.
+TEST(SolidContact, friction_opposes_slip_in_any_direction) {
+  for (double angle : {0.0, 0.3, 1.0, 2.0, 4.0}) {
+    SolidProblem problem(brick({3, 3, 2}, {3, 3, 2}), 0.3);
+    const Vector3d drag(0.1 * std::cos(angle), 0.1 * std::sin(angle), -1e-3);
+    problem.move(high_z, [&](const Vector3d&) { return drag; });
+    const SurfaceSolution solution = problem.solve();
+    ASSERT_TRUE(solution.accepted({}));
+    for (int i = 0; i < problem.surface.node_count(); ++i) {
+      const Vector3d F = solution.force.col(i);
+      EXPECT_NEAR(F.tail<2>().norm(), -0.3 * F[0], 1e-12 * F.norm());
+    }
+    const Vector3d sum = solution.force.rowwise().sum();
+    EXPECT_NEAR(std::remainder(std::atan2(-sum[2], -sum[1]) - angle, 2 * pi), 0,
+                0.02);
+  }
+}
+
+/// A circular cone: a pyramid would hold up to 1.41 mu N in some direction.
+TEST(SolidContact, a_block_slides_at_mu_N_in_every_direction) {
+  for (double angle : {0.0, 0.3, pi / 4, 1.2, 3.0, 5.5}) {
+    const Vector3d lateral(std::cos(angle), std::sin(angle), 0);
+    const auto loaded = [&](double share) {
+      SolidProblem problem(brick({4, 4, 1}, {8, 8, 2}), 0.3);
+      problem.load(high_z, {0, 0, -10});
+      // at the height of the plane, so that it does not tilt: a body load would
+      for (int i = 0; i < problem.surface.node_count(); ++i)
+        problem.b.segment<3>(3 * problem.surface.vertex[i]) +=
+            share * 0.3 * 10 * problem.surface.area[i] * lateral;
+      return problem;
+    };
+    const SurfaceSolution held = loaded(0.99).solve();
+    EXPECT_TRUE(held.accepted({})) << angle;
+    EXPECT_NE(refusal([&] { loaded(1.01).solve(); }).find("no equilibrium"),
+              std::string::npos)
+        << angle;
+  }
+}
+
+TEST(SolidContact, prescribed_penetration_is_refused_with_its_place) {
+  SolidProblem problem(brick({2, 2, 2}, {1, 1, 1}), 0.3);
+  problem.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
+  for (int c = 0; c < 3; ++c) problem.prescribe(4, c, c == 2 ? -0.1 : 0);
+  EXPECT_NE(refusal([&] { problem.solve(); }).find("vertex 4 (0.5, 0.5, 0)"),
+            std::string::npos)
+      << refusal([&] { problem.solve(); });
+}
+
+/// In a corner of three planes, pressed into it.
+RC_GTEST_PROP(SolidContact, in_a_corner_of_three_planes, (Random random)) {
+  SolidProblem problem(irregular_solid(random), *real(0, 0.4),
+                       {low_x, low_y, low_z});
+  problem.load(high_z, {0, 0, -3});
+  problem.load(high_x, {-2, 0, 0});
+  problem.load(high_y, {0, -1, 0});
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+}
+
+}  // namespace
+}  // namespace ffcontact
