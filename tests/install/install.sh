@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # install.sh BUILD SCRATCH COMPILER FLAGS: installs the build into SCRATCH, runs scripts with the installed command, and builds
-# and runs a project that uses the installed library.
+# and runs the example that uses the installed library.
 set -euo pipefail
 build=$1 scratch=$2 compiler=$3 flags=${4//;/ }
-consumer=$(dirname "${BASH_SOURCE[0]}")/consumer
 rm -rf "$scratch"
 mkdir -p "$scratch"
 prefix=$scratch/prefix
@@ -34,7 +33,7 @@ if [ -f "$build/freefem" ]; then
   for file in README.md plugin/README.md .images/block_pressed.png LICENSE CITATION.cff; do [ -f "$prefix/share/doc/ffcontact/$file" ]; done
 fi
 
-cmake -G Ninja -S "$consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_CXX_COMPILER="$compiler" \
-  -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release >"$scratch/configure.log"
-cmake --build "$scratch/consumer"
-"$scratch/consumer/consumer"
+cmake -G Ninja -S "$prefix/share/ffcontact/examples/cpp" -B "$scratch/block" -DCMAKE_PREFIX_PATH="$prefix" \
+  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_BUILD_TYPE=Release >"$scratch/configure.log"
+cmake --build "$scratch/block"
+"$scratch/block/block" | grep '^normal force -200 N/mm, eps 1\.17'

@@ -13,5 +13,5 @@ for i in "${!order[@]}"; do
   [ -z "$later" ] && continue
   grep -rnE "^ *# *include *[<\"]ffcontact/($later)/" "cpp/ffcontact/${order[i]}" && failed=1
 done
-grep -rnE '^ *# *include *[<"](\.\./|ffcontact/ffcontact\.hpp)' cpp && failed=1
+grep -rnE '^ *# *include *[<"](\.\./|ffcontact/ffcontact\.hpp)' cpp/ffcontact && failed=1
 exit $failed
