@@ -7,7 +7,8 @@
 
 namespace ffcontact {
 
-/// P A Q = L U of a sparse square matrix by Eigen, compiled once, as least_squares.
+/// P A Q = L U of a sparse square matrix by Eigen, compiled once, as least_squares. That
+/// of the identity costs nothing.
 class SparseLu {
  public:
   /// @param A  square, not empty

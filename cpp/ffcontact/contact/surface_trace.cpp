@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/surface_trace.hpp"
 
+#include <Eigen/LU>
 #include <map>
 #include <utility>
 
@@ -17,8 +18,8 @@ constexpr double moved = 1e-3;
 
 using Directions = Matrix<double, 3, Dynamic>;
 
-/// How a vertex moves: displacement = directions w, its components w numbered from
-/// `column` on.
+/// How a vertex moves: displacement = directions w, its components w, which are v of the
+/// primary rows, numbered from `column` on.
 struct Motion {
   int column;
   Directions directions;
@@ -77,18 +78,31 @@ class TraceBuilder {
     const Matrix3d frame = surface_.frame(node);
     const Directions axes = free_axes(vertex, prescribed_);
     const std::vector<int> rows = moved_components(frame, axes);
-    const auto [found, is_first] = motions_.emplace(
-        vertex,
-        Motion{components_, axes.cols() == 3 ? Directions(frame) : axes});
+    const Directions moving = frame(Eigen::all, rows);
+    const auto [found, is_first] =
+        motions_.emplace(vertex, Motion{components_, with_unit(moving, axes)});
     if (is_first) {
       components_ += static_cast<int>(axes.cols());
       for (int c : rows) primary_.push_back(3 * node + c);
     }
-    for (int c : rows) add_row(3 * node + c, frame.col(c), found->second);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      held_[3 * node + rows[k]] = 0;
+      if (is_first)
+        entries_.emplace_back(3 * node + rows[k], found->second.column + k, 1);
+      else
+        add_row(3 * node + rows[k], moving.col(k), found->second);
+    }
+  }
+
+  /// The displacements along free axes that have the components 1, one after the other,
+  /// along as many directions.
+  static Directions with_unit(const Directions& moving,
+                              const Directions& axes) {
+    if (axes.cols() == 3) return moving;  // orthonormal
+    return axes * (moving.transpose() * axes).inverse();
   }
 
   void add_row(int row, const Vector3d& direction, const Motion& motion) {
-    held_[row] = 0;
     const Directions& axes = motion.directions;
     for (Index k = 0; k < axes.cols(); ++k)
       entries_.emplace_back(row, motion.column + k, direction.dot(axes.col(k)));
