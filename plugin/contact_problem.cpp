@@ -24,10 +24,6 @@ JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
   return joined_mesh(meshes);
 }
 
-/// What is stated for each body.
-const NamedArguments::Table stated_of_bodies = {
-    {"label", &typeid(KN_<long>)}, {"previous", &typeid(KN<double>*)}};
-
 void append(const VectorXd& values, VectorXd& all) {
   const Index before = all.size();
   all.conservativeResize(before + values.size());
@@ -42,17 +38,6 @@ void append(const Matrix2Xd& values, Matrix2Xd& all) {
 
 }  // namespace
 
-NamedArguments::Table ContactProblem::table(const basicAC_F0& arguments) {
-  NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
-  table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
-                             {"friction", &typeid(double)},
-                             {"slipbound", &typeid(double)},
-                             {"gap", &typeid(double)},
-                             {"normal", &typeid(E_Array)},
-                             {"side", &typeid(KN_<long>)}});
-  return table;
-}
-
 Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
   return named.choice(
       stack, "multiplier", Multiplier::force,
@@ -61,7 +46,13 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
 
 ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
                                const std::vector<pmesh>& meshes)
-    : joined(joined_meshes(meshes)),
+    : ContactProblem(stack, named, meshes, joined_meshes(meshes)) {}
+
+ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
+                               const std::vector<pmesh>& meshes,
+                               JoinedMesh whole)
+    : BodyDofs(2, whole.first_vertex),
+      joined(std::move(whole)),
       fem_meshes(meshes.begin(), meshes.end()),
       topology_{joined.mesh, edges_of(joined.mesh), {}} {
   const int bodies = body_count();
@@ -87,7 +78,7 @@ const Topology& ContactProblem::topology() const {
 }
 
 void ContactProblem::read_previous(Stack stack, const NamedArguments& named) {
-  VectorXd previous = VectorXd::Zero(2 * mesh.vertices.cols());
+  VectorXd previous = VectorXd::Zero(dof_count());
   bool incremental = false;
   for (int k = 0; k < body_count(); ++k) {
     const std::string name = name_of_body("previous", k, body_count());
@@ -239,20 +230,6 @@ void ContactProblem::join_carriers() {
   if (previous_.size() > 0)
     law.previous = contact_components(line, previous_).row(1);
   require_valid(law, line);
-}
-
-void ContactProblem::require_dofs(const char* name, int body,
-                                  Index count) const {
-  if (count != dof_count(body))
-    refuse(name, " has size ", count, " but [P1, P1] has ", dof_count(body),
-           " dofs on this mesh");
-}
-
-void ContactProblem::require_bodies(const char* names,
-                                    std::size_t count) const {
-  if (static_cast<int>(count) != body_count())
-    refuse(names, " are given for ", count, " bodies, but the contact has ",
-           body_count());
 }
 
 Matrix2Xd ContactProblem::pressures(KN<double>* normal,

@@ -7,6 +7,8 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/topology.hpp"
 //
+#include "body_dofs.hpp"
+#include "held_mesh.hpp"
 #include "views.hpp"
 
 namespace ffcontact::plugin {
@@ -14,20 +16,6 @@ namespace ffcontact::plugin {
 /// Reads multiplier=: what pn and pt stand for.
 /// @throws std::invalid_argument  if it is neither "force" nor "pressure"
 Multiplier multiplier_of(Stack stack, const NamedArguments& named);
-
-/// A FreeFEM mesh that stays as long as this does, also when the script changes its
-/// variable.
-class HeldMesh {
- public:
-  explicit HeldMesh(pmesh mesh) : mesh_(mesh) { mesh_->increment(); }
-  HeldMesh(const HeldMesh& other) : HeldMesh(other.mesh_) {}
-  HeldMesh& operator=(const HeldMesh&) = delete;
-  ~HeldMesh() { mesh_->destroy(); }
-  const Fem2D::Mesh& operator*() const { return *mesh_; }
-
- private:
-  pmesh mesh_;
-};
 
 /// A contact problem as a script states it: one mesh or several, and label=, friction=,
 /// slipbound=, gap=, normal=[nx, ny] (one contact direction a vertex in place of the
@@ -45,10 +33,10 @@ class HeldMesh {
 /// The multipliers are on the line of the body that comes first (side 1), or, where the
 /// other's line can carry them and yields much more (compliance_ratio), on that (side 2).
 /// Both are prepared; it is side 1 until choose_sides knows the matrices.
-struct ContactProblem {
+struct ContactProblem : BodyDofs {
   JoinedMesh joined;
   const Mesh& mesh = joined.mesh;
-  std::vector<HeldMesh> fem_meshes;
+  std::vector<HeldMesh<Fem2D::Mesh>> fem_meshes;
   const Edges& edges = topology_.edges;
   ContactLine line;
   ContactLaw law;  ///< multiplier left at its default
@@ -62,8 +50,6 @@ struct ContactProblem {
       edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
-
-  static NamedArguments::Table table(const basicAC_F0& arguments);
 
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   ContactProblem(Stack stack, const NamedArguments& named,
@@ -79,24 +65,13 @@ struct ContactProblem {
   /// @throws std::invalid_argument  if a body touches itself in a single vertex
   const Topology& topology() const;
 
-  int body_count() const { return joined.body_count(); }
-  Index first_dof(int body) const { return 2 * joined.first_vertex[body]; }
-  Index dof_count(int body) const {
-    return first_dof(body + 1) - first_dof(body);
-  }
-
-  /// @throws std::invalid_argument  if `count` is not the number of dofs of [P1, P1] on
-  ///                                the mesh of a body
-  void require_dofs(const char* name, int body, Index count) const;
-
-  /// @throws std::invalid_argument  if what a function takes of each body is not given
-  ///                                for all of them
-  void require_bodies(const char* names, std::size_t count) const;
-
   /// Nodal pressures from the script's pn and pt [2 x p].
   Matrix2Xd pressures(KN<double>* normal, KN<double>* tangential) const;
 
  private:
+  ContactProblem(Stack stack, const NamedArguments& named,
+                 const std::vector<pmesh>& meshes, JoinedMesh whole);
+
   /// The line of one pair of bodies that carries the multipliers, with what belongs to
   /// its nodes and edges.
   struct Carrier {

@@ -39,6 +39,20 @@ VectorXd stated_gap(Stack stack, const NamedArguments& named,
 
 }  // namespace
 
+const NamedArguments::Table stated_of_bodies = {
+    {"label", &typeid(KN_<long>)}, {"previous", &typeid(KN<double>*)}};
+
+NamedArguments::Table statement_table(const basicAC_F0& arguments) {
+  NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
+  table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
+                             {"friction", &typeid(double)},
+                             {"slipbound", &typeid(double)},
+                             {"gap", &typeid(double)},
+                             {"normal", &typeid(E_Array)},
+                             {"side", &typeid(KN_<long>)}});
+  return table;
+}
+
 std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
                                const std::string& name,
                                const JoinedMesh& joined, int body) {

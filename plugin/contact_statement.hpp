@@ -12,6 +12,12 @@
 /// What the parameters of a statement say of labels, line, law and side.
 namespace ffcontact::plugin {
 
+/// What is stated for each body.
+extern const NamedArguments::Table stated_of_bodies;
+
+/// The parameters of a statement.
+NamedArguments::Table statement_table(const basicAC_F0& arguments);
+
 /// The labels of one body in the joined mesh's numbering.
 /// @throws std::invalid_argument  if one of several bodies has none, or a label is on no
 ///                                boundary edge of the body

@@ -3,6 +3,7 @@
 
 #include "ffcontact/base/require.hpp"
 //
+#include "contact_statement.hpp"
 #include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
@@ -11,25 +12,34 @@ namespace ffcontact::plugin {
 
 namespace {
 
-using Problem = std::shared_ptr<ContactProblem>;
-
-/// The value of contact(Th, ...), for an assignment.
+/// The value of contact(Th, ...), for an assignment: one of them is null.
 struct ContactStatement {
-  Problem problem;
+  std::shared_ptr<ContactProblem> plane;
+  std::shared_ptr<const SolidProblem> solid;
 };
 
+ContactStatement stated(Stack stack, const NamedArguments& named,
+                        const std::vector<pmesh>& meshes) {
+  return {std::make_shared<ContactProblem>(stack, named, meshes), nullptr};
+}
+
+ContactStatement stated(Stack stack, const NamedArguments& named,
+                        const std::vector<pmesh3>& meshes) {
+  return {nullptr, std::make_shared<const SolidProblem>(stack, named, meshes)};
+}
+
 /// The meshes and named parameters of a statement, from its first mesh on.
+template <class MeshPointer>
 class StatementArguments {
  public:
   StatementArguments(const basicAC_F0& arguments, int first_mesh)
-      : named_(arguments, ContactProblem::table(arguments)) {
+      : named_(arguments, statement_table(arguments)) {
     for (int k = first_mesh; k < arguments.size(); ++k)
-      meshes_.push_back(to<pmesh>(arguments[k]));
+      meshes_.push_back(to<MeshPointer>(arguments[k]));
   }
 
-  Problem problem(Stack stack) const {
-    return std::make_shared<ContactProblem>(stack, named_,
-                                            values_of<pmesh>(stack, meshes_));
+  ContactStatement statement(Stack stack) const {
+    return stated(stack, named_, values_of<MeshPointer>(stack, meshes_));
   }
 
  private:
@@ -44,13 +54,16 @@ std::map<long, Contact>& contacts() {
 }
 
 /// A new problem in a variable: the last states stay, to start from.
-void state(ContactVariable* variable, Problem problem) {
+void state(ContactVariable* variable, ContactStatement statement) {
   Contact& contact = contact_of(*variable);
   contact.solved.reset();
-  contact.problem = std::move(problem);
+  contact.solid.solved.reset();
+  contact.problem = std::move(statement.plane);
+  contact.solid.problem = std::move(statement.solid);
 }
 
 /// contact C(Th, label=, friction=, ...);   contact C(T1, T2, label1=, label2=, friction=, ...);
+template <class MeshPointer>
 class StateContact : public E_F0mps {
  public:
   using Result = ContactVariable*;
@@ -59,7 +72,7 @@ class StateContact : public E_F0mps {
       : variable_(to<ContactVariable*>(arguments[0])),
         arguments_(arguments, 1) {}
   static ArrayOfaType typeargs() {
-    return ArrayOfaType(atype<ContactVariable*>(), atype<pmesh>(), true);
+    return ArrayOfaType(atype<ContactVariable*>(), atype<MeshPointer>(), true);
   }
   static E_F0* f(const basicAC_F0& arguments) {
     return new StateContact(arguments);
@@ -69,24 +82,27 @@ class StateContact : public E_F0mps {
     return guarded("contact", [&] {
       auto* variable = value_of<ContactVariable*>(stack, variable_);
       variable->init();  // FreeFEM does it where nothing is stated
-      state(variable, arguments_.problem(stack));
+      state(variable, arguments_.statement(stack));
       return SetAny<ContactVariable*>(variable);
     });
   }
 
  private:
   Expression variable_;
-  StatementArguments arguments_;
+  StatementArguments<MeshPointer> arguments_;
 };
 
 /// contact(Th, label=, ...), in C = contact(Th, label=, ...)
+template <class MeshPointer>
 class MakeStatement : public E_F0mps {
  public:
   using Result = ContactStatement*;
 
   explicit MakeStatement(const basicAC_F0& arguments)
       : arguments_(arguments, 0) {}
-  static ArrayOfaType typeargs() { return ArrayOfaType(atype<pmesh>(), true); }
+  static ArrayOfaType typeargs() {
+    return ArrayOfaType(atype<MeshPointer>(), true);
+  }
   static E_F0* f(const basicAC_F0& arguments) {
     return new MakeStatement(arguments);
   }
@@ -94,79 +110,25 @@ class MakeStatement : public E_F0mps {
   AnyType operator()(Stack stack) const override {
     return guarded("contact", [&] {
       return SetAny<ContactStatement*>(Add2StackOfPtr2Free(
-          stack, new ContactStatement{arguments_.problem(stack)}));
+          stack, new ContactStatement(arguments_.statement(stack))));
     });
   }
 
  private:
-  StatementArguments arguments_;
+  StatementArguments<MeshPointer> arguments_;
 };
 
 ContactVariable* initialize(ContactVariable* const& variable,
                             ContactStatement* const& statement) {
   variable->init();
-  state(variable, statement->problem);
+  state(variable, *statement);
   return variable;
 }
 
 ContactVariable* assign(ContactVariable* const& variable,
                         ContactStatement* const& statement) {
-  state(variable, statement->problem);
+  state(variable, *statement);
   return variable;
-}
-
-const ContactProblem& problem_of(const Contact& contact) {
-  if (!contact.problem)
-    refuse("the contact is not stated: contact C(Th, label=, friction=)");
-  return *contact.problem;
-}
-
-/// Arrays that members give are the script's own until the statement ends.
-template <class Value, class Values>
-KN<Value>* array_of(Stack stack, const Values& values) {
-  auto* array = new KN<Value>(static_cast<long>(values.size()));
-  std::copy(values.begin(), values.end(), static_cast<Value*>(*array));
-  return Add2StackOfPtr2Free(stack, array);
-}
-
-template <VectorXd NodalResults::*values>
-KN<double>* nodal_values(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    return array_of<double>(
-        stack, solved_contact(contact_of(*variable)).nodes.*values);
-  });
-}
-
-KN<long>* states(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    return array_of<long>(stack,
-                          solved_contact(contact_of(*variable)).nodes.state);
-  });
-}
-
-KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    return array_of<long>(stack, problem_of(contact_of(*variable)).own_vertex);
-  });
-}
-
-KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    return array_of<double>(stack, problem_of(contact_of(*variable)).abscissa);
-  });
-}
-
-KN<long>* sides(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    return array_of<long>(stack, problem_of(contact_of(*variable)).side);
-  });
-}
-
-template <class Result>
-void add_member(const char* name,
-                Result (*value)(Stack, ContactVariable* const&)) {
-  Add<ContactVariable*>(name, ".",
-                        new OneOperator1s_<Result, ContactVariable*>(value));
 }
 
 }  // namespace
@@ -187,15 +149,37 @@ Contact& contact_of(const ContactVariable& variable) {
   return found->second;
 }
 
-Contact& stated_contact(Stack stack, Expression variable) {
+Contact& stated_contact_of_any(Stack stack, Expression variable) {
   Contact& contact = contact_of(*value_of<ContactVariable*>(stack, variable));
-  problem_of(contact);
+  require_stated(contact);
   return contact;
 }
 
+Contact& stated_contact(Stack stack, Expression variable) {
+  Contact& contact = stated_contact_of_any(stack, variable);
+  plane_problem(contact);
+  return contact;
+}
+
+void require_stated(const Contact& contact) {
+  if (!contact.problem && !contact.solid.problem)
+    refuse("the contact is not stated: contact C(Th, label=, friction=)");
+}
+
+const ContactProblem& plane_problem(const Contact& contact) {
+  if (contact.solid.problem)
+    refuse(
+        "the contact is that of a mesh3, but this is for plane bodies so far");
+  require_stated(contact);
+  return *contact.problem;
+}
+
+void refuse_unsolved() {
+  refuse("the contact is not solved: call contactsolve first");
+}
+
 const SolvedContact& solved_contact(const Contact& contact) {
-  if (!contact.solved)
-    refuse("the contact is not solved: call contactsolve first");
+  if (!contact.solved) refuse_unsolved();
   return *contact.solved;
 }
 
@@ -204,7 +188,8 @@ void register_contact_type() {
   Dcl_Type<ContactStatement*>();
   zzzfff->Add("contact", atype<ContactVariable*>());
   TheOperators->Add(
-      "<-", new OneOperatorCode<StateContact>(),
+      "<-", new OneOperatorCode<StateContact<pmesh>>(),
+      new OneOperatorCode<StateContact<pmesh3>>(),
       new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(
           initialize));
   TheOperators->Add(
@@ -212,17 +197,9 @@ void register_contact_type() {
       new OneOperator2_<ContactVariable*, ContactVariable*, ContactStatement*>(
           assign));
   atype<ContactVariable*>()->Add("<--", "(",
-                                 new OneOperatorCode<MakeStatement>());
-  add_member("pn", nodal_values<&NodalResults::pn>);
-  add_member("pt", nodal_values<&NodalResults::pt>);
-  add_member("fn", nodal_values<&NodalResults::fn>);
-  add_member("ft", nodal_values<&NodalResults::ft>);
-  add_member("gap", nodal_values<&NodalResults::gap>);
-  add_member("slip", nodal_values<&NodalResults::slip>);
-  add_member("state", states);
-  add_member("node", nodes);
-  add_member("abscissa", abscissae);
-  add_member("side", sides);
+                                 new OneOperatorCode<MakeStatement<pmesh>>(),
+                                 new OneOperatorCode<MakeStatement<pmesh3>>());
+  register_contact_members();
 }
 
 }  // namespace ffcontact::plugin

@@ -9,6 +9,7 @@
 #include "ffcontact/estimate/estimate.hpp"
 //
 #include "contact_problem.hpp"
+#include "solid_contact.hpp"
 
 namespace ffcontact::plugin {
 
@@ -32,13 +33,15 @@ struct SolvedContact {
   std::shared_ptr<const Estimate> estimate;
 };
 
-/// What a script variable of type `contact` holds.
+/// What a script variable of type `contact` holds: a contact of plane bodies, or of a
+/// solid.
 struct Contact {
   std::shared_ptr<ContactProblem> problem;  ///< null until it is stated
   std::optional<SolvedContact> solved;
   /// of the last solution: the next one starts from them
   std::vector<ContactState> last_states;
   VectorXd last_abscissa;  ///< where they were
+  SolidContact solid;
 };
 
 /// The script variable: FreeFEM gives it memory, calls init() and destroy(). It is a
@@ -56,10 +59,21 @@ Contact& contact_of(const ContactVariable& variable);
 
 /// The contact that an argument of a script function names.
 /// @throws std::invalid_argument  if it was never stated
+Contact& stated_contact_of_any(Stack stack, Expression variable);
+
+/// The same of plane bodies.
+/// @throws std::invalid_argument  if it was never stated, or is that of a solid
 Contact& stated_contact(Stack stack, Expression variable);
 
 /// The solution of that contact.
 /// @throws std::invalid_argument  if it was not solved
 const SolvedContact& solved_contact(const Contact& contact);
+
+/// @throws std::invalid_argument  if the contact is that of a solid
+const ContactProblem& plane_problem(const Contact& contact);
+/// @throws std::invalid_argument  if the contact was never stated
+void require_stated(const Contact& contact);
+/// Says that a contact is not solved.
+[[noreturn]] void refuse_unsolved();
 
 }  // namespace ffcontact::plugin

@@ -131,8 +131,7 @@ class ConeCorrectionFunction : public E_F0mps {
     const ContactProblem& problem = *contact.problem;
     const Expression A = named_.expression("A");
     if (!A && contact.solved) return contact.solved->system->prescribed;
-    if (!A)
-      return std::vector<char>(problem.first_dof(problem.body_count()), 0);
+    if (!A) return std::vector<char>(problem.dof_count(), 0);
     problem.require_bodies("A", 1);
     const RowMatrix matrix =
         matrix_of(value_of<Matrice_Creuse<double>*>(stack, A));

@@ -4,6 +4,7 @@
 namespace ffcontact::plugin {
 
 void register_contact_type();          ///< contact
+void register_contact_members();       ///< C.pn, ...; after the type
 void register_contact_functions();     ///< contactsolve
 void register_multiplier_functions();  ///< contactproject, conecorrection
 void register_estimate_functions();    ///< contacterror

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 //
 #include "coulomb.hpp"
@@ -26,12 +27,14 @@ const char* remedy(ContactStatus status) {
 }
 
 /// Does no free dof of the node's vertex move it along its normal?
-bool is_held_along_normal(const ContactLine& line, const ElasticSystem& system,
+/// @param nodes  of a line or surface
+template <class Nodes>
+bool is_held_along_normal(const Nodes& nodes, const ElasticSystem& system,
                           int node) {
   constexpr double tangential = 1e-3;
-  for (int c = 0; c < 2; ++c)
-    if (!system.prescribed[2 * line.vertex[node] + c] &&
-        std::abs(line.normal(c, node)) > tangential)
+  for (Index c = 0; c < nodes.normal.rows(); ++c)
+    if (!system.prescribed[nodes.normal.rows() * nodes.vertex[node] + c] &&
+        std::abs(nodes.normal(c, node)) > tangential)
       return false;
   return true;
 }
@@ -42,14 +45,13 @@ int number_in_its_mesh(const JoinedMesh& joined, int vertex) {
                                      joined.first_vertex.end() - 1, vertex));
 }
 
-/// The vertices of the line whose normal dof is prescribed, as their meshes number them.
-std::vector<int> held_vertices(const ContactProblem& problem,
+/// The vertices of the nodes whose normal dof is prescribed.
+template <class Nodes>
+std::vector<int> held_vertices(const Nodes& nodes,
                                const ElasticSystem& system) {
   std::vector<int> held;
-  for (int i = 0; i < problem.line.node_count(); ++i)
-    if (is_held_along_normal(problem.line, system, i))
-      held.push_back(
-          number_in_its_mesh(problem.joined, problem.line.vertex[i]));
+  for (int i = 0; i < nodes.node_count(); ++i)
+    if (is_held_along_normal(nodes, system, i)) held.push_back(nodes.vertex[i]);
   return held;
 }
 
@@ -62,31 +64,31 @@ std::string listed(const std::vector<int>& numbers) {
   return list.str() + (numbers.size() > most ? ", ..." : "");
 }
 
-/// Part of a sentence that names held vertices.
-std::string advice_on(const std::vector<int>& held) {
+/// @param where  what they are on, and its parts
+std::string advice_on(const std::vector<int>& held, const char* where,
+                      const char* parts) {
   if (held.empty()) return "";
-  return "; on() prescribes the normal displacement on the contact line at "
-         "vertex " +
-         listed(held) +
-         ": leave it free there, or take these edges out of label=";
+  return std::string("; on() prescribes the normal displacement on the ") +
+         where + " at vertex " + listed(held) +
+         ": leave it free there, or take these " + parts + " out of label=";
 }
 
 /// Part of a sentence that says which side of each pair of bodies carries the
 /// multipliers.
-std::string sides(const ContactProblem& problem) {
+std::string sides(const std::vector<long>& side) {
   std::ostringstream text;
-  for (std::size_t k = 0; k < problem.side.size(); ++k)
-    text << (k > 0 ? ", " : " on side ") << problem.side[k];
+  for (std::size_t k = 0; k < side.size(); ++k)
+    text << (k > 0 ? ", " : " on side ") << side[k];
   return text.str();
 }
 
-void report_details(const ContactSolution& solution) {
-  if (!solution.history.empty())
-    cout << "contactsolve: " << solution.history.size()
+void report_details(const SolveAnswer& answer) {
+  if (!answer.history.empty())
+    cout << "contactsolve: " << answer.history.size()
          << " steps of the fixed point, last change of the normal multipliers "
-         << solution.history.back() << endl;
-  cout << "contactsolve: violation " << solution.complementarity
-       << ", residual " << solution.residual << endl;
+         << answer.history.back() << endl;
+  cout << "contactsolve: violation " << answer.violation << ", residual "
+       << answer.residual << endl;
 }
 
 }  // namespace
@@ -100,25 +102,46 @@ Counts counted(const std::vector<ContactState>& states) {
   return counts;
 }
 
-void refuse_solution(const ContactProblem& problem, const ElasticSystem& system,
-                     const ContactSolution& solution) {
-  refuse("no solution after ", solution.iterations, " iterations (",
-         in_words(solution.status), "), largest violation ",
-         solution.complementarity, ", residual ", solution.residual,
-         remedy(solution.status), "; status= returns the best iterate instead",
-         advice_on(held_vertices(problem, system)));
+void put(const SolveCall& call, const SolveAnswer& answer) {
+  const NamedArguments& named = call.named;
+  named.put(call.stack, "violation", answer.violation);
+  named.put(call.stack, "status", static_cast<long>(answer.status));
+  named.put(call.stack, "history", packed(answer.history));
+  named.put(call.stack, "opennodes", answer.counts.open);
+  named.put(call.stack, "sticknodes", answer.counts.stick);
+  named.put(call.stack, "slipnodes", answer.counts.slip);
 }
 
-void report_solution(long level, const ContactProblem& problem,
-                     const ContactSolution& solution, double seconds) {
-  if (level < 1 || mpirank != 0) return;
-  const Counts counts = counted(solution.state);
-  cout << "contactsolve: " << 2 * problem.mesh.vertex_count() << " dofs, "
-       << problem.line.node_count() << " contact nodes" << sides(problem)
-       << ", " << solution.iterations << " iterations, " << counts.open
-       << " open, " << counts.stick << " stick, " << counts.slip << " slip, "
-       << in_words(solution.status) << ", " << seconds << " s" << endl;
-  if (level > 1) report_details(solution);
+std::string advice_on_held(const ContactProblem& problem,
+                           const ElasticSystem& system) {
+  std::vector<int> held = held_vertices(problem.line, system);
+  for (int& vertex : held) vertex = number_in_its_mesh(problem.joined, vertex);
+  return advice_on(held, "contact line", "edges");
+}
+
+std::string advice_on_held(const SolidProblem& problem,
+                           const ElasticSystem& system) {
+  return advice_on(held_vertices(problem.surface, system), "contact surface",
+                   "faces");
+}
+
+void refuse_solution(const SolveAnswer& answer, const std::string& advice) {
+  refuse("no solution after ", answer.iterations, " iterations (",
+         in_words(answer.status), "), largest violation ", answer.violation,
+         ", residual ", answer.residual, remedy(answer.status),
+         "; status= returns the best iterate instead", advice);
+}
+
+void report_solution(const SolveCall& call, const BodyDofs& bodies,
+                     const std::vector<long>& side, const SolveAnswer& answer) {
+  if (call.verbosity() < 1 || mpirank != 0) return;
+  const auto& [open, stick, slip] = answer.counts;
+  cout << "contactsolve: " << bodies.dof_count() << " dofs, "
+       << open + stick + slip << " contact nodes" << sides(side) << ", "
+       << answer.iterations << " iterations, " << open << " open, " << stick
+       << " stick, " << slip << " slip, " << in_words(answer.status) << ", "
+       << CPUtime() - call.start << " s" << endl;
+  if (call.verbosity() > 1) report_details(answer);
 }
 
 void report_friction(long level, const ContactProblem& problem,

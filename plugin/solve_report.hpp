@@ -5,6 +5,7 @@
 
 #include "contact_type.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
+#include "solve_call.hpp"
 
 /// What contactsolve says of a solution, and of its failure.
 namespace ffcontact::plugin {
@@ -15,14 +16,37 @@ struct Counts {
 };
 Counts counted(const std::vector<ContactState>& states);
 
-/// Refuses a solution that was not accepted, with what the script can do about it.
-[[noreturn]] void refuse_solution(const ContactProblem& problem,
-                                  const ElasticSystem& system,
-                                  const ContactSolution& solution);
+/// What is said of a solution of plane bodies and of a solid alike.
+struct SolveAnswer {
+  ContactStatus status;
+  int iterations;
+  double violation, residual;
+  std::vector<double> history;
+  Counts counts;
+};
+template <class Solution>
+SolveAnswer answer_of(const Solution& solution) {
+  return {solution.status,   solution.iterations, solution.complementarity,
+          solution.residual, solution.history,    counted(solution.state)};
+}
 
-/// @param level  verbosity: one line at 1, details above
-void report_solution(long level, const ContactProblem& problem,
-                     const ContactSolution& solution, double seconds);
+/// violation=, status=, history=, opennodes=, sticknodes=, slipnodes=
+void put(const SolveCall& call, const SolveAnswer& answer);
+
+/// Part of a sentence that names the vertices that on() holds along their normals.
+std::string advice_on_held(const ContactProblem& problem,
+                           const ElasticSystem& system);
+std::string advice_on_held(const SolidProblem& problem,
+                           const ElasticSystem& system);
+
+/// Refuses a solution that was not accepted, with what the script can do about it.
+[[noreturn]] void refuse_solution(const SolveAnswer& answer,
+                                  const std::string& advice);
+
+/// By verbosity: one line at 1, details above.
+/// @param side  of each pair of bodies
+void report_solution(const SolveCall& call, const BodyDofs& bodies,
+                     const std::vector<long>& side, const SolveAnswer& answer);
 
 /// Says that a second solution is near or may exist (critical_friction).
 void report_friction(long level, const ContactProblem& problem,

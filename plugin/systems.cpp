@@ -3,21 +3,23 @@
 
 #include <utility>
 
+#include "views.hpp"
+
 namespace ffcontact::plugin {
 
-RowMatrix matrix_of_body(Stack stack, const ContactProblem& problem, int body,
+RowMatrix matrix_of_body(Stack stack, const BodyDofs& bodies, int body,
                          Expression matrix) {
   RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix));
-  problem.require_dofs("A", body, A.rows());
+  bodies.require_dofs("A", body, A.rows());
   return A;
 }
 
-VectorXd joined_displacement(const ContactProblem& problem,
+VectorXd joined_displacement(const BodyDofs& bodies,
                              const std::vector<KN<double>*>& u) {
-  VectorXd displacement(problem.first_dof(problem.body_count()));
-  for (int k = 0; k < problem.body_count(); ++k) {
-    problem.require_dofs("u", k, u[k]->N());
-    displacement.segment(problem.first_dof(k), problem.dof_count(k)) =
+  VectorXd displacement(bodies.dof_count());
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    bodies.require_dofs("u", k, u[k]->N());
+    displacement.segment(bodies.first_dof(k), bodies.dof_count(k)) =
         vector_of(u[k]);
   }
   return displacement;

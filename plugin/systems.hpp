@@ -3,19 +3,20 @@
 
 #include <vector>
 
-#include "contact_problem.hpp"
+#include "arguments.hpp"
+#include "body_dofs.hpp"
+#include "ffcontact/elastic/elastic_system.hpp"
 
 /// Matrices and displacements that a script gives of each body.
 namespace ffcontact::plugin {
 
-/// @throws std::invalid_argument  if it was never assigned, or is not that of [P1, P1] on
-///                                the mesh of the body
-RowMatrix matrix_of_body(Stack stack, const ContactProblem& problem, int body,
+/// @throws std::invalid_argument  if it was never assigned, or has not the dofs of the body
+RowMatrix matrix_of_body(Stack stack, const BodyDofs& bodies, int body,
                          Expression matrix);
 
 /// On all dofs.
-/// @throws std::invalid_argument  if one is not that of [P1, P1] on the mesh of its body
-VectorXd joined_displacement(const ContactProblem& problem,
+/// @throws std::invalid_argument  if one has not the dofs of its body
+VectorXd joined_displacement(const BodyDofs& bodies,
                              const std::vector<KN<double>*>& u);
 
 ElasticSystem joined(std::vector<ElasticSystem> systems);

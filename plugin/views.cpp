@@ -4,6 +4,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 //
+#include "point_evaluator.hpp"
 #include "views.hpp"
 
 namespace ffcontact::plugin {
@@ -13,18 +14,11 @@ namespace {
 /// Points of a contact edge at which a coefficient is evaluated.
 constexpr int samples_of_an_edge = 9;
 
-/// Evaluates expressions at points of the mesh and gives the script its current point
-/// back.
-class PointEvaluator {
+/// Evaluates expressions at points of a plane mesh.
+class PlanePoint : public PointEvaluator {
  public:
-  PointEvaluator(Stack stack, const Fem2D::Mesh& mesh)
-      : stack_(stack),
-        mesh_(mesh),
-        point_(MeshPointStack(stack)),
-        saved_(*point_) {}
-  ~PointEvaluator() { *point_ = saved_; }
-  PointEvaluator(const PointEvaluator&) = delete;
-  PointEvaluator& operator=(const PointEvaluator&) = delete;
+  PlanePoint(Stack stack, const Fem2D::Mesh& mesh)
+      : PointEvaluator(stack), mesh_(mesh) {}
 
   /// Goes to a boundary element, a share `s` of the way from its second local end to its
   /// first.
@@ -59,24 +53,9 @@ class PointEvaluator {
     const Fem2D::Triangle& triangle = mesh_[t];
     point_->set(mesh_, triangle(hat), hat, triangle, triangle.lab);
   }
-  /// What the evaluation made is freed at once: FreeFEM frees temporaries only at the end
-  /// of the statement. Those that were there before are the statement's own: texts of a
-  /// sum, a mesh among the arguments.
-  double value(Expression expression) const {
-    StackOfPtr2Free& temporaries = *WhereStackOfPtr2Free(stack_);
-    const auto own = count_of(temporaries);
-    const int own_memory = temporaries.topmemory4tmp;
-    const double result = GetAny<double>((*expression)(stack_));
-    temporaries.clean(own);
-    temporaries.topmemory4tmp = own_memory;  // clean() gives all of it away
-    return result;
-  }
 
  private:
-  Stack stack_;
   const Fem2D::Mesh& mesh_;
-  Fem2D::MeshPoint* point_;
-  Fem2D::MeshPoint saved_;
 };
 
 /// (h / pi)^2 |f - f~|^2 on one triangle, h = square root of twice its area; f~ is
@@ -172,7 +151,7 @@ VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
                   const StatedPlaces& places, double otherwise) {
   VectorXd values = VectorXd::Constant(line.node_count(), otherwise);
   if (!expression) return values;
-  PointEvaluator point(stack, part.fem_mesh);
+  PlanePoint point(stack, part.fem_mesh);
   for (
       int e = line.edge_count() - 1; e >= 0;
       --e)  // backwards: a node between two edges ends with the value of the first
@@ -188,7 +167,7 @@ VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
 MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
                      const Edges& edges, const StatedPlaces& places) {
   MatrixXd values(samples_of_an_edge, count_of(places));
-  PointEvaluator point(stack, part.fem_mesh);
+  PlanePoint point(stack, part.fem_mesh);
   for (std::size_t e = 0; e < places.size(); ++e)
     for (int k = 0; k < samples_of_an_edge; ++k) {
       point.go_to_edge(part, edges, places[e][k]);
@@ -201,7 +180,7 @@ VectorXd at_triangles(Stack stack, Expression expression,
                       const Fem2D::Mesh& fem_mesh, double otherwise) {
   VectorXd values = VectorXd::Constant(fem_mesh.nt, otherwise);
   if (!expression) return values;
-  PointEvaluator point(stack, fem_mesh);
+  PlanePoint point(stack, fem_mesh);
   for (int t = 0; t < fem_mesh.nt; ++t) {
     point.go_to_triangle(t);
     values[t] = point.value(expression);
@@ -214,7 +193,7 @@ Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
   Matrix4Xd moments = Matrix4Xd::Zero(4, mesh.boundary.cols());
   if (!Fx && !Fy) return moments;
   const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;
-  PointEvaluator point(stack, fem_mesh);
+  PlanePoint point(stack, fem_mesh);
   for (int e = 0; e < mesh.boundary.cols(); ++e) {
     const double length = (mesh.vertices.col(mesh.boundary(1, e)) -
                            mesh.vertices.col(mesh.boundary(0, e)))
@@ -236,7 +215,7 @@ BodyForce body_force_loads(Stack stack, Expression fx, Expression fy,
   BodyForce force{BodyLoadsOfAll::Zero(6, mesh.cells.cols()), 0};
   if (!fx && !fy) return force;
   const Fem2D::QuadratureFormular& quadrature = Fem2D::QuadratureFormular_T_5;
-  PointEvaluator point(stack, fem_mesh);
+  PlanePoint point(stack, fem_mesh);
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const double area = signed_area(mesh, t);
     Matrix<double, 2, Dynamic> f(2, quadrature.n);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # names.sh TOP: every function of the plugin and of ffcontact.idp, and every result of a contact, has its name in the reference,
-# and every named parameter in a section whose heading has the file's function (those of contact_problem.cpp: the contact's).
+# and every named parameter in a section whose heading has the file's function (those of contact_statement.cpp: the contact's).
 # The first lines of the page and "Several bodies" belong to all sections.
 set -euo pipefail
 cd "$1"
@@ -20,7 +20,7 @@ section() {
 for function in $(for file in plugin/*.cpp; do words "$file" 'Global\.Add\(' ', "\('; done) $(words edp/ffcontact.idp 'func mesh ' '\('); do
   grep -q "\b$function(" "$page" || missing "the function $function"
 done
-for result in $(words plugin/contact_type.cpp 'add_member\(' ','); do
+for result in $(words plugin/contact_members.cpp 'add_member\(' ','); do
   grep -q "\`C\.$result\`" "$page" || missing "C.$result"
 done
 for file in plugin/*.cpp; do

@@ -2,7 +2,8 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "ffcontact/mesh/near_origin.hpp"
 
 namespace ffcontact {
 
@@ -25,20 +26,6 @@ int span_of_labels(const std::vector<Mesh>& bodies) {
       highest = std::max(highest, body.boundary_label.maxCoeff());
     }
   return highest - lowest + 1;
-}
-
-/// A multiple of a power of two well above the size of the bodies: its difference to
-/// their coordinates is exact, and bodies within a few sizes of zero keep theirs.
-Vector2d origin_near(const Matrix2Xd& vertices) {
-  if (vertices.cols() == 0) return Vector2d::Zero();
-  const Vector2d lowest = vertices.rowwise().minCoeff(),
-                 highest = vertices.rowwise().maxCoeff();
-  const double size = (highest - lowest).norm(),
-               step = std::exp2(std::ceil(std::log2(size)) + 3);
-  const Vector2d middle = 0.5 * (lowest + highest);
-  if (!middle.allFinite() || !std::isnormal(step)) return Vector2d::Zero();
-  return {std::rint(middle.x() / step) * step,
-          std::rint(middle.y() / step) * step};
 }
 
 void make_room(JoinedMesh& joined) {
@@ -81,8 +68,7 @@ void put(const Mesh& body, int k, JoinedMesh& joined) {
 JoinedMesh joined_mesh(const std::vector<Mesh>& bodies) {
   JoinedMesh joined = room_for(bodies);
   for (int k = 0; k < joined.body_count(); ++k) put(bodies[k], k, joined);
-  joined.mesh.origin = origin_near(joined.mesh.vertices);
-  joined.mesh.vertices.colwise() -= joined.mesh.origin;
+  take_from_near_origin(joined.mesh);
   return joined;
 }
 

@@ -10,9 +10,7 @@ namespace ffcontact {
 /// Several bodies as one mesh of separate parts: all that is done vertex by vertex, edge
 /// by edge or triangle by triangle is then done for all bodies at once. Vertices,
 /// triangles and boundary edges of body k follow those of body k - 1; labels are shifted
-/// so that no two bodies share one. Coordinates are taken from an origin near bodies that
-/// are far from zero, without rounding: sums of coordinates, as in centroids, would lose
-/// the digits that the distance takes.
+/// so that no two bodies share one. Coordinates are those of take_from_near_origin.
 struct JoinedMesh {
   Mesh mesh;
   std::vector<int> first_vertex, first_triangle,

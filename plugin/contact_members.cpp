@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the script reads of a contact: C.pn, C.node, ...
+#include <algorithm>
+
+#include "contact_type.hpp"
+#include "guard.hpp"
+#include "registration.hpp"
+#include "result_names.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// Arrays that members give are the script's own until the statement ends.
+template <class Value, class Values>
+KN<Value>* array_of(Stack stack, const Values& values) {
+  auto* array = new KN<Value>(static_cast<long>(values.size()));
+  std::copy(values.begin(), values.end(), static_cast<Value*>(*array));
+  return Add2StackOfPtr2Free(stack, array);
+}
+
+const SolvedSolid& solved_solid(const Contact& contact) {
+  if (!contact.solid.solved) refuse_unsolved();
+  return *contact.solid.solved;
+}
+
+const Contact& stated_contact_of(const ContactVariable& variable) {
+  const Contact& contact = contact_of(variable);
+  require_stated(contact);
+  return contact;
+}
+
+template <VectorXd NodalResults::*plane>
+KN<double>* of_plane_bodies(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = contact_of(*variable);
+    if (contact.solid.problem) refuse_result_of_plane_bodies();
+    return array_of<double>(stack, solved_contact(contact).nodes.*plane);
+  });
+}
+
+template <VectorXd SolidResults::*solid>
+KN<double>* of_solids(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = contact_of(*variable);
+    if (contact.problem) refuse_result_of_solids();
+    return array_of<double>(stack, solved_solid(contact).nodes.*solid);
+  });
+}
+
+template <VectorXd NodalResults::*plane, VectorXd SolidResults::*solid>
+KN<double>* of_both(Stack stack, ContactVariable* const& variable) {
+  return contact_of(*variable).solid.problem
+             ? of_solids<solid>(stack, variable)
+             : of_plane_bodies<plane>(stack, variable);
+}
+
+KN<long>* states(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = contact_of(*variable);
+    return array_of<long>(stack, contact.solid.problem
+                                     ? solved_solid(contact).nodes.state
+                                     : solved_contact(contact).nodes.state);
+  });
+}
+
+KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    const SolidProblem* solid = contact.solid.problem.get();
+    return array_of<long>(
+        stack, solid ? solid->vertices() : contact.problem->own_vertex);
+  });
+}
+
+template <int component>
+KN<double>* normals(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    if (contact.problem) refuse_result_of_solids();
+    const VectorXd values =
+        contact.solid.problem->surface.normal.row(component);
+    return array_of<double>(stack, values);
+  });
+}
+
+KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    if (contact.solid.problem) refuse_result_of_plane_bodies();
+    return array_of<double>(stack, contact.problem->abscissa);
+  });
+}
+
+KN<long>* sides(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    return array_of<long>(
+        stack, contact.problem ? contact.problem->side : std::vector<long>());
+  });
+}
+
+template <class Result>
+void add_member(const char* name,
+                Result (*value)(Stack, ContactVariable* const&)) {
+  Add<ContactVariable*>(name, ".",
+                        new OneOperator1s_<Result, ContactVariable*>(value));
+}
+
+}  // namespace
+
+void register_contact_members() {
+  add_member("pn", of_both<&NodalResults::pn, &SolidResults::pn>);
+  add_member("pt", of_plane_bodies<&NodalResults::pt>);
+  add_member("pt1", of_solids<&SolidResults::pt1>);
+  add_member("pt2", of_solids<&SolidResults::pt2>);
+  add_member("fn", of_both<&NodalResults::fn, &SolidResults::fn>);
+  add_member("ft", of_plane_bodies<&NodalResults::ft>);
+  add_member("ft1", of_solids<&SolidResults::ft1>);
+  add_member("ft2", of_solids<&SolidResults::ft2>);
+  add_member("fx", of_solids<&SolidResults::fx>);
+  add_member("fy", of_solids<&SolidResults::fy>);
+  add_member("fz", of_solids<&SolidResults::fz>);
+  add_member("gap", of_both<&NodalResults::gap, &SolidResults::gap>);
+  add_member("slip", of_plane_bodies<&NodalResults::slip>);
+  add_member("slip1", of_solids<&SolidResults::slip1>);
+  add_member("slip2", of_solids<&SolidResults::slip2>);
+  add_member("nx", normals<0>);
+  add_member("ny", normals<1>);
+  add_member("nz", normals<2>);
+  add_member("state", states);
+  add_member("node", nodes);
+  add_member("abscissa", abscissae);
+  add_member("side", sides);
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plane_solve.hpp"
+
+#include <utility>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/nodal_pressures.hpp"
+//
+#include "coulomb.hpp"
+#include "result_names.hpp"
+#include "solve_report.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
+/// lengths.
+NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
+                           const std::vector<char>& prescribed,
+                           const ContactSolution& solution) {
+  const Matrix2Xd pressure =
+      law.multiplier == Multiplier::pressure
+          ? solution.pressure
+          : lumped_pressures(line, prescribed, solution.force);
+  const Matrix2Xd moved =
+      displacement_against_foundation(line, law, solution.displacement);
+  NodalResults results;
+  results.pn = pressure.row(0);
+  results.pt = pressure.row(1);
+  results.fn = solution.force.row(0);
+  results.ft = solution.force.row(1);
+  results.gap = -moved.row(0);
+  results.slip = moved.row(1);
+  results.state = state_numbers(solution.state);
+  return results;
+}
+
+ContactLaw law_of(const SolveCall& call, const Contact& contact) {
+  ContactLaw law = contact.problem->law;
+  law.multiplier = multiplier_of(call.stack, call.named);
+  if (!call.named.flag(call.stack, "loadstep")) return law;
+  if (contact.solved)
+    law.previous = contact_components(contact.problem->line,
+                                      contact.solved->solution.displacement)
+                       .row(1);
+  else if (!contact.last_states.empty() && law.previous.size() == 0)
+    refuse_load_step();
+  return law;
+}
+
+ContactSettings settings_of(const SolveCall& call, const Contact& contact,
+                            const ElasticSystem& system) {
+  ContactLine stated = contact.problem->line;
+  stated.abscissa = contact.problem->abscissa;
+  ContactSettings settings = settings_of(
+      call, states_at(stated, contact.last_abscissa, contact.last_states));
+  if (contact.solved && is_same(*contact.solved->system, system))
+    settings.stiffness = contact.solved->solution.stiffness;
+  return settings;
+}
+
+void put(const SolveCall& call, const ContactProblem& problem,
+         const NodalResults& nodes) {
+  const NamedArguments& named = call.named;
+  named.put(call.stack, "pn", nodes.pn);
+  named.put(call.stack, "pt", nodes.pt);
+  named.put(call.stack, "fn", nodes.fn);
+  named.put(call.stack, "ft", nodes.ft);
+  named.put(call.stack, "gap", nodes.gap);
+  named.put(call.stack, "slip", nodes.slip);
+  named.put_integers(call.stack, "node", problem.own_vertex);
+  named.put(call.stack, "abscissa", problem.abscissa);
+  named.put_integers(call.stack, "state", nodes.state);
+}
+
+}  // namespace
+
+long solve_plane(const SolveCall& call, Contact& contact) {
+  require_plane_results(call.named);
+  ContactProblem& problem = *contact.problem;
+  SolvedContact solved;
+  solved.system = std::make_shared<const ElasticSystem>(
+      system_of(call, problem, problem.mesh));
+  const ElasticSystem& system = *solved.system;
+  // and stays: what a solution left belongs to its line
+  if (!contact.solved) problem.choose_sides(system);
+  solved.law = law_of(call, contact);
+  const ContactSettings settings = settings_of(call, contact, system);
+  solved.solution =
+      solve_contact(problem.mesh, problem.line, solved.law, system, settings);
+  const ContactSolution& solution = solved.solution;
+  if (!solution.accepted(settings) && !call.named.given("status"))
+    refuse_solution(answer_of(solution), advice_on_held(problem, system));
+
+  write_displacement(call, problem, solution.displacement);
+  solved.nodes =
+      nodal_results(problem.line, solved.law, system.prescribed, solution);
+  put(call, problem, solved.nodes);
+  put(call, answer_of(solution));
+  report_solution(call, problem, problem.side, answer_of(solution));
+  report_friction(call.verbosity(), problem, solved);
+  contact.last_states = solution.state;
+  contact.last_abscissa = problem.abscissa;
+  contact.solved = std::move(solved);
+  return contact.solved->solution.iterations;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contact_type.hpp"
+#include "solve_call.hpp"
+
+namespace ffcontact::plugin {
+
+/// contactsolve on plane bodies; returns the iterations.
+long solve_plane(const SolveCall& call, Contact& contact);
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "result_names.hpp"
+
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact::plugin {
+
+void require_plane_results(const NamedArguments& named) {
+  for (const char* name :
+       {"pt1", "pt2", "ft1", "ft2", "slip1", "slip2", "fx", "fy", "fz"})
+    if (named.given(name)) refuse_result_of_solids();
+}
+
+void require_solid_results(const NamedArguments& named) {
+  for (const char* name : {"pt", "ft", "slip", "abscissa"})
+    if (named.given(name)) refuse_result_of_plane_bodies();
+}
+
+void refuse_result_of_solids() {
+  refuse(
+      "the contact is that of plane bodies: pt, ft, slip are in place of pt1, "
+      "pt2, ft1, ft2, slip1, slip2, and fx, fy, fz are of a mesh3");
+}
+
+void refuse_result_of_plane_bodies() {
+  refuse(
+      "the contact is that of a mesh3: pt1, pt2, ft1, ft2, slip1, slip2 are in "
+      "place of pt, ft, slip, and there is no abscissa");
+}
+
+}  // namespace ffcontact::plugin

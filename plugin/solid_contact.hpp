@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ffcontact/contact/surface_solution.hpp"
+//
+#include "solid_problem.hpp"
+
+namespace ffcontact::plugin {
+
+/// What a solve leaves at the contact nodes of a solid, along n, t1, t2 of
+/// ContactSurface::frame; the script reads them as C.pn, C.pt1, ...
+struct SolidResults {
+  VectorXd pn, pt1, pt2;    ///< pressures, forces over areas [MPa]
+  VectorXd fn, ft1, ft2;    ///< forces [N]
+  VectorXd fx, fy, fz;      ///< the same forces along x, y, z [N]
+  VectorXd gap;             ///< opening, gap - u_n [mm]
+  VectorXd slip1, slip2;    ///< u_t - u_t of the load step before [mm]
+  std::vector<long> state;  ///< 0 open, 1 stick, 2 slip
+};
+
+/// A solution with the system it belongs to.
+struct SolvedSolid {
+  std::shared_ptr<const ElasticSystem> system;
+  SurfaceSolution solution;
+  SolidResults nodes;
+};
+
+/// States of nodes and where they are.
+struct PlacedStates {
+  std::vector<ContactState> state;
+  Matrix3Xd place, normal;  ///< [3 x p]
+};
+
+/// The contact of a solid, as a variable of the script holds it.
+struct SolidContact {
+  std::shared_ptr<const SolidProblem> problem;  ///< null until it is stated
+  std::optional<SolvedSolid> solved;
+  PlacedStates last;  ///< of the last solution: the next one starts from them
+};
+
+}  // namespace ffcontact::plugin

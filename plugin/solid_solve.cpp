@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid_solve.hpp"
+
+#include <utility>
+
+#include "ffcontact/base/require.hpp"
+//
+#include "contact_type.hpp"
+#include "result_names.hpp"
+#include "solve_report.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+void require_forces(const SolveCall& call) {
+  if (multiplier_of(call.stack, call.named) == Multiplier::pressure)
+    refuse(
+        "multiplier=\"pressure\" is not in three dimensions yet: leave it out "
+        "or give \"force\"");
+}
+
+/// The forces along x, y, z [3 x p].
+Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
+  Matrix3Xd vectors(3, surface.node_count());
+  for (int i = 0; i < surface.node_count(); ++i)
+    vectors.col(i) = surface.frame(i) * force.col(i);
+  return vectors;
+}
+
+SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
+                           const SurfaceSolution& solution) {
+  const Matrix3Xd& force = solution.force;
+  const Matrix3Xd pressure =
+      force.array().rowwise() / surface.area.transpose().array();
+  const Matrix3Xd vector = force_vectors(surface, force);
+  const Matrix3Xd moved =
+      displacement_against_foundation(surface, law, solution.displacement);
+  SolidResults results;
+  results.pn = pressure.row(0);
+  results.pt1 = pressure.row(1);
+  results.pt2 = pressure.row(2);
+  results.fn = force.row(0);
+  results.ft1 = force.row(1);
+  results.ft2 = force.row(2);
+  results.fx = vector.row(0);
+  results.fy = vector.row(1);
+  results.fz = vector.row(2);
+  results.gap = -moved.row(0);
+  results.slip1 = moved.row(1);
+  results.slip2 = moved.row(2);
+  results.state = state_numbers(solution.state);
+  return results;
+}
+
+/// States of new nodes: that of the nearest old one; where sheets meet at an edge several
+/// are at one place, and a normal that is turned counts as a distance of the node's size.
+std::vector<ContactState> states_at(const SolidProblem& problem,
+                                    const PlacedStates& old) {
+  if (old.state.empty()) return {};
+  const Matrix3Xd place = problem.places();
+  const ContactSurface& surface = problem.surface;
+  std::vector<ContactState> states;
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const Eigen::RowVectorXd square =
+        (old.place.colwise() - place.col(i)).colwise().squaredNorm() +
+        surface.area[i] * (old.normal.colwise() - surface.normal.col(i))
+                              .colwise()
+                              .squaredNorm();
+    Index nearest;
+    square.minCoeff(&nearest);
+    states.push_back(old.state[nearest]);
+  }
+  return states;
+}
+
+SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
+  SurfaceLaw law = contact.problem->law;
+  if (!call.named.flag(call.stack, "loadstep")) return law;
+  if (contact.solved)
+    law.previous = contact_components(contact.problem->surface,
+                                      contact.solved->solution.displacement)
+                       .bottomRows<2>();
+  else if (!contact.last.state.empty() && law.previous.size() == 0)
+    refuse_load_step();
+  return law;
+}
+
+ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
+                            const ElasticSystem& system) {
+  ContactSettings settings =
+      settings_of(call, states_at(*contact.problem, contact.last));
+  if (contact.solved && is_same(*contact.solved->system, system))
+    settings.stiffness = contact.solved->solution.stiffness;
+  return settings;
+}
+
+void put(const SolveCall& call, const SolidProblem& problem,
+         const SolidResults& nodes) {
+  for (const auto& [name, values] :
+       {std::pair{"pn", &nodes.pn}, std::pair{"pt1", &nodes.pt1},
+        std::pair{"pt2", &nodes.pt2}, std::pair{"fn", &nodes.fn},
+        std::pair{"ft1", &nodes.ft1}, std::pair{"ft2", &nodes.ft2},
+        std::pair{"fx", &nodes.fx}, std::pair{"fy", &nodes.fy},
+        std::pair{"fz", &nodes.fz}, std::pair{"gap", &nodes.gap},
+        std::pair{"slip1", &nodes.slip1}, std::pair{"slip2", &nodes.slip2}})
+    call.named.put(call.stack, name, *values);
+  call.named.put_integers(call.stack, "node", problem.vertices());
+  call.named.put_integers(call.stack, "state", nodes.state);
+}
+
+}  // namespace
+
+long solve_solid(const SolveCall& call, SolidContact& contact) {
+  require_solid_results(call.named);
+  require_forces(call);
+  const SolidProblem& problem = *contact.problem;
+  SolvedSolid solved;
+  solved.system = std::make_shared<const ElasticSystem>(
+      system_of(call, problem, problem.mesh));
+  const ElasticSystem& system = *solved.system;
+  const SurfaceLaw law = law_of(call, contact);
+  const ContactSettings settings = settings_of(call, contact, system);
+  solved.solution =
+      solve_contact(problem.mesh, problem.surface, law, system, settings);
+  const SurfaceSolution& solution = solved.solution;
+  if (!solution.accepted(settings) && !call.named.given("status"))
+    refuse_solution(answer_of(solution), advice_on_held(problem, system));
+
+  write_displacement(call, problem, solution.displacement);
+  solved.nodes = nodal_results(problem.surface, law, solution);
+  put(call, problem, solved.nodes);
+  put(call, answer_of(solution));
+  report_solution(call, problem, {}, answer_of(solution));
+  contact.last = {solution.state, problem.places(), problem.surface.normal};
+  contact.solved = std::move(solved);
+  return contact.solved->solution.iterations;
+}
+
+}  // namespace ffcontact::plugin

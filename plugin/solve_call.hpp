@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/mesh/mesh.hpp"
+//
+#include "arguments.hpp"
+#include "body_dofs.hpp"
+
+namespace ffcontact::plugin {
+
+/// A call of contactsolve: its named parameters, and A, b, u of each body.
+struct SolveCall {
+  Stack stack;
+  const NamedArguments& named;
+  const std::vector<Expression>&matrix, &load;
+  std::vector<KN<double>*> u;
+  double start;  ///< CPUtime
+
+  long verbosity() const { return named.verbosity_level(stack); }
+};
+
+/// @throws std::invalid_argument  if what the call gives is not of these bodies, or b and
+///                                u are exchanged
+template <int dim>
+ElasticSystem system_of(const SolveCall& call, const BodyDofs& bodies,
+                        const SimplexMesh<dim>& mesh);
+
+/// What solver=, maxit=, tol= and initial= say; without initial= it starts from `states`.
+ContactSettings settings_of(const SolveCall& call,
+                            std::vector<ContactState> states);
+
+bool is_same(const ElasticSystem& a, const ElasticSystem& b);
+
+/// The displacement of each body in the script's u.
+void write_displacement(const SolveCall& call, const BodyDofs& bodies,
+                        const VectorXd& displacement);
+
+/// 0 open, 1 stick, 2 slip along t (of a solid: in any direction), -2 slip against t.
+std::vector<long> state_numbers(const std::vector<ContactState>& states);
+
+/// @throws std::invalid_argument  for loadstep=true without a step before
+[[noreturn]] void refuse_load_step();
+
+}  // namespace ffcontact::plugin
