@@ -14,18 +14,20 @@
 ///                boundary parts and curves
 ///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
 ///                few dofs; as meshes and facets for plane bodies and solids
-///   interface    the contact line, facing traces, their common refinement
+///   interface    the contact line, facing traces, their common refinement; the contact surface of a solid
 ///   contact      the laws of contact and friction, the solver, tractions brought into the cone, the constant of Coulomb's law
-///                and the coefficient at which solutions branch
+///                and the coefficient at which solutions branch; the law and the solver on a surface
 ///   equilibrium  edge tractions in equilibrium, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
 ///   sizing       optimal sizes for a wanted error
 ///
-/// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1),
-/// compression negative, u_n <= 0 does not penetrate.
+/// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1)
+/// (of solids ContactSurface::frame), compression negative, u_n <= 0 does not penetrate.
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/coulomb_constant.hpp"
 #include "ffcontact/contact/critical_friction.hpp"
+#include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/interface/facing_line.hpp"
