@@ -52,6 +52,28 @@ void require_sound(const SolidMesh& mesh, const ContactSurface& surface,
   require_balance(mesh, surface, law, system);
 }
 
+/// Newton from the given states, and where these lead nowhere from sticking nodes.
+ActiveSetResult newton_answer(const CondensedContact& contact,
+                              const NodalLaw& law,
+                              const std::vector<char>& held,
+                              const std::vector<ContactState>& start,
+                              const NewtonSettings& limits) {
+  const std::vector<ContactState> stick(law.node_count(), ContactState::stick);
+  ActiveSetResult best = surface_newton(
+      contact, law, held, start,
+      {std::min(newton_systems, limits.max_iterations), limits.tolerance});
+  const int left = limits.max_iterations - best.iterations;
+  if (best.status == ContactStatus::converged || left <= 0 || start == stick)
+    return best;
+  ActiveSetResult again =
+      surface_newton(contact, law, held, stick,
+                     {std::min(newton_systems, left), limits.tolerance});
+  const int systems = best.iterations + again.iterations;
+  if (again.is_better_than(best)) best = std::move(again);
+  best.iterations = systems;
+  return best;
+}
+
 FixedPointResult condensed_answer(const CondensedContact& contact,
                                   const NodalLaw& law,
                                   const std::vector<char>& held,
@@ -61,11 +83,7 @@ FixedPointResult condensed_answer(const CondensedContact& contact,
   const NewtonSettings limits{settings.max_iterations, settings.tolerance};
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);
-  FixedPointResult newton{
-      surface_newton(
-          contact, law, held, start,
-          {std::min(newton_systems, limits.max_iterations), limits.tolerance}),
-      {}};
+  FixedPointResult newton{newton_answer(contact, law, held, start, limits), {}};
   const int left = limits.max_iterations - newton.answer.iterations;
   if (newton.answer.status == ContactStatus::converged || left <= 0)
     return newton;

@@ -32,7 +32,8 @@ struct SurfaceSolution {
 
 /// Solves K u = b + contact forces under the law of the surface for a solid on a rigid
 /// foundation: one factorisation, the condensed relation between F and v, surface_newton
-/// and where that does not converge surface_fixed_point, one back-substitution.
+/// (again from sticking nodes where the given states lead nowhere), and where that does
+/// not converge surface_fixed_point, one back-substitution.
 /// @throws std::invalid_argument  for input that does not fit, prescribed displacements
 ///                                that penetrate, or loads that contact cannot balance
 ///                                (with the motion named)
