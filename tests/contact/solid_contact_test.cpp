@@ -25,6 +25,18 @@ struct Defects {
   }
 };
 
+/// The largest |F_t| at a node under a normal force.
+double bound_at(const SolidProblem& problem, int node, double normal_force) {
+  const SurfaceLaw& law = problem.law;
+  const double area = problem.surface.area[node];
+  const double bound = law.slip_bound.size() > 0
+                           ? law.slip_bound[node] * area
+                           : law.friction[node] * normal_force;
+  return law.shear_limit.size() > 0
+             ? std::min(bound, law.shear_limit[node] * area)
+             : bound;
+}
+
 Defects defects(const SolidProblem& problem, const SurfaceSolution& solution) {
   Defects found;
   const ElasticSystem system = problem.system();
@@ -49,7 +61,7 @@ Defects defects(const SolidProblem& problem, const SurfaceSolution& solution) {
       v.tail<2>() -= problem.law.previous.col(i);
     v /= length;
     const Vector3d F = solution.force.col(i) / forces;
-    const double bound = problem.law.friction[i] * -F[0],
+    const double bound = bound_at(problem, i, -F[0] * forces) / forces,
                  Ft = F.tail<2>().norm();
     bool is_free =
         true;  // where a dof is prescribed the cone acts on what is left
@@ -114,6 +126,37 @@ RC_GTEST_PROP(SolidContact, with_gaps_variable_friction_and_a_step_before_too,
   const SurfaceSolution solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+}
+
+RC_GTEST_PROP(SolidContact, with_tresca_s_bound_or_a_shear_limit_too,
+              (Random random)) {
+  SolidProblem problem = random_problem(1, random);
+  const int nodes = problem.surface.node_count();
+  (*rc::gen::arbitrary<bool>() ? problem.law.slip_bound
+                               : problem.law.shear_limit) =
+      2 * random_vector(nodes, random).cwiseAbs();
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+}
+
+/// A wall on a cylinder, cut by two planes of symmetry that its normals are oblique to.
+RC_GTEST_PROP(SolidContact, on_a_curve_that_planes_of_symmetry_cut,
+              (Random random)) {
+  SolidMesh mesh = brick({6, 3, 1}, {1, 1, 0.2});
+  for (auto x : mesh.vertices.colwise()) {
+    const double turn = pi / 3 * x.x(), radius = 1 + x.z();
+    x = Vector3d(radius * std::sin(turn), x.y(), radius * std::cos(turn));
+  }
+  SolidProblem problem(mesh, *real(0, 1));
+  problem.guide(low_x, 0);
+  problem.guide(low_y, 1);
+  problem.guide(high_x, 0);  // normals are at 60 degrees to x there
+  problem.load(high_z, {0, *real(-1, 1), -5});
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+  RC_ASSERT(solution.force.row(0).sum() < 0);
 }
 
 class BlockCases : public testing::TestWithParam<BlockCase> {};

@@ -6,22 +6,17 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/convex_contact.hpp"
+#include "ffcontact/contact/normal_iterate.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-constexpr double smallest_damping = 1.0 / 32;
 /// Newton from the states of a step is given this many linear systems.
 constexpr int newton_systems = 10;
 
 VectorXd normal_multipliers(const VectorXd& P) {
   return Map<const VectorXd, 0, Eigen::InnerStride<2>>(P.data(), P.size() / 2);
-}
-
-double relative_change(const VectorXd& g, const VectorXd& image) {
-  const double scale = max_norm(image);
-  return scale > 0 ? max_norm(image - g) / scale : max_norm(g);
 }
 
 ContactState sliding_state(double vt) {
@@ -54,7 +49,7 @@ class Iteration {
         settings_(settings),
         with_newton_(with_newton),
         state_(std::move(state)),
-        g_(VectorXd::Zero(law.node_count())) {
+        g_(law.node_count()) {
     result_.answer.violation = infinity;
   }
 
@@ -62,6 +57,7 @@ class Iteration {
     while (left() > 0)
       if (step_ends()) break;
     result_.answer.iterations = systems_;
+    result_.history = g_.history();
     return std::move(result_);
   }
 
@@ -70,13 +66,16 @@ class Iteration {
 
   /// @return whether the step, or Newton from its states, found the answer
   bool step_ends() {
-    const NodalLaw given = with_given_slip_limit(law_, g_);
+    const NodalLaw given = with_given_slip_limit(law_, g_.value());
     ActiveSetResult step =
         solve_convex(contact_, given, state_, {left(), settings_.tolerance});
     systems_ += step.iterations;
     const bool same_states = step.state == state_;
     state_ = step.state;
-    move_towards(normal_multipliers(step.P));
+    if (law_.is_convex())
+      g_.stay();
+    else
+      g_.move_towards(normal_multipliers(step.P));
     if (keep(std::move(step))) {
       // the law at g is Coulomb's but for the last digits
       follow_slip(law_, given, result_.answer);
@@ -87,16 +86,6 @@ class Iteration {
     return with_newton_ && !same_states && left() > 0 && newton_ends();
   }
 
-  /// g moves towards its image, less far once that starts to run away.
-  void move_towards(const VectorXd& image) {
-    std::vector<double>& history = result_.history;
-    const double change = law_.is_convex() ? 0 : relative_change(g_, image);
-    if (!history.empty() && change > history.back())
-      damping_ = std::max(damping_ / 2, smallest_damping);
-    history.push_back(change);
-    g_ += damping_ * (image - g_);
-  }
-
   /// Keeps a step that is the best so far. @return whether it is the answer
   bool keep(ActiveSetResult step) {
     const bool solved = step.status == ContactStatus::converged;
@@ -104,7 +93,7 @@ class Iteration {
     const bool found =
         solved && (law_.is_convex() || step.violation <= settings_.tolerance);
     if (found || step.violation < result_.answer.violation ||
-        result_.history.size() == 1)
+        g_.history().size() == 1)
       result_.answer = std::move(step);
     return found;
   }
@@ -124,8 +113,7 @@ class Iteration {
   const NewtonSettings settings_;
   const bool with_newton_;
   std::vector<ContactState> state_;
-  VectorXd g_;
-  double damping_ = 1;
+  NormalIterate g_;
   int systems_ = 0;  ///< solved so far
   FixedPointResult result_;
 };

@@ -18,19 +18,16 @@ Vector2d relative(const Vector2d& values, double scale) {
   return {relative(values[0], scale), relative(values[1], scale)};
 }
 
-/// The violation where one of two must be 0.
-double both(double P, double v) { return std::min(std::abs(P), std::abs(v)); }
-
 /// Violation by P and v at one node, all of them and the cone's c and k relative.
 double violation(const FrictionCone& cone, const Vector2d& P,
                  const Vector2d& v) {
   const double Pn = P[0], Pt = P[1], vn = v[0], vt = v[1];
   const double bound = std::min(cone.cohesion - cone.friction * Pn, cone.limit);
-  const double along = Pt * vt > 0 ? both(Pt, vt) : 0.0;
-  return std::max({Pn, vn, both(Pn, vn),            // (3.17)-(3.19)
-                   std::abs(Pt) - bound,            // (3.20)
-                   both(bound - std::abs(Pt), vt),  // (3.21)
-                   along});                         // (3.22)
+  const double along = Pt * vt > 0 ? either_violation(Pt, vt) : 0.0;
+  return std::max({Pn, vn, either_violation(Pn, vn),            // (3.17)-(3.19)
+                   std::abs(Pt) - bound,                        // (3.20)
+                   either_violation(bound - std::abs(Pt), vt),  // (3.21)
+                   along});                                     // (3.22)
 }
 
 VectorXd in_units_of_P(const ContactLaw& law, const ContactLine& line,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
@@ -31,6 +33,11 @@ NodalLaw with_given_slip_limit(const NodalLaw& law,
 struct LawScales {
   double v = 0, P = 0;
 };
+
+/// The violation where one of two must be 0: the smaller one.
+inline double either_violation(double P, double v) {
+  return std::min(std::abs(P), std::abs(v));
+}
 
 /// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: displacements
 /// relative to scales.v, multipliers to the largest of them, or to scales.P where they

@@ -5,23 +5,18 @@
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/contact/normal_iterate.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-constexpr double smallest_damping = 1.0 / 32;
 /// Of Tresca's problem, which is convex.
 constexpr int most_systems = 60;
 
 VectorXd normal_forces(const VectorXd& P) {
   return Map<const VectorXd, 0, Eigen::InnerStride<3>>(P.data(), P.size() / 3);
-}
-
-double relative_change(const VectorXd& g, const VectorXd& image) {
-  const double scale = max_norm(image);
-  return scale > 0 ? max_norm(image - g) / scale : max_norm(g);
 }
 
 }  // namespace
@@ -34,21 +29,18 @@ FixedPointResult surface_fixed_point(const CondensedContact& contact,
   FixedPointResult result;
   ActiveSetResult& best = result.answer;
   best.violation = infinity;
-  VectorXd g = VectorXd::Zero(law.node_count());
-  double damping = 1;
+  NormalIterate g(law.node_count());
   for (int systems = 0; systems < settings.max_iterations;) {
     const int left = settings.max_iterations - systems;
-    ActiveSetResult step =
-        surface_newton(contact, with_given_slip_limit(law, g), held, state,
-                       {std::min(left, most_systems), settings.tolerance});
+    ActiveSetResult step = surface_newton(
+        contact, with_given_slip_limit(law, g.value()), held, state,
+        {std::min(left, most_systems), settings.tolerance});
     systems += step.iterations;
     state = step.state;
-    const VectorXd image = normal_forces(step.P);
-    const double change = relative_change(g, image);
-    if (!result.history.empty() && change > result.history.back())
-      damping = std::max(damping / 2, smallest_damping);
-    result.history.push_back(change);
-    g += damping * (image - g);
+    if (law.is_convex())
+      g.stay();
+    else
+      g.move_towards(normal_forces(step.P));
     step.violation = surface_violation(contact, law, held, {step.P, step.v});
     const bool found = step.violation <= settings.tolerance;
     step.status =
@@ -57,6 +49,7 @@ FixedPointResult surface_fixed_point(const CondensedContact& contact,
     best.iterations = systems;
     if (found || law.is_convex()) break;
   }
+  result.history = g.history();
   return result;
 }
 

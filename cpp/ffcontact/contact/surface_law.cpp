@@ -16,9 +16,6 @@ void require_coefficient(const char* name, const VectorXd& values,
   require_nonnegative(name, values);
 }
 
-/// The violation where one of two must be 0.
-double both(double P, double v) { return std::min(std::abs(P), std::abs(v)); }
-
 /// 2 sin(a / 2), a the angle between -P_t and v_t; 0 where one of them is 0.
 double misdirection(const Vector2d& Pt, const Vector2d& vt) {
   return (Pt.stableNormalized() + vt.stableNormalized()).norm() *
@@ -26,14 +23,15 @@ double misdirection(const Vector2d& Pt, const Vector2d& vt) {
 }
 
 /// P, v and the cone's c and k relative.
-double violation(const FrictionCone& cone, const Vector3d& P,
-                 const Vector3d& v) {
+double surface_violation_at(const FrictionCone& cone, const Vector3d& P,
+                            const Vector3d& v) {
   const Vector2d Pt = P.tail<2>(), vt = v.tail<2>();
   const double bound =
       std::min(cone.cohesion - cone.friction * P[0], cone.limit);
-  return std::max({P[0], v[0], both(P[0], v[0]), Pt.norm() - bound,
-                   both(bound - Pt.norm(), vt.norm()),
-                   both(Pt.norm(), vt.norm()) * misdirection(Pt, vt)});
+  return std::max(
+      {P[0], v[0], either_violation(P[0], v[0]), Pt.norm() - bound,
+       either_violation(bound - Pt.norm(), vt.norm()),
+       either_violation(Pt.norm(), vt.norm()) * misdirection(Pt, vt)});
 }
 
 }  // namespace
@@ -99,8 +97,9 @@ double surface_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
     FrictionCone cone = law.cone[i];
     cone.cohesion *= p;
     if (cone.limit < infinity) cone.limit *= p;
-    largest = std::max(largest, violation(cone, p * P.segment<3>(3 * i),
-                                          length * v.segment<3>(3 * i)));
+    largest =
+        std::max(largest, surface_violation_at(cone, p * P.segment<3>(3 * i),
+                                               length * v.segment<3>(3 * i)));
   }
   return largest;
 }

@@ -17,7 +17,7 @@ namespace ffcontact {
 namespace {
 
 /// Newton is given this many linear systems before the fixed point goes on.
-constexpr int newton_systems = 100;
+constexpr int most_newton_systems = 100;
 /// Penetrations of prescribed vertices below this part of the displacements are rounding.
 constexpr double penetration_of_rounding = 1e-10;
 
@@ -61,13 +61,13 @@ ActiveSetResult newton_answer(const CondensedContact& contact,
   const std::vector<ContactState> stick(law.node_count(), ContactState::stick);
   ActiveSetResult best = surface_newton(
       contact, law, held, start,
-      {std::min(newton_systems, limits.max_iterations), limits.tolerance});
+      {std::min(most_newton_systems, limits.max_iterations), limits.tolerance});
   const int left = limits.max_iterations - best.iterations;
   if (best.status == ContactStatus::converged || left <= 0 || start == stick)
     return best;
   ActiveSetResult again =
       surface_newton(contact, law, held, stick,
-                     {std::min(newton_systems, left), limits.tolerance});
+                     {std::min(most_newton_systems, left), limits.tolerance});
   const int systems = best.iterations + again.iterations;
   if (again.is_better_than(best)) best = std::move(again);
   best.iterations = systems;

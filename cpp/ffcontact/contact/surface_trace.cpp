@@ -14,7 +14,7 @@ namespace ffcontact {
 namespace {
 
 /// Rows that free axes move by less than this are moved by others.
-constexpr double moved = 1e-3;
+constexpr double moved_by_axes = 1e-3;
 
 using Directions = Matrix<double, 3, Dynamic>;
 
@@ -25,7 +25,7 @@ struct Motion {
   Directions directions;
 };
 
-Directions free_axes(int vertex, const std::vector<char>& prescribed) {
+Directions free_directions(int vertex, const std::vector<char>& prescribed) {
   std::vector<Vector3d> axes;
   for (int c = 0; c < 3; ++c)
     if (!prescribed[dof_of<3>(vertex, c)]) axes.push_back(Vector3d::Unit(c));
@@ -43,7 +43,7 @@ std::vector<int> moved_components(const Matrix3d& frame,
     left -= unit * (unit.transpose() * left);
     found.push_back(c);
   };
-  if (axes.cols() > 0 && left.col(0).norm() > moved) take(0);
+  if (axes.cols() > 0 && left.col(0).norm() > moved_by_axes) take(0);
   while (static_cast<Index>(found.size()) < axes.cols()) {
     const bool first = left.col(1).norm() >= left.col(2).norm();
     take(first ? 1 : 2);
@@ -76,7 +76,7 @@ class TraceBuilder {
   void add_node(int node) {
     const int vertex = surface_.vertex[node];
     const Matrix3d frame = surface_.frame(node);
-    const Directions axes = free_axes(vertex, prescribed_);
+    const Directions axes = free_directions(vertex, prescribed_);
     const std::vector<int> rows = moved_components(frame, axes);
     const Directions moving = frame(Eigen::all, rows);
     const auto [found, is_first] =

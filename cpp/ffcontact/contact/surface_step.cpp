@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/surface_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ffcontact/base/packed.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// r, where what the unknowns move is 1.
+constexpr double proximal = 1e-8;
+
+/// sum P P_row + v v_row = value
+struct Term {
+  int row;
+  double P, v;
+};
+struct Equation {
+  std::vector<Term> terms;
+  double value = 0;
+};
+
+/// The linear system.
+class SurfaceStep {
+ public:
+  SurfaceStep(const CondensedContact& contact, const std::vector<char>& held,
+              const NaturalMap& map, const std::vector<NodeState>& states)
+      : contact_(contact), held_(held), map_(map), states_(states) {
+    const VectorXd diagonal = contact.S.diagonal().cwiseMax(1e-300);
+    v_scale_ = diagonal.cwiseSqrt().cwiseInverse();
+    for (int k = 0; k < count_of(contact.primary); ++k)
+      if (!is_fixed(contact.primary[k])) unknown_.push_back(k);
+    for (int d = 0; d < count_of(contact.dependent); ++d)
+      if (!held[contact.dependent[d]]) dependent_.push_back(d);
+    for (int d : dependent_) q_scale_.push_back(q_scale(d));
+  }
+
+  SystemKind solve(ContactRows& rows) {
+    assemble();
+    add_proximal_terms(rows.P);
+    SystemKind kind;
+    const Index n = count_of(unknown_);
+    const VectorXd x = solved(std::move(matrix_), right_, n, kind);
+    if (!x.allFinite()) return SystemKind::inconsistent;
+    spread(x, rows);
+    return kind;
+  }
+
+ private:
+  double q_scale(int d) const {
+    const double reach =
+        std::hypot(contact_.E.col(d).cwiseProduct(v_scale_).norm(),
+                   std::sqrt(contact_.F(d, d)));
+    return 1 / (reach > 0 ? reach : v_scale_.mean());
+  }
+
+  /// Is v = 0 the condition on a row?
+  bool is_fixed(int row) const { return states_[row / 3].fixes(row % 3); }
+
+  /// The condition on a row that is not held.
+  Equation equation(int row) const {
+    const int node = row / 3, component = row % 3;
+    if (is_fixed(row)) return {{{row, 0, 1}}, 0};
+    if (component == 0) return {{{row, 1, 0}}, 0};
+    const NodeState& state = states_[node];
+    Equation equation;
+    equation.value = state.given * state.e[component - 1];
+    const Matrix2d D = derivative(node, state);
+    for (int c = 1; c < 3; ++c)
+      if (const int other = 3 * node + c; !held_[other]) {
+        const double d = D(component - 1, c - 1);
+        equation.terms.push_back(
+            {other, (c == component) - d, map_.stiffness(node) * d});
+      }
+    if (state.ratio != 0 && !held_[3 * node])
+      equation.terms.push_back(
+          {3 * node, state.ratio * state.e[component - 1], 0});
+    return equation;
+  }
+
+  /// D on the tangential rows that are not held.
+  Matrix2d derivative(int node, const NodeState& state) const {
+    Matrix2d D =
+        state.share * (Matrix2d::Identity() - state.e * state.e.transpose());
+    for (int c = 0; c < 2; ++c)
+      if (held_[3 * node + 1 + c]) {
+        D.row(c).setZero();
+        D.col(c).setZero();
+      }
+    return D;
+  }
+
+  void add_force(Index e, int row, double factor) {
+    const Index n = count_of(unknown_), q = count_of(dependent_);
+    const int k = contact_.position[row];
+    if (k < 0) {
+      for (Index d = 0; d < q; ++d)
+        if (dependent_[d] == -1 - k) matrix_(e, n + d) += factor * q_scale_[d];
+      return;
+    }
+    for (Index j = 0; j < n; ++j)
+      matrix_(e, j) +=
+          factor * contact_.S(unknown_[j], k) * v_scale_[unknown_[j]];
+    for (Index d = 0; d < q; ++d)
+      matrix_(e, n + d) -= factor * contact_.E(k, dependent_[d]) * q_scale_[d];
+    right_[e] += factor * contact_.g[k];
+  }
+
+  void add_displacement(Index e, int row, double factor) {
+    const Index n = count_of(unknown_), q = count_of(dependent_);
+    const int k = contact_.position[row];
+    if (k >= 0) {
+      const auto place = std::lower_bound(unknown_.begin(), unknown_.end(), k);
+      if (place != unknown_.end() && *place == k)
+        matrix_(e, place - unknown_.begin()) += factor * v_scale_[k];
+      return;
+    }
+    const int d = -1 - k;
+    for (Index j = 0; j < n; ++j)
+      matrix_(e, j) +=
+          factor * contact_.E(unknown_[j], d) * v_scale_[unknown_[j]];
+    for (Index j = 0; j < q; ++j)
+      matrix_(e, n + j) += factor * contact_.F(d, dependent_[j]) * q_scale_[j];
+    right_[e] -= factor * contact_.dependent_offset[d];
+  }
+
+  void put_equation(Index e, int row, double v_scale, double P_scale) {
+    const Equation condition = equation(row);
+    const double scale = is_fixed(row) ? P_scale : v_scale;
+    right_[e] = scale * condition.value;
+    for (const Term& term : condition.terms) {
+      if (term.P != 0) add_force(e, term.row, scale * term.P);
+      if (term.v != 0) add_displacement(e, term.row, scale * term.v);
+    }
+  }
+
+  void assemble() {
+    const Index n = count_of(unknown_), q = count_of(dependent_);
+    matrix_ = MatrixXd::Zero(n + q, n + q);
+    right_ = VectorXd::Zero(n + q);
+    for (Index e = 0; e < n; ++e)
+      put_equation(e, contact_.primary[unknown_[e]], v_scale_[unknown_[e]], 0);
+    for (Index d = 0; d < q; ++d) {
+      const int row = contact_.dependent[dependent_[d]];
+      put_equation(n + d, row, 1 / q_scale_[d], q_scale_[d]);
+    }
+  }
+
+  /// + r (P - last P) in the equation of a dependent row.
+  void add_proximal_terms(const VectorXd& last) {
+    const Index n = count_of(unknown_);
+    for (Index d = 0; d < count_of(dependent_); ++d) {
+      const int row = contact_.dependent[dependent_[d]];
+      matrix_(n + d, n + d) += proximal;
+      right_[n + d] += proximal * last[row] / q_scale_[d];
+    }
+  }
+
+  void spread(const VectorXd& x, ContactRows& rows) const {
+    VectorXd v = VectorXd::Zero(contact_.S.rows()),
+             q = VectorXd::Zero(contact_.E.cols());
+    for (std::size_t j = 0; j < unknown_.size(); ++j)
+      v[unknown_[j]] = v_scale_[unknown_[j]] * x[j];
+    for (std::size_t d = 0; d < dependent_.size(); ++d)
+      q[dependent_[d]] = q_scale_[d] * x[unknown_.size() + d];
+    const VectorXd P = contact_.S * v - contact_.g - contact_.E * q,
+                   v_dependent = contact_.E.transpose() * v + contact_.F * q +
+                                 contact_.dependent_offset;
+    for (int row = 0; row < contact_.position.size(); ++row) {
+      const int k = contact_.position[row];
+      rows.P[row] = k >= 0 ? P[k] : q[-1 - k];
+      rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
+      if (held_[row]) rows.v[row] = 0;
+      if (row % 3 == 0 && states_[row / 3].open) rows.P[row] = 0;
+    }
+  }
+
+  const CondensedContact& contact_;
+  const std::vector<char>& held_;
+  const NaturalMap& map_;
+  const std::vector<NodeState>& states_;
+  VectorXd v_scale_, right_;
+  std::vector<int> unknown_, dependent_;
+  std::vector<double> q_scale_;
+  MatrixXd matrix_;
+};
+
+}  // namespace
+
+SystemKind solve_surface_step(const CondensedContact& contact,
+                              const std::vector<char>& held,
+                              const NaturalMap& map,
+                              const std::vector<NodeState>& states,
+                              ContactRows& rows) {
+  return SurfaceStep(contact, held, map, states).solve(rows);
+}
+
+}  // namespace ffcontact
