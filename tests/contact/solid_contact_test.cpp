@@ -141,8 +141,7 @@ RC_GTEST_PROP(SolidContact, with_tresca_s_bound_or_a_shear_limit_too,
 }
 
 /// A wall on a cylinder, cut by two planes of symmetry that its normals are oblique to.
-RC_GTEST_PROP(SolidContact, on_a_curve_that_planes_of_symmetry_cut,
-              (Random random)) {
+RC_GTEST_PROP(SolidContact, on_a_curve_that_planes_of_symmetry_cut, ()) {
   SolidMesh mesh = brick({6, 3, 1}, {1, 1, 0.2});
   for (auto x : mesh.vertices.colwise()) {
     const double turn = pi / 3 * x.x(), radius = 1 + x.z();

@@ -16,10 +16,9 @@ void require_coefficient(const char* name, const VectorXd& values,
   require_nonnegative(name, values);
 }
 
-/// 2 sin(a / 2), a the angle between -P_t and v_t; 0 where one of them is 0.
-double misdirection(const Vector2d& Pt, const Vector2d& vt) {
-  return (Pt.stableNormalized() + vt.stableNormalized()).norm() *
-         (Pt.isZero(0) || vt.isZero(0) ? 0 : 1);
+/// |P_t + b v_t / |v_t||: 0 where the force is the largest and opposes the slip.
+double missed_slip(const Vector2d& Pt, const Vector2d& vt, double bound) {
+  return (Pt + bound * vt.stableNormalized()).norm();
 }
 
 /// P, v and the cone's c and k relative.
@@ -28,10 +27,8 @@ double surface_violation_at(const FrictionCone& cone, const Vector3d& P,
   const Vector2d Pt = P.tail<2>(), vt = v.tail<2>();
   const double bound =
       std::min(cone.cohesion - cone.friction * P[0], cone.limit);
-  return std::max(
-      {P[0], v[0], either_violation(P[0], v[0]), Pt.norm() - bound,
-       either_violation(bound - Pt.norm(), vt.norm()),
-       either_violation(Pt.norm(), vt.norm()) * misdirection(Pt, vt)});
+  return std::max({P[0], v[0], either_violation(P[0], v[0]), Pt.norm() - bound,
+                   either_violation(missed_slip(Pt, vt, bound), vt.norm())});
 }
 
 }  // namespace

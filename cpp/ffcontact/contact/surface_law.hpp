@@ -39,8 +39,8 @@ double largest_displacement(const SurfaceLaw& law,
                             const Ref<const VectorXd>& displacement);
 
 /// Largest violation of the law at the nodes by P and v, rows 3 i + c [3 p], relative as
-/// in law_violation of a line. Where a node slides against its force by the angle a, the
-/// smaller of |P_t| and |v_t| times 2 sin(a / 2) is the violation.
+/// in law_violation of a line. Either v_t or P_t + b v_t / |v_t| must be 0: the smaller
+/// one is the violation.
 double surface_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                          const Ref<const VectorXd>& v, const LawScales& scales);
 
