@@ -116,13 +116,27 @@ RC_GTEST_PROP(SolidContact, fulfils_the_law_and_equilibrium, (Random random)) {
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
 }
 
-RC_GTEST_PROP(SolidContact, with_gaps_variable_friction_and_a_step_before_too,
-              (Random random)) {
+/// Gaps as large as displacements, friction that varies, and a step before.
+SolidProblem rough_problem(Random& random) {
   SolidProblem problem = random_problem(0, random);
   const int nodes = problem.surface.node_count();
   problem.law.friction = random_vector(nodes, random).cwiseAbs();
   problem.law.gap = 1e-3 * random_vector(nodes, random).cwiseAbs();
   problem.law.previous = 1e-3 * random_matrix(2, nodes, random);
+  return problem;
+}
+
+/// Where full steps of Newton cycle, and the fixed point does too.
+TEST(SolidContact, shortened_steps_end_cycles) {
+  for (unsigned seed : {170647452u, 17624475u, 634230521u}) {
+    Random random(seed);
+    EXPECT_TRUE(rough_problem(random).solve().accepted({})) << seed;
+  }
+}
+
+RC_GTEST_PROP(SolidContact, with_gaps_variable_friction_and_a_step_before_too,
+              (Random random)) {
+  const SolidProblem problem = rough_problem(random);
   const SurfaceSolution solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
@@ -138,6 +152,25 @@ RC_GTEST_PROP(SolidContact, with_tresca_s_bound_or_a_shear_limit_too,
   const SurfaceSolution solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+}
+
+TEST(SolidContact, newton_finds_nodes_at_the_shear_limit) {
+  SolidProblem problem =
+      block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::press, 0.5);
+  const int nodes = problem.surface.node_count();
+  problem.law.shear_limit = VectorXd::Constant(nodes, 0.4);
+  const SurfaceSolution solution = problem.solve();
+  EXPECT_TRUE(solution.accepted({}) && solution.history.empty());
+  EXPECT_LT(defects(problem, solution).largest(), 1e-8);
+  int limited = 0, coulomb = 0;
+  for (int i = 0; i < nodes; ++i) {
+    const Vector3d F = solution.force.col(i);
+    const double Ft = F.tail<2>().norm();
+    limited += std::abs(Ft - 0.4 * problem.surface.area[i]) < 1e-9 * Ft;
+    coulomb += std::abs(Ft + 0.5 * F[0]) < 1e-9 * Ft;
+  }
+  EXPECT_GT(limited, 0);
+  EXPECT_GT(coulomb, 0);
 }
 
 /// A wall on a cylinder, cut by two planes of symmetry that its normals are oblique to.
