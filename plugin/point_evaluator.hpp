@@ -30,9 +30,11 @@ class PointEvaluator {
   }
 
  protected:
-  Fem2D::MeshPoint* point_;  ///< where expressions are taken
+  /// Where expressions are taken.
+  Fem2D::MeshPoint& point() { return *point_; }
 
  private:
+  Fem2D::MeshPoint* point_;
   Stack stack_;
   Fem2D::MeshPoint saved_;
 };

@@ -27,7 +27,7 @@ class SolidPoint : public PointEvaluator {
     const R3 hat = R3::KHat[corner];
     // Tet::n points inward in some versions of FreeFEM
     const Vector3d n = facet_normal(solid_.mesh, solid_.faces, face);
-    point_->set(Th, tetrahedron(hat), hat, tetrahedron, Th.be(element).lab,
+    point().set(Th, tetrahedron(hat), hat, tetrahedron, Th.be(element).lab,
                 R3(n.x(), n.y(), n.z()), side);
   }
 

@@ -33,7 +33,7 @@ class PlanePoint : public PointEvaluator {
     const R2 second(
         Fem2D::TriangleHat[Fem2D::VerticesOfTriangularEdge[side][1]]);
     const R2 hat = first * s + second * (1 - s);
-    point_->set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab,
+    point().set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab,
                 normal, side);
   }
   /// Goes to a place on a boundary edge of a part of the joined mesh.
@@ -51,7 +51,7 @@ class PlanePoint : public PointEvaluator {
   }
   void go_to_triangle(int t, const R2& hat = R2(1.0 / 3, 1.0 / 3)) {
     const Fem2D::Triangle& triangle = mesh_[t];
-    point_->set(mesh_, triangle(hat), hat, triangle, triangle.lab);
+    point().set(mesh_, triangle(hat), hat, triangle, triangle.lab);
   }
 
  private:

@@ -137,7 +137,7 @@ class SheetFinder {
     std::map<std::pair<int, int>, int> beside;
     for (int m = 0; m < count_of(face_); ++m)
       for (int k = 0; k < 3; ++k) {
-        const auto ends =
+        const std::pair<int, int> ends =
             std::minmax(vertex(3 * m + k), vertex(3 * m + (k + 1) % 3));
         const auto [found, is_first] = beside.emplace(ends, m);
         if (is_first || !go_on(m, found->second)) continue;
