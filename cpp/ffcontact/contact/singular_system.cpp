@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/singular_system.hpp"
 
-#include <utility>
+#include <Eigen/LU>
 
 #include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/least_squares.hpp"
@@ -31,7 +31,7 @@ VectorXd solved(MatrixXd A, const VectorXd& b, Index displacements,
   if ((A * smallest - b).norm() <= fulfilled * b.norm()) return smallest;
   kind = SystemKind::inconsistent;
   A.diagonal().head(displacements).array() += leash;
-  return DenseLu(std::move(A)).solve(b);
+  return A.partialPivLu().solve(b);
 }
 
 }  // namespace ffcontact
