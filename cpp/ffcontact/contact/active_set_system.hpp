@@ -10,11 +10,6 @@
 
 namespace ffcontact {
 
-/// Multipliers and displacements of all rows 2 i + c [2 p].
-struct ContactRows {
-  VectorXd P, v;
-};
-
 /// With the state of every node known, all conditions are linear:
 ///     open:  P_n = 0, P_t = 0        closed:  v_n = 0
 ///     stick: v_t = 0                 slip s:  P_t = s mu P_n  (Tresca: P_t = -s b, open or not; at the shear limit P_t = -s k),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/condensed_contact.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -192,17 +193,38 @@ void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
 
 std::vector<int> contact_dofs(const ContactLine& line,
                               const ElasticSystem& system) {
-  std::vector<int> vertices(line.vertex.begin(), line.vertex.end()), dofs;
+  std::vector<int> vertices(line.vertex.begin(), line.vertex.end());
   const std::vector<int> opposite = opposite_vertices(line);
   vertices.insert(vertices.end(), opposite.begin(), opposite.end());
-  std::vector<char> seen(system.prescribed.size(), 0);
-  for (int v : vertices)
-    for (int dof = 2 * v; dof < 2 * v + 2; ++dof)
-      if (!system.prescribed[dof] && !seen[dof]) {
-        seen[dof] = 1;
-        dofs.push_back(dof);
-      }
-  return dofs;
+  return free_dofs_at(vertices, system);
+}
+
+UnknownScales unknown_scales(const CondensedContact& contact) {
+  UnknownScales scales;
+  scales.v = contact.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  scales.q.resize(contact.E.cols());
+  for (Index d = 0; d < scales.q.size(); ++d) {
+    const double reach =
+        std::hypot(contact.E.col(d).cwiseProduct(scales.v).norm(),
+                   std::sqrt(contact.F(d, d)));
+    scales.q[d] = 1 / (reach > 0 ? reach : scales.v.mean());
+  }
+  return scales;
+}
+
+ContactRows rows_of(const CondensedContact& contact, const VectorXd& v,
+                    const VectorXd& q) {
+  const VectorXd P = contact.S * v - contact.g - contact.E * q;
+  const VectorXd v_dependent =
+      contact.E.transpose() * v + contact.F * q + contact.dependent_offset;
+  const Index count = contact.position.size();
+  ContactRows rows{VectorXd(count), VectorXd(count)};
+  for (Index row = 0; row < count; ++row) {
+    const int k = contact.position[row];
+    rows.P[row] = k >= 0 ? P[k] : q[-1 - k];
+    rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
+  }
+  return rows;
 }
 
 double motion_scale(const CondensedContact& contact, const VectorXd& v) {

@@ -142,10 +142,7 @@ void require_sound(const Mesh& mesh, const ContactLine& line,
                    const ContactSettings& settings) {
   require_valid(law, line);
   require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
-  if (settings.max_iterations < 1)
-    refuse("maxit must be at least 1, got ", settings.max_iterations);
-  const auto given = count_of(settings.initial_state);
-  if (given > 0) require_size("initial state", given, line.node_count());
+  require_valid(settings, line.node_count());
   require_feasible(mesh, line, law, system);
   require_balance(mesh, line, law, system);
 }
@@ -177,6 +174,13 @@ Index nearest(const Ref<const VectorXd>& values, double value) {
 }
 
 }  // namespace
+
+void require_valid(const ContactSettings& settings, int nodes) {
+  if (settings.max_iterations < 1)
+    refuse("maxit must be at least 1, got ", settings.max_iterations);
+  const auto given = count_of(settings.initial_state);
+  if (given > 0) require_size("initial state", given, nodes);
+}
 
 ContactStatus judged_status(ContactStatus condensed, double complementarity,
                             double residual, double tolerance) {

@@ -30,6 +30,10 @@ struct ContactSettings {
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
 };
 
+/// @throws std::invalid_argument  if maxit is not positive, or the initial states are not
+///                                those of so many nodes
+void require_valid(const ContactSettings& settings, int nodes);
+
 /// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
 struct ContactSolution {
   /// anything but converged: the rest is the best iterate

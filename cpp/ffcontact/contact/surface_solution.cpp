@@ -45,10 +45,7 @@ void require_sound(const SolidMesh& mesh, const ContactSurface& surface,
                    const ContactSettings& settings) {
   require_valid(law, surface);
   require_size("A", system.dof_count(), 3 * mesh.vertices.cols());
-  if (settings.max_iterations < 1)
-    refuse("maxit must be at least 1, got ", settings.max_iterations);
-  const auto given = static_cast<Index>(settings.initial_state.size());
-  if (given > 0) require_size("initial state", given, surface.node_count());
+  require_valid(settings, surface.node_count());
   require_balance(mesh, surface, law, system);
 }
 

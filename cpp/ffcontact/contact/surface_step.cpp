@@ -30,13 +30,13 @@ class SurfaceStep {
   SurfaceStep(const CondensedContact& contact, const std::vector<char>& held,
               const NaturalMap& map, const std::vector<NodeState>& states)
       : contact_(contact), held_(held), map_(map), states_(states) {
-    const VectorXd diagonal = contact.S.diagonal().cwiseMax(1e-300);
-    v_scale_ = diagonal.cwiseSqrt().cwiseInverse();
+    UnknownScales scales = unknown_scales(contact);
+    v_scale_ = std::move(scales.v);
     for (int k = 0; k < count_of(contact.primary); ++k)
       if (!is_fixed(contact.primary[k])) unknown_.push_back(k);
     for (int d = 0; d < count_of(contact.dependent); ++d)
       if (!held[contact.dependent[d]]) dependent_.push_back(d);
-    for (int d : dependent_) q_scale_.push_back(q_scale(d));
+    for (int d : dependent_) q_scale_.push_back(scales.q[d]);
   }
 
   SystemKind solve(ContactRows& rows) {
@@ -51,13 +51,6 @@ class SurfaceStep {
   }
 
  private:
-  double q_scale(int d) const {
-    const double reach =
-        std::hypot(contact_.E.col(d).cwiseProduct(v_scale_).norm(),
-                   std::sqrt(contact_.F(d, d)));
-    return 1 / (reach > 0 ? reach : v_scale_.mean());
-  }
-
   /// Is v = 0 the condition on a row?
   bool is_fixed(int row) const { return states_[row / 3].fixes(row % 3); }
 
@@ -167,13 +160,8 @@ class SurfaceStep {
       v[unknown_[j]] = v_scale_[unknown_[j]] * x[j];
     for (std::size_t d = 0; d < dependent_.size(); ++d)
       q[dependent_[d]] = q_scale_[d] * x[unknown_.size() + d];
-    const VectorXd P = contact_.S * v - contact_.g - contact_.E * q,
-                   v_dependent = contact_.E.transpose() * v + contact_.F * q +
-                                 contact_.dependent_offset;
-    for (int row = 0; row < contact_.position.size(); ++row) {
-      const int k = contact_.position[row];
-      rows.P[row] = k >= 0 ? P[k] : q[-1 - k];
-      rows.v[row] = k >= 0 ? v[k] : v_dependent[-1 - k];
+    rows = rows_of(contact_, v, q);
+    for (int row = 0; row < rows.P.size(); ++row) {
       if (held_[row]) rows.v[row] = 0;
       if (row % 3 == 0 && states_[row / 3].open) rows.P[row] = 0;
     }

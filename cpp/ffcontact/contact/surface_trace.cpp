@@ -130,23 +130,11 @@ class TraceBuilder {
 
 }  // namespace
 
-std::vector<int> contact_dofs(const ContactSurface& surface,
-                              const ElasticSystem& system) {
-  std::vector<int> dofs;
-  std::vector<char> seen(system.prescribed.size(), 0);
-  for (int v : surface.vertex)
-    for (int dof = dof_of<3>(v, 0); dof < dof_of<3>(v + 1, 0); ++dof)
-      if (!system.prescribed[dof] && !seen[dof]) {
-        seen[dof] = 1;
-        dofs.push_back(dof);
-      }
-  return dofs;
-}
-
 SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
                            const ElasticSystem& system) {
+  const std::vector<int> vertices(surface.vertex.begin(), surface.vertex.end());
   SurfaceTrace result = TraceBuilder(surface, system.prescribed)
-                            .trace(contact_dofs(surface, system));
+                            .trace(free_dofs_at(vertices, system));
   if (result.primary.empty())
     refuse("every dof of the contact surface is prescribed");
   result.trace.v_prescribed =

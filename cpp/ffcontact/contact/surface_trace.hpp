@@ -25,8 +25,4 @@ struct SurfaceTrace {
 SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
                            const ElasticSystem& system);
 
-/// The free dofs of the vertices of a surface, in the order of its nodes.
-std::vector<int> contact_dofs(const ContactSurface& surface,
-                              const ElasticSystem& system);
-
 }  // namespace ffcontact

@@ -208,6 +208,20 @@ ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
   return joined;
 }
 
+std::vector<int> free_dofs_at(const std::vector<int>& vertices,
+                              const ElasticSystem& system) {
+  const int dim = system.dimension;
+  std::vector<char> seen(system.prescribed.size(), 0);
+  std::vector<int> dofs;
+  for (int v : vertices)
+    for (int dof = dim * v; dof < dim * v + dim; ++dof)
+      if (!system.prescribed[dof] && !seen[dof]) {
+        seen[dof] = 1;
+        dofs.push_back(dof);
+      }
+  return dofs;
+}
+
 template RowMatrix stiffness(const Mesh&, const HookeTensors<2>&);
 template RowMatrix stiffness(const SolidMesh&, const HookeTensors<3>&);
 

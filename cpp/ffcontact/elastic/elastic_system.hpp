@@ -33,6 +33,10 @@ struct ElasticSystem {
 ElasticSystem elastic_system(const RowMatrixView& A,
                              const Ref<const VectorXd>& b, int dimension = 2);
 
+/// The free dofs of vertices, each once, in the order of these.
+std::vector<int> free_dofs_at(const std::vector<int>& vertices,
+                              const ElasticSystem& system);
+
 /// Several bodies as one system of separate blocks, in the order of joined_mesh.
 /// @throws std::invalid_argument  if their dimensions differ
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/interface/labelled_facets.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 
 namespace ffcontact {
@@ -14,10 +15,6 @@ namespace {
 
 using Chain = std::vector<int>;
 using EdgeByVertex = std::map<int, int>;
-
-bool contains(const std::vector<int>& labels, int label) {
-  return std::find(labels.begin(), labels.end(), label) != labels.end();
-}
 
 /// Angles by which a loop turns at the first vertex of each edge.
 std::vector<double> turns_of(const Mesh& mesh, const Edges& edges,
@@ -70,19 +67,7 @@ std::vector<int> starts(const Edges& edges, const std::vector<int>& boundary,
 std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
                                    const std::vector<int>& labels) {
   if (labels.empty()) refuse("no contact label is given");
-  std::vector<int> found;
-  std::set<int> used;
-  for (int e = 0; e < edges.count(); ++e) {
-    if (!edges.on_boundary(e)) continue;
-    const int label = mesh.boundary_label[edges.boundary_index[e]];
-    if (!contains(labels, label)) continue;
-    found.push_back(e);
-    used.insert(label);
-  }
-  for (int label : labels)
-    if (!used.count(label))
-      refuse("label ", label, " is on no boundary edge of the mesh");
-  return found;
+  return labelled_facets(mesh, edges, labels);
 }
 
 std::vector<std::vector<int>> boundary_chains(

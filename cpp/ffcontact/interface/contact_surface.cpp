@@ -10,6 +10,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/interface/labelled_facets.hpp"
 
 namespace ffcontact {
 
@@ -22,24 +23,10 @@ constexpr double coplanar = 1e-12;
 /// Components of n above this make the x axis a bad tangent.
 constexpr double steep = 0.9;
 
-/// Facets of the boundary that have one of the labels, in the order of the mesh.
-std::vector<int> labelled_faces(const SolidMesh& mesh, const Facets<3>& faces,
-                                const std::vector<int>& labels) {
+std::vector<int> stated_faces(const SolidMesh& mesh, const Facets<3>& faces,
+                              const std::vector<int>& labels) {
   if (labels.empty()) refuse("no label is given");
-  std::vector<int> found;
-  std::vector<char> seen(labels.size(), 0);
-  for (int f = 0; f < faces.count(); ++f) {
-    if (!faces.on_boundary(f)) continue;
-    const int label = mesh.boundary_label[faces.boundary_index[f]];
-    const auto place = std::find(labels.begin(), labels.end(), label);
-    if (place == labels.end()) continue;
-    found.push_back(f);
-    seen[place - labels.begin()] = 1;
-  }
-  for (std::size_t k = 0; k < labels.size(); ++k)
-    if (!seen[k])
-      refuse("label ", labels[k], " is on no boundary face of the mesh");
-  return found;
+  return labelled_facets(mesh, faces, labels);
 }
 
 /// Sets that are joined pair by pair.
@@ -211,7 +198,7 @@ Matrix3d ContactSurface::frame(int node) const {
 
 ContactSurface contact_surface(const SolidMesh& mesh, const Facets<3>& faces,
                                const std::vector<int>& labels) {
-  return SheetFinder(mesh, faces, labelled_faces(mesh, faces, labels), false)
+  return SheetFinder(mesh, faces, stated_faces(mesh, faces, labels), false)
       .surface();
 }
 
@@ -219,7 +206,7 @@ ContactSurface surface_along(const SolidMesh& mesh, const Facets<3>& faces,
                              const std::vector<int>& labels,
                              const Ref<const Matrix3Xd>& direction) {
   ContactSurface surface =
-      SheetFinder(mesh, faces, labelled_faces(mesh, faces, labels), true)
+      SheetFinder(mesh, faces, stated_faces(mesh, faces, labels), true)
           .surface();
   for (int i = 0; i < surface.node_count(); ++i)
     surface.normal.col(i) = direction.col(surface.vertex[i]).normalized();

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/interface/labelled_facets.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact {
+
+template <int dim>
+std::vector<int> labelled_facets(const SimplexMesh<dim>& mesh,
+                                 const Facets<dim>& facets,
+                                 const std::vector<int>& labels) {
+  std::vector<int> found;
+  std::set<int> used;
+  for (int f = 0; f < facets.count(); ++f) {
+    if (!facets.on_boundary(f)) continue;
+    const int label = mesh.boundary_label[facets.boundary_index[f]];
+    if (std::find(labels.begin(), labels.end(), label) == labels.end())
+      continue;
+    found.push_back(f);
+    used.insert(label);
+  }
+  for (int label : labels)
+    if (!used.count(label))
+      refuse("label ", label, " is on no boundary ", MeshWords<dim>::facet,
+             " of the mesh");
+  return found;
+}
+
+template std::vector<int> labelled_facets(const Mesh&, const Facets<2>&,
+                                          const std::vector<int>&);
+template std::vector<int> labelled_facets(const SolidMesh&, const Facets<3>&,
+                                          const std::vector<int>&);
+
+}  // namespace ffcontact
