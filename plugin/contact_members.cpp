@@ -69,7 +69,7 @@ KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
     const Contact& contact = stated_contact_of(*variable);
     const SolidProblem* solid = contact.solid.problem.get();
     return array_of<long>(
-        stack, solid ? solid->vertices() : contact.problem->own_vertex);
+        stack, solid ? solid->own_vertex : contact.problem->own_vertex);
   });
 }
 
@@ -95,8 +95,8 @@ KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
 KN<long>* sides(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
-    return array_of<long>(
-        stack, contact.problem ? contact.problem->side : std::vector<long>());
+    return array_of<long>(stack, contact.problem ? contact.problem->side
+                                                 : contact.solid.problem->side);
   });
 }
 

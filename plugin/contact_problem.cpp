@@ -67,7 +67,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
   for (int k = 0; k + 1 < bodies; ++k)
     add_pair(stack, named, k, labels[k].towards_next, k + 1,
              labels[k + 1].towards_last);
-  read_previous(stack, named);
+  previous_ = stated_previous(stack, named, *this);
   join_carriers();
 }
 
@@ -75,22 +75,6 @@ const Topology& ContactProblem::topology() const {
   if (topology_.stars.triangle_start.empty())
     topology_.stars = stars_of(topology_.mesh, topology_.edges);
   return topology_;
-}
-
-void ContactProblem::read_previous(Stack stack, const NamedArguments& named) {
-  VectorXd previous = VectorXd::Zero(dof_count());
-  bool incremental = false;
-  for (int k = 0; k < body_count(); ++k) {
-    const std::string name = name_of_body("previous", k, body_count());
-    const Expression expression = named.expression(name);
-    KN<double>* u =
-        expression ? GetAny<KN<double>*>((*expression)(stack)) : nullptr;
-    if (!u || u->N() == 0) continue;
-    require_dofs(name.c_str(), k, u->N());
-    previous.segment(first_dof(k), dof_count(k)) = vector_of(u);
-    incremental = true;
-  }
-  if (incremental) previous_ = previous;
 }
 
 BodyPart ContactProblem::part(int body) const {

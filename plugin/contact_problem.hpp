@@ -101,7 +101,6 @@ struct ContactProblem : BodyDofs {
   Carrier carrier(Stack stack, const NamedArguments& named, int body,
                   const ContactLine& stated, ContactLine line,
                   bool on_opposite) const;
-  void read_previous(Stack stack, const NamedArguments& named);
   void join_carriers();
   void clear_line();
   void append_carrier(const Carrier& carrier);

@@ -53,9 +53,10 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
   return table;
 }
 
+template <int dim>
 std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
                                const std::string& name,
-                               const JoinedMesh& joined, int body) {
+                               const JoinedBodies<dim>& joined, int body) {
   std::vector<int> labels = named.integers(stack, name);
   if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
   const int first = joined.first_boundary[body],
@@ -65,15 +66,23 @@ std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
     const auto* all = joined.mesh.boundary_label.data();
     if (joined.body_count() > 1 &&
         std::find(all + first, all + end, label) == all + end)
-      refuse(name, " is ", own, ", which is on no boundary edge of mesh ",
-             body + 1);
+      refuse(name, " is ", own, ", which is on no boundary ",
+             MeshWords<dim>::facet, " of mesh ", body + 1);
   }
   return labels;
 }
 
+template std::vector<int> joined_labels(Stack, const NamedArguments&,
+                                        const std::string&, const JoinedMesh&,
+                                        int);
+template std::vector<int> joined_labels(Stack, const NamedArguments&,
+                                        const std::string&, const JoinedSolids&,
+                                        int);
+
+template <int dim>
 std::vector<BodyLabels> labels_of_bodies(Stack stack,
                                          const NamedArguments& named,
-                                         const JoinedMesh& joined) {
+                                         const JoinedBodies<dim>& joined) {
   const int bodies = joined.body_count();
   std::vector<BodyLabels> labels;
   for (int k = 0; k < bodies; ++k) {
@@ -89,6 +98,28 @@ std::vector<BodyLabels> labels_of_bodies(Stack stack,
       labels.push_back({own, own});
   }
   return labels;
+}
+
+template std::vector<BodyLabels> labels_of_bodies(Stack, const NamedArguments&,
+                                                  const JoinedMesh&);
+template std::vector<BodyLabels> labels_of_bodies(Stack, const NamedArguments&,
+                                                  const JoinedSolids&);
+
+VectorXd stated_previous(Stack stack, const NamedArguments& named,
+                         const BodyDofs& bodies) {
+  VectorXd previous = VectorXd::Zero(bodies.dof_count());
+  bool any = false;
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    const std::string name = name_of_body("previous", k, bodies.body_count());
+    const Expression expression = named.expression(name);
+    KN<double>* u =
+        expression ? value_of<KN<double>*>(stack, expression) : nullptr;
+    if (!u || u->N() == 0) continue;
+    bodies.require_dofs(name.c_str(), k, u->N());
+    previous.segment(bodies.first_dof(k), bodies.dof_count(k)) = vector_of(u);
+    any = true;
+  }
+  return any ? previous : VectorXd();
 }
 
 ContactLine stated_line(Stack stack, const NamedArguments& named,

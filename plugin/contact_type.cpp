@@ -15,7 +15,7 @@ namespace {
 /// The value of contact(Th, ...), for an assignment: one of them is null.
 struct ContactStatement {
   std::shared_ptr<ContactProblem> plane;
-  std::shared_ptr<const SolidProblem> solid;
+  std::shared_ptr<SolidProblem> solid;
 };
 
 ContactStatement stated(Stack stack, const NamedArguments& named,
@@ -25,7 +25,7 @@ ContactStatement stated(Stack stack, const NamedArguments& named,
 
 ContactStatement stated(Stack stack, const NamedArguments& named,
                         const std::vector<pmesh3>& meshes) {
-  return {nullptr, std::make_shared<const SolidProblem>(stack, named, meshes)};
+  return {nullptr, std::make_shared<SolidProblem>(stack, named, meshes)};
 }
 
 /// The meshes and named parameters of a statement, from its first mesh on.

@@ -202,7 +202,7 @@ class ContactErrorFunction : public E_F0mps {
   /// @param values  the same number of each triangle
   void put_by_triangles(Stack stack, const ContactProblem& problem,
                         const char* parameter, const VectorXd& values) const {
-    const std::vector<int>& first = problem.joined.first_triangle;
+    const std::vector<int>& first = problem.joined.first_cell;
     const Index each = values.size() / first.back();
     const int bodies = problem.body_count();
     for (int k = 0; k < bodies; ++k)

@@ -76,7 +76,7 @@ double read_body(Stack stack, const NamedArguments& named,
   body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
       traction_moments(stack, F.x, F.y, fem_mesh, mesh);
   const BodyForce force = body_force_loads(stack, f.x, f.y, fem_mesh, mesh);
-  body.body_loads.middleCols(joined.first_triangle[k], mesh.cells.cols()) =
+  body.body_loads.middleCols(joined.first_cell[k], mesh.cells.cols()) =
       force.loads;
   return force.oscillation;
 }
@@ -87,7 +87,7 @@ double read_material_and_loads(Stack stack, const NamedArguments& named,
                                const ContactProblem& problem,
                                SolvedBody& body) {
   body.neumann.resize(4, problem.joined.first_boundary.back());
-  body.body_loads.resize(6, problem.joined.first_triangle.back());
+  body.body_loads.resize(6, problem.joined.first_cell.back());
   double oscillation = 0;
   for (int k = 0; k < problem.body_count(); ++k)
     oscillation =

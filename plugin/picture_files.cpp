@@ -35,15 +35,14 @@ MatrixXd in_space(const Ref<const VectorXd>& displacement) {
 }
 
 VtuTriangles body_triangles(const JoinedMesh& joined, int body) {
-  const int v = joined.first_vertex[body], t = joined.first_triangle[body];
+  const int v = joined.first_vertex[body], t = joined.first_cell[body];
   VtuTriangles triangles;
   triangles.points =
       joined.mesh.vertices.middleCols(v, joined.first_vertex[body + 1] - v)
           .colwise() +
       joined.mesh.origin;
   triangles.corners =
-      joined.mesh.cells.middleCols(t, joined.first_triangle[body + 1] - t)
-          .array() -
+      joined.mesh.cells.middleCols(t, joined.first_cell[body + 1] - t).array() -
       v;
   return triangles;
 }
@@ -57,10 +56,10 @@ void write_body(const fs::path& folder, long step,
                            problem.first_dof(body), problem.dof_count(body)))}};
   if (solved.estimate)
     triangles.on_triangles = {
-        {"eps_E", solved.estimate->local
-                      .segment(problem.joined.first_triangle[body],
-                               triangles.corners.cols())
-                      .transpose()}};
+        {"eps_E",
+         solved.estimate->local
+             .segment(problem.joined.first_cell[body], triangles.corners.cols())
+             .transpose()}};
   write_vtu(folder / file_name("step", step, body), triangles);
 }
 
@@ -69,7 +68,7 @@ void write_body(const fs::path& folder, long step,
 void write_stress(const fs::path& folder, long step,
                   const ContactProblem& problem,
                   const std::vector<CompositeStress>& stress, int body) {
-  const std::vector<int>& first_triangle = problem.joined.first_triangle;
+  const std::vector<int>& first_triangle = problem.joined.first_cell;
   const int first = first_triangle[body],
             triangles = first_triangle[body + 1] - first;
   const Index count = 9 * triangles;

@@ -75,7 +75,7 @@ class OptimalSizeFunction : public E_F0mps {
     std::vector<Expression> rates;
     for (int k = 0; k < bodies; ++k) {
       require_size("eps", value_of<KN<double>*>(stack, local_error_[k])->N(),
-                   all.first_triangle[k + 1] - all.first_triangle[k]);
+                   all.first_cell[k + 1] - all.first_cell[k]);
       rates.push_back(named_.expression(name_of_body("rate", k, bodies)));
     }
     SizeSettings settings;
@@ -89,11 +89,11 @@ class OptimalSizeFunction : public E_F0mps {
         optimal_size(all.mesh, problem.edges, joined(stack, local_error_),
                      joined(stack, rates), settings);
     for (int k = 0; k < bodies; ++k) {
-      const int v = all.first_vertex[k], t = all.first_triangle[k];
+      const int v = all.first_vertex[k], t = all.first_cell[k];
       named_.put(stack, name_of_body("size", k, bodies),
                  optimal.size.segment(v, all.first_vertex[k + 1] - v));
       named_.put(stack, name_of_body("ratio", k, bodies),
-                 optimal.ratio.segment(t, all.first_triangle[k + 1] - t));
+                 optimal.ratio.segment(t, all.first_cell[k + 1] - t));
     }
     named_.put(stack, "wanted", optimal.wanted);
     named_.put(stack, "predicted", optimal.predicted_error);

@@ -11,7 +11,7 @@
 
 namespace ffcontact::plugin {
 
-/// What a solve leaves at the contact nodes of a solid, along n, t1, t2 of
+/// What a solve leaves at the contact nodes of solids, along n, t1, t2 of
 /// ContactSurface::frame; the script reads them as C.pn, C.pt1, ...
 struct SolidResults {
   VectorXd pn, pt1, pt2;    ///< pressures, forces over areas [MPa]
@@ -35,9 +35,9 @@ struct PlacedStates {
   Matrix3Xd place, normal;  ///< [3 x p]
 };
 
-/// The contact of a solid, as a variable of the script holds it.
+/// The contact of solids, as a variable of the script holds it.
 struct SolidContact {
-  std::shared_ptr<const SolidProblem> problem;  ///< null until it is stated
+  std::shared_ptr<SolidProblem> problem;  ///< null until it is stated
   std::optional<SolvedSolid> solved;
   PlacedStates last;  ///< of the last solution: the next one starts from them
 };

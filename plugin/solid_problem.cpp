@@ -1,91 +1,227 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid_problem.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/compliance_ratio.hpp"
+#include "ffcontact/interface/joined_surfaces.hpp"
 //
 #include "contact_statement.hpp"
-#include "solid_views.hpp"
-#include "views.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
 
-/// What several meshes or parameters of plane bodies ask for.
-void require_one_solid(const NamedArguments& named, std::size_t meshes) {
-  if (meshes > 1)
-    refuse("a contact of solids takes one mesh3 for now, got ", meshes);
-  for (const char* name : {"opposite", "side"})
-    if (named.given(name))
-      refuse(name, "= is for plane bodies so far; a solid is on a rigid ",
-             "foundation: leave it out");
+/// The other side carries the multipliers of as much of the surface as this at least.
+constexpr double as_much = 0.9;
+
+JoinedSolids joined_solids(const std::vector<pmesh3>& fem_meshes) {
+  std::vector<SolidMesh> meshes;
+  for (pmesh3 fem_mesh : fem_meshes) meshes.push_back(solid_mesh_of(fem_mesh));
+  return joined_mesh(meshes);
 }
 
-pmesh3 only_mesh(const NamedArguments& named,
-                 const std::vector<pmesh3>& meshes) {
-  require_one_solid(named, meshes.size());
-  return meshes.front();
+/// Solids may overlap a little, as those of curved surfaces do and interference fits, but
+/// not by more than their nodes are large.
+void require_apart(const SolidMesh& mesh, const FacingSurface& facing) {
+  const double size = std::sqrt(facing.surface.area.maxCoeff());
+  for (int i = 0; i < facing.gap.size(); ++i) {
+    const Vector3d x = mesh.place(facing.surface.vertex[i]);
+    if (facing.gap[i] < -size)
+      refuse("the bodies overlap by ", -facing.gap[i], " at (", x.x(), ", ",
+             x.y(), ", ", x.z(),
+             "), more than a contact face: is the facing face behind the "
+             "contact surface? Give gap= if it is meant");
+  }
+}
+
+/// A value at each node, behind those of other nodes.
+void append(const VectorXd& values, VectorXd& all) {
+  const Index before = all.size();
+  all.conservativeResize(before + values.size());
+  all.tail(values.size()) = values;
 }
 
 }  // namespace
 
 SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
                            const std::vector<pmesh3>& meshes)
-    : SolidProblem(stack, named, only_mesh(named, meshes),
-                   solid_mesh_of(meshes.front())) {}
+    : SolidProblem(stack, named, meshes, joined_solids(meshes)) {}
 
-SolidProblem::SolidProblem(Stack stack, const NamedArguments& named, pmesh3 fem,
-                           SolidMesh solid)
-    : BodyDofs(3, {0, solid.vertex_count()}),
-      mesh(std::move(solid)),
-      fem_mesh(fem),
-      faces(facets_of(mesh)) {
-  require_names_of_bodies(named, stated_of_bodies, 1);
+SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
+                           const std::vector<pmesh3>& meshes,
+                           JoinedSolids whole)
+    : BodyDofs(3, whole.first_vertex),
+      joined(std::move(whole)),
+      fem_meshes(meshes.begin(), meshes.end()),
+      faces(facets_of(joined.mesh)) {
+  const int bodies = body_count();
+  require_names_of_bodies(named, stated_of_bodies, bodies);
   require_law(named);
-  surface = stated_surface(stack, named);
-  law = stated_law(stack, named);
-  require_valid(law, surface);
+  if (bodies > 1 && named.given("opposite"))
+    refuse("opposite= is given, but the contact has ", bodies, " meshes");
+  const std::vector<BodyLabels> labels = labels_of_bodies(stack, named, joined);
+  if (bodies == 1)
+    add_pair(stack, named, 0, labels[0].towards_next, 0,
+             joined_labels(stack, named, "opposite", joined, 0));
+  for (int k = 0; k + 1 < bodies; ++k)
+    add_pair(stack, named, k, labels[k].towards_next, k + 1,
+             labels[k + 1].towards_last);
+  previous_ = stated_previous(stack, named, *this);
+  join_carriers();
 }
 
-ContactSurface SolidProblem::stated_surface(Stack stack,
-                                            const NamedArguments& named) const {
-  const std::vector<int> labels = named.integers(stack, "label");
+SolidPart SolidProblem::part(int body) const {
+  return {*fem_meshes[body], mesh, faces, joined.first_vertex[body],
+          joined.first_boundary[body]};
+}
+
+ContactSurface SolidProblem::stated_surface(
+    Stack stack, const NamedArguments& named, int body,
+    const std::vector<int>& labels) const {
   ContactSurface own = contact_surface(mesh, faces, labels);
   if (!named.given("normal")) return own;
+  const std::vector<FacePlace> places = places_of_nodes(own);
   Matrix3Xd direction = Matrix3Xd::Zero(3, mesh.vertices.cols());
   for (int c = 0; c < 3; ++c) {
-    const VectorXd values = at_nodes(stack, named.component("normal", c, 3),
-                                     {*fem_mesh, mesh, faces}, own, 0);
+    const VectorXd values = at_places(stack, named.component("normal", c, 3),
+                                      part(body), places, 0);
     for (int i = own.node_count() - 1; i >= 0; --i)
       direction(c, own.vertex[i]) = values[i];
   }
   return surface_along(mesh, faces, labels, direction);
 }
 
-SurfaceLaw SolidProblem::stated_law(Stack stack,
-                                    const NamedArguments& named) const {
-  const auto read = [&](const char* name) {
-    return at_nodes(stack, named.expression(name), {*fem_mesh, mesh, faces},
-                    surface, 0);
-  };
-  SurfaceLaw stated;
-  stated.friction = read("friction");
-  if (named.given("slipbound"))
-    (named.given("friction") ? stated.shear_limit : stated.slip_bound) =
-        read("slipbound");
-  if (named.given("gap")) stated.gap = read("gap");
-  const Expression before = named.expression("previous");
-  KN<double>* u = before ? value_of<KN<double>*>(stack, before) : nullptr;
-  if (!u || u->N() == 0) return stated;
-  require_dofs("previous", 0, u->N());
-  stated.previous = contact_components(surface, vector_of(u)).bottomRows<2>();
-  return stated;
+void SolidProblem::add_pair(Stack stack, const NamedArguments& named, int body,
+                            const std::vector<int>& labels, int opposite_body,
+                            const std::vector<int>& opposite_labels) {
+  Pair pair;
+  pair.whole = stated_surface(stack, named, body, labels);
+  if (!opposite_labels.empty() || opposite_body != body) {
+    add_facing_pair(stack, named, body, labels, std::move(pair),
+                    opposite_labels);
+    return;
+  }
+  if (named.given("side"))
+    refuse(
+        "side= is for bodies that face each other, not for a rigid foundation");
+  pair.own = carrier(stack, named, body, {pair.whole, {}},
+                     places_of_nodes(pair.whole));
+  pairs_.push_back(std::move(pair));
 }
 
-std::vector<long> SolidProblem::vertices() const {
-  return {surface.vertex.begin(), surface.vertex.end()};
+void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
+                                   int body, const std::vector<int>& labels,
+                                   Pair pair,
+                                   const std::vector<int>& opposite_labels) {
+  pair.wanted = wanted_side(stack, named, count_of(pairs_),
+                            std::max(1, body_count() - 1));
+  pair.polygons = facing_polygons(mesh, faces, pair.whole, opposite_labels);
+  FacingSurface facing = facing_surface(mesh, faces, pair.whole, pair.polygons);
+  const std::vector<FacePlace> places = places_of_nodes(facing.surface);
+  pair.own = carrier(stack, named, body, std::move(facing), places);
+  if (pair.wanted != 1)
+    pair.other = exchanged(stack, named, body, labels, opposite_labels);
+  if (pair.wanted == 0 &&
+      pair.other->surface.area.sum() < as_much * pair.own.surface.area.sum())
+    pair.other.reset();
+  pairs_.push_back(std::move(pair));
+}
+
+/// Contact directions are those of the first body, turned.
+SolidProblem::Carrier SolidProblem::exchanged(
+    Stack stack, const NamedArguments& named, int body,
+    const std::vector<int>& labels,
+    const std::vector<int>& opposite_labels) const {
+  ContactSurface whole = contact_surface(mesh, faces, opposite_labels);
+  std::vector<FacingPolygon> polygons =
+      facing_polygons(mesh, faces, whole, labels);
+  if (named.given("normal")) {
+    const FacingSurface first = facing_surface(mesh, faces, whole, polygons);
+    const std::vector<FacePlace> places =
+        places_faced(first.surface, whole, polygons);
+    Matrix3Xd direction = Matrix3Xd::Zero(3, mesh.vertices.cols());
+    for (int i = 0; i < whole.node_count(); ++i)
+      direction.col(whole.vertex[i]) = whole.normal.col(i);
+    for (int c = 0; c < 3; ++c) {
+      const VectorXd values = at_places(stack, named.component("normal", c, 3),
+                                        part(body), places, 0);
+      for (int i = 0; i < first.surface.node_count(); ++i)
+        direction(c, first.surface.vertex[i]) = -values[i];
+    }
+    whole = surface_along(mesh, faces, opposite_labels, direction);
+    polygons = facing_polygons(mesh, faces, whole, labels);
+  }
+  FacingSurface facing = facing_surface(mesh, faces, whole, polygons);
+  const std::vector<FacePlace> places =
+      places_faced(facing.surface, whole, polygons);
+  return carrier(stack, named, body, std::move(facing), places);
+}
+
+/// @param places  of the nodes on the body that comes first, or of what they face there
+SolidProblem::Carrier SolidProblem::carrier(
+    Stack stack, const NamedArguments& named, int body, FacingSurface facing,
+    const std::vector<FacePlace>& places) const {
+  const auto read = [&](const char* name) {
+    return at_places(stack, named.expression(name), part(body), places, 0);
+  };
+  Carrier result;
+  result.law.friction = read("friction");
+  if (named.given("slipbound"))
+    (named.given("friction") ? result.law.shear_limit : result.law.slip_bound) =
+        read("slipbound");
+  if (named.given("gap"))
+    facing.gap = read("gap");
+  else if (facing.surface.against_a_body())
+    require_apart(mesh, facing);
+  result.law.gap = facing.gap;
+  result.surface = std::move(facing.surface);
+  for (const FacePlace& place : places) {
+    Index nearest;
+    place.coordinates.maxCoeff(&nearest);
+    result.own_vertex.push_back(faces.vertices(nearest, place.face) -
+                                joined.first_vertex[body]);
+  }
+  return result;
+}
+
+void SolidProblem::choose_sides(const ElasticSystem& system) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const Pair& pair = pairs_[k];
+    if (pair.wanted != 0 || !pair.other) continue;
+    const double ratio =
+        compliance_ratio(mesh, faces, pair.whole, pair.polygons, system);
+    side[k] = ratio > much_softer ? 2 : 1;
+  }
+  join_carriers();
+}
+
+void SolidProblem::join_carriers() {
+  if (side.empty())
+    for (const Pair& pair : pairs_)
+      if (!pair.polygons.empty()) side.push_back(std::max(1, pair.wanted));
+  law = {};
+  own_vertex.clear();
+  std::vector<ContactSurface> surfaces;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const bool on_other = !pairs_[k].polygons.empty() && side[k] == 2;
+    const Carrier& carrier = on_other ? *pairs_[k].other : pairs_[k].own;
+    surfaces.push_back(carrier.surface);
+    own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
+                      carrier.own_vertex.end());
+    for (VectorXd SurfaceLaw::*nodal :
+         {&SurfaceLaw::friction, &SurfaceLaw::slip_bound,
+          &SurfaceLaw::shear_limit, &SurfaceLaw::gap})
+      append(carrier.law.*nodal, law.*nodal);
+  }
+  surface = joined_surfaces(surfaces);
+  if (previous_.size() > 0)
+    law.previous = contact_components(surface, previous_).bottomRows<2>();
+  require_valid(law, surface);
 }
 
 Matrix3Xd SolidProblem::places() const {

@@ -1,43 +1,85 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ffcontact/contact/surface_law.hpp"
-#include "ffcontact/interface/contact_surface.hpp"
+#include "ffcontact/interface/facing_surface.hpp"
+#include "ffcontact/mesh/joined_mesh.hpp"
 //
 #include "arguments.hpp"
 #include "body_dofs.hpp"
 #include "held_mesh.hpp"
+#include "solid_views.hpp"
 
 namespace ffcontact::plugin {
 
-/// A contact problem of one solid on a rigid foundation as a script states it: label=,
-/// friction=, slipbound=, gap=, normal=[nx, ny, nz] (one contact direction a vertex in
-/// place of the faces' normals) and previous= (displacement of the load step before; an
-/// empty array is none). All is evaluated when it is stated.
+/// A contact problem of solids as a script states it, with the parameters, bodies and
+/// sides of ContactProblem: one mesh3 or several; normal=[nx, ny, nz] is one contact
+/// direction a vertex in place of the faces' normals. All is evaluated when it is stated.
 struct SolidProblem : BodyDofs {
-  SolidMesh mesh;
-  HeldMesh<Fem2D::Mesh3> fem_mesh;
+  JoinedSolids joined;
+  const SolidMesh& mesh = joined.mesh;
+  std::vector<HeldMesh<Fem2D::Mesh3>> fem_meshes;
   Facets<3> faces;
   ContactSurface surface;
   SurfaceLaw law;
+  /// of each node, or nearest to what it faces, in the mesh of the body that comes first
+  std::vector<long> own_vertex;
+  /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
+  std::vector<long> side;
 
-  /// @throws std::invalid_argument  if the mesh, a label or a coefficient is not usable,
-  ///                                or there is more than one mesh
+  /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   SolidProblem(Stack stack, const NamedArguments& named,
                const std::vector<pmesh3>& meshes);
   SolidProblem(const SolidProblem&) = delete;
   SolidProblem& operator=(const SolidProblem&) = delete;
 
-  std::vector<long> vertices() const;  ///< of the nodes [p]
-  Matrix3Xd places() const;            ///< of the nodes [mm, 3 x p]
+  /// Moves the multipliers of each pair whose side is not stated to the side that is to
+  /// carry them.
+  void choose_sides(const ElasticSystem& system);
+
+  Matrix3Xd places() const;  ///< of the nodes [mm, 3 x p]
 
  private:
-  SolidProblem(Stack stack, const NamedArguments& named, pmesh3 fem,
-               SolidMesh solid);
-  ContactSurface stated_surface(Stack stack, const NamedArguments& named) const;
-  SurfaceLaw stated_law(Stack stack, const NamedArguments& named) const;
+  SolidProblem(Stack stack, const NamedArguments& named,
+               const std::vector<pmesh3>& meshes, JoinedSolids whole);
+
+  /// The surface of one pair of bodies that carries the multipliers, with what belongs to
+  /// its nodes.
+  struct Carrier {
+    ContactSurface surface;
+    SurfaceLaw law;
+    std::vector<long> own_vertex;
+  };
+  struct Pair {
+    int wanted = 0;  ///< side, or 0
+    ContactSurface whole;
+    std::vector<FacingPolygon> polygons;  ///< none on a rigid foundation
+    Carrier own;
+    std::optional<Carrier> other;
+  };
+
+  SolidPart part(int body) const;
+  ContactSurface stated_surface(Stack stack, const NamedArguments& named,
+                                int body, const std::vector<int>& labels) const;
+  void add_pair(Stack stack, const NamedArguments& named, int body,
+                const std::vector<int>& labels, int opposite_body,
+                const std::vector<int>& opposite_labels);
+  void add_facing_pair(Stack stack, const NamedArguments& named, int body,
+                       const std::vector<int>& labels, Pair pair,
+                       const std::vector<int>& opposite_labels);
+  Carrier exchanged(Stack stack, const NamedArguments& named, int body,
+                    const std::vector<int>& labels,
+                    const std::vector<int>& opposite_labels) const;
+  Carrier carrier(Stack stack, const NamedArguments& named, int body,
+                  FacingSurface facing,
+                  const std::vector<FacePlace>& places) const;
+  void join_carriers();
+
+  std::vector<Pair> pairs_;
+  VectorXd previous_;  ///< displacement of the load step before; empty for none
 };
 
 }  // namespace ffcontact::plugin

@@ -105,7 +105,7 @@ void put(const SolveCall& call, const SolidProblem& problem,
         std::pair{"fz", &nodes.fz}, std::pair{"gap", &nodes.gap},
         std::pair{"slip1", &nodes.slip1}, std::pair{"slip2", &nodes.slip2}})
     call.named.put(call.stack, name, *values);
-  call.named.put_integers(call.stack, "node", problem.vertices());
+  call.named.put_integers(call.stack, "node", problem.own_vertex);
   call.named.put_integers(call.stack, "state", nodes.state);
 }
 
@@ -114,11 +114,13 @@ void put(const SolveCall& call, const SolidProblem& problem,
 long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_solid_results(call.named);
   require_forces(call);
-  const SolidProblem& problem = *contact.problem;
+  SolidProblem& problem = *contact.problem;
   SolvedSolid solved;
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
   const ElasticSystem& system = *solved.system;
+  // and stays: what a solution left belongs to its surface
+  if (!contact.solved) problem.choose_sides(system);
   const SurfaceLaw law = law_of(call, contact);
   const ContactSettings settings = settings_of(call, contact, system);
   solved.solution =
@@ -131,7 +133,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   solved.nodes = nodal_results(problem.surface, law, solution);
   put(call, problem, solved.nodes);
   put(call, answer_of(solution));
-  report_solution(call, problem, {}, answer_of(solution));
+  report_solution(call, problem, problem.side, answer_of(solution));
   contact.last = {solution.state, problem.places(), problem.surface.normal};
   contact.solved = std::move(solved);
   return contact.solved->solution.iterations;

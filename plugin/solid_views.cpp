@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid_views.hpp"
 
+#include <map>
+
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/mesh/near_origin.hpp"
 //
 #include "point_evaluator.hpp"
 
@@ -10,29 +12,39 @@ namespace ffcontact::plugin {
 
 namespace {
 
-/// Evaluates expressions at vertices of boundary faces.
+/// Evaluates expressions on boundary faces.
 class SolidPoint : public PointEvaluator {
  public:
-  SolidPoint(Stack stack, const SolidView& solid)
-      : PointEvaluator(stack), solid_(solid) {}
+  SolidPoint(Stack stack, const SolidPart& part)
+      : PointEvaluator(stack), part_(part) {}
 
-  void go_to_corner(int face, int vertex) {
-    const Fem2D::Mesh3& Th = solid_.fem_mesh;
-    const int element = solid_.faces.boundary_index[face];
+  void go_to(const FacePlace& place) {
+    const Fem2D::Mesh3& Th = part_.fem_mesh;
+    const int element =
+        part_.faces.boundary_index[place.face] - part_.first_boundary;
     int side;
     const int k = Th.BoundaryElement(element, side);
+    R3 hat(0, 0, 0);
+    for (int c = 0; c < 3; ++c) {
+      const int vertex =
+          part_.faces.vertices(c, place.face) - part_.first_vertex;
+      hat += place.coordinates[c] * corner_of(k, vertex);
+    }
     const Fem2D::Tet& tetrahedron = Th[k];
-    int corner = 0;
-    while (Th(k, corner) != vertex) ++corner;
-    const R3 hat = R3::KHat[corner];
     // Tet::n points inward in some versions of FreeFEM
-    const Vector3d n = facet_normal(solid_.mesh, solid_.faces, face);
+    const Vector3d n = facet_normal(part_.mesh, part_.faces, place.face);
     point().set(Th, tetrahedron(hat), hat, tetrahedron, Th.be(element).lab,
                 R3(n.x(), n.y(), n.z()), side);
   }
 
  private:
-  const SolidView& solid_;
+  R3 corner_of(int tetrahedron, int vertex) const {
+    int corner = 0;
+    while (part_.fem_mesh(tetrahedron, corner) != vertex) ++corner;
+    return R3::KHat[corner];
+  }
+
+  const SolidPart& part_;
 };
 
 }  // namespace
@@ -54,23 +66,49 @@ SolidMesh solid_mesh_of(const Fem2D::Mesh3* fem_mesh) {
     mesh.boundary_label[e] = Th.be(e).lab;
   }
   require_valid(mesh);
-  take_from_near_origin(mesh);
   return mesh;
 }
 
-VectorXd at_nodes(Stack stack, Expression expression, const SolidView& solid,
-                  const ContactSurface& surface, double otherwise) {
-  VectorXd values = VectorXd::Constant(surface.node_count(), otherwise);
-  if (!expression) return values;
-  std::vector<char> known(surface.node_count(), 0);
-  SolidPoint point(stack, solid);
-  for (int m = 0; m < surface.face_count(); ++m)
-    for (int node : surface.face_node.col(m)) {
-      if (known[node]) continue;
-      known[node] = 1;
-      point.go_to_corner(surface.face[m], surface.vertex[node]);
-      values[node] = point.value(expression);
+std::vector<FacePlace> places_of_nodes(const ContactSurface& surface) {
+  std::vector<FacePlace> places(surface.node_count());
+  for (int m = surface.face_count() - 1; m >= 0; --m)
+    for (int k = 0; k < 3; ++k)
+      if (const int node = surface.face_node(k, m); node >= 0)
+        places[node] = {surface.face[m], Vector3d::Unit(k)};
+  return places;
+}
+
+std::vector<FacePlace> places_faced(
+    const ContactSurface& part, const ContactSurface& whole,
+    const std::vector<FacingPolygon>& polygons) {
+  std::map<int, int> number;  // of each face in the part
+  for (int m = 0; m < part.face_count(); ++m) number[part.face[m]] = m;
+  std::vector<FacePlace> places(part.node_count());
+  VectorXd nearness = VectorXd::Constant(part.node_count(), -1);
+  for (const FacingPolygon& polygon : polygons) {
+    const auto m = number.find(whole.face[polygon.contact_face]);
+    if (m == number.end()) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int node = part.face_node(k, m->second);
+      Index corner;
+      const double nearest = polygon.own.row(k).maxCoeff(&corner);
+      if (node < 0 || nearest <= nearness[node]) continue;
+      nearness[node] = nearest;
+      places[node] = {polygon.opposite_face, polygon.opposite.col(corner)};
     }
+  }
+  return places;
+}
+
+VectorXd at_places(Stack stack, Expression expression, const SolidPart& part,
+                   const std::vector<FacePlace>& places, double otherwise) {
+  VectorXd values = VectorXd::Constant(count_of(places), otherwise);
+  if (!expression) return values;
+  SolidPoint point(stack, part);
+  for (int i = 0; i < count_of(places); ++i) {
+    point.go_to(places[i]);
+    values[i] = point.value(expression);
+  }
   return values;
 }
 

@@ -1,28 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/interface/contact_surface.hpp"
+#include <vector>
+
+#include "ffcontact/interface/facing_polygons.hpp"
 //
 #include "freefem.hpp"
 
 namespace ffcontact::plugin {
 
 /// FreeFEM's mesh3; column e of SolidMesh::boundary is FreeFEM's boundary element e.
-/// Coordinates are those of take_from_near_origin.
 /// @throws std::invalid_argument  if the mesh was never assigned
 SolidMesh solid_mesh_of(const Fem2D::Mesh3* mesh);
 
-/// A FreeFEM mesh3 and what the core made of it.
-struct SolidView {
+/// A FreeFEM mesh3 as a part of a joined mesh and its faces.
+struct SolidPart {
   const Fem2D::Mesh3& fem_mesh;
   const SolidMesh& mesh;
   const Facets<3>& faces;
+  int first_vertex, first_boundary;
 };
 
-/// An expression of the script at the nodes of a contact surface [p]: x, y, z, N, label
-/// and region are those of the first contact face at the node.
+/// A place on a boundary face.
+struct FacePlace {
+  int face;
+  Vector3d coordinates;  ///< barycentric
+};
+
+/// The nodes of a surface on their own body, each on the first face that has it [p].
+std::vector<FacePlace> places_of_nodes(const ContactSurface& surface);
+
+/// What the nodes of a part of `whole` face on the opposite body, or what a place of their
+/// faces does that is near [p].
+std::vector<FacePlace> places_faced(const ContactSurface& part,
+                                    const ContactSurface& whole,
+                                    const std::vector<FacingPolygon>& polygons);
+
+/// An expression of the script at places of a solid; x, y, z, N, label and region are
+/// those of the faces.
 /// @return an array of `otherwise` where the expression is null
-VectorXd at_nodes(Stack stack, Expression expression, const SolidView& solid,
-                  const ContactSurface& surface, double otherwise);
+VectorXd at_places(Stack stack, Expression expression, const SolidPart& part,
+                   const std::vector<FacePlace>& places, double otherwise);
 
 }  // namespace ffcontact::plugin

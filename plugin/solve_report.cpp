@@ -39,19 +39,22 @@ bool is_held_along_normal(const Nodes& nodes, const ElasticSystem& system,
   return true;
 }
 
-int number_in_its_mesh(const JoinedMesh& joined, int vertex) {
+template <int dim>
+int number_in_its_mesh(const JoinedBodies<dim>& joined, int vertex) {
   return vertex -
          *std::prev(std::upper_bound(joined.first_vertex.begin(),
                                      joined.first_vertex.end() - 1, vertex));
 }
 
-/// The vertices of the nodes whose normal dof is prescribed.
-template <class Nodes>
-std::vector<int> held_vertices(const Nodes& nodes,
+/// The vertices of the nodes whose normal dof is prescribed, as their meshes number them.
+template <int dim, class Nodes>
+std::vector<int> held_vertices(const JoinedBodies<dim>& joined,
+                               const Nodes& nodes,
                                const ElasticSystem& system) {
   std::vector<int> held;
   for (int i = 0; i < nodes.node_count(); ++i)
-    if (is_held_along_normal(nodes, system, i)) held.push_back(nodes.vertex[i]);
+    if (is_held_along_normal(nodes, system, i))
+      held.push_back(number_in_its_mesh(joined, nodes.vertex[i]));
   return held;
 }
 
@@ -114,15 +117,14 @@ void put(const SolveCall& call, const SolveAnswer& answer) {
 
 std::string advice_on_held(const ContactProblem& problem,
                            const ElasticSystem& system) {
-  std::vector<int> held = held_vertices(problem.line, system);
-  for (int& vertex : held) vertex = number_in_its_mesh(problem.joined, vertex);
-  return advice_on(held, "contact line", "edges");
+  return advice_on(held_vertices(problem.joined, problem.line, system),
+                   "contact line", "edges");
 }
 
 std::string advice_on_held(const SolidProblem& problem,
                            const ElasticSystem& system) {
-  return advice_on(held_vertices(problem.surface, system), "contact surface",
-                   "faces");
+  return advice_on(held_vertices(problem.joined, problem.surface, system),
+                   "contact surface", "faces");
 }
 
 void refuse_solution(const SolveAnswer& answer, const std::string& advice) {

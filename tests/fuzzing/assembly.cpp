@@ -44,7 +44,7 @@ void put_bodies(const Case& problem, Assembled& parts) {
       parts.elasticity.push_back(elasticity_of(material));
     for (int region : body.region) parts.region.push_back(first + region);
     for (int t = 0; t < body.mesh.cell_count(); ++t)
-      parts.body_force.col(parts.joined.first_triangle[k] + t) = body.force;
+      parts.body_force.col(parts.joined.first_cell[k] + t) = body.force;
     for (int e = 0; e < body.mesh.boundary.cols(); ++e) {
       const int a = body.mesh.boundary(0, e), b = body.mesh.boundary(1, e),
                 label = body.mesh.boundary_label[e];

@@ -18,11 +18,11 @@ Mesh at(Mesh mesh, double x, double y) {
 TEST(JoinedMesh, numbers_bodies_one_after_the_other) {
   Mesh first = rectangle(2, 1, 2, 1), second = rectangle(1, 3, 1, 3);
   second.boundary_label[0] = -5;
-  const JoinedMesh joined = joined_mesh({first, second, first});
+  const JoinedMesh joined = joined_mesh<2>({first, second, first});
   const Mesh& mesh = joined.mesh;
   ASSERT_EQ(joined.body_count(), 3);
   EXPECT_EQ(joined.first_vertex, (std::vector<int>{0, 6, 14, 20}));
-  EXPECT_EQ(joined.first_triangle, (std::vector<int>{0, 4, 10, 14}));
+  EXPECT_EQ(joined.first_cell, (std::vector<int>{0, 4, 10, 14}));
   EXPECT_EQ(joined.first_boundary, (std::vector<int>{0, 6, 14, 20}));
   require_valid(mesh);
   EXPECT_EQ(mesh.vertices.middleCols(6, 8), second.vertices);
@@ -36,7 +36,7 @@ TEST(JoinedMesh, shares_no_label_between_bodies) {
   Mesh first = rectangle(2, 1, 2, 1), second = first;
   first.boundary_label[1] = -5;
   second.boundary_label[2] = 9;
-  const JoinedMesh joined = joined_mesh({first, second});
+  const JoinedMesh joined = joined_mesh<2>({first, second});
   EXPECT_GT(joined.label(1, -5), joined.label(0, 9));
   for (int b = 0; b < 6; ++b) {
     EXPECT_EQ(joined.mesh.boundary_label[b],
@@ -51,7 +51,7 @@ TEST(
     takes_coordinates_of_far_bodies_from_an_origin_near_them_without_rounding) {
   const Mesh first = at(rotated(rectangle(3, 2, 3, 2), 0.7), 1e6, -3e5),
              second = at(first, 2.5, 0.1);
-  const Mesh joined = joined_mesh({first, second}).mesh;
+  const Mesh joined = joined_mesh<2>({first, second}).mesh;
   EXPECT_LT(joined.vertices.cwiseAbs().maxCoeff(), 100);
   for (int v = 0; v < 12; ++v) {
     EXPECT_EQ(joined.place(v), first.vertices.col(v));
@@ -63,7 +63,7 @@ TEST(
 
 TEST(JoinedMesh, leaves_the_coordinates_of_near_bodies_alone) {
   const Mesh first = at(rotated(rectangle(3, 2, 3, 2), 0.7), 5, -3);
-  const Mesh joined = joined_mesh({first}).mesh;
+  const Mesh joined = joined_mesh<2>({first}).mesh;
   EXPECT_EQ(joined.vertices, first.vertices);
   EXPECT_EQ(joined.origin, Vector2d::Zero());
 }

@@ -35,8 +35,8 @@ inline Bodies bodies(const std::vector<Mesh>& meshes,
                         {result.label(pairs[0].first, pairs[0].first_label)});
   Problem& problem = result.problem;
   for (std::size_t k = 0; k < meshes.size(); ++k)
-    for (int t = result.joined.first_triangle[k];
-         t < result.joined.first_triangle[k + 1]; ++t)
+    for (int t = result.joined.first_cell[k];
+         t < result.joined.first_cell[k + 1]; ++t)
       problem.hooke[t] = materials[k].hooke();
   problem.A = stiffness(mesh, problem.hooke);
   std::vector<ContactLine> lines;

@@ -16,7 +16,7 @@ struct Facing {
   FacingTraces traces;
 
   explicit Facing(const Mesh& upper, const Mesh& lower, bool smooth = false)
-      : joined(joined_mesh({upper, lower})), edges(edges_of(joined.mesh)) {
+      : joined(joined_mesh<2>({upper, lower})), edges(edges_of(joined.mesh)) {
     const std::vector<int> label{joined.label(0, bottom)};
     line = smooth ? smooth_contact_line(joined.mesh, edges, label)
                   : contact_line(joined.mesh, edges, label);

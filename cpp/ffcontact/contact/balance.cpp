@@ -7,7 +7,6 @@
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
 namespace ffcontact {
@@ -92,9 +91,11 @@ MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
   const NodalLaw cones = nodal_law(law, surface);
   std::vector<MatrixXd> work;
   Index columns = 0;
+  MatrixXd trace(3 * surface.node_count(), motions.cols());
+  for (Index k = 0; k < motions.cols(); ++k)
+    trace.col(k) = contact_components(surface, motions.col(k)).reshaped();
   for (int i = 0; i < surface.node_count(); ++i) {
-    const auto z = motions.middleRows<3>(dof_of<3>(surface.vertex[i], 0));
-    work.push_back(z.transpose() * surface.frame(i) *
+    work.push_back(trace.middleRows<3>(3 * i).transpose() *
                    spanning_forces(cones.cone[i]));
     columns += work.back().cols();
   }

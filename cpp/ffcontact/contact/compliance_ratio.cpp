@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/elastic/dofs.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -14,52 +16,82 @@ constexpr double along_the_line = 1e-3;
 constexpr double largest_ratio = 1e12;
 
 /// 1 / (n' K_vv n) on the free components, or 0 at a vertex that none moves along n.
+template <int dim>
 double nodal_compliance(const ElasticSystem& system, int vertex,
-                        const Vector2d& n) {
+                        const Matrix<double, dim, 1>& n) {
   double stiffness = 0;
-  for (int i = 0; i < 2; ++i) {
-    if (system.prescribed[2 * vertex + i] || std::abs(n[i]) < along_the_line)
-      continue;
-    for (int j = 0; j < 2; ++j)
-      if (!system.prescribed[2 * vertex + j])
-        stiffness += n[i] *
-                     system.stiffness.coeff(2 * vertex + i, 2 * vertex + j) *
-                     n[j];
+  for (int i = 0; i < dim; ++i) {
+    const int row = dof_of<dim>(vertex, i);
+    if (system.prescribed[row] || std::abs(n[i]) < along_the_line) continue;
+    for (int j = 0; j < dim; ++j)
+      if (const int column = dof_of<dim>(vertex, j); !system.prescribed[column])
+        stiffness += n[i] * system.stiffness.coeff(row, column) * n[j];
   }
   return stiffness > 0 ? 1 / stiffness : 0;
 }
 
-/// The mean of its vertices' nodal compliances along n, times its length.
-double edge_compliance(const Mesh& mesh, const Edges& edges,
-                       const ElasticSystem& system, int edge,
-                       const Vector2d& n) {
-  const auto of_vertex = [&](int k) {
-    return nodal_compliance(system, edges.vertices(k, edge), n);
-  };
-  const double length = edge_vector(mesh, edges, edge).norm();
-  return length * 0.5 * (of_vertex(0) + of_vertex(1));
+/// The mean of its vertices' nodal compliances along n, times its size.
+template <int dim>
+double facet_compliance(const Facets<dim>& facets, const ElasticSystem& system,
+                        int facet, double size,
+                        const Matrix<double, dim, 1>& n) {
+  double sum = 0;
+  for (int v : facets.vertices.col(facet))
+    sum += nodal_compliance<dim>(system, v, n);
+  return size * sum / dim;
 }
+
+/// The mean of the logarithms of ratios.
+class MeanRatio {
+ public:
+  void add(double own, double opposite, double weight) {
+    if (own == 0 && opposite == 0) return;
+    const double ratio =
+        std::clamp(opposite / own, 1 / largest_ratio, largest_ratio);
+    sum_ += weight * std::log(ratio);
+    weight_ += weight;
+  }
+  double value() const { return weight_ > 0 ? std::exp(sum_ / weight_) : 1; }
+
+ private:
+  double sum_ = 0, weight_ = 0;
+};
 
 }  // namespace
 
 double compliance_ratio(const Mesh& mesh, const Edges& edges,
                         const ContactLine& line, const ElasticSystem& system) {
-  double sum = 0, weight = 0;
+  MeanRatio mean;
   for (const FacingPiece& piece : line.pieces) {
     const int own = line.edge[piece.contact_edge];
     const Vector2d n = line.edge_normal(piece.contact_edge);
-    const double own_compliance = edge_compliance(mesh, edges, system, own, n);
-    const double opposite_compliance =
-        edge_compliance(mesh, edges, system, piece.opposite_edge, n);
-    if (own_compliance == 0 && opposite_compliance == 0) continue;
-    const double length =
-        (piece.end - piece.begin) * edge_vector(mesh, edges, own).norm();
-    const double ratio = std::clamp(opposite_compliance / own_compliance,
-                                    1 / largest_ratio, largest_ratio);
-    sum += length * std::log(ratio);
-    weight += length;
+    const auto compliance = [&](int edge) {
+      const double length = edge_vector(mesh, edges, edge).norm();
+      return facet_compliance<2>(edges, system, edge, length, n);
+    };
+    mean.add(compliance(own), compliance(piece.opposite_edge),
+             (piece.end - piece.begin) * edge_vector(mesh, edges, own).norm());
   }
-  return weight > 0 ? std::exp(sum / weight) : 1;
+  return mean.value();
+}
+
+double compliance_ratio(const SolidMesh& mesh, const Facets<3>& faces,
+                        const ContactSurface& surface,
+                        const std::vector<FacingPolygon>& polygons,
+                        const ElasticSystem& system) {
+  MeanRatio mean;
+  for (const FacingPolygon& polygon : polygons) {
+    const auto nodes = surface.face_node.col(polygon.contact_face);
+    const Vector3d n =
+        surface.normal(Eigen::all, nodes).rowwise().sum().normalized();
+    const auto compliance = [&](int face) {
+      const double size = std::sqrt(facet_measure(mesh, faces, face));
+      return facet_compliance<3>(faces, system, face, size, n);
+    };
+    mean.add(compliance(surface.face[polygon.contact_face]),
+             compliance(polygon.opposite_face), polygon.area);
+  }
+  return mean.value();
 }
 
 }  // namespace ffcontact

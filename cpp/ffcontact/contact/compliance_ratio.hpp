@@ -3,6 +3,7 @@
 
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/interface/contact_line.hpp"
+#include "ffcontact/interface/facing_polygons.hpp"
 
 namespace ffcontact {
 
@@ -20,6 +21,13 @@ namespace ffcontact {
 /// node to node. The trace that yields more follows the other without that.
 double compliance_ratio(const Mesh& mesh, const Edges& edges,
                         const ContactLine& line, const ElasticSystem& system);
+
+/// Likewise of surfaces: h is the root of a face's area, n the mean contact direction of
+/// the contact face, and polygons weigh by their areas.
+double compliance_ratio(const SolidMesh& mesh, const Facets<3>& faces,
+                        const ContactSurface& surface,
+                        const std::vector<FacingPolygon>& polygons,
+                        const ElasticSystem& system);
 
 /// From this ratio on the opposite body is to carry the multipliers.
 constexpr double much_softer = 3;

@@ -30,8 +30,8 @@ struct SurfaceSolution {
   }
 };
 
-/// Solves K u = b + contact forces under the law of the surface for a solid on a rigid
-/// foundation: one factorisation, the condensed relation between F and v, surface_newton
+/// Solves K u = b + contact forces under the law of the surface for solids on a rigid
+/// foundation or against each other, as one mesh (joined_mesh): one factorisation, the condensed relation between F and v, surface_newton
 /// (again from sticking nodes where the given states lead nowhere), and where that does
 /// not converge surface_fixed_point, one back-substitution.
 /// @throws std::invalid_argument  for input that does not fit, prescribed displacements

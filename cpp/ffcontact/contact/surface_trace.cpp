@@ -15,6 +15,9 @@ namespace {
 
 /// Rows that free axes move by less than this are moved by others.
 constexpr double moved_by_axes = 1e-3;
+/// Opposite vertices that weigh less, or move less along a row, do not move it, nor do
+/// those beside fixed ones that weigh more than this.
+constexpr double least_weight = 1e-3, least_motion = 1e-6, most_fixed = 0.5;
 
 using Directions = Matrix<double, 3, Dynamic>;
 
@@ -58,7 +61,14 @@ class TraceBuilder {
                const std::vector<char>& prescribed)
       : surface_(surface), prescribed_(prescribed) {
     held_.assign(3 * surface.node_count(), 1);
-    for (int i = 0; i < surface.node_count(); ++i) add_node(i);
+    for (int i = 0; i < surface.node_count(); ++i) add_vertex(i);
+    for (int v : opposite_vertices(surface)) {
+      const Directions axes = free_directions(v, prescribed);
+      if (motions_.emplace(v, Motion{components_, axes}).second)
+        components_ += static_cast<int>(axes.cols());
+    }
+    for (int i = 0; i < surface.node_count(); ++i)
+      for (int c = 0; c < 3; ++c) add_row(i, c);
   }
 
   SurfaceTrace trace(const std::vector<int>& kept) && {
@@ -73,25 +83,71 @@ class TraceBuilder {
   }
 
  private:
-  void add_node(int node) {
+  void add_vertex(int node) {
     const int vertex = surface_.vertex[node];
     const Matrix3d frame = surface_.frame(node);
     const Directions axes = free_directions(vertex, prescribed_);
     const std::vector<int> rows = moved_components(frame, axes);
+    for (int c : rows) held_[3 * node + c] = 0;
     const Directions moving = frame(Eigen::all, rows);
-    const auto [found, is_first] =
-        motions_.emplace(vertex, Motion{components_, with_unit(moving, axes)});
-    if (is_first) {
-      components_ += static_cast<int>(axes.cols());
-      for (int c : rows) primary_.push_back(3 * node + c);
-    }
+    if (!motions_.emplace(vertex, Motion{components_, with_unit(moving, axes)})
+             .second)
+      return;
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      held_[3 * node + rows[k]] = 0;
-      if (is_first)
-        entries_.emplace_back(3 * node + rows[k], found->second.column + k, 1);
-      else
-        add_row(3 * node + rows[k], moving.col(k), found->second);
+      const int row = 3 * node + rows[k];
+      primary_.push_back(row);
+      place_.emplace(row, components_ + static_cast<int>(k));
     }
+    components_ += static_cast<int>(axes.cols());
+  }
+
+  void add_row(int node, int c) {
+    const int row = 3 * node + c;
+    const Vector3d direction = surface_.frame(node).col(c);
+    if (held_[row] && !opposite_moves(node, direction)) return;
+    if (held_[row] && c > 0 && is_beside_moving(node, direction)) return;
+    held_[row] = 0;
+    if (const auto own = place_.find(row); own != place_.end())
+      entries_.emplace_back(row, own->second, 1);
+    else
+      add_motion(row, direction, motions_.at(surface_.vertex[node]));
+    visit_opposite(surface_, node, [&](int vertex, double weight) {
+      add_motion(row, -weight * direction, motions_.at(vertex));
+    });
+  }
+
+  static bool moves(const Motion& motion, const Vector3d& direction) {
+    return (motion.directions.transpose() * direction).norm() > least_motion;
+  }
+
+  /// Does one node of a face with this one move along a direction, while this one
+  /// follows several opposite vertices? A multiplier that no own dof belongs to would
+  /// hold the opposite body between its vertices.
+  bool is_beside_moving(int node, const Vector3d& direction) const {
+    int followed = 0;
+    visit_opposite(surface_, node, [&](int, double) { ++followed; });
+    if (followed < 2) return false;
+    for (const auto nodes : surface_.face_node.colwise()) {
+      if ((nodes.array() != node).all()) continue;
+      for (int other : nodes)
+        if (other >= 0 && moves(motions_.at(surface_.vertex[other]), direction))
+          return true;
+    }
+    return false;
+  }
+
+  /// Where a plane of symmetry cuts both surfaces the opposite vertices beside it say
+  /// nothing of what happens on it.
+  bool opposite_moves(int node, const Vector3d& direction) const {
+    double fixed = 0;
+    bool any = false;
+    visit_opposite(surface_, node, [&](int vertex, double weight) {
+      if (!moves(motions_.at(vertex), direction))
+        fixed += weight;
+      else if (std::abs(weight) >= least_weight)
+        any = true;
+    });
+    return any && fixed < most_fixed;
   }
 
   /// The displacements along free axes that have the components 1, one after the other,
@@ -102,7 +158,7 @@ class TraceBuilder {
     return axes * (moving.transpose() * axes).inverse();
   }
 
-  void add_row(int row, const Vector3d& direction, const Motion& motion) {
+  void add_motion(int row, const Vector3d& direction, const Motion& motion) {
     const Directions& axes = motion.directions;
     for (Index k = 0; k < axes.cols(); ++k)
       entries_.emplace_back(row, motion.column + k, direction.dot(axes.col(k)));
@@ -121,7 +177,8 @@ class TraceBuilder {
 
   const ContactSurface& surface_;
   const std::vector<char>& prescribed_;
-  std::map<int, Motion> motions_;
+  std::map<int, Motion> motions_;  ///< of own vertices, then of opposite ones
+  std::map<int, int> place_;       ///< component of each primary row
   std::vector<int> primary_;
   std::vector<char> held_;
   Triplets entries_;
@@ -132,7 +189,9 @@ class TraceBuilder {
 
 SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
                            const ElasticSystem& system) {
-  const std::vector<int> vertices(surface.vertex.begin(), surface.vertex.end());
+  std::vector<int> vertices(surface.vertex.begin(), surface.vertex.end());
+  const std::vector<int> opposite = opposite_vertices(surface);
+  vertices.insert(vertices.end(), opposite.begin(), opposite.end());
   SurfaceTrace result = TraceBuilder(surface, system.prescribed)
                             .trace(free_dofs_at(vertices, system));
   if (result.primary.empty())

@@ -8,13 +8,18 @@
 
 namespace ffcontact {
 
-/// How the free dofs of a contact surface move its nodes.
+/// How the free dofs of a contact surface, and of what it faces, move its nodes.
 ///
 /// A vertex moves along n, t1, t2 of its first node, or along its free axes where some
-/// of its dofs are prescribed. As many rows of its first node are primary: n unless the
-/// free axes are tangential, then the tangents that they move most. The other rows of
-/// such a node, and those of later nodes of a vertex that no free dof moves, are held: no
-/// equation gives a force there, it is 0, and the cone acts on what is left.
+/// of its dofs are prescribed; an opposite one along its free axes. As many rows of the
+/// first node of a vertex are primary: n unless the free axes are tangential, then the
+/// tangents that they move most. Other rows are dependent if a later node's vertex or
+/// opposite ones move them, and held if none does: no equation gives a force there, it is
+/// 0, and the cone acts on what is left. Opposite vertices do not move a row where most of
+/// their weights are fixed along it, as on planes of symmetry of both bodies, or where
+/// those that are not weigh less than 1e-3 each (as in held_rows); nor do they along a
+/// tangent that the own vertex is fixed along beside one that is not: friction is left out
+/// at such a node, unless it follows one vertex alone.
 struct SurfaceTrace {
   ContactTrace trace;  ///< v_prescribed with gap and previous displacement
   std::vector<int> primary;  ///< [f]

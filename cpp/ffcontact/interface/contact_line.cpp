@@ -251,14 +251,6 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges,
   return line;
 }
 
-std::vector<int> opposite_vertices(const ContactLine& line) {
-  std::set<int> vertices;
-  for (int i = 0; i < line.node_count(); ++i)
-    visit_opposite(line, i,
-                   [&](int vertex, double) { vertices.insert(vertex); });
-  return {vertices.begin(), vertices.end()};
-}
-
 SparseMatrix contact_mass(const ContactLine& line) {
   Triplets entries;
   entries.reserve(4 * line.edge_count());

@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/interface/weights_by_node.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {
-
-/// Weights of vertices, one row per contact node.
-using WeightsByNode = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// A piece of the common refinement of two facing traces: the part (begin, end) of the
 /// mesh edge of a contact edge and the part of the edge of the opposite body that it
@@ -113,18 +111,6 @@ ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges,
 ContactLine along_directions(const Mesh& mesh, const Edges& edges,
                              ContactLine line,
                              const Ref<const Matrix2Xd>& direction);
-
-/// Calls visit(vertex, weight) for the entries of ContactLine::opposite at a node.
-template <class Visit>
-void visit_opposite(const ContactLine& line, int node, Visit&& visit) {
-  if (!line.against_a_body()) return;
-  for (WeightsByNode::InnerIterator part(line.opposite, node); part; ++part)
-    visit(static_cast<int>(part.col()), part.value());
-}
-
-/// The vertices in ContactLine::opposite, each once: those of opposite bodies, and ends
-/// of edges in which the line ends.
-std::vector<int> opposite_vertices(const ContactLine& line);
 
 /// Mass matrix on Gamma_C [mm], m_ij = int psi_i psi_j, tridiagonal [CHH01, (3.9)].
 SparseMatrix contact_mass(const ContactLine& line);

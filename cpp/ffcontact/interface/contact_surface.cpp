@@ -217,17 +217,26 @@ ContactSurface surface_along(const SolidMesh& mesh, const Facets<3>& faces,
 Matrix3Xd contact_components(const ContactSurface& surface,
                              const Ref<const VectorXd>& field) {
   Matrix3Xd components(3, surface.node_count());
-  for (int i = 0; i < surface.node_count(); ++i)
-    components.col(i) =
-        surface.frame(i).transpose() * vector_at<3>(field, surface.vertex[i]);
+  for (int i = 0; i < surface.node_count(); ++i) {
+    Vector3d jump = vector_at<3>(field, surface.vertex[i]);
+    visit_opposite(surface, i, [&](int vertex, double weight) {
+      jump -= weight * vector_at<3>(field, vertex);
+    });
+    components.col(i) = surface.frame(i).transpose() * jump;
+  }
   return components;
 }
 
 VectorXd nodal_load(const ContactSurface& surface,
                     const Ref<const Matrix3Xd>& force, Index dofs) {
   VectorXd load = VectorXd::Zero(dofs);
-  for (int i = 0; i < surface.node_count(); ++i)
-    vector_at<3>(load, surface.vertex[i]) += surface.frame(i) * force.col(i);
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const Vector3d F = surface.frame(i) * force.col(i);
+    vector_at<3>(load, surface.vertex[i]) += F;
+    visit_opposite(surface, i, [&](int vertex, double weight) {
+      vector_at<3>(load, vertex) -= weight * F;
+    });
+  }
   return load;
 }
 

@@ -10,17 +10,19 @@ namespace ffcontact {
 namespace {
 
 /// First place of each block and the total at the end.
-template <class Count>
-std::vector<int> offsets(const std::vector<Mesh>& bodies, Count&& count) {
+template <int dim, class Count>
+std::vector<int> offsets(const std::vector<SimplexMesh<dim>>& bodies,
+                         Count&& count) {
   std::vector<int> first(1, 0);
-  for (const Mesh& body : bodies)
+  for (const SimplexMesh<dim>& body : bodies)
     first.push_back(first.back() + static_cast<int>(count(body)));
   return first;
 }
 
-int span_of_labels(const std::vector<Mesh>& bodies) {
+template <int dim>
+int span_of_labels(const std::vector<SimplexMesh<dim>>& bodies) {
   int lowest = 0, highest = 0;
-  for (const Mesh& body : bodies)
+  for (const SimplexMesh<dim>& body : bodies)
     if (body.boundary_label.size() > 0) {
       lowest = std::min(lowest, body.boundary_label.minCoeff());
       highest = std::max(highest, body.boundary_label.maxCoeff());
@@ -28,48 +30,55 @@ int span_of_labels(const std::vector<Mesh>& bodies) {
   return highest - lowest + 1;
 }
 
-void make_room(JoinedMesh& joined) {
-  const int edges = joined.first_boundary.back();
-  joined.mesh.vertices.resize(2, joined.first_vertex.back());
-  joined.mesh.cells.resize(3, joined.first_triangle.back());
-  joined.mesh.boundary.resize(2, edges);
-  joined.mesh.boundary_label.resize(edges);
+template <int dim>
+void make_room(JoinedBodies<dim>& joined) {
+  const int facets = joined.first_boundary.back();
+  joined.mesh.vertices.resize(dim, joined.first_vertex.back());
+  joined.mesh.cells.resize(dim + 1, joined.first_cell.back());
+  joined.mesh.boundary.resize(dim, facets);
+  joined.mesh.boundary_label.resize(facets);
 }
 
 /// Where each body begins, and room for all of them.
-JoinedMesh room_for(const std::vector<Mesh>& bodies) {
-  JoinedMesh joined;
+template <int dim>
+JoinedBodies<dim> room_for(const std::vector<SimplexMesh<dim>>& bodies) {
+  using Body = SimplexMesh<dim>;
+  JoinedBodies<dim> joined;
   joined.first_vertex =
-      offsets(bodies, [](const Mesh& m) { return m.vertices.cols(); });
-  joined.first_triangle =
-      offsets(bodies, [](const Mesh& m) { return m.cells.cols(); });
+      offsets(bodies, [](const Body& m) { return m.vertices.cols(); });
+  joined.first_cell =
+      offsets(bodies, [](const Body& m) { return m.cells.cols(); });
   joined.first_boundary =
-      offsets(bodies, [](const Mesh& m) { return m.boundary.cols(); });
+      offsets(bodies, [](const Body& m) { return m.boundary.cols(); });
   joined.label_stride = span_of_labels(bodies);
   make_room(joined);
   return joined;
 }
 
-void put(const Mesh& body, int k, JoinedMesh& joined) {
-  const int v = joined.first_vertex[k];
-  const int t = joined.first_triangle[k];
-  const int b = joined.first_boundary[k];
-  const Index edges = body.boundary.cols();
-  Mesh& mesh = joined.mesh;
+template <int dim>
+void put(const SimplexMesh<dim>& body, int k, JoinedBodies<dim>& joined) {
+  const int v = joined.first_vertex[k], c = joined.first_cell[k],
+            b = joined.first_boundary[k];
+  const Index facets = body.boundary.cols();
+  SimplexMesh<dim>& mesh = joined.mesh;
   mesh.vertices.middleCols(v, body.vertices.cols()) = body.vertices;
-  mesh.cells.middleCols(t, body.cells.cols()) = body.cells.array() + v;
-  mesh.boundary.middleCols(b, edges) = body.boundary.array() + v;
-  mesh.boundary_label.segment(b, edges) =
+  mesh.cells.middleCols(c, body.cells.cols()) = body.cells.array() + v;
+  mesh.boundary.middleCols(b, facets) = body.boundary.array() + v;
+  mesh.boundary_label.segment(b, facets) =
       body.boundary_label.array() + joined.label(k, 0);
 }
 
 }  // namespace
 
-JoinedMesh joined_mesh(const std::vector<Mesh>& bodies) {
-  JoinedMesh joined = room_for(bodies);
+template <int dim>
+JoinedBodies<dim> joined_mesh(const std::vector<SimplexMesh<dim>>& bodies) {
+  JoinedBodies<dim> joined = room_for(bodies);
   for (int k = 0; k < joined.body_count(); ++k) put(bodies[k], k, joined);
   take_from_near_origin(joined.mesh);
   return joined;
 }
+
+template JoinedMesh joined_mesh(const std::vector<Mesh>&);
+template JoinedSolids joined_mesh(const std::vector<SolidMesh>&);
 
 }  // namespace ffcontact

@@ -7,13 +7,14 @@
 
 namespace ffcontact {
 
-/// Several bodies as one mesh of separate parts: all that is done vertex by vertex, edge
-/// by edge or triangle by triangle is then done for all bodies at once. Vertices,
-/// triangles and boundary edges of body k follow those of body k - 1; labels are shifted
-/// so that no two bodies share one. Coordinates are those of take_from_near_origin.
-struct JoinedMesh {
-  Mesh mesh;
-  std::vector<int> first_vertex, first_triangle,
+/// Several bodies as one mesh of separate parts: all that is done vertex by vertex, facet
+/// by facet or cell by cell is then done for all bodies at once. Vertices, cells and
+/// boundary facets of body k follow those of body k - 1; labels are shifted so that no
+/// two bodies share one. Coordinates are those of take_from_near_origin.
+template <int dim>
+struct JoinedBodies {
+  SimplexMesh<dim> mesh;
+  std::vector<int> first_vertex, first_cell,
       first_boundary;  ///< of each body, and the total at the end [bodies + 1]
   int label_stride = 0;
 
@@ -24,6 +25,10 @@ struct JoinedMesh {
   }
 };
 
-JoinedMesh joined_mesh(const std::vector<Mesh>& bodies);
+using JoinedMesh = JoinedBodies<2>;
+using JoinedSolids = JoinedBodies<3>;
+
+template <int dim>
+JoinedBodies<dim> joined_mesh(const std::vector<SimplexMesh<dim>>& bodies);
 
 }  // namespace ffcontact

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/interface/facing_surface.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "ffcontact/base/packed.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Faces that face less than this part of their area face nothing.
+constexpr double least_faced = 1e-6;
+/// A hat that reaches this far on what is faced carries a multiplier.
+constexpr double reaches = 0.5;
+/// det of (int chi chi') with a diagonal of 1 below which functions are all but
+/// dependent; 1/2 on a whole triangle.
+constexpr double dependent = 1e-4;
+/// Weights below this are rounding.
+constexpr double no_weight = 1e-13;
+/// Gaps below this part of the size of a node are none.
+constexpr double no_gap = 1e-10;
+
+/// Integrals over the parts of a contact face that face something.
+struct FaceIntegrals {
+  double area = 0;
+  Vector3d reach = Vector3d::Zero();     ///< largest phi of each corner
+  Matrix3d mass = Matrix3d::Zero();      ///< int phi phi'
+  Vector3d distance = Vector3d::Zero();  ///< int phi s
+  /// int phi phi_j of the vertices j of the opposite body
+  std::map<int, Vector3d> opposite;
+};
+
+/// Adds integrals over a triangle of a polygon by the midpoints of its sides, which is
+/// exact for products of two linear functions.
+void add_triangle(const FacingPolygon& polygon, const Vector3i& corners,
+                  const Vector3i& vertices, double area,
+                  FaceIntegrals& integrals) {
+  for (int k = 0; k < 3; ++k) {
+    const int a = corners[k], b = corners[(k + 1) % 3];
+    const Vector3d phi = 0.5 * (polygon.own.col(a) + polygon.own.col(b));
+    const Vector3d other =
+        0.5 * (polygon.opposite.col(a) + polygon.opposite.col(b));
+    const double s = 0.5 * (polygon.distance[a] + polygon.distance[b]);
+    const double weight = area / 3;
+    integrals.area += weight;
+    integrals.mass += weight * phi * phi.transpose();
+    integrals.distance += weight * s * phi;
+    for (int j = 0; j < 3; ++j) {
+      const auto place =
+          integrals.opposite.emplace(vertices[j], Vector3d::Zero()).first;
+      place->second += weight * other[j] * phi;
+    }
+  }
+}
+
+void add_polygon(const Facets<3>& faces, const FacingPolygon& polygon,
+                 double face_area, FaceIntegrals& integrals) {
+  const Vector3i vertices = faces.vertices.col(polygon.opposite_face);
+  integrals.reach = integrals.reach.cwiseMax(polygon.own.rowwise().maxCoeff());
+  for (int k = 2; k < polygon.own.cols(); ++k) {
+    const Vector3i corners(0, k - 1, k);
+    const Matrix3d at = polygon.own(Eigen::all, corners);
+    const double area = face_area * std::abs(at.determinant());
+    add_triangle(polygon, corners, vertices, area, integrals);
+  }
+}
+
+/// chi = C phi, C' of the corners that are given; the others give their hats in equal
+/// shares.
+MatrixXd shared_hats(const std::vector<int>& kept) {
+  const auto count = static_cast<Index>(kept.size());
+  MatrixXd C = MatrixXd::Constant(count, 3, 1.0 / static_cast<double>(count));
+  for (Index a = 0; a < count; ++a) {
+    C.col(kept[a]).setZero();
+    C(a, kept[a]) = 1;
+  }
+  return C;
+}
+
+/// The functions of a face: its corners that carry multipliers, C of chi = C phi, and
+/// psi = B phi.
+struct DualFunctions {
+  std::vector<int> kept;
+  MatrixXd C, B;
+  VectorXd weight;  ///< int psi = int chi
+};
+
+double relative_determinant(const MatrixXd& gram) {
+  return gram.determinant() / gram.diagonal().prod();
+}
+
+DualFunctions dual_functions(const FaceIntegrals& integrals) {
+  DualFunctions functions;
+  const double enough = std::min(reaches, integrals.reach.maxCoeff());
+  for (int k = 0; k < 3; ++k)
+    if (integrals.reach[k] >= enough - no_weight) functions.kept.push_back(k);
+  for (;;) {
+    functions.C = shared_hats(functions.kept);
+    const MatrixXd gram =
+        functions.C * integrals.mass * functions.C.transpose();
+    functions.weight = gram.rowwise().sum();
+    if (functions.kept.size() == 1 || relative_determinant(gram) > dependent) {
+      functions.B =
+          functions.weight.asDiagonal() * gram.inverse() * functions.C;
+      return functions;
+    }
+    Index least;
+    functions.weight.minCoeff(&least);
+    functions.kept.erase(functions.kept.begin() + least);
+  }
+}
+
+/// Adds up A_i, A_i v_i and A_i g_i node by node.
+class Coupling {
+ public:
+  Coupling(const SolidMesh& mesh, const Facets<3>& faces,
+           const ContactSurface& surface)
+      : mesh_(mesh),
+        faces_(faces),
+        surface_(surface),
+        area_(VectorXd::Zero(surface.node_count())),
+        gap_(VectorXd::Zero(surface.node_count())),
+        is_faced_(surface.face_count(), 0),
+        weights_(surface.node_count()) {}
+
+  void add_face(int m, const FaceIntegrals& integrals) {
+    const double whole = facet_measure(mesh_, faces_, surface_.face[m]);
+    if (integrals.area < least_faced * whole) return;
+    is_faced_[m] = 1;
+    const DualFunctions psi = dual_functions(integrals);
+    const auto& corners = faces_.vertices.col(surface_.face[m]);
+    const MatrixXd own = psi.B * integrals.mass;
+    const VectorXd distance = psi.B * integrals.distance;
+    for (std::size_t a = 0; a < psi.kept.size(); ++a) {
+      const auto row = static_cast<Index>(a);
+      const int node = surface_.face_node(psi.kept[a], m);
+      area_[node] += psi.weight[row];
+      gap_[node] += distance[row];
+      std::map<int, double>& weights = weights_[node];
+      for (const auto& [vertex, integral] : integrals.opposite)
+        weights[vertex] += psi.B.row(row).dot(integral);
+      if (psi.kept.size() == 3) continue;  // v of the own trace is u_i
+      weights[surface_.vertex[node]] += psi.weight[row];
+      for (int k = 0; k < 3; ++k) weights[corners[k]] -= own(row, k);
+    }
+  }
+
+  FacingSurface surface() const {
+    FacingSurface result;
+    const std::vector<int> nodes = carriers();
+    ContactSurface& part = result.surface;
+    part.vertex = surface_.vertex(nodes);
+    part.normal = surface_.normal(Eigen::all, nodes);
+    part.area = area_(nodes);
+    put_faces(nodes, part);
+    put_weights(nodes, part);
+    result.gap = gap_(nodes).cwiseQuotient(part.area);
+    for (Index i = 0; i < result.gap.size(); ++i)
+      if (std::abs(result.gap[i]) < no_gap * std::sqrt(part.area[i]))
+        result.gap[i] = 0;
+    return result;
+  }
+
+ private:
+  std::vector<int> carriers() const {
+    std::vector<int> nodes;
+    for (int i = 0; i < area_.size(); ++i)
+      if (area_[i] > 0) nodes.push_back(i);
+    return nodes;
+  }
+
+  void put_faces(const std::vector<int>& nodes, ContactSurface& part) const {
+    VectorXi number = VectorXi::Constant(surface_.node_count(), -1);
+    for (int i = 0; i < count_of(nodes); ++i) number[nodes[i]] = i;
+    std::vector<int> kept;
+    for (int m = 0; m < surface_.face_count(); ++m)
+      if (is_faced_[m]) kept.push_back(m);
+    part.face = surface_.face(kept);
+    part.face_node = surface_.face_node(Eigen::all, kept);
+    for (int& node : part.face_node.reshaped()) node = number[node];
+  }
+
+  /// A node that follows one vertex follows it to the last digit.
+  void put_weights(const std::vector<int>& nodes, ContactSurface& part) const {
+    Triplets entries;
+    for (int i = 0; i < count_of(nodes); ++i) {
+      const double area = part.area[i];
+      std::vector<std::pair<int, double>> row;
+      for (const auto& [vertex, integral] : weights_[nodes[i]])
+        if (std::abs(integral) > no_weight * area)
+          row.emplace_back(vertex, integral / area);
+      if (row.size() == 1) row[0].second = 1;
+      for (const auto& [vertex, weight] : row)
+        entries.emplace_back(i, vertex, weight);
+    }
+    part.opposite =
+        packed<WeightsByNode>(count_of(nodes), mesh_.vertex_count(), entries);
+  }
+
+  const SolidMesh& mesh_;
+  const Facets<3>& faces_;
+  const ContactSurface& surface_;
+  VectorXd area_, gap_;
+  std::vector<char> is_faced_;
+  std::vector<std::map<int, double>> weights_;
+};
+
+}  // namespace
+
+FacingSurface facing_surface(const SolidMesh& mesh, const Facets<3>& faces,
+                             const ContactSurface& surface,
+                             const std::vector<FacingPolygon>& polygons) {
+  std::map<int, FaceIntegrals> of_face;
+  for (const FacingPolygon& polygon : polygons) {
+    const int face = surface.face[polygon.contact_face];
+    add_polygon(faces, polygon, facet_measure(mesh, faces, face),
+                of_face[polygon.contact_face]);
+  }
+  Coupling coupling(mesh, faces, surface);
+  for (const auto& [m, integrals] : of_face) coupling.add_face(m, integrals);
+  return coupling.surface();
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <set>
+#include <vector>
+
+#include "ffcontact/base/eigen.hpp"
+
+namespace ffcontact {
+
+/// Weights of vertices, one row per contact node.
+using WeightsByNode = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Calls visit(vertex, weight) for the entries of `opposite` of a contact line or surface
+/// at a node.
+template <class Nodes, class Visit>
+void visit_opposite(const Nodes& nodes, int node, Visit&& visit) {
+  if (!nodes.against_a_body()) return;
+  for (WeightsByNode::InnerIterator part(nodes.opposite, node); part; ++part)
+    visit(static_cast<int>(part.col()), part.value());
+}
+
+/// The vertices in `opposite`, each once: those of opposite bodies, and own ones that a
+/// node lies between.
+template <class Nodes>
+std::vector<int> opposite_vertices(const Nodes& nodes) {
+  std::set<int> vertices;
+  for (int i = 0; i < nodes.node_count(); ++i)
+    visit_opposite(nodes, i,
+                   [&](int vertex, double) { vertices.insert(vertex); });
+  return {vertices.begin(), vertices.end()};
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "ffcontact/base/packed.hpp"
+#include "support/free_displacement.hpp"
+#include "support/random.hpp"
+#include "support/refusals.hpp"
+#include "support/solid_bodies.hpp"
+#include "support/solid_defects.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+Vector3i random_cells(int least, int most, Random& random) {
+  const auto drawn = [&] {
+    return least + static_cast<int>(random() % (most - least + 1));
+  };
+  return {drawn(), drawn(), 1 + static_cast<int>(random() % 2)};
+}
+
+/// Bricks on (0, 3) x (0, 2), one on the other, whose meshes do not match.
+SolidStack random_stack(int bodies, double friction, Random& random) {
+  std::vector<SolidMesh> meshes;
+  for (int k = 0; k < bodies; ++k)
+    meshes.push_back(random_brick(random_cells(1, 4, random), {0, 0, -1.0 * k},
+                                  {3, 2, 1}, random));
+  return {meshes, friction};
+}
+
+/// On a smooth ground, between smooth walls.
+void put_between_walls(SolidStack& stack) {
+  for (int k = 0; k <= stack.last(); ++k) stack.guide(k);
+  stack.problem.guide(stack.label(stack.last(), low_z), 2);
+}
+
+RC_GTEST_PROP(SeveralSolids, a_uniform_pressure_passes_exactly,
+              (Random random)) {
+  SolidStack stack = random_stack(*rc::gen::inRange(2, 4), *real(0, 1), random);
+  put_between_walls(stack);
+  SolidProblem& problem = stack.problem;
+  problem.load(stack.label(0, high_z), {0, 0, -10});
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  const double E = 13e3, nu = 0.2;
+  const VectorXd exact = nodal_values(problem.mesh, [&](const Vector3d& x) {
+    const double low = -static_cast<double>(stack.last());
+    return Vector3d(nu * 10 / E * x.x(), nu * 10 / E * x.y(),
+                    -10 / E * (x.z() - low));
+  });
+  RC_ASSERT((solution.displacement - exact).norm() < 1e-10 * exact.norm());
+  for (int i = 0; i < problem.surface.node_count(); ++i) {
+    const double p = solution.force(0, i) / problem.surface.area[i];
+    RC_ASSERT(std::abs(p + 10) < 1e-9);
+    const Vector3d x = problem.mesh.vertices.col(problem.surface.vertex[i]);
+    if (x.x() == 0 || x.y() == 0) continue;  // a wall takes any force there
+    RC_ASSERT(solution.force.col(i).tail<2>().norm() <
+              1e-9 * problem.surface.area[i]);
+  }
+}
+
+/// u of bodies that stick, and of one body, at the same places.
+RC_GTEST_PROP(SeveralSolids, that_stick_are_one_body, (Random random)) {
+  const SolidMesh upper = moved(brick({3, 2, 2}, {3, 2, 2}), 1, 0.15, random);
+  SolidMesh lower = upper;  // a mirror image, whose upper side matches
+  lower.vertices.row(2) *= -1;
+  lower.cells.row(0).swap(lower.cells.row(1));
+  for (int& label : lower.boundary_label)
+    label = label == low_z ? high_z : label == high_z ? low_z : label;
+  const auto load = [](SolidProblem& problem, int top, int ground, int side) {
+    problem.load(top, {0.3, 0.1, -10});
+    problem.load(side, {-0.1, 0.2, -0.1});
+    problem.move(ground, [](const Vector3d&) { return Vector3d::Zero(); });
+  };
+  SolidStack stack({upper, lower}, 100);
+  SolidProblem& parts = stack.problem;
+  load(parts, stack.label(0, high_z), stack.label(1, low_z),
+       stack.label(0, high_x));
+  const SurfaceSolution solution = parts.solve();
+  RC_ASSERT(solution.accepted({}));
+  for (ContactState state : solution.state)
+    RC_PRE(state == ContactState::stick);
+
+  SolidMesh whole = parts.mesh;  // the second body's vertices for the first's
+  std::vector<int> own(whole.vertex_count(), -1);
+  for (int i = 0; i < parts.surface.node_count(); ++i)
+    visit_opposite(parts.surface, i, [&](int vertex, double) {
+      own[parts.surface.vertex[i]] = vertex;
+    });
+  RowMatrix A = parts.A;
+  VectorXd b = parts.b;
+  Triplets glue;
+  for (Index v = 0; v < whole.vertices.cols(); ++v)
+    for (int c = 0; c < 3; ++c)
+      glue.emplace_back(3 * v + c, 3 * (own[v] < 0 ? v : own[v]) + c, 1);
+  const auto T = packed<RowMatrix>(A.rows(), A.rows(), glue);
+  RowMatrix glued = T.transpose() * A * T;
+  for (Index dof = 0; dof < b.size(); ++dof)
+    if (own[dof / 3] >= 0) glued.coeffRef(dof, dof) = 1e30;
+  const VectorXd u =
+      T * displacement(elastic_system(glued, T.transpose() * b, 3));
+  RC_ASSERT((solution.displacement - u).norm() < 1e-9 * u.norm());
+}
+
+/// Stacks held below, pressed and moved in one of some ways.
+SolidStack random_solids(double mu, Random& random) {
+  SolidStack stack =
+      random_stack(2 + static_cast<int>(random() % 2), mu, random);
+  SolidProblem& problem = stack.problem;
+  const auto drawn = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const int top = stack.label(0, high_z),
+            ground = stack.label(stack.last(), low_z);
+  if (random() % 2) {
+    const Vector3d shift(drawn(-1e-3, 1e-3), drawn(-1e-3, 1e-3),
+                         drawn(-2e-3, 1e-3));
+    problem.move(top, [&](const Vector3d& x) {
+      return Vector3d(shift + 1e-3 * Vector3d(0, 0, x.x() - 1.5));
+    });
+  } else {
+    problem.load(top, {0, 0, -drawn(2, 5)});
+    stack.guide(0);
+  }
+  for (int k = 1; k < stack.last(); ++k) stack.guide(k);
+  problem.move(ground, [](const Vector3d&) { return Vector3d::Zero(); });
+  problem.load(stack.label(0, high_x), {drawn(-3, 1), drawn(-1, 1), 0});
+  problem.load(stack.label(1, high_y), {0, drawn(-3, 1), 0});
+  return stack;
+}
+
+RC_GTEST_PROP(SeveralSolids, fulfil_the_law_and_equilibrium, (Random random)) {
+  const SolidStack stack = random_solids(*real(0, 3), random);
+  const SurfaceSolution solution = stack.problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  RC_ASSERT(defects(stack.problem, solution).largest() < 1e-8);
+}
+
+/// Own corners on walls that the other body does not share, where as many multipliers as
+/// nodes would hold it between its vertices, and no iteration ended.
+TEST(SeveralSolids, of_which_one_alone_is_at_a_wall) {
+  for (unsigned seed : {2151u, 2257u, 2399u, 2968u}) {
+    Random random(seed);
+    const double mu = std::uniform_real_distribution<double>(0, 3)(random);
+    EXPECT_TRUE(random_solids(mu, random).problem.solve().accepted({})) << seed;
+  }
+}
+
+RC_GTEST_PROP(SeveralSolids, newton_and_the_fixed_point_agree,
+              (Random random)) {
+  const SolidStack stack = random_solids(*real(0, 0.5), random);
+  ContactSettings settings;
+  settings.solver = ContactSolver::fixed_point;
+  const SurfaceSolution newton = stack.problem.solve(),
+                        steps = stack.problem.solve(settings);
+  RC_ASSERT(steps.accepted(settings) && !steps.history.empty());
+  RC_ASSERT((newton.displacement - steps.displacement).norm() <
+            1e-7 * newton.displacement.norm());
+}
+
+/// Bodies, loads and supports in other units of force.
+RC_GTEST_PROP(SeveralSolids, do_not_depend_on_units, (Random random)) {
+  SolidStack stack = random_solids(*real(0, 1), random);
+  const SurfaceSolution solution = stack.problem.solve();
+  const double unit = std::pow(10, *rc::gen::inRange(-9, 10));
+  stack.problem.A *= unit;
+  stack.problem.b *= unit;
+  const SurfaceSolution in_units = stack.problem.solve();
+  RC_ASSERT((in_units.force - unit * solution.force).norm() <
+            1e-8 * unit * solution.force.norm());
+}
+
+/// A small body on a large one, in part beyond it: what it feels is what the other does.
+RC_GTEST_PROP(SeveralSolids, that_face_each_other_in_part, (Random random)) {
+  SolidMesh upper =
+      random_brick(random_cells(2, 4, random), {*real(-2, 2), *real(-1, 1), 0},
+                   {3, 2, 1}, random);
+  SolidStack stack({upper, random_brick(random_cells(2, 4, random), {0, 0, -1},
+                                        {3, 2, 1}, random)},
+                   *real(0, 1));
+  SolidProblem& problem = stack.problem;
+  problem.move(stack.label(0, high_z),
+               [](const Vector3d&) { return Vector3d(1e-3, 0, -2e-3); });
+  problem.move(stack.label(1, low_z),
+               [](const Vector3d&) { return Vector3d::Zero(); });
+  const SurfaceSolution solution = problem.solve();
+  RC_ASSERT(solution.accepted({}));
+  RC_ASSERT(defects(problem, solution).largest() < 1e-8);
+  RC_ASSERT(solution.force.row(0).sum() < 0);
+}
+
+/// What holds nothing, even glued, is refused.
+TEST(SeveralSolids, on_nothing_are_refused) {
+  SolidStack stack({brick({1, 1, 1}, {1, 1, 1}),
+                    [] {
+                      SolidMesh lower = brick({1, 1, 1}, {1, 1, 1});
+                      lower.vertices.row(2).array() -= 1;
+                      return lower;
+                    }()},
+                   0.3);
+  stack.problem.load(stack.label(0, high_z), {0, 0, -1});
+  EXPECT_NE(refusal([&] { stack.problem.solve(); }).find("no equilibrium"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace ffcontact
