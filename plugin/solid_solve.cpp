@@ -13,13 +13,6 @@ namespace ffcontact::plugin {
 
 namespace {
 
-void require_forces(const SolveCall& call) {
-  if (multiplier_of(call.stack, call.named) == Multiplier::pressure)
-    refuse(
-        "multiplier=\"pressure\" is not in three dimensions yet: leave it out "
-        "or give \"force\"");
-}
-
 /// The forces along x, y, z [3 x p].
 Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
   Matrix3Xd vectors(3, surface.node_count());
@@ -31,8 +24,7 @@ Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
 SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
                            const SurfaceSolution& solution) {
   const Matrix3Xd& force = solution.force;
-  const Matrix3Xd pressure =
-      force.array().rowwise() / surface.area.transpose().array();
+  const Matrix3Xd& pressure = solution.pressure;
   const Matrix3Xd vector = force_vectors(surface, force);
   const Matrix3Xd moved =
       displacement_against_foundation(surface, law, solution.displacement);
@@ -76,6 +68,7 @@ std::vector<ContactState> states_at(const SolidProblem& problem,
 
 SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
   SurfaceLaw law = contact.problem->law;
+  law.multiplier = multiplier_of(call.stack, call.named);
   if (!call.named.flag(call.stack, "loadstep")) return law;
   if (contact.solved)
     law.previous = contact_components(contact.problem->surface,
@@ -113,7 +106,6 @@ void put(const SolveCall& call, const SolidProblem& problem,
 
 long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_solid_results(call.named);
-  require_forces(call);
   SolidProblem& problem = *contact.problem;
   SolvedSolid solved;
   solved.system = std::make_shared<const ElasticSystem>(

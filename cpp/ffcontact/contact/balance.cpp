@@ -94,6 +94,7 @@ MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
   MatrixXd trace(3 * surface.node_count(), motions.cols());
   for (Index k = 0; k < motions.cols(); ++k)
     trace.col(k) = contact_components(surface, motions.col(k)).reshaped();
+  trace = weight_of_rows(law, surface) * trace;
   for (int i = 0; i < surface.node_count(); ++i) {
     work.push_back(trace.middleRows<3>(3 * i).transpose() *
                    spanning_forces(cones.cone[i]));

@@ -7,12 +7,14 @@
 
 namespace ffcontact {
 
-/// The law of contact and friction on a surface, at its nodes, for nodal forces (M''_h):
-///     F_n <= 0,  v_n <= 0,  F_n v_n = 0
-///     |F_t| <= b,   v_t = 0 where |F_t| < b,   F_t = -b v_t / |v_t| where v_t != 0
-/// for v = (u_n - gap, u_t - previous), with b of ContactLaw; |.| is Euclid's norm, the
-/// cone is a circular one.
+/// The law of contact and friction on a surface, at its nodes:
+///     P_n <= 0,  v_n <= 0,  P_n v_n = 0
+///     |P_t| <= b,   v_t = 0 where |P_t| < b,   P_t = -b v_t / |v_t| where v_t != 0
+/// for v = W (u_n - gap, u_t - previous), with b of ContactLaw; |.| is Euclid's norm, the
+/// cone is a circular one. Nodal forces F = W' P load the bodies: W = I for forces, P = F
+/// (M''_h), and the mass for pressures P (M'_h).
 struct SurfaceLaw {
+  Multiplier multiplier = Multiplier::force;
   VectorXd friction;    ///< mu >= 0 [p]
   VectorXd slip_bound;  ///< Tresca's bound [MPa, p], in place of mu; or empty
   VectorXd
@@ -25,7 +27,11 @@ struct SurfaceLaw {
 ///                                negative or not finite
 void require_valid(const SurfaceLaw& law, const ContactSurface& surface);
 
-/// The cones at the nodes, in units of forces.
+/// W of the rows 3 i + c, in the frames of the nodes [3p x 3p].
+SparseMatrix weight_of_rows(const SurfaceLaw& law,
+                            const ContactSurface& surface);
+
+/// The cones at the nodes, in units of P.
 NodalLaw nodal_law(const SurfaceLaw& law, const ContactSurface& surface);
 
 /// (u_n - gap, u_t - previous) at the nodes [3 x p] of a displacement on all dofs.

@@ -92,6 +92,22 @@ FixedPointResult condensed_answer(const CondensedContact& contact,
   return newton;
 }
 
+/// What W multiplies displacements by at most.
+double largest_weight(const SurfaceLaw& law, const ContactSurface& surface) {
+  return law.multiplier == Multiplier::force ? 1 : surface.area.maxCoeff();
+}
+
+void put_multipliers(const ContactSurface& surface, const SurfaceLaw& law,
+                     const SurfaceTrace& trace, const VectorXd& P,
+                     SurfaceSolution& solution) {
+  const int nodes = surface.node_count();
+  solution.force = (trace.weight.transpose() * P).reshaped(3, nodes);
+  solution.pressure = law.multiplier == Multiplier::pressure
+                          ? Matrix3Xd(P.reshaped(3, nodes))
+                          : Matrix3Xd(solution.force *
+                                      surface.area.cwiseInverse().asDiagonal());
+}
+
 }  // namespace
 
 SurfaceSolution solve_contact(const SolidMesh& mesh,
@@ -127,18 +143,19 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
                                           answer.P(contact.dependent));
   solution.displacement =
       stiffness.extended(contact.load, kept) + system.prescribed_value;
-  solution.force = answer.P.reshaped(3, surface.node_count());
+  put_multipliers(surface, law, trace, answer.P, solution);
 
   // 4. What the theory promises, measured.
   const VectorXd& u = solution.displacement;
   solution.residual = equilibrium_defect(
       system, u, nodal_load(surface, solution.force, u.size()),
       largest_displacement(law, VectorXd::Zero(1)));
-  VectorXd v = displacement_against_foundation(surface, law, u).reshaped();
-  for (Index row = 0; row < v.size(); ++row)
-    if (trace.held[row]) v[row] = 0;
+  const VectorXd v =
+      trace.weight *
+      displacement_against_foundation(surface, law, u).reshaped();
   LawScales scales = law_scales(contact, answer.v);
-  scales.v = std::max(scales.v, largest_displacement(law, u));
+  scales.v = std::max(
+      scales.v, largest_weight(law, surface) * largest_displacement(law, u));
   solution.complementarity = surface_violation(cones, answer.P, v, scales);
   solution.status = judged_status(answer.status, solution.complementarity,
                                   solution.residual, settings.tolerance);

@@ -196,11 +196,16 @@ SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
                             .trace(free_dofs_at(vertices, system));
   if (result.primary.empty())
     refuse("every dof of the contact surface is prescribed");
+  result.weight = weight_of_rows(law, surface);
+  result.weight.prune([&](Index row, Index column, double) {
+    return !result.held[row] && !result.held[column];
+  });
+  if (law.multiplier == Multiplier::pressure)
+    result.trace.A = result.weight * result.trace.A;
   result.trace.v_prescribed =
+      result.weight *
       displacement_against_foundation(surface, law, system.prescribed_value)
           .reshaped();
-  for (std::size_t row = 0; row < result.held.size(); ++row)
-    if (result.held[row]) result.trace.v_prescribed[row] = 0;
   return result;
 }
 

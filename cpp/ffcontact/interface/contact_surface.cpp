@@ -91,6 +91,7 @@ class SheetFinder {
     }
     result.vertex = packed(vertices);
     result.area = packed(areas);
+    result.mass = mass(result);
     result.normal = packed(sums).colwise().normalized();
     for (double& component : result.normal.reshaped())
       if (std::abs(component) < coplanar) component = 0;
@@ -98,6 +99,15 @@ class SheetFinder {
   }
 
  private:
+  SparseMatrix mass(const ContactSurface& surface) const {
+    Triplets entries;
+    for (int m = 0; m < surface.face_count(); ++m)
+      for (int a : surface.face_node.col(m))
+        for (int b : surface.face_node.col(m))
+          entries.emplace_back(a, b, vector_.col(m).norm() / (a == b ? 6 : 12));
+    return packed(surface.node_count(), surface.node_count(), entries);
+  }
+
   int vertex(int corner) const {
     return faces_.vertices(corner % 3, face_[corner / 3]);
   }

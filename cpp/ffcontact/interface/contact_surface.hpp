@@ -24,7 +24,8 @@ struct ContactSurface {
   VectorXd area;     ///< A_i = int phi_i over the faces of its sheet [mm^2, p]
   /// nodes of each contact face, -1 where a corner is none [3 x m]
   Matrix3Xi face_node;
-  VectorXi face;  ///< its facet of the mesh, in that order of vertices [m]
+  VectorXi face;      ///< its facet of the mesh, in that order of vertices [m]
+  SparseMatrix mass;  ///< int phi_i phi_k over the faces of both [mm^2, p x p]
   /// What is taken from the displacement of a node's vertex to give the jump [u] there,
   /// the same for all components [p x vertices]; no rows where all of the foundation is
   /// rigid.

@@ -88,6 +88,7 @@ struct DualFunctions {
   std::vector<int> kept;
   MatrixXd C, B;
   VectorXd weight;  ///< int psi = int chi
+  MatrixXd mass;    ///< int chi chi'
 };
 
 double relative_determinant(const MatrixXd& gram) {
@@ -101,12 +102,12 @@ DualFunctions dual_functions(const FaceIntegrals& integrals) {
     if (integrals.reach[k] >= enough - no_weight) functions.kept.push_back(k);
   for (;;) {
     functions.C = shared_hats(functions.kept);
-    const MatrixXd gram =
-        functions.C * integrals.mass * functions.C.transpose();
-    functions.weight = gram.rowwise().sum();
-    if (functions.kept.size() == 1 || relative_determinant(gram) > dependent) {
-      functions.B =
-          functions.weight.asDiagonal() * gram.inverse() * functions.C;
+    functions.mass = functions.C * integrals.mass * functions.C.transpose();
+    functions.weight = functions.mass.rowwise().sum();
+    if (functions.kept.size() == 1 ||
+        relative_determinant(functions.mass) > dependent) {
+      functions.B = functions.weight.asDiagonal() * functions.mass.inverse() *
+                    functions.C;
       return functions;
     }
     Index least;
@@ -141,6 +142,9 @@ class Coupling {
       const int node = surface_.face_node(psi.kept[a], m);
       area_[node] += psi.weight[row];
       gap_[node] += distance[row];
+      for (std::size_t b = 0; b < psi.kept.size(); ++b)
+        mass_.emplace_back(node, surface_.face_node(psi.kept[b], m),
+                           psi.mass(row, static_cast<Index>(b)));
       std::map<int, double>& weights = weights_[node];
       for (const auto& [vertex, integral] : integrals.opposite)
         weights[vertex] += psi.B.row(row).dot(integral);
@@ -157,8 +161,14 @@ class Coupling {
     part.vertex = surface_.vertex(nodes);
     part.normal = surface_.normal(Eigen::all, nodes);
     part.area = area_(nodes);
-    put_faces(nodes, part);
+    const VectorXi number = numbers(nodes);
+    put_faces(number, part);
     put_weights(nodes, part);
+    Triplets mass;
+    for (const auto& entry : mass_)
+      mass.emplace_back(number[entry.row()], number[entry.col()],
+                        entry.value());
+    part.mass = packed(part.node_count(), part.node_count(), mass);
     result.gap = gap_(nodes).cwiseQuotient(part.area);
     for (Index i = 0; i < result.gap.size(); ++i)
       if (std::abs(result.gap[i]) < no_gap * std::sqrt(part.area[i]))
@@ -174,9 +184,14 @@ class Coupling {
     return nodes;
   }
 
-  void put_faces(const std::vector<int>& nodes, ContactSurface& part) const {
+  /// Of all nodes in the part, or -1.
+  VectorXi numbers(const std::vector<int>& nodes) const {
     VectorXi number = VectorXi::Constant(surface_.node_count(), -1);
     for (int i = 0; i < count_of(nodes); ++i) number[nodes[i]] = i;
+    return number;
+  }
+
+  void put_faces(const VectorXi& number, ContactSurface& part) const {
     std::vector<int> kept;
     for (int m = 0; m < surface_.face_count(); ++m)
       if (is_faced_[m]) kept.push_back(m);
@@ -206,6 +221,7 @@ class Coupling {
   const Facets<3>& faces_;
   const ContactSurface& surface_;
   VectorXd area_, gap_;
+  Triplets mass_;
   std::vector<char> is_faced_;
   std::vector<std::map<int, double>> weights_;
 };

@@ -13,7 +13,7 @@ ContactSurface joined_surfaces(const std::vector<ContactSurface>& surfaces) {
   std::vector<Vector3d> normal;
   std::vector<double> area;
   std::vector<Vector3i> face_node;
-  Triplets opposite;
+  Triplets opposite, mass;
   Index vertices = 0;
   for (const ContactSurface& surface : surfaces) {
     const int first = count_of(vertex);
@@ -26,6 +26,9 @@ ContactSurface joined_surfaces(const std::vector<ContactSurface>& surfaces) {
         opposite.emplace_back(first + i, v, weight);
       });
     }
+    for (int j = 0; j < surface.mass.outerSize(); ++j)
+      for (SparseMatrix::InnerIterator m(surface.mass, j); m; ++m)
+        mass.emplace_back(first + m.row(), first + j, m.value());
     for (auto nodes : surface.face_node.colwise())
       face_node.emplace_back(
           (nodes.array() < 0).select(nodes, nodes.array() + first));
@@ -36,6 +39,7 @@ ContactSurface joined_surfaces(const std::vector<ContactSurface>& surfaces) {
   all.area = packed(area);
   all.face_node = packed(face_node);
   all.face = packed(face);
+  all.mass = packed(count_of(vertex), count_of(vertex), mass);
   if (vertices > 0)
     all.opposite = packed<WeightsByNode>(count_of(vertex), vertices, opposite);
   return all;
