@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -41,7 +43,14 @@ void require_free(const ElasticSystem& system, int dof) {
     refuse("kept dof ", dof, " is prescribed or does not exist");
 }
 
+double memory_of_the_machine() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
 void require_kept(const ElasticSystem& system, const std::vector<int>& kept) {
+  require_room_for_schur(static_cast<int>(kept.size()),
+                         memory_of_the_machine());
   std::vector<char> met(system.dof_count(), 0);
   for (int dof : kept) {
     require_free(system, dof);
@@ -101,6 +110,17 @@ PartialCholesky factorised(const SparseMatrix& lower, int kept) {
 }
 
 }  // namespace
+
+void require_room_for_schur(int kept, double memory) {
+  constexpr double gigabyte = 1e9;
+  const double needed = 3.0 * kept * kept * sizeof(double);
+  if (needed > memory / 2)
+    refuse(kept, " free dofs where bodies may touch need dense matrices of ",
+           needed / gigabyte, " GB, more than half of the memory (",
+           memory / gigabyte,
+           " GB): state contact on a smaller part of the boundary, or on a "
+           "coarser mesh");
+}
 
 struct CondensedStiffness::Factor {
   std::vector<int> kept;

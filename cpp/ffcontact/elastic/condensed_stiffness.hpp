@@ -9,6 +9,11 @@
 
 namespace ffcontact {
 
+/// @param memory  of the machine [bytes]
+/// @throws std::invalid_argument  if Schur's complement on so many dofs, in the three
+///                                copies that contact works with, takes more than half
+void require_room_for_schur(int kept, double memory);
+
 /// The stiffness of a body seen from a few kept dofs c (those of the contact line), by
 /// one sparse factorisation.
 ///
@@ -29,7 +34,8 @@ class CondensedStiffness {
 
   /// @param kept  free dofs to keep, without repetition; the order is that of all vectors
   ///              and matrices of kept dofs
-  /// @throws std::invalid_argument  if a kept dof is prescribed or out of range
+  /// @throws std::invalid_argument  if a kept dof is prescribed or out of range, or by
+  ///                                require_room_for_schur
   /// @throws std::runtime_error     if K_ii is not positive definite: a part of the body
   ///                                is held by nothing
   CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept);

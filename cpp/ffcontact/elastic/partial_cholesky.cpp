@@ -16,6 +16,10 @@ void dgemm_(const char* transpose_a, const char* transpose_b, const int* rows,
             const double* a, const int* stride_of_a, const double* b,
             const int* stride_of_b, const double* beta, double* c,
             const int* stride_of_c);
+void dsyrk_(const char* triangle, const char* transpose, const int* n,
+            const int* depth, const double* alpha, const double* a,
+            const int* stride_of_a, const double* beta, double* c,
+            const int* stride_of_c);
 void dpotrf_(const char* triangle, const int* n, double* a, const int* stride,
              int* info);
 void dtrsm_(const char* side, const char* triangle, const char* transpose,
@@ -31,7 +35,7 @@ namespace ffcontact {
 namespace {
 
 /// Columns that are updated at once.
-constexpr int panel_width = 192;
+constexpr int panel_width = 256;
 /// A subtree is at most this share of a thread's work.
 constexpr double subtree_share = 0.125;
 
@@ -252,8 +256,12 @@ struct PartialCholesky::Factor {
     const double minus = -1, beta = dense ? 1 : 0;
     double* target = dense ? column_of(panel, *first) + top : product.data();
     const int target_stride = dense ? panel.stride : rows;
-    dgemm_("N", "T", &rows, &columns, &depth, &minus, L, &stride, L, &stride,
-           &beta, target, &target_stride);
+    const int below = rows - columns;
+    dsyrk_("L", "N", &columns, &depth, &minus, L, &stride, &beta, target,
+           &target_stride);
+    if (below > 0)
+      dgemm_("N", "T", &below, &columns, &depth, &minus, L + columns, &stride,
+             L, &stride, &beta, target + columns, &target_stride);
     if (!dense) scatter(first, rows, columns, panel, product);
   }
 
