@@ -155,6 +155,14 @@ TEST(CondensedStiffness,
   EXPECT_EQ(refusal_of({4, 2, 4}), "kept dof 4 is listed twice");
 }
 
+TEST(CondensedStiffness, refuses_more_kept_dofs_than_memory_has_room_for) {
+  EXPECT_EQ(refusal([] { require_room_for_schur(20000, 16e9); }),
+            "20000 free dofs where bodies may touch need dense matrices of 9.6 "
+            "GB, more than half of the memory (16 GB): state contact on a "
+            "smaller part of the boundary, or on a coarser mesh");
+  require_room_for_schur(18000, 16e9);
+}
+
 TEST(CondensedStiffness, fails_when_a_part_of_the_body_is_held_by_nothing) {
   Problem problem = body(joined(rectangle(2, 2, 2, 2), rectangle(2, 2, 2, 2)),
                          material(100, 0.3));

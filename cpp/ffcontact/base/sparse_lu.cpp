@@ -7,7 +7,7 @@ namespace ffcontact {
 
 namespace {
 
-bool is_identity(const SparseMatrix& A) {
+bool equals_identity(const SparseMatrix& A) {
   if (A.nonZeros() != A.cols()) return false;
   for (int j = 0; j < A.cols(); ++j)
     if (A.coeff(j, j) != 1) return false;
@@ -23,7 +23,7 @@ struct SparseLu::Factor {
 
 SparseLu::SparseLu(SparseMatrix A) : factor_(std::make_unique<Factor>()) {
   A.makeCompressed();
-  factor_->identity = is_identity(A);
+  factor_->identity = equals_identity(A);
   if (!factor_->identity) factor_->lu.compute(A);
 }
 
@@ -34,6 +34,8 @@ SparseLu::SparseLu(SparseLu&&) noexcept = default;
 bool SparseLu::is_regular() const {
   return factor_->identity || factor_->lu.info() == Eigen::Success;
 }
+
+bool SparseLu::is_identity() const { return factor_->identity; }
 
 VectorXd SparseLu::solve(const VectorXd& b) const {
   return factor_->identity ? b : VectorXd(factor_->lu.solve(b));

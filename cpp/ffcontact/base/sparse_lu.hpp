@@ -17,6 +17,7 @@ class SparseLu {
   SparseLu(SparseLu&&) noexcept;
 
   bool is_regular() const;
+  bool is_identity() const;
 
   VectorXd solve(const VectorXd& b) const;                     ///< A^-1 b
   MatrixXd solve_columns(const MatrixXd& B) const;             ///< A^-1 B

@@ -9,6 +9,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
+#include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/contact/vertex_motions.hpp"
 
@@ -67,13 +68,38 @@ struct Terms {
   MatrixXd A_dependent;  ///< [d x f + o]
 };
 
+/// Q' S Q of a symmetric S, column by column: some thousand rows are not copied more than
+/// once.
+MatrixXd congruent(const MatrixXd& S, const SparseMatrix& Q) {
+  const SparseMatrix Qt = Q.transpose();
+  MatrixXd result(Q.cols(), Q.cols());
+  VectorXd column(S.rows());
+  for (Index j = 0; j < Q.cols(); ++j) {
+    column.setZero();
+    for (SparseMatrix::InnerIterator e(Q, j); e; ++e)
+      column += e.value() * S.col(e.row());
+    result.col(j) = Qt * column;
+  }
+  mirror_lower(result);
+  return result;
+}
+
+/// The leading block of a matrix that is not needed any more.
+MatrixXd leading_block(MatrixXd&& M, Index size) {
+  if (M.rows() == size) return std::move(M);
+  return M.topLeftCorner(size, size);
+}
+
 /// S and E as if w_o were given, S = A^-T S_w A^-1 and E = A^-T A_dependent'.
-void put_own_relation(const Terms& terms, const SparseLu& factor,
+void put_own_relation(Terms&& terms, const SparseLu& factor,
                       CondensedContact& contact) {
   const Index f = count_of(contact.primary);
-  const MatrixXd half =
-      factor.solve_transposed_columns(terms.S.topLeftCorner(f, f));
-  contact.S = symmetric_part(factor.solve_transposed_columns(half.transpose()));
+  contact.S = leading_block(std::move(terms.S), f);
+  if (!factor.is_identity()) {
+    const MatrixXd half = factor.solve_transposed_columns(contact.S);
+    contact.S =
+        symmetric_part(factor.solve_transposed_columns(half.transpose()));
+  }
   contact.E = factor.solve_transposed_columns(
       terms.A_dependent.leftCols(f).transpose());
 }
@@ -182,11 +208,11 @@ double stiffer_component(const CondensedContact& contact, Index i) {
 /// The relation, loads apart.
 void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
                   CondensedContact& contact) {
-  const SparseMatrix Qt = contact.to_kept.transpose();
-  const Terms terms{Qt * stiffness.schur() * contact.to_kept,
-                    selected_rows(contact.A, contact.dependent)};
-  put_own_relation(terms, factor, contact);
-  condense_opposite(opposite_terms(terms, factor, contact), contact);
+  Terms terms{congruent(stiffness.schur(), contact.to_kept),
+              selected_rows(contact.A, contact.dependent)};
+  const OppositeTerms opposite = opposite_terms(terms, factor, contact);
+  put_own_relation(std::move(terms), factor, contact);
+  condense_opposite(opposite, contact);
 }
 
 }  // namespace

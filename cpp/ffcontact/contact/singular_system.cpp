@@ -2,9 +2,11 @@
 #include "ffcontact/contact/singular_system.hpp"
 
 #include <Eigen/LU>
+#include <optional>
 
 #include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/base/refined_solution.hpp"
 
 namespace ffcontact {
 
@@ -15,6 +17,8 @@ constexpr double singular = 1e-13;
 /// Residual, relative to the right-hand side, up to which a singular system counts as
 /// solved.
 constexpr double fulfilled = 1e-10;
+/// Unknowns from which on single precision with refinement is worth its products.
+constexpr Index many = 500;
 /// Stiffness, relative to the diagonal, that holds a body which nothing else holds.
 constexpr double leash = 1e-8;
 
@@ -24,6 +28,8 @@ VectorXd solved(MatrixXd A, const VectorXd& b, Index displacements,
                 SystemKind& kind) {
   kind = SystemKind::regular;
   if (A.rows() == 0) return b;
+  if (A.rows() >= many)
+    if (std::optional<VectorXd> x = refined_solution(A, b)) return *x;
   const DenseLu lu(A);
   if (lu.reciprocal_condition() > singular) return lu.solve(b);
   const VectorXd smallest = least_squares(A, b, {10 * singular});

@@ -44,7 +44,8 @@ class SurfaceStep {
     add_proximal_terms(rows.P);
     SystemKind kind;
     const Index n = count_of(unknown_);
-    const VectorXd x = solved(std::move(matrix_), right_, n, kind);
+    transposed_.transposeInPlace();
+    const VectorXd x = solved(std::move(transposed_), right_, n, kind);
     if (!x.allFinite()) return SystemKind::inconsistent;
     spread(x, rows);
     return kind;
@@ -87,37 +88,43 @@ class SurfaceStep {
     return D;
   }
 
+  /// P_row = S_k v - g_k - E_k q of a primary row k; S is read by columns, as it is stored.
   void add_force(Index e, int row, double factor) {
     const Index n = count_of(unknown_), q = count_of(dependent_);
     const int k = contact_.position[row];
+    auto coefficients = transposed_.col(e);
     if (k < 0) {
       for (Index d = 0; d < q; ++d)
-        if (dependent_[d] == -1 - k) matrix_(e, n + d) += factor * q_scale_[d];
+        if (dependent_[d] == -1 - k)
+          coefficients[n + d] += factor * q_scale_[d];
       return;
     }
+    const auto S_k = contact_.S.col(k);
     for (Index j = 0; j < n; ++j)
-      matrix_(e, j) +=
-          factor * contact_.S(unknown_[j], k) * v_scale_[unknown_[j]];
+      coefficients[j] += factor * S_k[unknown_[j]] * v_scale_[unknown_[j]];
     for (Index d = 0; d < q; ++d)
-      matrix_(e, n + d) -= factor * contact_.E(k, dependent_[d]) * q_scale_[d];
+      coefficients[n + d] -=
+          factor * contact_.E(k, dependent_[d]) * q_scale_[d];
     right_[e] += factor * contact_.g[k];
   }
 
   void add_displacement(Index e, int row, double factor) {
     const Index n = count_of(unknown_), q = count_of(dependent_);
     const int k = contact_.position[row];
+    auto coefficients = transposed_.col(e);
     if (k >= 0) {
       const auto place = std::lower_bound(unknown_.begin(), unknown_.end(), k);
       if (place != unknown_.end() && *place == k)
-        matrix_(e, place - unknown_.begin()) += factor * v_scale_[k];
+        coefficients[place - unknown_.begin()] += factor * v_scale_[k];
       return;
     }
     const int d = -1 - k;
+    const auto E_d = contact_.E.col(d);
     for (Index j = 0; j < n; ++j)
-      matrix_(e, j) +=
-          factor * contact_.E(unknown_[j], d) * v_scale_[unknown_[j]];
+      coefficients[j] += factor * E_d[unknown_[j]] * v_scale_[unknown_[j]];
     for (Index j = 0; j < q; ++j)
-      matrix_(e, n + j) += factor * contact_.F(d, dependent_[j]) * q_scale_[j];
+      coefficients[n + j] +=
+          factor * contact_.F(d, dependent_[j]) * q_scale_[j];
     right_[e] -= factor * contact_.dependent_offset[d];
   }
 
@@ -133,7 +140,7 @@ class SurfaceStep {
 
   void assemble() {
     const Index n = count_of(unknown_), q = count_of(dependent_);
-    matrix_ = MatrixXd::Zero(n + q, n + q);
+    transposed_ = MatrixXd::Zero(n + q, n + q);
     right_ = VectorXd::Zero(n + q);
     for (Index e = 0; e < n; ++e)
       put_equation(e, contact_.primary[unknown_[e]], v_scale_[unknown_[e]], 0);
@@ -148,7 +155,7 @@ class SurfaceStep {
     const Index n = count_of(unknown_);
     for (Index d = 0; d < count_of(dependent_); ++d) {
       const int row = contact_.dependent[dependent_[d]];
-      matrix_(n + d, n + d) += proximal;
+      transposed_(n + d, n + d) += proximal;
       right_[n + d] += proximal * last[row] / q_scale_[d];
     }
   }
@@ -174,7 +181,7 @@ class SurfaceStep {
   VectorXd v_scale_, right_;
   std::vector<int> unknown_, dependent_;
   std::vector<double> q_scale_;
-  MatrixXd matrix_;
+  MatrixXd transposed_;  ///< of the matrix, an equation is a column
 };
 
 }  // namespace

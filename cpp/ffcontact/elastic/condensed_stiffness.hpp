@@ -9,17 +9,21 @@
 
 namespace ffcontact {
 
+/// @param memory  of the machine [bytes]
+/// @throws std::invalid_argument  if Schur's complement on so many dofs, in the three
+///                                copies that contact works with, takes more than half
+void require_room_for_schur(int kept, double memory);
+
 /// The stiffness of a body seen from a few kept dofs c (those of the contact line), by
 /// one sparse factorisation.
 ///
-/// With the kept dofs ordered last and a diagonal D > 0 added to K_cc,
-///     K + D = L L',    S + D = L_cc L_cc',    S = K_cc - K_ci K_ii^-1 K_ic,
-/// so that Schur's complement S is the trailing block of the factor. D makes bodies
-/// factor that only contact holds: their K is singular, and so is S, which keeps exactly
-/// the rigid motions of the body. Cost: one linear solve. What is factored is R (K + D) R
-/// with R = diag(K)^-1/2: units, and materials or triangles that differ by any factor, do
-/// not count as singular. The interior is ordered by METIS on the graph of vertices, not
-/// of dofs.
+/// With the kept dofs c ordered last the factorisation stops before them,
+///     K = L [I 0; 0 S] L',    L = [L_ii 0; K_ci L_ii'^-1 I],
+/// and leaves Schur's complement S = K_cc - K_ci K_ii^-1 K_ic. Bodies that only contact
+/// holds are factored like others: S is singular then, and keeps exactly their rigid
+/// motions. What is factored is R K R with R = diag(K)^-1/2: units, and materials or
+/// triangles that differ by any factor, do not count as singular. The interior is ordered
+/// by METIS on the graph of vertices, not of dofs.
 class CondensedStiffness {
  public:
   /// A load after elimination of the interior, for one use of the factor's first half.
@@ -30,8 +34,9 @@ class CondensedStiffness {
 
   /// @param kept  free dofs to keep, without repetition; the order is that of all vectors
   ///              and matrices of kept dofs
-  /// @throws std::invalid_argument  if a kept dof is prescribed or out of range
-  /// @throws std::runtime_error     if K + D is not positive definite: a part of the body
+  /// @throws std::invalid_argument  if a kept dof is prescribed or out of range, or by
+  ///                                require_room_for_schur
+  /// @throws std::runtime_error     if K_ii is not positive definite: a part of the body
   ///                                is held by nothing
   CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept);
   ~CondensedStiffness();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/elimination_order.hpp"
 
-#include "ffcontact/elastic/sparse_cholesky.hpp"
+#include "ffcontact/elastic/supernodes.hpp"
 
 namespace ffcontact {
 
