@@ -113,16 +113,18 @@ TEST(DataDefect, names_the_loads_that_are_not_those_of_u) {
   const std::string traction = sentence_about(
       Multiplier::force, [](Problem&, SolvedBody& body,
                             const ContactSolution&) { body.neumann *= 2; });
-  EXPECT_TRUE(
-      says(traction, "on the boundary: give the traction= u was computed with"))
+  EXPECT_TRUE(says(traction,
+                   "on the boundary: give the traction=, initialstrain= and "
+                   "initialstress= u was computed with"))
       << traction;
   const std::string inside =
       sentence_about(Multiplier::force,
                      [](Problem&, SolvedBody& body, const ContactSolution&) {
                        body.body_loads.array() += 1;
                      });
-  EXPECT_TRUE(
-      says(inside, "inside the body: give the bodyforce= u was computed with"))
+  EXPECT_TRUE(says(inside,
+                   "inside the body: give the bodyforce=, initialstrain= and "
+                   "initialstress= u was computed with"))
       << inside;
   const std::string contact = sentence_about(
       Multiplier::force, [](Problem&, SolvedBody& body,

@@ -35,13 +35,22 @@ void add_forces(const Mesh& mesh, int t, const Vector3d& stress,
         signed_area(mesh, t) * traction(stress, gradients.col(k));
 }
 
-/// int C eps(u) : eps(phi) for all phi [N/mm].
-VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
-  const Matrix3Xd stress = stresses(mesh, hooke, u);
-  VectorXd forces = VectorXd::Zero(u.size());
+/// int sigma : eps(phi) for all phi [N/mm].
+VectorXd inner_forces(const Mesh& mesh, const Matrix3Xd& stress) {
+  VectorXd forces = VectorXd::Zero(2 * mesh.vertices.cols());
   for (int t = 0; t < mesh.cell_count(); ++t)
     add_forces(mesh, t, stress.col(t), forces);
   return forces;
+}
+
+/// int C eps(u) : eps(phi).
+VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
+  return inner_forces(mesh, stresses(mesh, hooke, u));
+}
+
+/// int (C eps(u_h) + tau0) : eps(phi).
+VectorXd inner_forces(const Mesh& mesh, const SolvedBody& body) {
+  return inner_forces(mesh, total_stresses(mesh, body, body.displacement).mean);
 }
 
 /// K_ii of one dof.
@@ -100,7 +109,7 @@ VectorXd left_over_with_other_multiplier(const Mesh& mesh,
                                          const ElasticSystem& system,
                                          const SolvedBody& body) {
   const Matrix2Xd other = pressures_of_other_multiplier(line, system, body);
-  VectorXd left = inner_forces(mesh, body.hooke, body.displacement) -
+  VectorXd left = inner_forces(mesh, body) -
                   nodal_forces(mesh, line, edge_densities(line, other));
   subtract_loads(mesh.cells, body.body_loads, left);
   subtract_loads(mesh.boundary, body.neumann, left);
@@ -168,8 +177,7 @@ bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
                            const SolvedBody& body) {
   const VectorXd left =
       left_over_with_other_multiplier(mesh, line, system, body);
-  const double scale =
-      inner_forces(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
+  const double scale = inner_forces(mesh, body).cwiseAbs().maxCoeff();
   return std::abs(left[2 * imbalance.vertex + imbalance.component]) <=
          tolerance * scale;
 }
@@ -184,13 +192,13 @@ std::string other_multiplier_in_words(Multiplier own) {
 /// What else may be missing at a vertex.
 std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
   if (!(mesh.boundary.array() == vertex).any())
-    return "inside the body: give the bodyforce= u was computed with; loads of "
-           "thermal or initial strains are not known here";
+    return "inside the body: give the bodyforce=, initialstrain= and "
+           "initialstress= u was computed with";
   if (on_line)
     return "on the contact line: give pn and pt of the solution u, and the "
            "same label=, normal= and traction=";
-  return "on the boundary: give the traction= u was computed with; loads of "
-         "thermal or initial strains are not known here";
+  return "on the boundary: give the traction=, initialstrain= and "
+         "initialstress= u was computed with";
 }
 
 }  // namespace
