@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
+#include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/nodal_forces.hpp"
 
 namespace ffcontact {
@@ -127,12 +128,14 @@ struct Comparison {
   VectorXd z, of_law, of_matrix, terms;
   VectorXd off;  ///< |A z - K z| in parts of the terms
 
-  Comparison(const Mesh& mesh, const ElasticSystem& system, const Hooke& hooke)
-      : z(probe(system.prescribed)), of_law(inner_forces(mesh, hooke, z)) {
+  /// @param prescribed  dofs that are left out
+  Comparison(const Mesh& mesh, const RowMatrix& A, const Hooke& hooke,
+             const std::vector<char>& prescribed)
+      : z(probe(prescribed)), of_law(inner_forces(mesh, hooke, z)) {
     of_matrix = terms = off = VectorXd::Zero(z.size());
 #pragma omp parallel for
     for (Index dof = 0; dof < z.size(); ++dof)
-      if (!system.prescribed[dof]) put(row_of(system.stiffness, z, dof), dof);
+      if (!prescribed[dof]) put(row_of(A, z, dof), dof);
   }
 
   /// By what A z is a multiple of K z where they differ.
@@ -171,6 +174,36 @@ void require_no_spring(const Mesh& mesh, const ElasticSystem& system,
            "1e30, -1 or -2");
 }
 
+/// C times a coordinate at the centroids: r C, whose integrals are exact.
+Hooke weighted(const Mesh& mesh, const Hooke& hooke, int radial) {
+  Hooke result = hooke;
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    result[t] *= mesh.origin[radial] + centroid_of(mesh, t)[radial];
+  return result;
+}
+
+/// Is A a multiple of the stiffness of a body of revolution, r the given coordinate? On
+/// axial displacements alone, which stretch no hoop, it is int r C eps(z) : eps(phi).
+bool is_axisymmetric(const Mesh& mesh, const ElasticSystem& system,
+                     const Hooke& hooke, int radial) {
+  std::vector<char> left_out = system.prescribed;
+  for (std::size_t dof = radial; dof < left_out.size(); dof += 2)
+    left_out[dof] = 1;
+  const Comparison axial(mesh, system.stiffness, weighted(mesh, hooke, radial),
+                         left_out);
+  return axial.of_matrix.norm() > 0 && axial.is_multiple();
+}
+
+void require_plane(const Mesh& mesh, const ElasticSystem& system,
+                   const Hooke& hooke) {
+  constexpr const char* axis[] = {"x = 0", "y = 0"};
+  for (int radial = 0; radial < 2; ++radial)
+    if (is_axisymmetric(mesh, system, hooke, radial))
+      refuse("A is the stiffness of an axisymmetric body about ", axis[radial],
+             ": contactsolve solves it, but contacterror judges plane bodies "
+             "alone");
+}
+
 /// Are the given pressures those of the other multiplier?
 bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
                            const ContactLine& line, const ElasticSystem& system,
@@ -205,7 +238,7 @@ std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
 
 void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                            const Hooke& hooke) {
-  const Comparison comparison(mesh, system, hooke);
+  const Comparison comparison(mesh, system.stiffness, hooke, system.prescribed);
   Index worst;
   if (comparison.off.maxCoeff(&worst) <= tolerance) return;
 
@@ -215,6 +248,7 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
            comparison.factor(), " times the stiffness of the law at ",
            in_words(mesh, worst / 2),
            "; give the constants of the script's varf");
+  require_plane(mesh, system, hooke);
   refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
          in_words(mesh, worst / 2), " is off by ", comparison.off[worst],
          " of its terms; give the law of the script's varf in every region, "
