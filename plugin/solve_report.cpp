@@ -39,10 +39,16 @@ bool is_held_along_normal(const Nodes& nodes, const ElasticSystem& system,
   return true;
 }
 
+/// The body that a vertex of the joined mesh belongs to.
+int body_of(const JoinedMesh& joined, int vertex) {
+  const auto first = joined.first_vertex.begin();
+  return static_cast<int>(
+      std::upper_bound(first, joined.first_vertex.end() - 1, vertex) - first -
+      1);
+}
+
 int number_in_its_mesh(const JoinedMesh& joined, int vertex) {
-  return vertex -
-         *std::prev(std::upper_bound(joined.first_vertex.begin(),
-                                     joined.first_vertex.end() - 1, vertex));
+  return vertex - joined.first_vertex[body_of(joined, vertex)];
 }
 
 /// The vertices of the nodes whose normal dof is prescribed.
@@ -130,6 +136,22 @@ void refuse_solution(const SolveAnswer& answer, const std::string& advice) {
          in_words(answer.status), "), largest violation ", answer.violation,
          ", residual ", answer.residual, remedy(answer.status),
          "; status= returns the best iterate instead", advice);
+}
+
+std::string sentence_of(const NoEquilibrium& none, const JoinedMesh& joined) {
+  std::string sentence = none.what();
+  const std::size_t bodies = joined.first_vertex.size() - 1;
+  if (bodies == 1) return sentence;
+  const std::string own =
+      "body " + std::to_string(body_of(joined, none.vertex) + 1);
+  return sentence.replace(sentence.find(none.who), none.who.size(), own);
+}
+
+void report_no_equilibrium(const SolveCall& call, const std::string& sentence) {
+  constexpr long no_equilibrium = 5;
+  call.named.put(call.stack, "status", no_equilibrium);
+  if (call.verbosity() > 0 && mpirank == 0)
+    cout << "contactsolve: " << sentence << endl;
 }
 
 void report_solution(const SolveCall& call, const BodyDofs& bodies,

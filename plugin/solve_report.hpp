@@ -5,6 +5,7 @@
 
 #include "contact_type.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/unbalanced_motion.hpp"
 #include "solve_call.hpp"
 
 /// What contactsolve says of a solution, and of its failure.
@@ -42,6 +43,12 @@ std::string advice_on_held(const SolidProblem& problem,
 /// Refuses a solution that was not accepted, with what the script can do about it.
 [[noreturn]] void refuse_solution(const SolveAnswer& answer,
                                   const std::string& advice);
+
+/// What the core says, with the number of the body where there are several meshes.
+std::string sentence_of(const NoEquilibrium& none, const JoinedMesh& joined);
+
+/// status= of loads that nothing balances, and the sentence at verbosity 1.
+void report_no_equilibrium(const SolveCall& call, const std::string& sentence);
 
 /// By verbosity: one line at 1, details above.
 /// @param side  of each pair of bodies
