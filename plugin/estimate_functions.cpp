@@ -13,6 +13,7 @@
 #include "guard.hpp"
 #include "judged.hpp"
 #include "material_and_loads.hpp"
+#include "progress_lines.hpp"
 #include "registration.hpp"
 #include "systems.hpp"
 
@@ -179,6 +180,8 @@ class ContactErrorFunction : public E_F0mps {
         relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;
     relaxation.sweeps =
         static_cast<int>(named_.integer(stack, "sweeps", sweeps));
+    relaxation.report =
+        progress_lines("contacterror", named_.verbosity_level(stack));
     return settings;
   }
 

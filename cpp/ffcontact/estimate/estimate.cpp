@@ -215,6 +215,9 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
 /// Steps 1 to 6 of the estimate.
 Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
                      const EstimateSettings& settings) {
+  tell(settings.relaxation.report,
+       {"admissible fields", 0, "dofs",
+        static_cast<double>(solved.system.dof_count())});
   // Facing traces that match, by cutting where they do not.
   MatchedBodies bodies(solved);
   Estimate estimate;
