@@ -100,6 +100,15 @@ KN<long>* sides(Stack stack, ContactVariable* const& variable) {
   });
 }
 
+KN<long>* first_nodes(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    return array_of<long>(stack, contact.problem
+                                     ? contact.problem->first_node
+                                     : contact.solid.problem->first_node);
+  });
+}
+
 template <class Result>
 void add_member(const char* name,
                 Result (*value)(Stack, ContactVariable* const&)) {
@@ -131,6 +140,7 @@ void register_contact_members() {
   add_member("state", states);
   add_member("node", nodes);
   add_member("abscissa", abscissae);
+  add_member("first", first_nodes);
   add_member("side", sides);
 }
 

@@ -176,6 +176,7 @@ void ContactProblem::choose_sides(const ElasticSystem& system) {
 
 void ContactProblem::clear_line() {
   law = {};
+  first_node = {0};
   own_vertex.clear();
   abscissa.resize(0);
   edge_abscissa.resize(2, 0);
@@ -185,6 +186,7 @@ void ContactProblem::clear_line() {
 void ContactProblem::append_carrier(const Carrier& carrier) {
   own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
                     carrier.own_vertex.end());
+  first_node.push_back(count_of(own_vertex));
   append(carrier.abscissa, abscissa);
   append(carrier.edge_abscissa, edge_abscissa);
   for (VectorXd ContactLaw::*nodal :

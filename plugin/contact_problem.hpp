@@ -48,6 +48,8 @@ struct ContactProblem : BodyDofs {
   VectorXd abscissa;
   Matrix2Xd
       edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
+  /// of each pair: the first of its nodes; then the number of all nodes
+  std::vector<long> first_node;
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
 

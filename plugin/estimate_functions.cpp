@@ -13,6 +13,7 @@
 #include "guard.hpp"
 #include "judged.hpp"
 #include "material_and_loads.hpp"
+#include "progress_lines.hpp"
 #include "registration.hpp"
 #include "systems.hpp"
 
@@ -25,11 +26,12 @@ constexpr int most_sweeps = 20;
 
 /// What is given for each body.
 const NamedArguments::Table estimates_of_bodies = {
-    {"lambda", &typeid(double)},     {"G", &typeid(double)},
-    {"hooke", &typeid(E_Array)},     {"traction", &typeid(E_Array)},
-    {"bodyforce", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
-    {"rate", &typeid(KN<double>*)},  {"sxx", &typeid(KN<double>*)},
-    {"syy", &typeid(KN<double>*)},   {"sxy", &typeid(KN<double>*)}};
+    {"lambda", &typeid(double)},         {"G", &typeid(double)},
+    {"hooke", &typeid(E_Array)},         {"traction", &typeid(E_Array)},
+    {"bodyforce", &typeid(E_Array)},     {"initialstrain", &typeid(E_Array)},
+    {"initialstress", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
+    {"rate", &typeid(KN<double>*)},      {"sxx", &typeid(KN<double>*)},
+    {"syy", &typeid(KN<double>*)},       {"sxy", &typeid(KN<double>*)}};
 
 /// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve
 /// found, or eps = contacterror(C, A, u, pn, pt, ...) with matrix and displacement of
@@ -88,6 +90,7 @@ class ContactErrorFunction : public E_F0mps {
                                {"corrected", &typeid(long*)},
                                {"unmended", &typeid(long*)},
                                {"oscillation", &typeid(double*)},
+                               {"strainoscillation", &typeid(double*)},
                                {"balance", &typeid(double*)},
                                {"cone", &typeid(double*)},
                                {"penetration", &typeid(double*)},
@@ -104,14 +107,15 @@ class ContactErrorFunction : public E_F0mps {
     const StuckNodes stuck = stuck_nodes_of(stack, named_);
     Judged judged = matrix_.empty() ? own_solution(contact)
                                     : given_solution(stack, problem);
-    const double oscillation =
+    const Oscillation oscillation =
         read_material_and_loads(stack, named_, problem, judged.body);
     const ElasticSystem& system = *judged.system;
     Estimate estimate = estimate_error(problem.topology(), problem.line, system,
                                        judged.body, settings);
     put(stack, problem, estimate);
     put_rates(stack, problem, system, judged.body);
-    named_.put(stack, "oscillation", oscillation);
+    named_.put(stack, "oscillation", oscillation.force);
+    named_.put(stack, "strainoscillation", oscillation.strain);
     const double seconds = CPUtime() - start;
     std::optional<CoulombBound> bound;
     if (wants_bound()) {
@@ -176,6 +180,8 @@ class ContactErrorFunction : public E_F0mps {
         relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;
     relaxation.sweeps =
         static_cast<int>(named_.integer(stack, "sweeps", sweeps));
+    relaxation.report =
+        progress_lines("contacterror", named_.verbosity_level(stack));
     return settings;
   }
 
@@ -194,7 +200,7 @@ class ContactErrorFunction : public E_F0mps {
         problem.line, edge_densities(problem.line, body.pressure));
     const std::vector<SingularVertex> singular = singular_vertices(
         topology, body.hooke,
-        stresses(topology.mesh, body.hooke, body.displacement), boundary,
+        total_stresses(topology.mesh, body, body.displacement).mean, boundary,
         contact_edge_numbers(problem.line, topology.edges));
     put_by_triangles(stack, problem, "rate", local_rates(topology, singular));
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "ffcontact/base/require.hpp"
+//
+#include "initial_stress.hpp"
 
 namespace ffcontact::plugin {
 
@@ -62,9 +64,52 @@ Load load_of(const NamedArguments& named, const char* name, int body,
   return {named.component(own, 0, 2), named.component(own, 1, 2)};
 }
 
+VoigtExpression voigt_of(const NamedArguments& named, const char* name,
+                         int body, int bodies) {
+  const std::string own = name_of_body(name, body, bodies);
+  return {named.component(own, 0, 3), named.component(own, 1, 3),
+          named.component(own, 2, 3)};
+}
+
+bool is_given(const VoigtExpression& expression) {
+  return expression[0] != nullptr;
+}
+
+/// Initial stresses of the bodies, joined; empty where none has any.
+class InitialStresses {
+ public:
+  explicit InitialStresses(const ContactProblem& problem) : problem_(problem) {}
+
+  /// Reads those of body k. @return their oscillation
+  double read(Stack stack, const NamedArguments& named, int k,
+              const Hooke& hooke) {
+    const int bodies = problem_.body_count();
+    const VoigtExpression strain = voigt_of(named, "initialstrain", k, bodies),
+                          stress = voigt_of(named, "initialstress", k, bodies);
+    if (!is_given(strain) && !is_given(stress)) return 0;
+    const std::vector<int>& first = problem_.joined.first_cell;
+    if (values_.cols() == 0)
+      values_ = Matrix<double, 9, Dynamic>::Zero(9, first.back());
+    const InitialStress own = initial_stress_of(stack, strain, stress, hooke,
+                                                *problem_.fem_meshes[k]);
+    values_.middleCols(first[k], first[k + 1] - first[k]) = own.at_vertices;
+    return own.oscillation;
+  }
+
+  LinearStresses joined() const {
+    return values_.cols() > 0 ? LinearStresses::of_values(values_)
+                              : LinearStresses();
+  }
+
+ private:
+  const ContactProblem& problem_;
+  Matrix<double, 9, Dynamic> values_;  ///< at the vertices of all triangles
+};
+
 /// Reads one body into what is there for all of them.
-double read_body(Stack stack, const NamedArguments& named,
-                 const ContactProblem& problem, int k, SolvedBody& body) {
+Oscillation read_body(Stack stack, const NamedArguments& named,
+                      const ContactProblem& problem, int k, SolvedBody& body,
+                      InitialStresses& initial) {
   const JoinedMesh& joined = problem.joined;
   const int bodies = problem.body_count();
   const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[k];
@@ -78,21 +123,25 @@ double read_body(Stack stack, const NamedArguments& named,
   const BodyForce force = body_force_loads(stack, f.x, f.y, fem_mesh, mesh);
   body.body_loads.middleCols(joined.first_cell[k], mesh.cells.cols()) =
       force.loads;
-  return force.oscillation;
+  return {force.oscillation, initial.read(stack, named, k, hooke)};
 }
 
 }  // namespace
 
-double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const ContactProblem& problem,
-                               SolvedBody& body) {
+Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
+                                    const ContactProblem& problem,
+                                    SolvedBody& body) {
   body.neumann.resize(4, problem.joined.first_boundary.back());
   body.body_loads.resize(6, problem.joined.first_cell.back());
-  double oscillation = 0;
-  for (int k = 0; k < problem.body_count(); ++k)
-    oscillation =
-        std::hypot(oscillation, read_body(stack, named, problem, k, body));
-  return oscillation;
+  Oscillation all;
+  InitialStresses initial(problem);
+  for (int k = 0; k < problem.body_count(); ++k) {
+    const Oscillation own = read_body(stack, named, problem, k, body, initial);
+    all = {std::hypot(all.force, own.force),
+           std::hypot(all.strain, own.strain)};
+  }
+  body.initial = initial.joined();
+  return all;
 }
 
 }  // namespace ffcontact::plugin

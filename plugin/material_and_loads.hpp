@@ -6,11 +6,18 @@
 
 namespace ffcontact::plugin {
 
-/// Reads elastic law (lambda= and G=, or hooke=) and loads (traction=, bodyforce=) of all
-/// bodies into what is judged.
-/// @return oscillation of the body forces (BodyForce)
+/// What data have beyond that which is judged exactly.
+struct Oscillation {
+  double force = 0;   ///< of the body forces (BodyForce)
+  double strain = 0;  ///< of the initial strains and stresses (InitialStress)
+};
+
+/// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
+/// (initialstrain=, initialstress=) and loads (traction=, bodyforce=) of all bodies into
+/// what is judged.
 /// @throws std::invalid_argument  if a body has not one elastic law
-double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const ContactProblem& problem, SolvedBody& body);
+Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
+                                    const ContactProblem& problem,
+                                    SolvedBody& body);
 
 }  // namespace ffcontact::plugin

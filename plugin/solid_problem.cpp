@@ -206,6 +206,7 @@ void SolidProblem::join_carriers() {
       if (!pair.polygons.empty()) side.push_back(std::max(1, pair.wanted));
   law = {};
   own_vertex.clear();
+  first_node = {0};
   std::vector<ContactSurface> surfaces;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const bool on_other = !pairs_[k].polygons.empty() && side[k] == 2;
@@ -213,6 +214,7 @@ void SolidProblem::join_carriers() {
     surfaces.push_back(carrier.surface);
     own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
                       carrier.own_vertex.end());
+    first_node.push_back(count_of(own_vertex));
     for (VectorXd SurfaceLaw::*nodal :
          {&SurfaceLaw::friction, &SurfaceLaw::slip_bound,
           &SurfaceLaw::shear_limit, &SurfaceLaw::gap})

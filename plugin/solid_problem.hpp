@@ -27,6 +27,8 @@ struct SolidProblem : BodyDofs {
   SurfaceLaw law;
   /// of each node, or nearest to what it faces, in the mesh of the body that comes first
   std::vector<long> own_vertex;
+  /// where the nodes of each pair begin, and their number
+  std::vector<long> first_node;
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
 

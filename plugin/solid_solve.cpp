@@ -115,8 +115,13 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   if (!contact.solved) problem.choose_sides(system);
   const SurfaceLaw law = law_of(call, contact);
   const ContactSettings settings = settings_of(call, contact, system);
-  solved.solution =
-      solve_contact(problem.mesh, problem.surface, law, system, settings);
+  try {
+    solved.solution =
+        solve_contact(problem.mesh, problem.surface, law, system, settings);
+  } catch (const NoEquilibrium& none) {
+    answer_no_equilibrium(call, problem.joined.first_vertex, none);
+    return 0;
+  }
   const SurfaceSolution& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(answer_of(solution), advice_on_held(problem, system));

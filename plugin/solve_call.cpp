@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/require.hpp"
 //
+#include "progress_lines.hpp"
 #include "systems.hpp"
 #include "views.hpp"
 
@@ -100,6 +101,7 @@ ContactSettings settings_of(const SolveCall& call,
   settings.tolerance = named.number(stack, "tol", settings.tolerance);
   if (!(settings.tolerance > 0))
     refuse("tol must be positive, got ", settings.tolerance);
+  settings.report = progress_lines("contactsolve", call.verbosity());
   settings.initial_state = std::move(states);
   if (named.given("initial")) settings.initial_state.clear();
   for (long number : named.integers(stack, "initial"))

@@ -39,22 +39,26 @@ bool is_held_along_normal(const Nodes& nodes, const ElasticSystem& system,
   return true;
 }
 
-template <int dim>
-int number_in_its_mesh(const JoinedBodies<dim>& joined, int vertex) {
-  return vertex -
-         *std::prev(std::upper_bound(joined.first_vertex.begin(),
-                                     joined.first_vertex.end() - 1, vertex));
+/// The body that a vertex of the joined mesh belongs to.
+int body_of(const std::vector<int>& first_vertex, int vertex) {
+  const auto first = first_vertex.begin();
+  return static_cast<int>(
+      std::upper_bound(first, first_vertex.end() - 1, vertex) - first - 1);
+}
+
+int number_in_its_mesh(const std::vector<int>& first_vertex, int vertex) {
+  return vertex - first_vertex[body_of(first_vertex, vertex)];
 }
 
 /// The vertices of the nodes whose normal dof is prescribed, as their meshes number them.
-template <int dim, class Nodes>
-std::vector<int> held_vertices(const JoinedBodies<dim>& joined,
+template <class Nodes>
+std::vector<int> held_vertices(const std::vector<int>& first_vertex,
                                const Nodes& nodes,
                                const ElasticSystem& system) {
   std::vector<int> held;
   for (int i = 0; i < nodes.node_count(); ++i)
     if (is_held_along_normal(nodes, system, i))
-      held.push_back(number_in_its_mesh(joined, nodes.vertex[i]));
+      held.push_back(number_in_its_mesh(first_vertex, nodes.vertex[i]));
   return held;
 }
 
@@ -117,14 +121,16 @@ void put(const SolveCall& call, const SolveAnswer& answer) {
 
 std::string advice_on_held(const ContactProblem& problem,
                            const ElasticSystem& system) {
-  return advice_on(held_vertices(problem.joined, problem.line, system),
-                   "contact line", "edges");
+  return advice_on(
+      held_vertices(problem.joined.first_vertex, problem.line, system),
+      "contact line", "edges");
 }
 
 std::string advice_on_held(const SolidProblem& problem,
                            const ElasticSystem& system) {
-  return advice_on(held_vertices(problem.joined, problem.surface, system),
-                   "contact surface", "faces");
+  return advice_on(
+      held_vertices(problem.joined.first_vertex, problem.surface, system),
+      "contact surface", "faces");
 }
 
 void refuse_solution(const SolveAnswer& answer, const std::string& advice) {
@@ -132,6 +138,21 @@ void refuse_solution(const SolveAnswer& answer, const std::string& advice) {
          in_words(answer.status), "), largest violation ", answer.violation,
          ", residual ", answer.residual, remedy(answer.status),
          "; status= returns the best iterate instead", advice);
+}
+
+void answer_no_equilibrium(const SolveCall& call,
+                           const std::vector<int>& first_vertex,
+                           const NoEquilibrium& none) {
+  constexpr long no_equilibrium = 5;
+  std::string sentence = none.what();
+  if (first_vertex.size() > 2)
+    sentence.replace(
+        sentence.find(none.who), none.who.size(),
+        "body " + std::to_string(body_of(first_vertex, none.vertex) + 1));
+  if (!call.named.given("status")) refuse(sentence);
+  call.named.put(call.stack, "status", no_equilibrium);
+  if (call.verbosity() > 0 && mpirank == 0)
+    cout << "contactsolve: " << sentence << endl;
 }
 
 void report_solution(const SolveCall& call, const BodyDofs& bodies,

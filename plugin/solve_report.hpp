@@ -5,6 +5,7 @@
 
 #include "contact_type.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/unbalanced_motion.hpp"
 #include "solve_call.hpp"
 
 /// What contactsolve says of a solution, and of its failure.
@@ -42,6 +43,13 @@ std::string advice_on_held(const SolidProblem& problem,
 /// Refuses a solution that was not accepted, with what the script can do about it.
 [[noreturn]] void refuse_solution(const SolveAnswer& answer,
                                   const std::string& advice);
+
+/// Loads that nothing balances: status= and the sentence at verbosity 1.
+/// @param first_vertex  of each body, which is named by its number where there are several
+/// @throws std::invalid_argument  if the script does not ask for status=
+void answer_no_equilibrium(const SolveCall& call,
+                           const std::vector<int>& first_vertex,
+                           const NoEquilibrium& none);
 
 /// By verbosity: one line at 1, details above.
 /// @param side  of each pair of bodies

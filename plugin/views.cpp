@@ -188,6 +188,20 @@ VectorXd at_triangles(Stack stack, Expression expression,
   return values;
 }
 
+MatrixXd at_quadrature_points(Stack stack, Expression expression,
+                              const Fem2D::Mesh& fem_mesh) {
+  const Fem2D::QuadratureFormular& quadrature = Fem2D::QuadratureFormular_T_5;
+  MatrixXd values = MatrixXd::Zero(quadrature.n, fem_mesh.nt);
+  if (!expression) return values;
+  PlanePoint point(stack, fem_mesh);
+  for (int t = 0; t < fem_mesh.nt; ++t)
+    for (int q = 0; q < quadrature.n; ++q) {
+      point.go_to_triangle(t, R2(quadrature[q].x, quadrature[q].y));
+      values(q, t) = point.value(expression);
+    }
+  return values;
+}
+
 Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
                            const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
   Matrix4Xd moments = Matrix4Xd::Zero(4, mesh.boundary.cols());

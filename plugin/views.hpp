@@ -54,6 +54,11 @@ MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
 VectorXd at_triangles(Stack stack, Expression expression,
                       const Fem2D::Mesh& fem_mesh, double otherwise);
 
+/// An expression at the points of the quadrature that FreeFEM's int2d uses by default, 0
+/// where it is null [points x triangles].
+MatrixXd at_quadrature_points(Stack stack, Expression expression,
+                              const Fem2D::Mesh& fem_mesh);
+
 /// Moments int F phi of a traction at the two vertices of every boundary element [4 x
 /// boundary], by the quadrature that FreeFEM's int1d uses by default (three Gauss
 /// points), so that they are the loads of the script. Null components are zero.

@@ -17,7 +17,7 @@
 ///   interface    the contact line, facing traces, their common refinement; the contact surface of a solid
 ///   contact      the laws of contact and friction, the solver, tractions brought into the cone, the constant of Coulomb's law
 ///                and the coefficient at which solutions branch; the law and the solver on a surface
-///   equilibrium  edge tractions in equilibrium, the composite stress, star relaxation
+///   equilibrium  edge tractions in equilibrium, stresses linear on triangles, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
 ///   sizing       optimal sizes for a wanted error
 ///

@@ -523,6 +523,42 @@ TEST(StatesAt, are_those_of_the_nearest_old_node) {
             "accepted");
 }
 
+// ---- progress -----------------------------------------------------------------------------------
+
+std::vector<Progress> told_by(const Problem& problem, ContactSolver solver,
+                              ContactSolution& solution) {
+  std::vector<Progress> told;
+  ContactSettings settings;
+  settings.solver = solver;
+  settings.report = [&](const Progress& p) { told.push_back(p); };
+  solution = solved(problem, settings);
+  return told;
+}
+
+TEST(ContactSolution, tells_of_its_factorisation_and_of_every_step) {
+  const Problem problem = example_1(Multiplier::force, 8);
+  ContactSolution solution;
+  const std::vector<Progress> newton =
+      told_by(problem, ContactSolver::newton, solution);
+  ASSERT_EQ(static_cast<int>(newton.size()), 1 + solution.iterations);
+  EXPECT_STREQ(newton[0].phase, "factorisation");
+  EXPECT_EQ(newton[0].step, 0);
+  EXPECT_EQ(newton[0].value, problem.A.rows());
+  for (int k = 1; k <= solution.iterations; ++k) {
+    EXPECT_STREQ(newton[k].phase, "Newton");
+    EXPECT_EQ(newton[k].step, k);
+  }
+  EXPECT_GT(newton[1].value, 1e-6);
+  EXPECT_LT(newton.back().value, 1e-10);
+
+  const std::vector<Progress> fixed =
+      told_by(problem, ContactSolver::fixed_point, solution);
+  ASSERT_EQ(fixed.size(), 1 + solution.history.size());
+  EXPECT_STREQ(fixed.back().phase, "fixed point");
+  EXPECT_EQ(fixed.back().step, static_cast<int>(solution.history.size()));
+  EXPECT_LT(fixed.back().value, 1e-10);
+}
+
 // ---- refusals -----------------------------------------------------------------------------------
 
 TEST(ContactSolution, refuses_loads_that_lift_a_body_which_only_contact_holds) {

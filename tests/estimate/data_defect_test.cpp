@@ -5,6 +5,7 @@
 
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "support/estimates.hpp"
+#include "support/pi.hpp"
 #include "support/refusals.hpp"
 
 namespace ffcontact {
@@ -74,6 +75,61 @@ TEST(DataDefect, names_a_penalty_that_does_not_prescribe) {
       << sentence;
 }
 
+/// int c r (C eps : eps(phi) + what the hoop strain u_r / r adds), by one point a
+/// triangle.
+RowMatrix axisymmetric(const Problem& problem, int radial, double c) {
+  const Mesh& mesh = problem.mesh;
+  const Material m = material(13e3, 0.2);
+  RowMatrix A = problem.A;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const double r = centroid_of(mesh, t)[radial];
+    const Matrix<double, 2, 3> hats = hat_gradients(mesh, t);
+    Matrix<double, 4, 6> B = Matrix<double, 4, 6>::Zero();
+    for (int k = 0; k < 3; ++k) {
+      B.block<3, 2>(0, 2 * k) << hats(0, k), 0, 0, hats(1, k), hats(1, k),
+          hats(0, k);
+      B(3, 2 * k + radial) = 1 / (3 * r);
+    }
+    Matrix4d C = Matrix4d::Zero();
+    C.topLeftCorner<3, 3>() = m.hooke();
+    C(3, 3) = m.lambda + 2 * m.G;
+    for (int i : {0, 1}) C(i, 3) = C(3, i) = m.lambda;
+    const Matrix<double, 6, 6> K =
+        c * r * signed_area(mesh, t) * B.transpose() * C * B;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        entries.emplace_back(2 * mesh.cells(i / 2, t) + i % 2,
+                             2 * mesh.cells(j / 2, t) + j % 2, K(i, j));
+  }
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+TEST(DataDefect, names_an_axisymmetric_body) {
+  for (int radial : {0, 1}) {
+    Problem problem = body(rectangle(4, 3, 4, 3), material(13e3, 0.2));
+    problem.A = axisymmetric(problem, radial, 2 * pi);
+    clamp(problem, top);
+    const std::string expected =
+        std::string("A is the stiffness of an axisymmetric body about ") +
+        (radial == 0 ? "x = 0" : "y = 0");
+    EXPECT_TRUE(says(refusal([&] {
+                       require_law_of_matrix(problem.mesh, problem.system(),
+                                             problem.hooke);
+                     }),
+                     expected));
+    // another modulus along the axis is none
+    problem.A.coeffRef(2, 2) *= 1.01;
+    problem.A.coeffRef(3, 3) *= 1.01;
+    EXPECT_TRUE(says(refusal([&] {
+                       require_law_of_matrix(problem.mesh, problem.system(),
+                                             problem.hooke);
+                     }),
+                     "A is not the stiffness of lambda and G"));
+  }
+}
+
 TEST(DataDefect, names_a_point_support) {
   Problem problem = example_1(Multiplier::force, 2);
   prescribe_dof(problem, 2 * 5 + 1, 0.01);  // the middle of the loaded side
@@ -113,16 +169,18 @@ TEST(DataDefect, names_the_loads_that_are_not_those_of_u) {
   const std::string traction = sentence_about(
       Multiplier::force, [](Problem&, SolvedBody& body,
                             const ContactSolution&) { body.neumann *= 2; });
-  EXPECT_TRUE(
-      says(traction, "on the boundary: give the traction= u was computed with"))
+  EXPECT_TRUE(says(traction,
+                   "on the boundary: give the traction=, initialstrain= and "
+                   "initialstress= u was computed with"))
       << traction;
   const std::string inside =
       sentence_about(Multiplier::force,
                      [](Problem&, SolvedBody& body, const ContactSolution&) {
                        body.body_loads.array() += 1;
                      });
-  EXPECT_TRUE(
-      says(inside, "inside the body: give the bodyforce= u was computed with"))
+  EXPECT_TRUE(says(inside,
+                   "inside the body: give the bodyforce=, initialstrain= and "
+                   "initialstress= u was computed with"))
       << inside;
   const std::string contact = sentence_about(
       Multiplier::force, [](Problem&, SolvedBody& body,

@@ -449,6 +449,23 @@ TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   RecordProperty("ratio", std::to_string(polynomial.e / composite.e));
 }
 
+// ---- progress -------------------------------------------------------------
+
+TEST(Estimate, tells_of_every_sweep) {
+  const Problem problem = example_1(Multiplier::force, 8);
+  std::vector<Progress> told;
+  EstimateSettings settings = sweeps(3);
+  settings.relaxation.report = [&](const Progress& p) { told.push_back(p); };
+  const Estimate estimate = estimated(problem, solved(problem), settings);
+  ASSERT_EQ(told.size(), 4u);
+  EXPECT_STREQ(told[0].phase, "admissible fields");
+  for (int k = 1; k <= 3; ++k) {
+    EXPECT_STREQ(told[k].phase, "relaxation");
+    EXPECT_EQ(told[k].step, k);
+    EXPECT_NEAR(told[k].value / estimate.history[k], 1, 1e-6);
+  }
+}
+
 // ---- checks and refusals --------------------------------------------------
 
 TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {

@@ -6,6 +6,7 @@
 #include "ffcontact/contact/friction_cone.hpp"
 #include "support/cut_bodies.hpp"
 #include "support/estimates.hpp"
+#include "support/initial_stress.hpp"
 #include "support/random.hpp"
 
 namespace ffcontact {
@@ -107,6 +108,25 @@ RC_GTEST_PROP(RefinedBody, has_pressures_and_law_linear_between_the_old_nodes,
       RC_ASSERT(std::abs(body.pressure(c, node) -
                          interpolated(cut, old.pressure.row(c), node)) < 1e-14);
   }
+}
+
+RC_GTEST_PROP(RefinedBody, has_the_initial_stress_of_the_old_triangles,
+              (Random random)) {
+  const CutBodies cut(random);
+  SolvedBody old = random_body(cut, random);
+  RC_ASSERT(refined(cut, old).initial.empty());
+  const MatrixXd slopes = random_matrix(3, 2, random);
+  const Vector3d at_origin = random_vector(3, random);
+  const auto tau = [&](const Vector2d& x) -> Vector3d {
+    return at_origin + slopes * x;
+  };
+  old.initial = at_vertices(cut.mesh(), tau);
+  const LinearStresses expected = at_vertices(cut.refinement.mesh, tau),
+                       found = refined(cut, old).initial;
+  for (int t = 0; t < cut.refinement.mesh.cell_count(); ++t)
+    RC_ASSERT((found.at_vertices(t) - expected.at_vertices(t)).norm() <
+              1e-12 * (1 + slopes.norm()) *
+                  cut.mesh().vertices.cwiseAbs().maxCoeff());
 }
 
 RC_GTEST_PROP(RefinedBody, carries_its_loads_on, (Random random)) {

@@ -140,6 +140,8 @@ ActiveSetResult active_set_newton(const CondensedContact& contact,
     const SystemKind kind = solve_active_set(contact, law, state, rows);
     const bool held = kind != SystemKind::inconsistent;
     const double violation = held ? law_violation(contact, law, rows) : unknown;
+    tell(settings.report,
+         {"Newton", result.iterations, "violation", violation});
     const States next = next_states(contact, law, state, rows);
     const bool settled = next == state;
     if (settled || violation < result.violation || result.iterations == 1)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/progress.hpp"
 #include "ffcontact/contact/active_set_system.hpp"
 
 namespace ffcontact {
@@ -42,6 +43,11 @@ struct ActiveSetResult {
 struct NewtonSettings {
   int max_iterations = 200;  ///< linear systems in all
   double tolerance = 1e-10;  ///< law_violation that is accepted
+  ProgressReport report{};   ///< of every step, with its violation
+
+  NewtonSettings with_at_most(int systems) const {
+    return {systems, tolerance, report};
+  }
 };
 
 /// Semismooth Newton on the condensed system: solve for the active set

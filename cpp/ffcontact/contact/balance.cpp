@@ -6,7 +6,7 @@
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
-#include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/unbalanced_motion.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
 namespace ffcontact {
@@ -109,10 +109,11 @@ MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
   return all;
 }
 
+/// @param line     or surface
 /// @param extreme  forces(motions): what they do on each of the motions
-template <int dim, class Forces>
-void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
-                     const Forces& extreme) {
+template <int dim, class Line, class Forces>
+void require_balance(const SimplexMesh<dim>& mesh, const Line& line,
+                     const ElasticSystem& system, const Forces& extreme) {
   const MatrixXd motions = unheld_motions(mesh, system);
   if (motions.cols() == 0) return;
   const VectorXd pushed = motions.transpose() * system.load;
@@ -122,11 +123,13 @@ void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
   const MatrixXd forces = extreme(motions);
   const VectorXd left =
       pushed + forces * nonnegative_least_squares(forces, -pushed);
-  if (left.norm() > unbalanced * scale)
-    refuse(
-        "no equilibrium: the loads push the body in a ",
-        motion_in_words(mesh, motions * left),
-        ", which neither prescribed displacements nor contact forces oppose");
+  if (left.norm() <= unbalanced * scale) return;
+  const auto along_n = [&](const VectorXd& field) -> VectorXd {
+    return contact_components(line, field).row(0);
+  };
+  refuse_unbalanced(
+      mesh, unbalanced_motion(mesh, {motions, system.load, extreme, along_n},
+                              motions * left));
 }
 
 }  // namespace
@@ -153,14 +156,14 @@ template MatrixXd unheld_motions(const SolidMesh&, const ElasticSystem&);
 
 void require_balance(const Mesh& mesh, const ContactLine& line,
                      const ContactLaw& law, const ElasticSystem& system) {
-  require_balance(mesh, system, [&](const MatrixXd& motions) {
+  require_balance(mesh, line, system, [&](const MatrixXd& motions) {
     return extreme_forces(line, law, motions);
   });
 }
 
 void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
                      const SurfaceLaw& law, const ElasticSystem& system) {
-  require_balance(mesh, system, [&](const MatrixXd& motions) {
+  require_balance(mesh, surface, system, [&](const MatrixXd& motions) {
     return extreme_forces(surface, law, motions);
   });
 }

@@ -19,9 +19,10 @@ MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
 /// It can when admissible multipliers P exist with z . (b + W P) = 0 for all z. Coulomb's
 /// law at a node spans -n + mu t and -n - mu t, so this is a nonnegative least-squares
 /// problem with one row per motion; what it leaves over is (Farkas) a motion that the
-/// loads push and no admissible force opposes. With Tresca's law the bounded tangential
+/// loads push and no admissible force opposes. It is named by the motion that an engineer
+/// would see (unbalanced_motion). With Tresca's law the bounded tangential
 /// forces are taken at their largest in either direction.
-/// @throws std::invalid_argument  naming that motion
+/// @throws NoEquilibrium  naming that motion
 void require_balance(const Mesh& mesh, const ContactLine& line,
                      const ContactLaw& law, const ElasticSystem& system);
 

@@ -28,7 +28,7 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact,
   if (newton.answer.status == ContactStatus::converged || left <= 0)
     return newton;
   FixedPointResult path =
-      fixed_point(contact, law, start, {left, settings.tolerance}, true);
+      fixed_point(contact, law, start, settings.with_at_most(left), true);
   const bool better = path.answer.is_better_than(newton.answer);
   const int systems = newton.answer.iterations + path.answer.iterations;
   if (better) newton = std::move(path);
@@ -151,6 +151,8 @@ std::shared_ptr<const CondensedStiffness> prepared_stiffness(
     const ContactLine& line, const ElasticSystem& system,
     const ContactSettings& settings) {
   if (settings.stiffness) return settings.stiffness;
+  tell(settings.report,
+       {"factorisation", 0, "dofs", static_cast<double>(system.dof_count())});
   return std::make_shared<const CondensedStiffness>(system,
                                                     contact_dofs(line, system));
 }
@@ -161,7 +163,8 @@ FixedPointResult condensed_answer(const CondensedContact& contact,
                                   const ContactSettings& settings) {
   std::vector<ContactState> start = settings.initial_state;
   if (start.empty()) start.assign(law.node_count(), ContactState::stick);
-  const NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  const NewtonSettings limits{settings.max_iterations, settings.tolerance,
+                              settings.report};
   return settings.solver == ContactSolver::newton
              ? safeguarded_newton(contact, law, start, limits)
              : fixed_point(contact, law, start, limits);

@@ -28,6 +28,8 @@ struct ContactSettings {
   std::vector<ContactState> initial_state;
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
+  /// told of the factorisation and of every step, with its violation; of a solid of none
+  ProgressReport report{};
 };
 
 /// @throws std::invalid_argument  if maxit is not positive, or the initial states are not

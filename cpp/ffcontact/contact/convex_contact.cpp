@@ -227,6 +227,8 @@ bool pass_to_the_minimum(const CondensedContact& contact, const NodalLaw& law,
     ContactRows rows = passes.answer();
     const double violation =
         std::max(law_violation(contact, law, rows), passes.imbalance());
+    tell(settings.report,
+         {"convex minimum", result.iterations, "violation", violation});
     const bool ends =
         violation <= settings.tolerance &&
         passes.change() <= settled * motion_scale(contact, rows.v);
@@ -263,7 +265,7 @@ ActiveSetResult solve_convex(const CondensedContact& contact,
   const int left = settings.max_iterations - newton.iterations;
   if (newton.status == ContactStatus::converged || left <= 0) return newton;
   ActiveSetResult convex =
-      convex_contact(contact, law, {left, settings.tolerance});
+      convex_contact(contact, law, settings.with_at_most(left));
   ActiveSetResult& better = convex.is_better_than(newton) ? convex : newton;
   better.iterations = newton.iterations + convex.iterations;
   return better;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/convex_contact.hpp"
 #include "ffcontact/contact/normal_iterate.hpp"
 
@@ -67,6 +68,7 @@ class Iteration {
   /// @return whether the step, or Newton from its states, found the answer
   bool step_ends() {
     const NodalLaw given = with_given_slip_limit(law_, g_.value());
+    // of whose steps nothing is told
     ActiveSetResult step =
         solve_convex(contact_, given, state_, {left(), settings_.tolerance});
     systems_ += step.iterations;
@@ -90,6 +92,8 @@ class Iteration {
   bool keep(ActiveSetResult step) {
     const bool solved = step.status == ContactStatus::converged;
     step.violation = law_violation(contact_, law_, {step.P, step.v});
+    tell(settings_.report,
+         {"fixed point", count_of(g_.history()), "violation", step.violation});
     const bool found =
         solved && (law_.is_convex() || step.violation <= settings_.tolerance);
     if (found || step.violation < result_.answer.violation ||
@@ -101,7 +105,7 @@ class Iteration {
   bool newton_ends() {
     ActiveSetResult newton = active_set_newton(
         contact_, law_, state_,
-        {std::min(newton_systems, left()), settings_.tolerance});
+        settings_.with_at_most(std::min(newton_systems, left())));
     systems_ += newton.iterations;
     if (newton.status != ContactStatus::converged) return false;
     result_.answer = std::move(newton);

@@ -19,40 +19,48 @@ Vector2d centroid_of(const Mesh& mesh, int triangle) {
 
 namespace {
 
-/// The loads of one side of a triangle, from vertex k+1 to k+2.
+/// Moments of the tractions of sigma on one side of a triangle, from vertex k+1 to k+2.
+Vector4d moments_of_stress(const Mesh& mesh, const LinearStresses& stresses,
+                           int t, int k) {
+  const TriangleCorners corners = corners_of(mesh, t);
+  if (stresses.varies())
+    return edge_loads(corners, stresses.at_vertices(t)).segment<4>(4 * k);
+  const Vector2d normal = turned_right(side_of(corners, k));
+  const Vector2d half = 0.5 * traction(stresses.mean.col(t), normal);
+  return half.replicate<2, 1>();
+}
+
+/// The loads of that side.
 Vector4d loads_of_side(const Mesh& mesh, const Edges& edges, int t, int k,
-                       const Vector4d& moments, const Vector3d& stress) {
-  const Vector2d side =
-      edges.eta(k, t) * edge_vector(mesh, edges, edges.of_cell(k, t));
-  const Vector2d half = 0.5 * traction(stress, turned_right(side));
-  const Vector4d seen = moments_of_side(edges, k, t, moments);
-  return seen - half.replicate<2, 1>();
+                       const Vector4d& moments,
+                       const LinearStresses& stresses) {
+  return moments_of_side(edges, k, t, moments) -
+         moments_of_stress(mesh, stresses, t, k);
 }
 
 }  // namespace
 
 EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
                                 const EdgeMoments& moments,
-                                const Ref<const Matrix3Xd>& stress) {
+                                const LinearStresses& stresses) {
   EdgeLoadsOfAll loads(12, mesh.cells.cols());
 #pragma omp parallel for
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k)
       loads.block<4, 1>(4 * k, t) = loads_of_side(
-          mesh, edges, t, k, moments.col(edges.of_cell(k, t)), stress.col(t));
+          mesh, edges, t, k, moments.col(edges.of_cell(k, t)), stresses);
   return loads;
 }
 
 void put_boundary_loads(const Mesh& mesh, const Edges& edges,
                         const BoundaryTractions& boundary,
-                        const Ref<const Matrix3Xd>& stress,
-                        EdgeLoadsOfAll& loads) {
+                        const LinearStresses& stresses, EdgeLoadsOfAll& loads) {
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int edge = edges.of_cell(k, t);
       if (!edges.on_boundary(edge)) continue;
       const Vector4d known = loads_of_side(
-          mesh, edges, t, k, boundary.moments.col(edge), stress.col(t));
+          mesh, edges, t, k, boundary.moments.col(edge), stresses);
       for (int c = 0; c < 4; ++c)
         if (boundary.known(c % 2, edge)) loads(4 * k + c, t) = known[c];
     }

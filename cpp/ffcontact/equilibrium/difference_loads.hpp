@@ -4,25 +4,25 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/equilibrium/linear_stress.hpp"
 
 namespace ffcontact {
 
 using EdgeLoadsOfAll = Matrix<double, 12, Dynamic>;  ///< EdgeLoads per triangle
 
 /// The edge loads of sigma_hat - sigma on each triangle, where sigma_hat has the given
-/// edge moments and sigma is constant per triangle. With the body loads they are in
-/// equilibrium on every triangle when sigma_hat is.
+/// edge moments. With the body loads of sigma_hat, less those of sigma
+/// (balancing_loads), they are in equilibrium on every triangle when sigma_hat is.
 EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
                                 const EdgeMoments& moments,
-                                const Ref<const Matrix3Xd>& stress);
+                                const LinearStresses& stresses);
 
 /// Known boundary tractions to the last digit in loads that have them but for rounding:
 /// the moments that an Airy function has on an edge are rounded like those on the longest
 /// edge beside it, which is too much for a short one.
 void put_boundary_loads(const Mesh& mesh, const Edges& edges,
                         const BoundaryTractions& boundary,
-                        const Ref<const Matrix3Xd>& stress,
-                        EdgeLoadsOfAll& loads);
+                        const LinearStresses& stresses, EdgeLoadsOfAll& loads);
 
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 

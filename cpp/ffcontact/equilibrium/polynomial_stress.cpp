@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/equilibrium/linear_stress.hpp"
 
 namespace ffcontact {
 
@@ -62,7 +63,6 @@ std::pair<double, Powers> derivative(int i, int a) {
 struct Reference {
   Products basis;                                    ///< T
   std::array<std::array<Products, 2>, 2> gradients;  ///< int d_a b_i d_b b_j
-  Matrix<double, monomials, 2> slopes;               ///< int d_a b_i
   /// int (1 - s) b_i ds and int s b_i ds on the three edges
   Matrix<double, monomials, 6> edges;
   /// load on b_i of f with unit moment at one vertex
@@ -91,17 +91,6 @@ LongProducts mass_matrix() {
       mass(i, j) = integral(exponents[i].p + exponents[j].p,
                             exponents[i].q + exponents[j].q);
   return mass;
-}
-
-/// int d_a m_i
-LongColumns<2> slope_integrals() {
-  LongColumns<2> slopes;
-  for (int i = 0; i < monomials; ++i)
-    for (int a = 0; a < 2; ++a) {
-      const auto [factor, m] = derivative(i, a);
-      slopes(i, a) = factor * integral(m.p, m.q);
-    }
-  return slopes;
 }
 
 /// int phi_v m_i
@@ -169,7 +158,6 @@ Reference integrate_reference() {
     for (int b = 0; b < 2; ++b)
       result.gradients[a][b] =
           (T * products_of_derivatives(a, b) * T.transpose()).cast<double>();
-  result.slopes = (T * slope_integrals()).cast<double>();
   result.edges = (T * edge_integrals()).cast<double>();
   result.body = (T * hat_integrals() * hat_mass().inverse()).cast<double>();
   result.linear = L.topRows<3>().transpose().cast<double>();  // m = L b
@@ -283,15 +271,16 @@ CompositeStress corner_values(const PolynomialStress& stress) {
   return values;
 }
 
-double energy(const PolynomialStress& stress, const Vector3d& constant) {
-  const Matrix2d B = piola_matrix(stress.corners), inverse = B.inverse();
+double energy(const PolynomialStress& stress, const Matrix3d& at_vertices) {
+  const TriangleCorners& corners = stress.corners;
+  const Matrix2d B = piola_matrix(corners);
   const VectorXd w = stress.displacement.reshaped();
-  Vector3d strain = Vector3d::Zero();  // int eps(w)
-  for (int a = 0; a < 2; ++a)
-    strain += B.determinant() * strain_operator(inverse.row(a)) *
-              (stress.displacement * reference().slopes.col(a));
-  return w.dot(stiffness_of(B, stress.hooke) * w) + 2 * constant.dot(strain) +
-         B.determinant() / 2 * constant.dot(stress.hooke.inverse() * constant);
+  // int s : eps(w), by parts
+  const double work = load_of(edge_loads(corners, at_vertices),
+                              balancing_loads(corners, at_vertices))
+                          .dot(w);
+  return w.dot(stiffness_of(B, stress.hooke) * w) + 2 * work +
+         energy(corners, stress.hooke.inverse(), composite_of(at_vertices));
 }
 
 }  // namespace ffcontact

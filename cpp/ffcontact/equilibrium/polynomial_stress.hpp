@@ -39,8 +39,9 @@ Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point);
 /// Point values at the corners of the subtriangles.
 CompositeStress corner_values(const PolynomialStress& stress);
 
-/// int (sigma + s) : C^-1 (sigma + s) over the triangle for a constant stress s [N/mm per
+/// int (sigma + s) : C^-1 (sigma + s) over the triangle for a linear stress s [N/mm per
 /// unit thickness times mm].
-double energy(const PolynomialStress& stress, const Vector3d& constant);
+/// @param at_vertices  values of s
+double energy(const PolynomialStress& stress, const Matrix3d& at_vertices);
 
 }  // namespace ffcontact

@@ -125,22 +125,22 @@ class Relaxation {
 };
 
 /// e^2 from sweep to sweep.
-class Progress {
+class ErrorFall {
  public:
-  Progress(double elastic, double on_contact)
+  ErrorFall(double elastic, double on_contact)
       : first_(elastic + std::abs(on_contact)), square_(elastic + on_contact) {}
 
   /// Takes the fall of a sweep off. @return whether the next one is worth its time
   bool goes_on(double fall, double tightness) {
-    if (fall <= rounding * first_) return false;
     const double e_before = e();
     square_ -= fall;
+    if (fall <= rounding * first_) return false;
     return e_before - e() >= tightness * e_before;
   }
 
- private:
   double e() const { return std::sqrt(std::max(square_, 0.0)); }
 
+ private:
   /// A sweep that lowers e^2 by less than this part of what it was at first changes no
   /// digit of it: the rest is rounding.
   static constexpr double rounding = 1e-15;
@@ -160,11 +160,13 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
   const StarSetting setting =
       star_setting(topology, hooke, boundary, body_loads, difference);
   Relaxation relaxation(setting, contact);
-  Progress progress(elastic_square(setting), contact_square(contact));
+  ErrorFall error(elastic_square(setting), contact_square(contact));
   std::vector<double> falls;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
     falls.push_back(relaxation.sweep());
-    if (!progress.goes_on(falls.back(), settings.tightness)) break;
+    const bool goes_on = error.goes_on(falls.back(), settings.tightness);
+    tell(settings.report, {"relaxation", sweep + 1, "e", error.e()});
+    if (!goes_on) break;
   }
   add_airy_loads(setting.space, relaxation.airy(), difference);
   return falls;

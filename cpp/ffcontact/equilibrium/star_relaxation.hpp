@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/progress.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/free_tractions.hpp"
@@ -14,6 +15,8 @@ struct RelaxationSettings {
   int sweeps = 2;  ///< at most; fewer where one no longer lowers e
   /// stop when the last sweep lowered e by less than this fraction; 0: do all sweeps
   double tightness = 0;
+  ProgressReport
+      report{};  ///< of every sweep, with e (without Tresca's constant)
 };
 
 /// Star relaxation: lowers e^2 = |sigma_hat - C eps(u_hat)|^2 + contact part, and keeps

@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
+#include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/nodal_forces.hpp"
 
 namespace ffcontact {
@@ -35,13 +36,22 @@ void add_forces(const Mesh& mesh, int t, const Vector3d& stress,
         signed_area(mesh, t) * traction(stress, gradients.col(k));
 }
 
-/// int C eps(u) : eps(phi) for all phi [N/mm].
-VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
-  const Matrix3Xd stress = stresses(mesh, hooke, u);
-  VectorXd forces = VectorXd::Zero(u.size());
+/// int sigma : eps(phi) for all phi [N/mm].
+VectorXd inner_forces(const Mesh& mesh, const Matrix3Xd& stress) {
+  VectorXd forces = VectorXd::Zero(2 * mesh.vertices.cols());
   for (int t = 0; t < mesh.cell_count(); ++t)
     add_forces(mesh, t, stress.col(t), forces);
   return forces;
+}
+
+/// int C eps(u) : eps(phi).
+VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
+  return inner_forces(mesh, stresses(mesh, hooke, u));
+}
+
+/// int (C eps(u_h) + tau0) : eps(phi).
+VectorXd inner_forces(const Mesh& mesh, const SolvedBody& body) {
+  return inner_forces(mesh, total_stresses(mesh, body, body.displacement).mean);
 }
 
 /// K_ii of one dof.
@@ -100,7 +110,7 @@ VectorXd left_over_with_other_multiplier(const Mesh& mesh,
                                          const ElasticSystem& system,
                                          const SolvedBody& body) {
   const Matrix2Xd other = pressures_of_other_multiplier(line, system, body);
-  VectorXd left = inner_forces(mesh, body.hooke, body.displacement) -
+  VectorXd left = inner_forces(mesh, body) -
                   nodal_forces(mesh, line, edge_densities(line, other));
   subtract_loads(mesh.cells, body.body_loads, left);
   subtract_loads(mesh.boundary, body.neumann, left);
@@ -118,12 +128,14 @@ struct Comparison {
   VectorXd z, of_law, of_matrix, terms;
   VectorXd off;  ///< |A z - K z| in parts of the terms
 
-  Comparison(const Mesh& mesh, const ElasticSystem& system, const Hooke& hooke)
-      : z(probe(system.prescribed)), of_law(inner_forces(mesh, hooke, z)) {
+  /// @param prescribed  dofs that are left out
+  Comparison(const Mesh& mesh, const RowMatrix& A, const Hooke& hooke,
+             const std::vector<char>& prescribed)
+      : z(probe(prescribed)), of_law(inner_forces(mesh, hooke, z)) {
     of_matrix = terms = off = VectorXd::Zero(z.size());
 #pragma omp parallel for
     for (Index dof = 0; dof < z.size(); ++dof)
-      if (!system.prescribed[dof]) put(row_of(system.stiffness, z, dof), dof);
+      if (!prescribed[dof]) put(row_of(A, z, dof), dof);
   }
 
   /// By what A z is a multiple of K z where they differ.
@@ -162,14 +174,43 @@ void require_no_spring(const Mesh& mesh, const ElasticSystem& system,
            "1e30, -1 or -2");
 }
 
+/// C times a coordinate at the centroids: r C, whose integrals are exact.
+Hooke weighted(const Mesh& mesh, const Hooke& hooke, int radial) {
+  Hooke result = hooke;
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    result[t] *= mesh.origin[radial] + centroid_of(mesh, t)[radial];
+  return result;
+}
+
+/// Is A a multiple of the stiffness of a body of revolution, r the given coordinate? On
+/// axial displacements alone, which stretch no hoop, it is int r C eps(z) : eps(phi).
+bool is_axisymmetric(const Mesh& mesh, const ElasticSystem& system,
+                     const Hooke& hooke, int radial) {
+  std::vector<char> left_out = system.prescribed;
+  for (std::size_t dof = radial; dof < left_out.size(); dof += 2)
+    left_out[dof] = 1;
+  const Comparison axial(mesh, system.stiffness, weighted(mesh, hooke, radial),
+                         left_out);
+  return axial.of_matrix.norm() > 0 && axial.is_multiple();
+}
+
+void require_plane(const Mesh& mesh, const ElasticSystem& system,
+                   const Hooke& hooke) {
+  constexpr const char* axis[] = {"x = 0", "y = 0"};
+  for (int radial = 0; radial < 2; ++radial)
+    if (is_axisymmetric(mesh, system, hooke, radial))
+      refuse("A is the stiffness of an axisymmetric body about ", axis[radial],
+             ": contactsolve solves it, but contacterror judges plane bodies "
+             "alone");
+}
+
 /// Are the given pressures those of the other multiplier?
 bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
                            const ContactLine& line, const ElasticSystem& system,
                            const SolvedBody& body) {
   const VectorXd left =
       left_over_with_other_multiplier(mesh, line, system, body);
-  const double scale =
-      inner_forces(mesh, body.hooke, body.displacement).cwiseAbs().maxCoeff();
+  const double scale = inner_forces(mesh, body).cwiseAbs().maxCoeff();
   return std::abs(left[2 * imbalance.vertex + imbalance.component]) <=
          tolerance * scale;
 }
@@ -184,20 +225,20 @@ std::string other_multiplier_in_words(Multiplier own) {
 /// What else may be missing at a vertex.
 std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
   if (!(mesh.boundary.array() == vertex).any())
-    return "inside the body: give the bodyforce= u was computed with; loads of "
-           "thermal or initial strains are not known here";
+    return "inside the body: give the bodyforce=, initialstrain= and "
+           "initialstress= u was computed with";
   if (on_line)
     return "on the contact line: give pn and pt of the solution u, and the "
            "same label=, normal= and traction=";
-  return "on the boundary: give the traction= u was computed with; loads of "
-         "thermal or initial strains are not known here";
+  return "on the boundary: give the traction=, initialstrain= and "
+         "initialstress= u was computed with";
 }
 
 }  // namespace
 
 void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                            const Hooke& hooke) {
-  const Comparison comparison(mesh, system, hooke);
+  const Comparison comparison(mesh, system.stiffness, hooke, system.prescribed);
   Index worst;
   if (comparison.off.maxCoeff(&worst) <= tolerance) return;
 
@@ -207,6 +248,7 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
            comparison.factor(), " times the stiffness of the law at ",
            in_words(mesh, worst / 2),
            "; give the constants of the script's varf");
+  require_plane(mesh, system, hooke);
   refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
          in_words(mesh, worst / 2), " is off by ", comparison.off[worst],
          " of its terms; give the law of the script's varf in every region, "

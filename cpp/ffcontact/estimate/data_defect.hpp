@@ -14,7 +14,8 @@ namespace ffcontact {
 /// it sums.
 /// @throws std::invalid_argument  saying by what factor A is off, or where it has
 ///                                something on its diagonal that the law has not (a
-///                                penalty that does not prescribe, a spring), or where it is off
+///                                penalty that does not prescribe, a spring), that it is an
+///                                axisymmetric body's, or where it is off
 void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                            const Hooke& hooke);
 

@@ -6,6 +6,7 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
+#include "ffcontact/estimate/compared.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/first_tractions.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
@@ -22,6 +23,15 @@ void require_valid(const RelaxationSettings& relaxation) {
     refuse("tightness must be in [0, 1), got ", relaxation.tightness);
 }
 
+void require_valid(const LinearStresses& initial, int triangles) {
+  if (initial.empty()) return;
+  require_size("initial stress", initial.mean.cols(), triangles);
+  for (int t = 0; t < triangles; ++t)
+    if (!initial.at_vertices(t).allFinite())
+      refuse("the initial strain or stress on triangle ", t,
+             " is not a finite number");
+}
+
 void require_valid(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   const Mesh& mesh = topology.mesh;
@@ -33,6 +43,7 @@ void require_valid(const SolvedProblem& solved) {
   require_finite("contact pressure", body.pressure.reshaped());
   require_size("body loads", body.body_loads.cols(), mesh.cell_count());
   require_finite("body load", body.body_loads.reshaped());
+  require_valid(body.initial, mesh.cell_count());
   require_valid(body.law, line);
 }
 
@@ -41,32 +52,6 @@ double largest_value(const std::vector<CompositeStress>& stress) {
   for (const CompositeStress& values : stress)
     largest = std::max(largest, values.cwiseAbs().maxCoeff());
   return largest;
-}
-
-/// What sigma_hat and r_hat are compared with: u_hat, or, where u has no stress and
-/// slides nowhere, what u_hat differs by from it.
-struct Compared {
-  VectorXd displacement;
-  ContactLaw law;
-  Matrix3Xd stress;
-};
-
-Compared compared(const MatchedBodies& bodies, const VectorXd& displacement) {
-  const SolvedBody& body = bodies.body();
-  return {displacement, body.law,
-          stresses(bodies.topology().mesh, body.hooke, displacement)};
-}
-
-Compared compared_change(const MatchedBodies& bodies, double stress_terms,
-                         const VectorXd& u_hat) {
-  Compared change = compared(bodies, u_hat - bodies.body().displacement);
-  change.law.gap.resize(0);
-  change.law.previous.resize(0);
-  if (change.stress.cwiseAbs().maxCoeff() <= rounding_of_terms * stress_terms) {
-    change.displacement.setZero();
-    change.stress.setZero();
-  }
-  return change;
 }
 
 /// Relaxation leaves tractions outside of the cone by its rounding; inside they unbalance
@@ -110,9 +95,9 @@ RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
       free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions};
   result.falls =
-      relax_stars(bodies.topology(), body.hooke, boundary, body.body_loads,
-                  settings.relaxation, result.difference,
-                  contact_is_free ? &contact : nullptr);
+      relax_stars(bodies.topology(), body.hooke, boundary,
+                  compared.body_loads(body), settings.relaxation,
+                  result.difference, contact_is_free ? &contact : nullptr);
   result.contact = std::move(tractions.densities);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
@@ -151,7 +136,7 @@ StressNorms norms_by(Construction construction, const MatchedBodies& bodies,
                           : polynomial_norms;
   const SolvedBody& body = bodies.body();
   return norms(bodies.topology().mesh, body.hooke, compared.stress,
-               relaxed.difference, body.body_loads);
+               relaxed.difference, compared.body_loads(body));
 }
 
 /// (2.11) to (2.13).
@@ -189,10 +174,11 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
 /// Contact tractions beside the largest stress: makes what is relative to the former
 /// relative to the latter, where an open contact line carries nothing but rounding.
 double share_of_contact(const ContactDensities& densities,
-                        const Matrix3Xd& stress) {
+                        const LinearStresses& stress) {
   const double contact = largest_traction(densities);
-  return contact > 0 ? contact / std::max(contact, stress.cwiseAbs().maxCoeff())
-                     : 0;
+  return contact > 0
+             ? contact / std::max(contact, stress.mean.cwiseAbs().maxCoeff())
+             : 0;
 }
 
 /// What equilibrium is judged against at least [MPa].
@@ -200,7 +186,7 @@ double stress_scale(const MatchedBodies& bodies, const Compared& compared,
                     const Estimate& estimate) {
   const double terms = largest_stress_terms(
       bodies.topology(), bodies.line(), bodies.body(), estimate.displacement);
-  return std::max({compared.stress.cwiseAbs().maxCoeff(),
+  return std::max({compared.stress.mean.cwiseAbs().maxCoeff(),
                    largest_value(estimate.stress),
                    least_part_of_terms * terms});
 }
@@ -229,6 +215,9 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
 /// Steps 1 to 6 of the estimate.
 Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
                      const EstimateSettings& settings) {
+  tell(settings.relaxation.report,
+       {"admissible fields", 0, "dofs",
+        static_cast<double>(solved.system.dof_count())});
   // Facing traces that match, by cutting where they do not.
   MatchedBodies bodies(solved);
   Estimate estimate;

@@ -21,6 +21,10 @@ namespace ffcontact {
 /// (sigma_hat, r_hat)) [CHH01, 2.2].
 ///     e^2 = |sigma_hat - C eps(u_hat)|^2 + 2 int (mu |r_n||w_t| + r_t w_t + r_n w_n)                              (2.11)
 ///     eps = e / |sigma_hat + C eps(u_hat)|,   eps^2 = sum of eps_E^2                                        (2.12), (2.13)
+/// With initial strains eps0 and stresses sigma0 C eps(u_hat) + tau0 stands for C
+/// eps(u_hat), tau0 = sigma0 - C eps0 linear on each triangle. All of this is exact for
+/// such tau0, of which the P1 solution knows the means alone: what varies is in e. For
+/// any other tau0 the bounds hold with e + |tau0 - its linear part| in place of e.
 /// For Tresca's law and without friction e bounds the error of the pair (2.20); for
 /// Coulomb's law (2.14) has one more term, for which there is coulomb_bound.
 struct Estimate {

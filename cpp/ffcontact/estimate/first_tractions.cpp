@@ -31,7 +31,7 @@ Matrix3Xd computed_stresses(const SolvedProblem& solved,
                             const StressTerms& terms) {
   const Mesh& mesh = solved.topology.mesh;
   if (terms.unstressed) return Matrix3Xd::Zero(3, mesh.cell_count());
-  return stresses(mesh, solved.body.hooke, solved.body.displacement);
+  return total_stresses(mesh, solved.body, solved.body.displacement).mean;
 }
 
 double longest_edge(const Topology& topology) {

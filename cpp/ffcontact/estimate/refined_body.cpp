@@ -59,6 +59,26 @@ ContactLaw refined_law(const Edges& old_edges, const ContactLine& old_line,
           values(old.shear_limit), range(old.limit_between_nodes)};
 }
 
+/// Linear on the old triangles, at the vertices of the new ones.
+LinearStresses refined_stresses(const Mesh& old_mesh,
+                                const CommonRefinement& refinement,
+                                const LinearStresses& old) {
+  if (old.empty()) return old;
+  const Mesh& mesh = refinement.mesh;
+  Matrix<double, 9, Dynamic> values =
+      Matrix<double, 9, Dynamic>::Zero(9, mesh.cell_count());
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const int parent = refinement.parent[t];
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i)
+        values.block<3, 1>(3 * k, t) +=
+            refinement.vertex_weights.coeff(mesh.cells(k, t),
+                                            old_mesh.cells(i, parent)) *
+            old.at_vertices(parent).col(i);
+  }
+  return LinearStresses::of_values(values);
+}
+
 }  // namespace
 
 VectorXd refined_field(const CommonRefinement& refinement,
@@ -79,6 +99,7 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
   body.law = refined_law(old_edges, old_line, refinement, old.law);
   body.neumann = refined_boundary_moments(old_mesh, refinement, old.neumann);
   body.body_loads = refined_body_loads(old_mesh, refinement, old.body_loads);
+  body.initial = refined_stresses(old_mesh, refinement, old.initial);
   return body;
 }
 

@@ -8,6 +8,7 @@
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/equilibrium/linear_stress.hpp"
 
 namespace ffcontact {
 
@@ -23,6 +24,12 @@ struct SolvedBody {
       body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of the solution on the contact line; null: factorised if needed
+  /// tau0 = sigma0 - C eps0 of sigma = C eps(u) + tau0; empty: none
+  LinearStresses initial{};
 };
+
+/// sigma = C eps(u) + tau0.
+LinearStresses total_stresses(const Mesh& mesh, const SolvedBody& body,
+                              const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

@@ -33,13 +33,13 @@ StressNorms norms_of_all(int triangles, const OfTriangle& of_triangle) {
 }  // namespace
 
 StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke,
-                            const Matrix3Xd& stress,
+                            const LinearStresses& stress,
                             const EdgeLoadsOfAll& difference,
                             const BodyLoadsOfAll& body_loads) {
   return norms_of_all(mesh.cell_count(), [&](int t) -> TriangleNorms {
     const TriangleCorners corners = corners_of(mesh, t);
     const Matrix3d compliance = hooke[t].inverse();
-    const CompositeStress sigma = stress.col(t).replicate<1, 9>();
+    const CompositeStress sigma = composite_of(stress.at_vertices(t));
     const CompositeStress tau =
         composite_stress(corners, difference.col(t), body_loads.col(t));
     return {energy(corners, compliance, tau),
@@ -48,14 +48,15 @@ StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke,
 }
 
 StressNorms polynomial_norms(const Mesh& mesh, const Hooke& hooke,
-                             const Matrix3Xd& stress,
+                             const LinearStresses& stress,
                              const EdgeLoadsOfAll& difference,
                              const BodyLoadsOfAll& body_loads) {
   return norms_of_all(mesh.cell_count(), [&](int t) -> TriangleNorms {
     const PolynomialStress tau = polynomial_stress(
         corners_of(mesh, t), hooke[t], difference.col(t), body_loads.col(t));
-    return {energy(tau, Vector3d::Zero()), energy(tau, 2 * stress.col(t)),
-            corner_values(tau) + stress.col(t).replicate<1, 9>()};
+    const Matrix3d sigma = stress.at_vertices(t);
+    return {energy(tau, Matrix3d::Zero()), energy(tau, 2 * sigma),
+            corner_values(tau) + composite_of(sigma)};
   });
 }
 

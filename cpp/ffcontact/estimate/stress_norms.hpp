@@ -18,17 +18,17 @@ struct StressNorms {
   std::vector<CompositeStress> stress;
 };
 
-/// @param stress      sigma, constant per triangle [MPa]
+/// @param stress      sigma [MPa]
 /// @param difference  edge loads of sigma_hat - sigma
-/// @param body_loads  int f phi_i per triangle
+/// @param body_loads  int f phi_i per triangle, of sigma_hat - sigma
 StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke,
-                            const Matrix3Xd& stress,
+                            const LinearStresses& stress,
                             const EdgeLoadsOfAll& difference,
                             const BodyLoadsOfAll& body_loads);
 
 /// The same for the polynomial construction.
 StressNorms polynomial_norms(const Mesh& mesh, const Hooke& hooke,
-                             const Matrix3Xd& stress,
+                             const LinearStresses& stress,
                              const EdgeLoadsOfAll& difference,
                              const BodyLoadsOfAll& body_loads);
 

@@ -13,6 +13,12 @@ double largest_entry(const Ref<const MatrixXd>& values) {
   return values.cwiseAbs().maxCoeff();
 }
 
+double largest_value(const LinearStresses& stresses) {
+  if (stresses.empty()) return 0;
+  return largest_entry(stresses.mean) +
+         (stresses.varies() ? largest_entry(stresses.variation) : 0);
+}
+
 /// What a displacement of the length `given` along each contact edge would stress on
 /// either side.
 double terms_along_line(const Edges& edges, const ContactLine& line,
@@ -66,7 +72,8 @@ double largest_stress_terms(const Topology& topology, const ContactLine& line,
   const auto& [mesh, edges, stars] = topology;
   const Hooke& hooke = body.hooke;
   double largest =
-      terms_along_line(edges, line, hooke, largest_given(body.law));
+      std::max(terms_along_line(edges, line, hooke, largest_given(body.law)),
+               largest_value(body.initial));
 #pragma omp parallel for reduction(max : largest)
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     const double strain = strain_terms(topology.mesh, displacement, t);
@@ -80,7 +87,7 @@ bool is_unstressed(const Topology& topology, const ContactLine& line,
                    double stress_terms) {
   if (has_loads(topology, prescribed, body)) return false;
   const double stress =
-      largest_entry(stresses(topology.mesh, body.hooke, body.displacement));
+      largest_value(total_stresses(topology.mesh, body, body.displacement));
   const double traction = largest_entry(body.pressure);
   return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
          !slides(line, body);

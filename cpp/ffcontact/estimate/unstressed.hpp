@@ -21,9 +21,9 @@ struct StressTerms {
   bool unstressed;  ///< is_unstressed
 };
 
-/// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle, or what the
-/// gap and the displacement of the load step before come to as strains along the line
-/// [MPa].
+/// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle, or initial
+/// stress, or what the gap and the displacement of the load step before come to as
+/// strains along the line [MPa].
 double largest_stress_terms(const Topology& topology, const ContactLine& line,
                             const SolvedBody& body,
                             const VectorXd& displacement);
