@@ -143,23 +143,45 @@ TEST(JohnsonMercier, moments_and_densities_are_inverse) {
             1e-14);
 }
 
-RC_GTEST_PROP(FaceEnergy, is_that_of_the_composite_stress, (Random random)) {
-  const TetrahedronCorners x = random_tetrahedron(random);
-  const MatrixXd root = random_matrix(6, 6, random);
-  const Matrix<double, 6, 6> compliance =
-      root * root.transpose() + 0.2 * MatrixXd::Identity(6, 6);
+/// A tetrahedron with any elastic law, and any columns of loads.
+struct AnyForm {
+  TetrahedronCorners x;
+  Matrix<double, 6, 6> compliance;
   std::array<Matrix9d, 4> basis;
-  for (Matrix9d& columns : basis) columns = random_matrix(9, 9, random);
-  const FaceForm H = face_energy(x, compliance, basis);
 
+  explicit AnyForm(std::mt19937& random) : x(random_tetrahedron(random)) {
+    const MatrixXd root = random_matrix(6, 6, random);
+    compliance = root * root.transpose() + 0.2 * MatrixXd::Identity(6, 6);
+    for (Matrix9d& columns : basis) columns = random_matrix(9, 9, random);
+  }
+  SolidStress stress(const Matrix<double, 36, 1>& unknowns) const {
+    FaceLoads loads;
+    for (int k = 0; k < 4; ++k)
+      loads.middleCols<3>(3 * k).reshaped() =
+          basis[k] * unknowns.segment<9>(9 * k);
+    return composite_stress(x, loads, balancing_body_loads(loads));
+  }
+};
+
+RC_GTEST_PROP(FaceEnergy, is_that_of_the_composite_stress, (Random random)) {
+  const AnyForm any(random);
+  const FaceForm H = face_energy(any.x, any.compliance, any.basis);
   const Matrix<double, 36, 1> unknowns = random_vector(36, random);
-  FaceLoads loads;
-  for (int k = 0; k < 4; ++k)
-    loads.middleCols<3>(3 * k).reshaped() =
-        basis[k] * unknowns.segment<9>(9 * k);
-  const double expected = energy(
-      x, compliance, composite_stress(x, loads, balancing_body_loads(loads)));
+  const double expected = energy(any.x, any.compliance, any.stress(unknowns));
   RC_ASSERT(std::abs(unknowns.dot(H * unknowns) - expected) < 1e-11 * expected);
+}
+
+RC_GTEST_PROP(FaceEnergy, slope_is_that_of_the_energy, (Random random)) {
+  const AnyForm any(random);
+  const Matrix<double, 36, 1> at = random_vector(36, random),
+                              along = random_vector(36, random);
+  const SolidStress sigma = any.stress(at), tau = any.stress(along);
+  const double slope =
+      face_slope(any.x, any.compliance, sigma, any.basis).dot(along);
+  // (sigma + tau)^2 - (sigma - tau)^2 = 4 sigma tau
+  const double plus = energy(any.x, any.compliance, sigma + tau),
+               minus = energy(any.x, any.compliance, sigma - tau);
+  RC_ASSERT(std::abs(slope - (plus - minus) / 4) < 1e-11 * (plus + minus));
 }
 
 }  // namespace

@@ -24,4 +24,11 @@ FaceForm face_energy(const TetrahedronCorners& corners,
                      const Matrix<double, 6, 6>& compliance,
                      const std::array<Matrix9d, 4>& basis);
 
+/// g with int sigma : C^-1 tau = g' x for the stress tau of these loads x.
+/// @param stress  sigma
+Matrix<double, 36, 1> face_slope(const TetrahedronCorners& corners,
+                                 const Matrix<double, 6, 6>& compliance,
+                                 const SolidStress& stress,
+                                 const std::array<Matrix9d, 4>& basis);
+
 }  // namespace ffcontact
