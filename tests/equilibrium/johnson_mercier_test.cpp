@@ -136,8 +136,8 @@ TEST(JohnsonMercier, energy_of_a_linear_stress) {
 TEST(JohnsonMercier, moments_and_densities_are_inverse) {
   Random random(3);
   const Matrix3d density = random_matrix(3, 3, random);
-  const Matrix3d moments = moments_of_density(density, 2);
-  EXPECT_LT((density_of_moments(moments, 2) - density).norm(), 1e-14);
+  const Matrix3d moments = face_moments_of(density, 2);
+  EXPECT_LT((face_density(moments, 2) - density).norm(), 1e-14);
   // the whole force is area times mean
   EXPECT_LT((moments.rowwise().sum() - 2 * density.rowwise().mean()).norm(),
             1e-14);

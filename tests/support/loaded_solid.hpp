@@ -59,8 +59,7 @@ struct LoadedSolid {
       const Matrix3d x = mesh().vertices(Eigen::all, mesh().boundary.col(f));
       Matrix3d density;
       for (int k = 0; k < 3; ++k) density.col(k) = traction(x.col(k));
-      const Matrix3d moments =
-          moments_of_density(density, facet_vector(x).norm());
+      const Matrix3d moments = face_moments_of(density, facet_vector(x).norm());
       neumann.col(f) += moments.reshaped();
       for (int k = 0; k < 3; ++k)
         b.segment<3>(3 * mesh().boundary(k, f)) += moments.col(k);

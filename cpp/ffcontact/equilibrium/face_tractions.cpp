@@ -64,7 +64,7 @@ FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
     }
     const double area = facet_measure(mesh, faces, face);
     given.known.col(face).setConstant(true);
-    given.moments.col(face) += moments_of_density(density, area).reshaped();
+    given.moments.col(face) += face_moments_of(density, area).reshaped();
   }
   return given;
 }

@@ -197,17 +197,17 @@ FaceLoads face_loads_of(const TetrahedronCorners& corners,
     Matrix3d density;
     for (int j = 0; j < 3; ++j)
       density.col(j) = traction(stress.col(4 * k + j), vectors.col(k));
-    loads.middleCols<3>(3 * k) = moments_of_density(density, 1);
+    loads.middleCols<3>(3 * k) = face_moments_of(density, 1);
   }
   return loads;
 }
 
-Matrix3d density_of_moments(const Matrix3d& moments, double area) {
+Matrix3d face_density(const Matrix3d& moments, double area) {
   const Vector3d quarter = 0.25 * moments.rowwise().sum();
   return 12 / area * (moments.colwise() - quarter);
 }
 
-Matrix3d moments_of_density(const Matrix3d& density, double area) {
+Matrix3d face_moments_of(const Matrix3d& density, double area) {
   const Vector3d sum = density.rowwise().sum();
   return area / 12 * (density.colwise() + sum);
 }

@@ -85,9 +85,9 @@ FaceLoads face_loads_of(const TetrahedronCorners& corners,
 
 /// End values of the linear traction with given moments on a face of area A: 12/A (b_i -
 /// sum of b_j / 4) [MPa].
-Matrix3d density_of_moments(const Matrix3d& moments, double area);
+Matrix3d face_density(const Matrix3d& moments, double area);
 
 /// Moments of the linear traction with given end values: A/12 (F_i + sum of F_j) [N].
-Matrix3d moments_of_density(const Matrix3d& density, double area);
+Matrix3d face_moments_of(const Matrix3d& density, double area);
 
 }  // namespace ffcontact

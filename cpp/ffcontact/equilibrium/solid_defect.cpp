@@ -19,7 +19,7 @@ double outer_jump(const TetrahedronCorners& corners, const SolidStress& stress,
   for (int k = 0; k < 4; ++k) {
     const Vector3d n = vectors.col(k).normalized();
     const Matrix3d moments = on_faces.middleCols<3>(3 * k);
-    Matrix3d jump = density_of_moments(moments, vectors.col(k).norm());
+    Matrix3d jump = face_density(moments, vectors.col(k).norm());
     for (int j = 0; j < 3; ++j)
       jump.col(j) -= traction(stress.col(4 * k + j), n);
     largest = std::max(largest, max_norm(jump));
@@ -30,7 +30,7 @@ double outer_jump(const TetrahedronCorners& corners, const SolidStress& stress,
 Matrix3d density_on(const SolidMesh& mesh, const Facets<3>& faces, int face,
                     const FaceMoments& moments) {
   const Matrix3d of_face = moments.col(face).reshaped(3, 3);
-  return density_of_moments(of_face, facet_measure(mesh, faces, face));
+  return face_density(of_face, facet_measure(mesh, faces, face));
 }
 
 }  // namespace
