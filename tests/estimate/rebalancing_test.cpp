@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "support/cases.hpp"
 
@@ -32,7 +33,8 @@ RC_GTEST_PROP(Rebalancing, balances_the_change_of_forces, (Random random)) {
   const MatrixXd motions = free_rigid_motions(problem.mesh, system.prescribed);
   const VectorXd forces = balanced_forces(problem, motions, random);
   const VectorXd u =
-      Rebalancing(system, problem.line, motions).displacement(forces);
+      Rebalancing(system, contact_dofs(problem.line, system), motions)
+          .displacement(forces);
   const VectorXd residual = system.stiffness * u - forces;
   for (int dof = 0; dof < system.dof_count(); ++dof)
     RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof])

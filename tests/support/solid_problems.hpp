@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/equilibrium/face_tractions.hpp"
 #include "ffcontact/mesh/facets.hpp"
 #include "support/solids.hpp"
 
@@ -19,6 +20,7 @@ struct SolidProblem {
   SurfaceLaw law;
   RowMatrix A;
   VectorXd b;
+  FaceMoments neumann;  ///< of the loads on sides
 
   explicit SolidProblem(const SolidMesh& solid, double friction = 0,
                         std::vector<int> labels = {low_z})
@@ -28,7 +30,8 @@ struct SolidProblem {
         A(stiffness(mesh, HookeTensors<3>(
                               mesh.cell_count(),
                               isotropic<3>(13e3 * 0.2 / 0.72, 13e3 / 2.4)))),
-        b(VectorXd::Zero(A.rows())) {
+        b(VectorXd::Zero(A.rows())),
+        neumann(FaceMoments::Zero(9, mesh.boundary.cols())) {
     law.friction = VectorXd::Constant(surface.node_count(), friction);
   }
 
@@ -58,9 +61,9 @@ struct SolidProblem {
       if (!faces.on_boundary(f) ||
           mesh.boundary_label[faces.boundary_index[f]] != side)
         continue;
-      const double share = facet_measure(mesh, faces, f) / 3;
-      for (int v : faces.vertices.col(f))
-        b.segment<3>(3 * v) += share * traction;
+      const Vector3d share = facet_measure(mesh, faces, f) / 3 * traction;
+      for (int v : faces.vertices.col(f)) b.segment<3>(3 * v) += share;
+      neumann.col(faces.boundary_index[f]) += share.replicate<3, 1>();
     }
   }
 };

@@ -2,29 +2,16 @@
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 
 #include <array>
-#include <map>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/equilibrium/prescribed_labels.hpp"
 
 namespace ffcontact {
 
 namespace {
 
 using Components = std::array<bool, 2>;
-
-/// Per label: which components are prescribed at every vertex that carries it.
-std::map<int, Components> prescribed_labels(
-    const Mesh& mesh, const std::vector<char>& prescribed) {
-  std::map<int, Components> labels;
-  for (const int label : mesh.boundary_label) labels[label] = {true, true};
-  for (Index e = 0; e < mesh.boundary.cols(); ++e)
-    for (const int vertex : mesh.boundary.col(e))
-      for (int c = 0; c < 2; ++c)
-        if (!prescribed[2 * vertex + c])
-          labels[mesh.boundary_label[e]][c] = false;
-  return labels;
-}
 
 void add(const Vector4d& moments, int edge, BoundaryTractions& boundary) {
   boundary.known.col(edge).setConstant(true);
@@ -62,7 +49,7 @@ BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
                                   const std::vector<char>& prescribed,
                                   const Ref<const Matrix4Xd>& neumann) {
   require_fitting(mesh, prescribed, neumann);
-  const std::map<int, Components> fixed = prescribed_labels(mesh, prescribed);
+  const PrescribedLabels<2> fixed = prescribed_labels(mesh, prescribed);
   BoundaryTractions given;
   given.known.setConstant(2, edges.count(), false);
   given.moments = EdgeMoments::Zero(4, edges.count());

@@ -2,18 +2,12 @@
 #include "ffcontact/equilibrium/nodal_residual.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 
 #include "ffcontact/elastic/hooke.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Loads and stresses that differ by more than this part of the largest moment were not
-/// computed from each other.
-constexpr double unbalanced = 1e-6;
 
 /// |E| sigma grad phi_i on each triangle of the star of vertex i.
 Matrix2Xd star_forces(const Topology& topology, int vertex,
@@ -125,22 +119,6 @@ NodalResidual less_stress(const Topology& topology, NodalResidual residual,
     add_force(-sum, v, residual);
   }
   return residual;
-}
-
-void require_balanced(const Mesh& mesh, const NodalResidual& residual,
-                      double least_scale) {
-  Index component, vertex;
-  const double worst =
-      residual.missing.cwiseAbs().maxCoeff(&component, &vertex);
-  if (worst <= unbalanced * std::max(least_scale, residual.scale)) return;
-  const Vector2d x = mesh.place(static_cast<int>(vertex));
-  std::ostringstream sentence;
-  sentence.precision(10);
-  sentence << "the loads do not balance the stresses at vertex " << vertex
-           << " (" << x.x() << ", " << x.y() << "): " << worst
-           << " N/mm are left over";
-  throw Imbalance(sentence.str(), static_cast<int>(vertex),
-                  static_cast<int>(component));
 }
 
 }  // namespace ffcontact

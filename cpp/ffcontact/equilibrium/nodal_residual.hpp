@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
@@ -62,12 +65,31 @@ struct Imbalance : std::invalid_argument {
   int vertex, component;
 };
 
+/// Loads and stresses that differ by more than this part of the largest moment were not
+/// computed from each other.
+constexpr double unbalanced = 1e-6;
+
+/// @param residual     NodalResidual or SolidResidual
 /// @param least_scale  moments below this are rounding: what is left over is judged
-///                     against the largest moment, or this [N/mm]
+///                     against the largest moment, or this [N/mm, N]
 /// @throws Imbalance  if the given tractions do not balance the stresses at a vertex
 ///                    (other loads than those u_h was computed with, or a point support
 ///                    with a reaction), naming the vertex
-void require_balanced(const Mesh& mesh, const NodalResidual& residual,
-                      double least_scale = 0);
+template <int dim, class Residual>
+void require_balanced(const SimplexMesh<dim>& mesh, const Residual& residual,
+                      double least_scale = 0) {
+  Index component, vertex;
+  const double worst =
+      residual.missing.cwiseAbs().maxCoeff(&component, &vertex);
+  if (worst <= unbalanced * std::max(least_scale, residual.scale)) return;
+  const int v = static_cast<int>(vertex);
+  std::ostringstream sentence;
+  sentence.precision(10);
+  sentence << "the loads do not balance the stresses at vertex " << v << " ("
+           << mesh.place(v)[0];
+  for (int c = 1; c < dim; ++c) sentence << ", " << mesh.place(v)[c];
+  sentence << "): " << worst << (dim == 2 ? " N/mm" : " N") << " are left over";
+  throw Imbalance(sentence.str(), v, static_cast<int>(component));
+}
 
 }  // namespace ffcontact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/star_descent.hpp"
 
-#include <algorithm>
+#include "ffcontact/base/parted_sum.hpp"
 
 namespace ffcontact {
 
@@ -44,18 +44,7 @@ void StarDescent::gather(double factor, const OfTriangle& of_triangle,
 
 template <class OfTriangle>
 double StarDescent::sum(const OfTriangle& of_triangle) const {
-  constexpr int part = 1024;
-  const int triangles = setting_.space.mesh.cell_count();
-  std::vector<double> sums((triangles + part - 1) / part, 0);
-#pragma omp parallel for
-  for (std::size_t k = 0; k < sums.size(); ++k) {
-    const int first = static_cast<int>(k) * part;
-    for (int t = first; t < std::min(triangles, first + part); ++t)
-      sums[k] += of_triangle(t);
-  }
-  double total = 0;
-  for (double sum : sums) total += sum;
-  return total;
+  return parted_sum(setting_.space.mesh.cell_count(), of_triangle);
 }
 
 StarDescent::StarDescent(const StarSetting& setting)

@@ -7,6 +7,7 @@
 
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 #include "ffcontact/equilibrium/contact_groups.hpp"
+#include "ffcontact/equilibrium/relaxation_progress.hpp"
 #include "ffcontact/equilibrium/star_descent.hpp"
 
 namespace ffcontact {
@@ -124,30 +125,6 @@ class Relaxation {
   ContactStars on_contact_;
 };
 
-/// e^2 from sweep to sweep.
-class ErrorFall {
- public:
-  ErrorFall(double elastic, double on_contact)
-      : first_(elastic + std::abs(on_contact)), square_(elastic + on_contact) {}
-
-  /// Takes the fall of a sweep off. @return whether the next one is worth its time
-  bool goes_on(double fall, double tightness) {
-    const double e_before = e();
-    square_ -= fall;
-    if (fall <= rounding * first_) return false;
-    return e_before - e() >= tightness * e_before;
-  }
-
-  double e() const { return std::sqrt(std::max(square_, 0.0)); }
-
- private:
-  /// A sweep that lowers e^2 by less than this part of what it was at first changes no
-  /// digit of it: the rest is rounding.
-  static constexpr double rounding = 1e-15;
-
-  double first_, square_;
-};
-
 }  // namespace
 
 std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
@@ -160,12 +137,12 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
   const StarSetting setting =
       star_setting(topology, hooke, boundary, body_loads, difference);
   Relaxation relaxation(setting, contact);
-  ErrorFall error(elastic_square(setting), contact_square(contact));
+  RelaxationProgress progress(elastic_square(setting), contact_square(contact));
   std::vector<double> falls;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
     falls.push_back(relaxation.sweep());
-    const bool goes_on = error.goes_on(falls.back(), settings.tightness);
-    tell(settings.report, {"relaxation", sweep + 1, "e", error.e()});
+    const bool goes_on = progress.goes_on(falls.back(), settings.tightness);
+    tell(settings.report, {"relaxation", sweep + 1, "e", progress.e()});
     if (!goes_on) break;
   }
   add_airy_loads(setting.space, relaxation.airy(), difference);

@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/nodal_forces.hpp"
 
@@ -27,26 +28,33 @@ VectorXd probe(const std::vector<char>& prescribed) {
   return z;
 }
 
-/// Adds int sigma : eps(phi) over one triangle.
-void add_forces(const Mesh& mesh, int t, const Vector3d& stress,
-                VectorXd& forces) {
-  const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
-  for (int k = 0; k < 3; ++k)
-    forces.segment<2>(2 * mesh.cells(k, t)) +=
-        signed_area(mesh, t) * traction(stress, gradients.col(k));
+/// Adds int sigma : eps(phi) over one cell.
+template <int dim>
+void add_forces(const SimplexMesh<dim>& mesh, int t,
+                const VoigtVector<dim>& stress, VectorXd& forces) {
+  const auto gradients = hat_gradients(mesh, t);
+  const double volume = signed_volume(mesh, t);
+  for (int k = 0; k <= dim; ++k) {
+    const Matrix<double, dim, 1> gradient = gradients.col(k);
+    vector_at<dim>(forces, mesh.cells(k, t)) +=
+        volume * traction(stress, gradient);
+  }
 }
 
-/// int sigma : eps(phi) for all phi [N/mm].
-VectorXd inner_forces(const Mesh& mesh, const Matrix3Xd& stress) {
-  VectorXd forces = VectorXd::Zero(2 * mesh.vertices.cols());
+/// int sigma : eps(phi) for all phi, sigma constant on each cell [N/mm, N].
+template <int dim, class Stresses>
+VectorXd inner_forces(const SimplexMesh<dim>& mesh, const Stresses& stress) {
+  VectorXd forces = VectorXd::Zero(dim * mesh.vertices.cols());
   for (int t = 0; t < mesh.cell_count(); ++t)
-    add_forces(mesh, t, stress.col(t), forces);
+    add_forces<dim>(mesh, t, stress.col(t), forces);
   return forces;
 }
 
 /// int C eps(u) : eps(phi).
-VectorXd inner_forces(const Mesh& mesh, const Hooke& hooke, const VectorXd& u) {
-  return inner_forces(mesh, stresses(mesh, hooke, u));
+template <int dim>
+VectorXd inner_forces(const SimplexMesh<dim>& mesh,
+                      const HookeTensors<dim>& hooke, const VectorXd& u) {
+  return inner_forces(mesh, stresses<dim>(mesh, hooke, u));
 }
 
 /// int (C eps(u_h) + tau0) : eps(phi).
@@ -55,15 +63,20 @@ VectorXd inner_forces(const Mesh& mesh, const SolvedBody& body) {
 }
 
 /// K_ii of one dof.
-double diagonal_of_law(const Mesh& mesh, const Hooke& hooke, Index dof) {
-  const VectorXd unit = VectorXd::Unit(2 * mesh.vertices.cols(), dof);
+template <int dim>
+double diagonal_of_law(const SimplexMesh<dim>& mesh,
+                       const HookeTensors<dim>& hooke, Index dof) {
+  const VectorXd unit = VectorXd::Unit(dim * mesh.vertices.cols(), dof);
   return inner_forces(mesh, hooke, unit)[dof];
 }
 
-std::string in_words(const Mesh& mesh, int vertex) {
-  const Vector2d x = mesh.place(vertex);
+template <int dim>
+std::string in_words(const SimplexMesh<dim>& mesh, Index vertex) {
+  const Matrix<double, dim, 1> x = mesh.place(static_cast<int>(vertex));
   std::ostringstream text;
-  text << "vertex " << vertex << " (" << x.x() << ", " << x.y() << ")";
+  text << "vertex " << vertex << " (" << x[0];
+  for (int c = 1; c < dim; ++c) text << ", " << x[c];
+  text << ")";
   return text.str();
 }
 
@@ -129,7 +142,9 @@ struct Comparison {
   VectorXd off;  ///< |A z - K z| in parts of the terms
 
   /// @param prescribed  dofs that are left out
-  Comparison(const Mesh& mesh, const RowMatrix& A, const Hooke& hooke,
+  template <int dim>
+  Comparison(const SimplexMesh<dim>& mesh, const RowMatrix& A,
+             const HookeTensors<dim>& hooke,
              const std::vector<char>& prescribed)
       : z(probe(prescribed)), of_law(inner_forces(mesh, hooke, z)) {
     of_matrix = terms = off = VectorXd::Zero(z.size());
@@ -159,16 +174,18 @@ struct Comparison {
 };
 
 /// Refuses a matrix that differs by something on one dof's diagonal.
-void require_no_spring(const Mesh& mesh, const ElasticSystem& system,
-                       const Hooke& hooke, const Comparison& comparison,
-                       Index dof) {
+template <int dim>
+void require_no_spring(const SimplexMesh<dim>& mesh,
+                       const ElasticSystem& system,
+                       const HookeTensors<dim>& hooke,
+                       const Comparison& comparison, Index dof) {
   const auto& [z, of_law, of_matrix, terms, off] = comparison;
   const double more = (of_matrix[dof] - of_law[dof]) / z[dof];
   const double added =
       system.stiffness.coeff(dof, dof) - diagonal_of_law(mesh, hooke, dof);
   if (std::abs(more - added) <= 1e-3 * std::abs(added))
     refuse("A has ", added, " more on its diagonal at ",
-           in_words(mesh, dof / 2),
+           in_words(mesh, dof / dim),
            " than lambda and G (or hooke) give: a penalty in place of a "
            "prescribed displacement, or a spring; prescribe with on() and tgv "
            "1e30, -1 or -2");
@@ -234,10 +251,9 @@ std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
          "initialstress= u was computed with";
 }
 
-}  // namespace
-
-void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
-                           const Hooke& hooke) {
+template <int dim>
+void require_law(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
+                 const HookeTensors<dim>& hooke) {
   const Comparison comparison(mesh, system.stiffness, hooke, system.prescribed);
   Index worst;
   if (comparison.off.maxCoeff(&worst) <= tolerance) return;
@@ -246,13 +262,25 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
   if (comparison.is_multiple())
     refuse("lambda and G (or hooke) are not those of A: A is ",
            comparison.factor(), " times the stiffness of the law at ",
-           in_words(mesh, worst / 2),
+           in_words(mesh, worst / dim),
            "; give the constants of the script's varf");
-  require_plane(mesh, system, hooke);
+  if constexpr (dim == 2) require_plane(mesh, system, hooke);
   refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
-         in_words(mesh, worst / 2), " is off by ", comparison.off[worst],
+         in_words(mesh, worst / dim), " is off by ", comparison.off[worst],
          " of its terms; give the law of the script's varf in every region, "
          "and A without springs");
+}
+
+}  // namespace
+
+void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
+                           const Hooke& hooke) {
+  require_law(mesh, system, hooke);
+}
+
+void require_law_of_matrix(const SolidMesh& mesh, const ElasticSystem& system,
+                           const HookeTensors<3>& hooke) {
+  require_law(mesh, system, hooke);
 }
 
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,

@@ -18,6 +18,8 @@ namespace ffcontact {
 ///                                axisymmetric body's, or where it is off
 void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                            const Hooke& hooke);
+void require_law_of_matrix(const SolidMesh& mesh, const ElasticSystem& system,
+                           const HookeTensors<3>& hooke);
 
 /// Why the stresses of u_h are not in equilibrium with the loads at a vertex, as the end
 /// of a sentence: a point support, pressures of the other multiplier, or loads that are

@@ -8,6 +8,7 @@
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/estimate/compared.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
+#include "ffcontact/estimate/error_history.hpp"
 #include "ffcontact/estimate/first_tractions.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
@@ -104,16 +105,6 @@ RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
   put_boundary_loads(mesh, edges, bodies.boundary_with(result.contact),
                      compared.stress, result.difference);
   return result;
-}
-
-/// e after every sweep from the last square and what every sweep took off.
-std::vector<double> error_history(double last_square,
-                                  const std::vector<double>& falls) {
-  std::vector<double> squares(falls.size() + 1, last_square);
-  for (std::size_t k = falls.size(); k > 0; --k)
-    squares[k - 1] = squares[k] + falls[k - 1];
-  for (double& square : squares) square = std::sqrt(std::max(0.0, square));
-  return squares;
 }
 
 /// Adds the contact part of each edge to its triangle, or half of it to each of the two

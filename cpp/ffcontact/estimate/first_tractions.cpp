@@ -5,27 +5,21 @@
 #include <optional>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
+#include "ffcontact/estimate/balanced_stresses.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/nearest_in_cone.hpp"
 #include "ffcontact/estimate/published_tractions.hpp"
-#include "ffcontact/estimate/rebalancing.hpp"
 #include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Solves for the balance of stresses and tractions: one, and one or two for its rounding.
-constexpr int most_refinements = 3;
-
-/// What is missing of the largest moment in balanced stresses: a traction on the short
-/// edge of a thin triangle that balances it is larger by the ratio of its sides.
-constexpr double balanced = 1e-13;
 
 Matrix3Xd computed_stresses(const SolvedProblem& solved,
                             const StressTerms& terms) {
@@ -188,38 +182,6 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
           VectorXd::Zero(bodies.line().edge_count())};
 }
 
-double largest_missing(const NodalResidual& residual) {
-  return residual.missing.cwiseAbs().maxCoeff();
-}
-
-bool is_balanced(const NodalResidual& residual) {
-  return largest_missing(residual) <= balanced * residual.scale;
-}
-
-/// Stresses in equilibrium with the loads and with contact tractions: those of u_h, and
-/// of the small displacement that makes up for what they lack; its own rounding once
-/// more.
-/// @param forces  of the contact tractions on all dofs
-Matrix3Xd balanced_stresses(const SolvedProblem& solved,
-                            const MatrixXd& motions,
-                            const NodalResidual& without_contact,
-                            const VectorXd& forces, Matrix3Xd stress) {
-  const auto& [topology, line, system, body] = solved;
-  NodalResidual residual = with_forces(without_contact, forces);
-  if (is_balanced(residual)) return stress;
-  const Rebalancing rebalancing(system, line, motions, body.stiffness);
-  for (int step = 0; step < most_refinements && !is_balanced(residual);
-       ++step) {
-    const double missing = largest_missing(residual);
-    const VectorXd u = rebalancing.displacement(residual.missing.reshaped());
-    const Matrix3Xd added = stresses(topology.mesh, body.hooke, u);
-    residual = less_stress(topology, std::move(residual), added);
-    if (step > 0 && largest_missing(residual) >= missing) break;
-    stress += added;
-  }
-  return stress;
-}
-
 }  // namespace
 
 FirstTractions first_tractions(const SolvedProblem& solved,
@@ -234,9 +196,14 @@ FirstTractions first_tractions(const SolvedProblem& solved,
                                  ? tractions_as_published(bodies)
                                  : tractions_in_cone(solved, bodies, motions);
 
-  const Matrix3Xd stress =
-      balanced_stresses(solved, motions, without,
-                        bodies.solved_forces(contact.balanced), computed);
+  const Matrix3Xd stress = balanced_stresses(
+      solved.topology, solved.body.hooke,
+      with_forces(without, bodies.solved_forces(contact.balanced)), computed,
+      [&] {
+        return Rebalancing(solved.system,
+                           contact_dofs(solved.line, solved.system), motions,
+                           solved.body.stiffness);
+      });
   const BoundaryTractions boundary = bodies.boundary_with(contact.balanced);
   const EdgeMoments on_solved =
       equilibrated_moments(solved.topology, stress, solved.body.body_loads,

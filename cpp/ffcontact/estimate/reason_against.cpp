@@ -18,16 +18,23 @@ std::string in_digits(double value) {
   return text.str();
 }
 
-std::string penetration_in_words(double depth, const Vector2d& deepest) {
+std::string penetration_in_words(double depth,
+                                 const Ref<const VectorXd>& deepest) {
+  std::string place = in_digits(deepest[0]);
+  for (Index c = 1; c < deepest.size(); ++c)
+    place += ", " + in_digits(deepest[c]);
   return "u penetrates by " + in_digits(depth) +
-         " of the largest displacement at (" + in_digits(deepest.x()) + ", " +
-         in_digits(deepest.y()) + "), where displacements are prescribed";
+         " of the largest displacement at (" + place +
+         "), where displacements are prescribed";
+}
+
+std::string cone_in_words(double cone) {
+  return "contact tractions leave the friction cone by " + in_digits(cone) +
+         " of the largest stress";
 }
 
 std::string cone_in_words(const Estimate& estimate) {
-  const std::string sentence = "contact tractions leave the friction cone by " +
-                               in_digits(estimate.cone) +
-                               " of the largest stress";
+  const std::string sentence = cone_in_words(estimate.cone);
   if (estimate.unmended.empty()) return sentence;
   return sentence + ": (4.1) cannot mend " +
          std::to_string(estimate.unmended.size()) + " edges";
@@ -53,6 +60,14 @@ std::string reason_against(const Estimate& estimate, Construction construction,
     return penetration_in_words(estimate.penetration, deepest);
   if (estimate.cone > cone_tolerance) return cone_in_words(estimate);
   return imbalance_in_words(estimate.equilibrium, construction);
+}
+
+std::string reason_against(const SolidEstimate& estimate,
+                           const Vector3d& deepest) {
+  if (estimate.penetration > penetration_tolerance)
+    return penetration_in_words(estimate.penetration, deepest);
+  if (estimate.cone > cone_tolerance) return cone_in_words(estimate.cone);
+  return imbalance_in_words(estimate.equilibrium, Construction::composite);
 }
 
 }  // namespace ffcontact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/estimate/solid_estimate.hpp"
 
 namespace ffcontact {
 
@@ -11,5 +12,7 @@ namespace ffcontact {
 /// @param deepest  where u_hat penetrates most
 std::string reason_against(const Estimate& estimate, Construction construction,
                            const Vector2d& deepest);
+std::string reason_against(const SolidEstimate& estimate,
+                           const Vector3d& deepest);
 
 }  // namespace ffcontact

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/rebalancing.hpp"
 
-#include "ffcontact/contact/condensed_contact.hpp"
-
 namespace ffcontact {
 
 namespace {
@@ -15,14 +13,15 @@ MatrixXd with_motions(const MatrixXd& S, const MatrixXd& Z) {
 
 }  // namespace
 
-Rebalancing::Rebalancing(const ElasticSystem& system, const ContactLine& line,
+Rebalancing::Rebalancing(const ElasticSystem& system,
+                         const std::vector<int>& contact_dofs,
                          const MatrixXd& motions,
                          std::shared_ptr<const CondensedStiffness> stiffness)
     : stiffness_(std::move(stiffness)) {
-  const std::vector<int> kept = contact_dofs(line, system);
   if (!stiffness_)
-    stiffness_ = std::make_shared<const CondensedStiffness>(system, kept);
-  const MatrixXd Z = motions(kept, Eigen::all);
+    stiffness_ =
+        std::make_shared<const CondensedStiffness>(system, contact_dofs);
+  const MatrixXd Z = motions(contact_dofs, Eigen::all);
   schur_ = Cholesky(with_motions(stiffness_->schur(), Z));
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
-#include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
 
@@ -18,10 +18,11 @@ namespace ffcontact {
 /// the nodal forces, as the rounding of u_h leaves.
 class Rebalancing {
  public:
-  /// @param motions    free_rigid_motions of the body [dofs x k]
-  /// @param stiffness  K condensed to contact_dofs(line, system); null: factorised here
+  /// @param contact_dofs  the free dofs of the contact line or surface
+  /// @param motions       free_rigid_motions of the body [dofs x k]
+  /// @param stiffness     K condensed to contact_dofs; null: factorised here
   /// @throws std::runtime_error  if a part of the body is held by nothing
-  Rebalancing(const ElasticSystem& system, const ContactLine& line,
+  Rebalancing(const ElasticSystem& system, const std::vector<int>& contact_dofs,
               const MatrixXd& motions,
               std::shared_ptr<const CondensedStiffness> stiffness = nullptr);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 
 namespace ffcontact {
@@ -34,14 +35,22 @@ double terms_along_line(const Edges& edges, const ContactLine& line,
   return largest;
 }
 
-/// |grad phi_k| |u_k| summed over the vertices of a triangle.
-double strain_terms(const Mesh& mesh, const VectorXd& displacement, int t) {
-  const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
-  double strain = 0;
-  for (int k = 0; k < 3; ++k)
-    strain += gradients.col(k).norm() *
-              displacement.segment<2>(2 * mesh.cells(k, t)).norm();
-  return strain;
+/// |C| |grad phi_k| |u_k| summed over the vertices of a cell, the largest.
+template <int dim>
+double largest_terms_inside(const SimplexMesh<dim>& mesh,
+                            const HookeTensors<dim>& hooke,
+                            const VectorXd& displacement) {
+  double largest = 0;
+#pragma omp parallel for reduction(max : largest)
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const auto gradients = hat_gradients(mesh, t);
+    double strain = 0;
+    for (int k = 0; k <= dim; ++k)
+      strain += gradients.col(k).norm() *
+                vector_at<dim>(displacement, mesh.cells(k, t)).norm();
+    largest = std::max(largest, largest_entry(hooke[t]) * strain);
+  }
+  return largest;
 }
 
 /// Does a node slide against Tresca's friction? Then stresses are not rounding, however
@@ -70,16 +79,15 @@ double largest_stress_terms(const Topology& topology, const ContactLine& line,
                             const SolvedBody& body,
                             const VectorXd& displacement) {
   const auto& [mesh, edges, stars] = topology;
-  const Hooke& hooke = body.hooke;
-  double largest =
-      std::max(terms_along_line(edges, line, hooke, largest_given(body.law)),
-               largest_value(body.initial));
-#pragma omp parallel for reduction(max : largest)
-  for (int t = 0; t < topology.mesh.cell_count(); ++t) {
-    const double strain = strain_terms(topology.mesh, displacement, t);
-    largest = std::max(largest, largest_entry(hooke[t]) * strain);
-  }
-  return largest;
+  const double given = std::max(
+      terms_along_line(edges, line, body.hooke, largest_given(body.law)),
+      largest_value(body.initial));
+  return std::max(given, largest_terms_inside(mesh, body.hooke, displacement));
+}
+
+double largest_stress_terms(const SolidMesh& mesh, const HookeTensors<3>& hooke,
+                            const VectorXd& displacement) {
+  return largest_terms_inside(mesh, hooke, displacement);
 }
 
 bool is_unstressed(const Topology& topology, const ContactLine& line,

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/edge_stars.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "ffcontact/base/least_squares.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Conditions on the corrections of an edge that depend on others but for this part.
+constexpr PivotThreshold dependent_conditions{1e-9};
+
+/// Which face of a tetrahedron.
+int local_face(const Facets<3>& faces, int face, int cell) {
+  int k = 0;
+  while (faces.of_cell(k, cell) != face) ++k;
+  return k;
+}
+
+/// The tetrahedra around an edge, each by the places of its two faces there.
+struct Wedge {
+  int cell;
+  int place[2];  ///< among the faces around the edge
+  int local[2];  ///< among those of the tetrahedron
+};
+
+std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
+  const auto& [mesh, faces, edges, stars] = topology;
+  const int first = edges.facet_start[edge], count = edges.facet_count(edge);
+  std::vector<Wedge> wedges;
+  for (int b = 1; b < count; ++b)
+    for (int t : faces.cells.col(edges.facet[first + b]))
+      for (int a = 0; a < b && t >= 0; ++a) {
+        const int face = edges.facet[first + a];
+        if (faces.cells(0, face) == t || faces.cells(1, face) == t)
+          wedges.push_back({t,
+                            {a, b},
+                            {local_face(faces, face, t),
+                             local_face(faces, edges.facet[first + b], t)}});
+      }
+  return wedges;
+}
+
+}  // namespace
+
+/// A = Z' H Z.
+MatrixXd EdgeStars::form(int edge, const FaceForms& forms) const {
+  const Hinges<3>& edges = topology_.edges;
+  const int* around = edges.facet.data() + edges.facet_start[edge];
+  MatrixXd A = MatrixXd::Zero(unknowns(edge), unknowns(edge));
+  for (const Wedge& wedge : wedges_of(topology_, edge)) {
+    Matrix6d shift[2];
+    for (int i = 0; i < 2; ++i)
+      shift[i] = wrench_shift(topology_, around[wedge.place[i]], edge);
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        const Matrix9d H =
+            forms.block(wedge.cell, wedge.local[i], wedge.local[j]);
+        const int bars_i = 6 + 3 * wedge.place[i],
+                  bars_j = 6 + 3 * wedge.place[j];
+        const Matrix<double, 6, 9> above =
+            shift[i].transpose() * H.topRows<6>();
+        A.topLeftCorner<6, 6>() += above.leftCols<6>() * shift[j];
+        A.block<6, 3>(0, bars_j) += above.rightCols<3>();
+        A.block<3, 6>(bars_i, 0) += H.bottomLeftCorner<3, 6>() * shift[j];
+        A.block<3, 3>(bars_i, bars_j) += H.bottomRightCorner<3, 3>();
+      }
+  }
+  return A;
+}
+
+/// Rows that are zero for corrections that leave known boundary tractions alone.
+MatrixXd EdgeStars::conditions(int edge, const FaceTractions& boundary) const {
+  const Hinges<3>& edges = topology_.edges;
+  const Facets<3>& faces = topology_.faces;
+  MatrixXd rows = MatrixXd::Zero(18, unknowns(edge));
+  int next = 0;
+  for (int i = 0; i < edges.facet_count(edge); ++i) {
+    const int face = edges.facet[edges.facet_start[edge] + i];
+    if (!faces.on_boundary(face)) continue;
+    const Matrix3d corners =
+        topology_.mesh.vertices(Eigen::all, faces.vertices.col(face));
+    const Matrix9d V = wrench_basis(corners);
+    for (int row = 0; row < 9; ++row) {
+      if (!boundary.known(row % 3, face)) continue;
+      rows.block<1, 6>(next, 0) =
+          V.block<1, 6>(row, 0) * wrench_shift(topology_, face, edge);
+      rows.block<1, 3>(next++, 6 + 3 * i) = V.block<1, 3>(row, 6);
+    }
+  }
+  return rows.topRows(next);
+}
+
+EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
+                                const FaceForms& forms) const {
+  Star star;
+  MatrixXd A = form(edge, forms);
+  if (topology_.edges.on_boundary[edge]) {
+    const MatrixXd known = conditions(edge, boundary);
+    if (known.rows() > 0) {
+      star.basis = kernel_basis(known, dependent_conditions);
+      A = (star.basis.transpose() * A * star.basis).eval();
+    }
+  }
+  if (A.rows() == 0) return star;
+  const Eigen::LLT<MatrixXd> cholesky(A);
+  if (cholesky.info() == Eigen::Success)
+    star.factor = MatrixXd(cholesky.matrixL()).cast<float>();
+  return star;
+}
+
+EdgeStars::EdgeStars(const SolidTopology& topology,
+                     const FaceTractions& boundary, const FaceForms& forms)
+    : topology_(topology),
+      place_(3, topology.faces.count()),
+      stars_(topology.edges.count()),
+      first_(1, 0) {
+  const Hinges<3>& edges = topology.edges;
+  for (int e = 0; e < edges.count(); ++e) {
+    first_.push_back(first_.back() + unknowns(e));
+    for (int i = 0; i < edges.facet_count(e); ++i) {
+      const int face = edges.facet[edges.facet_start[e] + i];
+      for (int k = 0; k < 3; ++k)
+        if (edges.of_facet(k, face) == e) place_(k, face) = i;
+    }
+  }
+#pragma omp parallel for
+  for (int e = 0; e < edges.count(); ++e) stars_[e] = star(e, boundary, forms);
+}
+
+/// Z' g
+VectorXd EdgeStars::restricted(int edge, const Matrix9Xd& g) const {
+  const Hinges<3>& edges = topology_.edges;
+  VectorXd result = VectorXd::Zero(unknowns(edge));
+  for (int i = 0; i < edges.facet_count(edge); ++i) {
+    const int face = edges.facet[edges.facet_start[edge] + i];
+    result.head<6>() +=
+        wrench_shift(topology_, face, edge).transpose() * g.col(face).head<6>();
+    result.segment<3>(6 + 3 * i) = g.col(face).tail<3>();
+  }
+  return result;
+}
+
+VectorXd EdgeStars::solved(int edge, VectorXd g) const {
+  const auto& [basis, factor] = stars_[edge];
+  if (factor.size() == 0) return VectorXd::Zero(g.size());
+  if (basis.size() > 0) g = (basis.transpose() * g).eval();
+  const Index n = g.size();
+  for (Index j = 0; j < n; ++j) {  // L
+    g[j] /= factor(j, j);
+    for (Index i = j + 1; i < n; ++i) g[i] -= factor(i, j) * g[j];
+  }
+  for (Index j = n - 1; j >= 0; --j) {  // L'
+    for (Index i = j + 1; i < n; ++i) g[j] -= factor(i, j) * g[i];
+    g[j] /= factor(j, j);
+  }
+  return basis.size() > 0 ? VectorXd(basis * g) : g;
+}
+
+Matrix9Xd EdgeStars::operator()(const Matrix9Xd& g) const {
+  const Hinges<3>& edges = topology_.edges;
+  VectorXd x(first_.back());
+#pragma omp parallel for
+  for (int e = 0; e < edges.count(); ++e)
+    x.segment(first_[e], unknowns(e)) = solved(e, restricted(e, g));
+
+  Matrix9Xd z(9, g.cols());
+#pragma omp parallel for
+  for (int f = 0; f < topology_.faces.count(); ++f) {
+    Vector9d sum = Vector9d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const int e = edges.of_facet(k, f);
+      const double* of_edge = x.data() + first_[e];
+      sum.head<6>() +=
+          wrench_shift(topology_, f, e) * Map<const Vector6d>(of_edge);
+      sum.tail<3>() += Map<const Vector3d>(of_edge + 6 + 3 * place_(k, f));
+    }
+    z.col(f) = sum;
+  }
+  return z;
+}
+
+}  // namespace ffcontact

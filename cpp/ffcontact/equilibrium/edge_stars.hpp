@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/equilibrium/face_forms.hpp"
+#include "ffcontact/equilibrium/face_tractions.hpp"
+
+namespace ffcontact {
+
+/// The additive solves of all edge stars, z = sum over the edges of Z A^-1 Z' g.
+///
+/// The self-equilibrated corrections of the faces around an edge are one wrench w that
+/// all of them carry and three bars on each: x = (w, y_1, .., y_m), A = Z' H Z [(6 + 3 m)^2]
+/// with Z of wrench_shift. At a boundary edge only those x count that leave known
+/// tractions of its two boundary faces alone; where nothing is left the edge has no part.
+///
+/// Factors are kept in single precision: they only steer. Each loop writes what is its
+/// own: the result does not depend on the number of threads.
+class EdgeStars {
+ public:
+  EdgeStars(const SolidTopology& topology, const FaceTractions& boundary,
+            const FaceForms& forms);
+
+  /// @param g  on the unknowns (w, y) of all faces [9 x faces]
+  Matrix9Xd operator()(const Matrix9Xd& g) const;
+
+  int unknowns(int edge) const {
+    return 6 + 3 * topology_.edges.facet_count(edge);
+  }
+
+ private:
+  /// What an edge adds: x = basis A^-1 basis' (Z' g), basis the identity if empty.
+  struct Star {
+    MatrixXd basis;
+    Eigen::MatrixXf factor;  ///< lower triangle; empty: nothing is free
+  };
+
+  MatrixXd form(int edge, const FaceForms& forms) const;
+  MatrixXd conditions(int edge, const FaceTractions& boundary) const;
+  Star star(int edge, const FaceTractions& boundary,
+            const FaceForms& forms) const;
+  VectorXd restricted(int edge, const Matrix9Xd& g) const;
+  VectorXd solved(int edge, VectorXd g) const;
+
+  const SolidTopology& topology_;
+  Matrix3Xi place_;  ///< of a face around each of its edges [3 x faces]
+  std::vector<Star> stars_;
+  std::vector<Index> first_;  ///< unknown of each edge, all edges in a row
+};
+
+}  // namespace ffcontact

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/face_descent.hpp"
+
+#include <Eigen/LU>
+
+#include "ffcontact/base/parted_sum.hpp"
+
+namespace ffcontact {
+
+FaceLoads difference_loads(const FaceSetting& setting,
+                           const FaceMoments& moments, int cell) {
+  const auto& [mesh, faces, edges, stars] = setting.topology;
+  FaceLoads loads = loads_of(mesh, faces, moments, cell);
+  const TetrahedronCorners vectors = face_vectors(corners_of(mesh, cell));
+  for (int k = 0; k < 4; ++k) {
+    const Vector3d third =
+        traction(setting.stress.col(cell), vectors.col(k)) / 3;
+    loads.middleCols<3>(3 * k).colwise() -= third;
+  }
+  return loads;
+}
+
+SolidStress difference_stress(const FaceSetting& setting,
+                              const FaceMoments& moments, int cell) {
+  return composite_stress(corners_of(setting.topology.mesh, cell),
+                          difference_loads(setting, moments, cell),
+                          setting.body_loads.col(cell).reshaped(3, 4));
+}
+
+FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
+    : setting_(setting),
+      forms_(setting.topology, setting.hooke),
+      stars_(setting.topology, setting.boundary, forms_),
+      corrections_(Matrix9Xd::Zero(9, moments.cols())),
+      residual_(9, moments.cols()),
+      direction_(9, 0),
+      image_(9, moments.cols()) {
+  const SolidTopology& topology = setting.topology;
+  const int cells = topology.mesh.cell_count();
+  Matrix<double, 36, Dynamic> slopes(36, cells);
+  VectorXd squares(cells);
+#pragma omp parallel for
+  for (int t = 0; t < cells; ++t) {
+    const TetrahedronCorners corners = corners_of(topology.mesh, t);
+    const Matrix6d compliance = setting.hooke[t].inverse();
+    const SolidStress tau = difference_stress(setting, moments, t);
+    squares[t] = energy(corners, compliance, tau);
+    slopes.col(t) =
+        -face_slope(corners, compliance, tau, wrench_bases(topology, t));
+  }
+  gather(slopes, residual_);
+  first_square_ = parted_sum(cells, [&](int t) { return squares[t]; });
+}
+
+void FaceDescent::gather(const Matrix<double, 36, Dynamic>& of_cells,
+                         Matrix9Xd& y) const {
+  const Facets<3>& faces = setting_.topology.faces;
+#pragma omp parallel for
+  for (int f = 0; f < faces.count(); ++f) {
+    Vector9d sum = Vector9d::Zero();
+    for (int t : faces.cells.col(f))
+      for (int k = 0; k < 4 && t >= 0; ++k)
+        if (faces.of_cell(k, t) == f) sum += of_cells.col(t).segment<9>(9 * k);
+    y.col(f) = sum;
+  }
+}
+
+double FaceDescent::dot(const Matrix9Xd& a, const Matrix9Xd& b) const {
+  return parted_sum(static_cast<int>(a.cols()),
+                    [&](int f) { return a.col(f).dot(b.col(f)); });
+}
+
+void FaceDescent::add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const {
+#pragma omp parallel for
+  for (Index f = 0; f < x.cols(); ++f) x.col(f) += factor * y.col(f);
+}
+
+void FaceDescent::turn_direction() {
+  Matrix9Xd z = stars_(residual_);
+  if (square_ > 0) add(-dot(z, image_) / square_, direction_, z);
+  direction_ = std::move(z);
+
+  const SolidTopology& topology = setting_.topology;
+  Matrix<double, 36, Dynamic> images(36, topology.mesh.cell_count());
+#pragma omp parallel for
+  for (int t = 0; t < topology.mesh.cell_count(); ++t)
+    images.col(t) = forms_.times(t, unknowns_at(topology.faces, direction_, t));
+  gather(images, image_);
+  square_ = dot(direction_, image_);
+}
+
+double FaceDescent::step() {
+  turn_direction();
+  const double slope = dot(residual_, direction_);
+  if (!(square_ > 0) || !(slope > 0)) {
+    square_ = 0;
+    return 0;
+  }
+  const double length = slope / square_;
+  add(length, direction_, corrections_);
+  add(-length, image_, residual_);
+  return length * slope;
+}
+
+FaceMoments FaceDescent::correction() const {
+  const auto& [mesh, faces, edges, stars] = setting_.topology;
+  FaceMoments moments(9, faces.count());
+#pragma omp parallel for
+  for (int f = 0; f < faces.count(); ++f) {
+    const Matrix3d corners = mesh.vertices(Eigen::all, faces.vertices.col(f));
+    moments.col(f) = wrench_basis(corners) * corrections_.col(f);
+    for (int row = 0; row < 9; ++row)
+      if (setting_.boundary.known(row % 3, f)) moments(row, f) = 0;
+  }
+  return moments;
+}
+
+}  // namespace ffcontact

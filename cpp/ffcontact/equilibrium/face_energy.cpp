@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/face_energy.hpp"
+
+#include <Eigen/LU>
+
+namespace ffcontact {
+
+namespace {
+
+constexpr int voigt_pairs = 21, packed_form = 36 * 37 / 2;
+
+using PackedForm = Matrix<double, packed_form, 1>;
+/// The lower triangles of P_ab, one a column, b <= a.
+using PairForms = Matrix<double, packed_form, voigt_pairs>;
+
+constexpr int packed_place(int row, int column) {
+  return row * (row + 1) / 2 + column;
+}
+
+/// Stresses of the unit loads on the reference tetrahedron's faces, those that they
+/// balance in the body included [6 x 16, column-major].
+Matrix<double, 96, 36> unit_stresses() {
+  Matrix<double, 96, 36> stresses;
+  for (int unit = 0; unit < 36; ++unit) {
+    FaceLoads loads = FaceLoads::Zero();
+    loads.reshaped()[unit] = 1;
+    stresses.col(unit) = composite_stress(reference_tetrahedron(), loads,
+                                          balancing_body_loads(loads))
+                             .reshaped();
+  }
+  return stresses;
+}
+
+const Matrix<double, 96, 36>& stresses_of_loads() {
+  static const Matrix<double, 96, 36> stresses = unit_stresses();
+  return stresses;
+}
+
+/// Rows: one Voigt component at the 16 corners.
+Matrix<double, 16, 36> component_of(const Matrix<double, 96, 36>& stresses,
+                                    int component) {
+  Matrix<double, 16, 36> rows;
+  for (int corner = 0; corner < 16; ++corner)
+    rows.row(corner) = stresses.row(6 * corner + component);
+  return rows;
+}
+
+/// int phi_a phi_b over the subtetrahedra of the reference tetrahedron, corner by corner.
+Matrix<double, 16, 16> reference_masses() {
+  Matrix<double, 16, 16> masses = Matrix<double, 16, 16>::Zero();
+  Matrix4d own = Matrix4d::Constant(1.0 / 480);
+  own.diagonal().setConstant(1.0 / 240);
+  for (int k = 0; k < 16; k += 4) masses.block<4, 4>(k, k) = own;
+  return masses;
+}
+
+PairForms reference_pair_forms() {
+  const Matrix<double, 16, 16> masses = reference_masses();
+  PairForms forms;
+  for (int a = 0; a < 6; ++a)
+    for (int b = 0; b <= a; ++b) {
+      FaceForm form = component_of(stresses_of_loads(), a).transpose() *
+                      masses * component_of(stresses_of_loads(), b);
+      if (a != b) form += form.transpose().eval();
+      for (int r = 0; r < 36; ++r)
+        for (int c = 0; c <= r; ++c)
+          forms(packed_place(r, c), packed_place(a, b)) = form(r, c);
+    }
+  return forms;
+}
+
+const PairForms& pair_forms() {
+  static const PairForms forms = reference_pair_forms();
+  return forms;
+}
+
+/// M_ab, b <= a.
+Matrix<double, voigt_pairs, 1> pair_weights(
+    const Matrix3d& B, const Matrix<double, 6, 6>& compliance) {
+  const Matrix<double, 6, 6> T = piola_voigt(B);
+  const Matrix<double, 6, 6> M =
+      T.transpose() * compliance * T / B.determinant();
+  Matrix<double, voigt_pairs, 1> weights;
+  for (int a = 0; a < 6; ++a)
+    for (int b = 0; b <= a; ++b) weights[packed_place(a, b)] = M(a, b);
+  return weights;
+}
+
+FaceForm unpacked(const PackedForm& form) {
+  FaceForm full;
+  for (int r = 0; r < 36; ++r)
+    for (int c = 0; c <= r; ++c)
+      full(r, c) = full(c, r) = form[packed_place(r, c)];
+  return full;
+}
+
+/// Columns of the loads on the reference tetrahedron.
+std::array<Matrix9d, 4> pulled_back(const Matrix3d& B,
+                                    std::array<Matrix9d, 4> basis) {
+  const Matrix3d inverse = B.inverse();
+  for (Matrix9d& columns : basis)
+    for (int j = 0; j < 9; j += 3)
+      columns.middleRows<3>(j) = (inverse * columns.middleRows<3>(j)).eval();
+  return basis;
+}
+
+}  // namespace
+
+FaceForm face_energy(const TetrahedronCorners& corners,
+                     const Matrix<double, 6, 6>& compliance,
+                     const std::array<Matrix9d, 4>& basis) {
+  const Matrix3d B = piola_matrix(corners);
+  const std::array<Matrix9d, 4> columns = pulled_back(B, basis);
+  const FaceForm reference =
+      unpacked(pair_forms() * pair_weights(B, compliance));
+  FaceForm form;
+  for (int k = 0; k < 4; ++k)
+    for (int l = 0; l <= k; ++l) {
+      const Matrix9d half = reference.block<9, 9>(9 * k, 9 * l) * columns[l],
+                     block = columns[k].transpose() * half;
+      form.block<9, 9>(9 * k, 9 * l) = block;
+      form.block<9, 9>(9 * l, 9 * k) = block.transpose();
+    }
+  return form;
+}
+
+Matrix<double, 36, 1> face_slope(const TetrahedronCorners& corners,
+                                 const Matrix<double, 6, 6>& compliance,
+                                 const SolidStress& stress,
+                                 const std::array<Matrix9d, 4>& basis) {
+  const Matrix3d B = piola_matrix(corners);
+  // int sigma : C^-1 tau = E : s with tau = T s / det B
+  const SolidStress E =
+      piola_voigt(B).transpose() * compliance * stress * reference_masses();
+  const Matrix<double, 36, 1> on_loads =
+      stresses_of_loads().transpose() * E.reshaped();
+  const std::array<Matrix9d, 4> columns = pulled_back(B, basis);
+  Matrix<double, 36, 1> slope;
+  for (int k = 0; k < 4; ++k)
+    slope.segment<9>(9 * k) =
+        columns[k].transpose() * on_loads.segment<9>(9 * k);
+  return slope;
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/face_tractions.hpp"
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/equilibrium/prescribed_labels.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+void require_fitting(const SolidMesh& mesh, const std::vector<char>& prescribed,
+                     const Ref<const FaceMoments>& neumann) {
+  require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
+               3 * mesh.vertices.cols());
+  require_size("tractions", neumann.cols(), mesh.boundary.cols());
+  require_finite("traction", neumann.reshaped());
+}
+
+/// What one boundary face carries.
+/// @param free    components that the support answers
+/// @param column  of SolidMesh::boundary
+void put_face(const SolidMesh& mesh, const Facets<3>& faces, int face,
+              int column, const std::array<bool, 3>& free,
+              const Ref<const FaceMoments>& neumann, FaceTractions& given) {
+  for (int k = 0; k < 3; ++k) {
+    const int place = place_of(faces, face, mesh.boundary(k, column));
+    for (int c = 0; c < 3; ++c) {
+      given.known(c, face) = !free[c];
+      if (!free[c])
+        given.moments(3 * place + c, face) = neumann(3 * k + c, column);
+    }
+  }
+}
+
+}  // namespace
+
+FaceTractions given_tractions(const SolidMesh& mesh, const Facets<3>& faces,
+                              const std::vector<char>& prescribed,
+                              const Ref<const FaceMoments>& neumann) {
+  require_fitting(mesh, prescribed, neumann);
+  const PrescribedLabels<3> fixed = prescribed_labels(mesh, prescribed);
+  FaceTractions given;
+  given.known.setConstant(3, faces.count(), false);
+  given.moments = FaceMoments::Zero(9, faces.count());
+  for (int f = 0; f < faces.count(); ++f) {
+    if (!faces.on_boundary(f)) continue;
+    const int column = faces.boundary_index[f];
+    put_face(mesh, faces, f, column, fixed.at(mesh.boundary_label[column]),
+             neumann, given);
+  }
+  return given;
+}
+
+FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
+                           const Facets<3>& faces,
+                           const ContactSurface& surface,
+                           const Ref<const Matrix3Xd>& traction) {
+  for (int m = 0; m < surface.face_count(); ++m) {
+    const int face = surface.face[m];
+    Matrix3d density;
+    for (int k = 0; k < 3; ++k) {
+      const int node = surface.face_node(k, m);
+      density.col(k) = surface.frame(node) * traction.col(node);
+    }
+    const double area = facet_measure(mesh, faces, face);
+    given.known.col(face).setConstant(true);
+    given.moments.col(face) += face_moments_of(density, area).reshaped();
+  }
+  return given;
+}
+
+TetrahedronCorners corners_of(const SolidMesh& mesh, int cell) {
+  TetrahedronCorners corners;
+  for (int k = 0; k < 4; ++k) corners.col(k) = mesh.corner(cell, k);
+  return corners;
+}
+
+FaceLoads loads_of(const SolidMesh& mesh, const Facets<3>& faces,
+                   const FaceMoments& moments, int cell) {
+  FaceLoads loads;
+  for (int k = 0; k < 4; ++k) {
+    const int face = faces.of_cell(k, cell);
+    for (int j = 0; j < 3; ++j) {
+      const int vertex = mesh.cells(vertex_of_face(k, j), cell);
+      loads.col(3 * k + j) =
+          faces.eta(k, cell) *
+          moments.col(face).segment<3>(3 * place_of(faces, face, vertex));
+    }
+  }
+  return loads;
+}
+
+}  // namespace ffcontact

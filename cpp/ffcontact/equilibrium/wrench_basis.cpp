@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/wrench_basis.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "ffcontact/equilibrium/face_tractions.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// x -> a x x
+Matrix3d cross_product_with(const Vector3d& a) {
+  Matrix3d matrix;
+  matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return matrix;
+}
+
+Matrix3d corners_of_face(const SolidTopology& topology, int face) {
+  return topology.mesh.vertices(Eigen::all, topology.faces.vertices.col(face));
+}
+
+double size_of_face(const Matrix3d& corners) {
+  return std::sqrt(facet_vector(corners).norm());
+}
+
+/// W: the wrench of the moments.
+Matrix<double, 6, 9> wrench_of_moments(const Matrix3d& corners) {
+  const Vector3d centre = corners.rowwise().mean();
+  const double size = size_of_face(corners);
+  Matrix<double, 6, 9> W;
+  for (int i = 0; i < 3; ++i)
+    W.middleCols<3>(3 * i) << Matrix3d::Identity(),
+        cross_product_with((corners.col(i) - centre) / size);
+  return W;
+}
+
+}  // namespace
+
+Matrix9d wrench_basis(const Matrix3d& corners) {
+  const Matrix<double, 6, 9> W = wrench_of_moments(corners);
+  Matrix9d V = Matrix9d::Zero();
+  V.leftCols<6>() = W.transpose() * Matrix6d(W * W.transpose()).inverse();
+  for (int k = 0; k < 3; ++k) {
+    const int a = (k + 1) % 3, b = (k + 2) % 3;
+    const Vector3d along = (corners.col(b) - corners.col(a)).normalized();
+    V.col(6 + k).segment<3>(3 * a) = -along;
+    V.col(6 + k).segment<3>(3 * b) = along;
+  }
+  return V;
+}
+
+Matrix6d wrench_shift(const SolidTopology& topology, int face, int edge) {
+  const auto vertices = topology.faces.vertices.col(face);
+  const Vector2i ends = topology.edges.vertices.col(edge);
+  const Matrix3d corners = corners_of_face(topology, face);
+  const int first = place_of(topology.faces, face, ends[0]);
+  // a face runs counter-clockwise as seen from where its normal points to
+  const double sign = vertices[(first + 1) % 3] == ends[1] ? 1 : -1;
+
+  const auto a = topology.mesh.vertices.col(ends[0]),
+             b = topology.mesh.vertices.col(ends[1]);
+  const Vector3d arm = corners.rowwise().mean() - (a + b) / 2;
+  const double size = size_of_face(corners), length = (b - a).norm();
+  Matrix6d shift = Matrix6d::Identity();
+  shift.bottomLeftCorner<3, 3>() = -cross_product_with(arm / size);
+  shift.bottomRightCorner<3, 3>() *= length / size;
+  return sign * shift;
+}
+
+std::array<Matrix9d, 4> wrench_bases(const SolidTopology& topology, int cell) {
+  const auto& [mesh, faces, edges, stars] = topology;
+  std::array<Matrix9d, 4> bases;
+  for (int k = 0; k < 4; ++k) {
+    const int face = faces.of_cell(k, cell);
+    const Matrix9d V =
+        faces.eta(k, cell) * wrench_basis(corners_of_face(topology, face));
+    for (int j = 0; j < 3; ++j) {
+      const int vertex = mesh.cells(vertex_of_face(k, j), cell);
+      bases[k].middleRows<3>(3 * j) =
+          V.middleRows<3>(3 * place_of(faces, face, vertex));
+    }
+  }
+  return bases;
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/solid_estimate.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/parted_sum.hpp"
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/equilibrium/solid_defect.hpp"
+#include "ffcontact/estimate/data_defect.hpp"
+#include "ffcontact/estimate/error_history.hpp"
+#include "ffcontact/estimate/first_surface_tractions.hpp"
+#include "ffcontact/estimate/reason_against.hpp"
+#include "ffcontact/estimate/surface_error.hpp"
+#include "ffcontact/estimate/surface_tractions.hpp"
+#include "ffcontact/estimate/unstressed.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+void require_sound(const SolvedSolidProblem& solved,
+                   const SolidRelaxationSettings& settings) {
+  const auto& [topology, surface, system, body] = solved;
+  const SolidMesh& mesh = topology.mesh;
+  require_elliptic(body.hooke, mesh.cell_count());
+  require_size("A", system.dof_count(), 3 * mesh.vertices.cols());
+  require_size("u", body.displacement.size(), 3 * mesh.vertices.cols());
+  require_finite("u", body.displacement);
+  require_size("contact forces", body.force.cols(), surface.node_count());
+  require_finite("contact force", body.force.reshaped());
+  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
+  require_finite("body load", body.body_loads.reshaped());
+  require_valid(body.law, surface);
+  if (settings.steps < 0)
+    refuse("steps must not be negative, got ", settings.steps);
+  if (!(settings.tightness >= 0 && settings.tightness < 1))
+    refuse("tightness must be in [0, 1), got ", settings.tightness);
+}
+
+/// Loads on supports are felt by nothing.
+bool has_loads(const SolvedSolidProblem& solved) {
+  const auto& [topology, surface, system, body] = solved;
+  const FaceTractions given = given_tractions(topology.mesh, topology.faces,
+                                              system.prescribed, body.neumann);
+  return !given.moments.isZero(0) || !body.body_loads.isZero(0);
+}
+
+/// Stresses of u_h and the forces beside them, 0 where they are rounding.
+/// @param terms  largest_stress_terms
+struct SolidStresses {
+  double terms;
+  bool unstressed;
+  Matrix6Xd computed;
+
+  explicit SolidStresses(const SolvedSolidProblem& solved)
+      : terms(largest_stress_terms(solved.topology.mesh, solved.body.hooke,
+                                   solved.body.displacement)),
+        computed(stresses(solved.topology.mesh, solved.body.hooke,
+                          solved.body.displacement)) {
+    const double traction = max_norm(solved.body.force) /
+                            solved.surface.area.minCoeff(),
+                 largest = std::max(max_norm(computed), traction);
+    unstressed = largest <= rounding_of_terms * terms && !has_loads(solved);
+    if (unstressed) computed.setZero();
+  }
+};
+
+/// What (2.11) and (2.12) take of sigma_hat, and how far it is from equilibrium.
+struct SolidNorms {
+  VectorXd difference;       ///< |sigma_hat - sigma|^2 per tetrahedron [N mm]
+  double sum;                ///< |sigma_hat + sigma|^2 in all
+  EquilibriumDefect defect;  ///< [MPa]
+};
+
+SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
+  const auto& [mesh, faces, edges, stars] = setting.topology;
+  SolidNorms norms{VectorXd(mesh.cell_count()), 0, {}};
+  VectorXd sums(mesh.cell_count());
+  double divergence = 0, jump = 0;
+#pragma omp parallel for reduction(max : divergence, jump)
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const TetrahedronCorners corners = corners_of(mesh, t);
+    const Matrix6d compliance = setting.hooke[t].inverse();
+    const SolidStress sigma = setting.stress.col(t).replicate<1, 16>(),
+                      tau = difference_stress(setting, moments, t);
+    norms.difference[t] = energy(corners, compliance, tau);
+    sums[t] = energy(corners, compliance, tau + 2 * sigma);
+    const EquilibriumDefect defect = tetrahedron_defect(
+        corners, sigma + tau, loads_of(mesh, faces, moments, t),
+        setting.body_loads.col(t).reshaped(3, 4));
+    divergence = std::max(divergence, defect.divergence);
+    jump = std::max(jump, defect.jump);
+  }
+  norms.sum = parted_sum(mesh.cell_count(), [&](int t) { return sums[t]; });
+  norms.defect = {divergence, jump,
+                  boundary_defect(mesh, faces, setting.boundary, moments)};
+  return norms;
+}
+
+/// (2.11) to (2.13).
+void put_error(const SolvedSolidProblem& solved, const SolidNorms& norms,
+               const std::vector<double>& falls, SolidEstimate& estimate) {
+  const auto& [topology, surface, system, body] = solved;
+  const VectorXd contact_part =
+      contact_error(topology.mesh, topology.faces, surface, body.law,
+                    estimate.tractions, estimate.displacement);
+  const double elastic = parted_sum(topology.mesh.cell_count(),
+                                    [&](int t) { return norms.difference[t]; }),
+               scale = norms.sum > 0 ? norms.sum : 1;
+  estimate.contact = contact_part.sum();
+  estimate.elastic = std::sqrt(elastic);
+  estimate.e = std::sqrt(std::max(0.0, elastic + estimate.contact));
+  estimate.relative = estimate.e / std::sqrt(scale);
+  estimate.history = error_history(elastic + estimate.contact, falls);
+  VectorXd local = norms.difference;
+  for (int m = 0; m < surface.face_count(); ++m)
+    local[topology.faces.cells(0, surface.face[m])] += contact_part[m];
+  estimate.local = (local / scale).cwiseMax(0.0).cwiseSqrt();
+}
+
+/// What the theory promises, measured.
+void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
+           const SolidNorms& norms, SolidEstimate& estimate) {
+  const auto& [topology, surface, system, body] = solved;
+  const double largest = std::max(
+      {max_norm(stress.computed), least_part_of_terms * stress.terms,
+       largest_traction(topology.mesh, topology.faces, estimate.moments)});
+  const double scale = largest > 0 ? largest : 1;
+  estimate.equilibrium = {norms.defect.divergence / scale,
+                          norms.defect.jump / scale,
+                          norms.defect.boundary / scale};
+  estimate.cone = cone_violation(body.law, surface, estimate.tractions) / scale;
+  const DeepestNode deepest =
+      deepest_node(surface, body.law, estimate.displacement);
+  if (deepest.depth > 0)
+    estimate.penetration =
+        deepest.depth / largest_displacement(body.law, body.displacement);
+  estimate.reason = reason_against(
+      estimate, topology.mesh.place(surface.vertex[deepest.node]));
+  estimate.admissible = estimate.reason.empty();
+}
+
+}  // namespace
+
+SolidEstimate estimate_error(const SolidTopology& topology,
+                             const ContactSurface& surface,
+                             const ElasticSystem& system,
+                             const SolvedSolid& body,
+                             const SolidRelaxationSettings& settings) {
+  const SolvedSolidProblem given{topology, surface, system, body};
+  require_sound(given, settings);
+  require_law_of_matrix(topology.mesh, system, body.hooke);
+  const SolidStresses stress(given);
+  SolvedSolid without_forces;
+  if (stress.unstressed) {
+    without_forces = body;
+    without_forces.force.setZero();
+  }
+  const SolvedSolidProblem solved{topology, surface, system,
+                                  stress.unstressed ? without_forces : body};
+  SolidEstimate estimate;
+
+  // 1. Admissible displacement [CHH01, 4.1].
+  estimate.displacement = admissible_displacement(
+      surface, body.law, body.displacement, system.prescribed);
+  const Matrix6Xd of_displacement =
+      stress.unstressed
+          ? stress.computed
+          : stresses(topology.mesh, body.hooke, estimate.displacement);
+
+  // 2., 3. Contact tractions in the cone, face tractions in equilibrium with them.
+  FirstSurfaceTractions first =
+      first_tractions(solved, stress.computed, stress.terms);
+  estimate.tractions = std::move(first.contact);
+  estimate.moments = std::move(first.moments);
+
+  // 4. Relaxation of sigma_hat - C eps(u_hat).
+  const FaceSetting setting{topology, body.hooke, first.boundary,
+                            body.body_loads, of_displacement};
+  const std::vector<double> falls =
+      relax_faces(setting, settings, estimate.moments);
+
+  // 5. The error and its parts [CHH01, (2.11)-(2.13)].
+  const SolidNorms norms = solid_norms(setting, estimate.moments);
+  put_error(solved, norms, falls, estimate);
+
+  // 6. What the theory promises, measured.
+  judge(solved, stress, norms, estimate);
+  return estimate;
+}
+
+SolidStress stress_of(const SolidTopology& topology,
+                      const SolidEstimate& estimate, const SolvedSolid& body,
+                      int cell) {
+  return composite_stress(
+      corners_of(topology.mesh, cell),
+      loads_of(topology.mesh, topology.faces, estimate.moments, cell),
+      body.body_loads.col(cell).reshaped(3, 4));
+}
+
+}  // namespace ffcontact

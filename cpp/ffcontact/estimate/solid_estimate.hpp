@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ffcontact/contact/surface_law.hpp"
+#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/equilibrium/equilibrium_defect.hpp"
+#include "ffcontact/equilibrium/solid_relaxation.hpp"
+
+namespace ffcontact {
+
+/// A computed contact solution of a solid and what it was computed from.
+struct SolvedSolid {
+  HookeTensors<3> hooke;  ///< per tetrahedron [MPa]
+  VectorXd displacement;  ///< u_h on all dofs [mm]
+  Matrix3Xd force;        ///< (F_n, F_t1, F_t2) at the contact nodes [N]
+  SurfaceLaw law;
+  /// moments of the given tractions, as for given_tractions [N, 9 x boundary]
+  FaceMoments neumann;
+  SolidBodyLoadsOfAll body_loads;  ///< int f phi_i per tetrahedron [N]
+  std::shared_ptr<const CondensedStiffness>
+      stiffness;  ///< of the solution on the surface; null: factorised if needed
+};
+
+/// The error in the constitutive relation of an admissible pair, as Estimate in the plane
+/// [CHH01, 2.2]:
+///     e^2 = |sigma_hat - C eps(u_hat)|^2 + contact_error   (2.11)
+///     eps = e / |sigma_hat + C eps(u_hat)|,   eps^2 = sum of eps_E^2   (2.12), (2.13)
+struct SolidEstimate {
+  double e = 0;                 ///< [(N mm)^(1/2)]
+  double relative = 0;          ///< eps [-]
+  double elastic = 0;           ///< |sigma_hat - C eps(u_hat)|, same unit as e
+  double contact = 0;           ///< the contact part of e^2
+  VectorXd local;               ///< eps_E per tetrahedron [-]
+  std::vector<double> history;  ///< e before the first and after every step
+
+  VectorXd displacement;  ///< u_hat on all dofs [mm]
+  FaceMoments moments;    ///< of sigma_hat on the faces [N]
+  Matrix3Xd tractions;    ///< r_hat at the nodes, linear between [MPa, 3 x p]
+  EquilibriumDefect equilibrium;
+  double cone = 0;  ///< cone_violation of r_hat, relative to the largest stress
+  double penetration = 0;  ///< of u_hat, relative to the largest displacement
+  /// in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
+  bool admissible = false;
+  std::string reason;  ///< why not, one sentence without a full stop
+};
+
+/// Builds the admissible pair of a solid on a rigid foundation and evaluates it, as the
+/// numbered steps in the body.
+///
+/// r_hat stays as it is first: the nodal forces over the nodal areas, which are in the
+/// cone everywhere. Where contact alone holds the body they are moved inside the cone as
+/// little as keeps force and moment.
+///
+/// A body without loads whose stresses and tractions are below 1e-12 of the terms |C|
+/// |grad phi| |u| that stresses are summed from has none.
+/// @param system  the stiffness and the prescribed dofs u_h was computed with
+/// @throws std::invalid_argument  for input that does not fit, loads that are not those of
+///                                u_h, or where no tractions in the cone hold the body
+/// @throws std::runtime_error     if a part of the body is held by nothing
+SolidEstimate estimate_error(const SolidTopology& topology,
+                             const ContactSurface& surface,
+                             const ElasticSystem& system,
+                             const SolvedSolid& body,
+                             const SolidRelaxationSettings& settings = {});
+
+/// sigma_hat at the corners of the subtetrahedra of one tetrahedron [MPa].
+SolidStress stress_of(const SolidTopology& topology,
+                      const SolidEstimate& estimate, const SolvedSolid& body,
+                      int cell);
+
+}  // namespace ffcontact

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/contact/surface_law.hpp"
+
+namespace ffcontact {
+
+/// The contact part of e^2 on each contact face [N mm]:
+///     2 int (c |w_t| + r_t . w_t + r_n (w_n - gap)),   c = mu |r_n|, Tresca's bound, or the shear limit if that is less   [CHH01, (2.11), (2.19)]
+/// where c at the nodes and |w_t| at the nodes are taken linear between these: |w_t| is
+/// convex, so that this is a bound, without quadrature. Components are those along n, t1
+/// and t2 of the nodes. In the cone and without penetration no value is negative.
+/// @param traction      r_hat at the nodes [MPa, 3 x p]
+/// @param displacement  u_hat on all dofs [mm]
+VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
+                       const ContactSurface& surface, const SurfaceLaw& law,
+                       const Ref<const Matrix3Xd>& traction,
+                       const Ref<const VectorXd>& displacement);
+
+/// u_hat: u_h with u_n - gap lowered to min(u_n - gap, 0) at the nodes by the smallest
+/// change of each vertex's free components; a vertex that no such change clears, or only
+/// one of 1000 times the largest displacement or gap, stays as it is.
+/// @param prescribed  1 where the dof is prescribed and stays
+VectorXd admissible_displacement(const ContactSurface& surface,
+                                 const SurfaceLaw& law,
+                                 const Ref<const VectorXd>& displacement,
+                                 const std::vector<char>& prescribed);
+
+/// The node at which u_n - gap is largest, and by how much it is above 0 [mm].
+struct DeepestNode {
+  double depth = 0;
+  int node = 0;
+};
+DeepestNode deepest_node(const ContactSurface& surface, const SurfaceLaw& law,
+                         const Ref<const VectorXd>& displacement);
+
+}  // namespace ffcontact

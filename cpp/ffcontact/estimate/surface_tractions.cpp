@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/surface_tractions.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/estimate/cone_projection.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Resultants are kept to this part of their terms.
+constexpr double resultant_rounding = 1e-14;
+/// Resultants that are off by more than this part of their terms are not kept.
+constexpr double resultant_missed = 1e-12;
+
+constexpr int most_cone_steps = 100;
+
+/// Rows of node i, [3 p x k]: sum over j of M_ij z_j along n, t1, t2, so that the
+/// resultants of r are its product with them.
+MatrixXd weighted_motions(const SolidMesh& mesh, const Facets<3>& faces,
+                          const ContactSurface& surface,
+                          const MatrixXd& motions) {
+  MatrixXd rows = MatrixXd::Zero(3 * surface.node_count(), motions.cols());
+  for (int m = 0; m < surface.face_count(); ++m) {
+    const double area = facet_measure(mesh, faces, surface.face[m]);
+    for (int k = 0; k < motions.cols(); ++k) {
+      Matrix3d z;
+      for (int j = 0; j < 3; ++j)
+        z.col(j) = motions.col(k).segment<3>(
+            dof_of<3>(surface.vertex[surface.face_node(j, m)], 0));
+      const Vector3d sum = z.rowwise().sum();
+      for (int i = 0; i < 3; ++i) {
+        const int node = surface.face_node(i, m);
+        rows.col(k).segment<3>(3 * node) +=
+            area / 12 * surface.frame(node).transpose() * (z.col(i) + sum);
+      }
+    }
+  }
+  return rows;
+}
+
+/// The dual problem of nearest_in_cone.
+class SurfaceDual {
+ public:
+  SurfaceDual(std::vector<FrictionCone> cones, const ContactSurface& surface,
+              const Ref<const Matrix3Xd>& traction, MatrixXd motions,
+              const VectorXd& resultants)
+      : cones_(std::move(cones)),
+        area_(surface.area),
+        traction_(traction.reshaped()),
+        motions_(std::move(motions)),
+        resultants_(resultants) {}
+
+  struct Point {
+    VectorXd eta;
+    VectorXd r;
+    VectorXd off;
+    MatrixXd slope;
+  };
+
+  Point at(const VectorXd& eta) const {
+    Point point{eta, traction_, -resultants_,
+                MatrixXd::Zero(eta.size(), eta.size())};
+    for (std::size_t i = 0; i < cones_.size(); ++i) {
+      const auto z = motions_.middleRows<3>(3 * i);
+      const Vector3d outside = traction_.segment<3>(3 * i) + z * eta / area_[i];
+      const ConeProjection nearest = cone_projection(cones_[i], outside);
+      point.r.segment<3>(3 * i) = nearest.point;
+      point.off += z.transpose() * nearest.point;
+      point.slope += z.transpose() * nearest.slope * z / area_[i];
+    }
+    return point;
+  }
+
+  Point start() const { return at(VectorXd::Zero(resultants_.size())); }
+
+  /// The sizes of the terms of the resultants.
+  double scale() const {
+    return std::max(
+        max_norm(resultants_),
+        max_norm(motions_.cwiseAbs().transpose() * traction_.cwiseAbs()));
+  }
+
+  /// Newton's step, no longer than the tractions, shortened where the gradient along it
+  /// has changed its sign.
+  Point moved(const Point& from, double scale) const {
+    const Index k = from.eta.size();
+    const double regular =
+        area_.sum() * max_norm(from.off) / (scale > 0 ? scale : 1);
+    const VectorXd step = -(from.slope + regular * MatrixXd::Identity(k, k))
+                               .ldlt()
+                               .solve(from.off);
+    double length = 1;
+    Point next = at(from.eta + step);
+    while (length > 1e-10 && too_far(next, from, step)) {
+      length /= 2;
+      next = at(from.eta + length * step);
+    }
+    return next;
+  }
+
+ private:
+  static bool too_far(const Point& next, const Point& from,
+                      const VectorXd& step) {
+    return next.off.dot(step) > -0.1 * from.off.dot(step) &&
+           next.off.norm() > 0.5 * from.off.norm();
+  }
+
+  std::vector<FrictionCone> cones_;
+  const VectorXd& area_;
+  VectorXd traction_;
+  MatrixXd motions_;  ///< weighted_motions
+  VectorXd resultants_;
+};
+
+}  // namespace
+
+std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
+                                         const ContactSurface& surface) {
+  std::vector<FrictionCone> cones = nodal_law(law, surface).cone;
+  for (int i = 0; i < surface.node_count(); ++i) {
+    cones[i].cohesion /= surface.area[i];
+    cones[i].limit /= surface.area[i];
+  }
+  return cones;
+}
+
+Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
+                           const Ref<const Matrix3Xd>& force) {
+  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  Matrix3Xd traction(3, force.cols());
+  for (Index i = 0; i < force.cols(); ++i)
+    traction.col(i) =
+        cone_projection(cones[i], force.col(i) / surface.area[i]).point;
+  return traction;
+}
+
+VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
+                       const ContactSurface& surface,
+                       const Ref<const Matrix3Xd>& traction,
+                       const MatrixXd& motions) {
+  return weighted_motions(mesh, faces, surface, motions).transpose() *
+         traction.reshaped();
+}
+
+std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
+                                         const Facets<3>& faces,
+                                         const ContactSurface& surface,
+                                         const SurfaceLaw& law,
+                                         const Ref<const Matrix3Xd>& traction,
+                                         const MatrixXd& motions,
+                                         const VectorXd& resultants) {
+  const SurfaceDual dual(traction_cones(law, surface), surface, traction,
+                         weighted_motions(mesh, faces, surface, motions),
+                         resultants);
+  SurfaceDual::Point point = dual.start(), closest = point;
+  const double scale = dual.scale();
+  for (int step = 0; step < most_cone_steps; ++step) {
+    if (max_norm(closest.off) <= resultant_rounding * scale) break;
+    point = dual.moved(point, scale);
+    if (point.off.norm() < closest.off.norm()) closest = point;
+  }
+  if (max_norm(closest.off) > resultant_missed * scale) return std::nullopt;
+  return Matrix3Xd(closest.r.reshaped(3, traction.cols()));
+}
+
+double cone_violation(const SurfaceLaw& law, const ContactSurface& surface,
+                      const Ref<const Matrix3Xd>& traction) {
+  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  double largest = 0;
+  for (Index i = 0; i < traction.cols(); ++i) {
+    const double rn = traction(0, i), rt = traction.col(i).tail<2>().norm();
+    largest = std::max({largest, rn, rt - cones[i].bound(rn)});
+  }
+  return largest;
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ffcontact/contact/surface_law.hpp"
+
+namespace ffcontact {
+
+/// Contact tractions r_hat on a surface, linear on its faces: (r_n, r_t1, r_t2) at the
+/// nodes [MPa, 3 x p]. A law linear between the nodes holds all along a face if it holds
+/// at its nodes: the cones are convex.
+
+/// The cones of tractions at the nodes [MPa].
+std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
+                                         const ContactSurface& surface);
+
+/// F_i / A_i of nodal forces, in the cone where they are but for rounding. Keeps their
+/// resultant on a plane.
+Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
+                           const Ref<const Matrix3Xd>& force);
+
+/// int [z_k] . r over the surface, r = sum of phi_i r_i [k].
+/// @param motions  vertex fields z_k, linear on the faces [3 * vertices x k]
+VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
+                       const ContactSurface& surface,
+                       const Ref<const Matrix3Xd>& traction,
+                       const MatrixXd& motions);
+
+/// The tractions in the cones nearest to given ones, min 1/2 sum of A_i |r_i - r0_i|^2,
+/// with given resultants. By duality
+///     r_i = Pi_i(r0_i + sum of eta_k (M z_k)_i / A_i),
+/// where the multipliers eta minimise a convex function whose gradient is what the
+/// resultants are off: Newton's method.
+/// @return nothing if there are no such tractions
+std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
+                                         const Facets<3>& faces,
+                                         const ContactSurface& surface,
+                                         const SurfaceLaw& law,
+                                         const Ref<const Matrix3Xd>& traction,
+                                         const MatrixXd& motions,
+                                         const VectorXd& resultants);
+
+/// Largest of r_n and |r_t| less its bound at the nodes [MPa]; 0 in the cone.
+double cone_violation(const SurfaceLaw& law, const ContactSurface& surface,
+                      const Ref<const Matrix3Xd>& traction);
+
+}  // namespace ffcontact

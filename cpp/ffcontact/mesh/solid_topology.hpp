@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/mesh/hinges.hpp"
+
+namespace ffcontact {
+
+/// The tetrahedra at each vertex, ascending.
+struct SolidStars {
+  /// those of vertex v: cell[start[v] .. start[v + 1])
+  std::vector<int> start, cell;
+  std::vector<int> local;  ///< local number of v in each of them
+
+  int count(int vertex) const { return start[vertex + 1] - start[vertex]; }
+};
+
+/// A solid with its faces, edges and stars: made once, and handed on as one.
+struct SolidTopology {
+  SolidMesh mesh;
+  Facets<3> faces;
+  Hinges<3> edges;
+  SolidStars stars;
+};
+
+/// @throws std::invalid_argument  as facets_of and hinges_of
+SolidTopology topology_of(SolidMesh mesh);
+
+}  // namespace ffcontact

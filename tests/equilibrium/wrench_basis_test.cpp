@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/wrench_basis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "support/solids.hpp"
+#include "support/tetrahedra.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+RC_GTEST_PROP(WrenchBasis, has_the_wrench_and_bars_without_one,
+              (Random random)) {
+  const Matrix3d x = random_matrix(3, 3, random);
+  const Vector3d centre = x.rowwise().mean();
+  const double size = std::sqrt(facet_vector(x).norm());
+  RC_PRE(size > 0.3);
+  const Matrix9d V = wrench_basis(x);
+  Matrix<double, 6, 9> wrench = Matrix<double, 6, 9>::Zero();
+  for (int unknown = 0; unknown < 9; ++unknown)
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d b = V.col(unknown).segment<3>(3 * i);
+      wrench.col(unknown).head<3>() += b;
+      wrench.col(unknown).tail<3>() += (x.col(i) - centre).cross(b) / size;
+    }
+  Matrix<double, 6, 9> expected = Matrix<double, 6, 9>::Zero();
+  expected.leftCols<6>().setIdentity();
+  RC_ASSERT((wrench - expected).norm() < 1e-11);
+  // of one size, and orthogonal to the rest
+  RC_ASSERT((V.rightCols<3>().colwise().norm().array() - std::sqrt(2.0))
+                .abs()
+                .maxCoeff() < 1e-12);
+  RC_ASSERT((V.leftCols<6>().transpose() * V.rightCols<3>()).norm() < 1e-10);
+}
+
+RC_GTEST_PROP(WrenchBasis, a_wrench_around_an_edge_balances_its_tetrahedra,
+              (Random random)) {
+  const SolidTopology topology = topology_of(irregular_solid(random));
+  const auto& [mesh, faces, edges, stars] = topology;
+  const Vector6d wrench = random_vector(6, random);
+  for (int e = 0; e < edges.count(); e += 7) {
+    Matrix<double, 9, Dynamic> unknowns =
+        Matrix<double, 9, Dynamic>::Zero(9, faces.count());
+    for (int k = edges.facet_start[e]; k < edges.facet_start[e + 1]; ++k)
+      unknowns.col(edges.facet[k])
+          << wrench_shift(topology, edges.facet[k], e) * wrench,
+          random_vector(3, random);
+    for (int t = 0; t < mesh.cell_count(); ++t) {
+      TetrahedronCorners x;
+      for (int k = 0; k < 4; ++k) x.col(k) = mesh.corner(t, k);
+      FaceLoads loads;
+      const std::array<Matrix9d, 4> bases = wrench_bases(topology, t);
+      for (int k = 0; k < 4; ++k)
+        loads.middleCols<3>(3 * k).reshaped() =
+            bases[k] * unknowns.col(faces.of_cell(k, t));
+      const Vector6d out = out_of_balance(x, loads, SolidBodyLoads::Zero());
+      RC_ASSERT(out.norm() < 1e-12 * (1 + loads.norm()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ffcontact

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/solid_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "ffcontact/equilibrium/solid_defect.hpp"
+#include "support/nested_solids.hpp"
+#include "support/random.hpp"
+#include "support/refusals.hpp"
+#include "support/solid_estimates.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+const Vector3d block_size(80, 40, 40);
+
+SolidMesh block(int cells) {
+  return brick({cells, cells / 2, cells / 2}, block_size);
+}
+
+constexpr BlockCase all_cases[] = {BlockCase::press, BlockCase::press_x,
+                                   BlockCase::shear, BlockCase::lift};
+
+/// A block problem on a mesh moved and shuffled at random, all of it.
+SolidProblem any_block(std::mt19937& random) {
+  const double friction[] = {0, 0.3, 0.5, 1};
+  const SolidMesh mesh = shuffled(moved(block(4), 20, 0.15, random), random);
+  return block_problem(mesh, all_cases[random() % 4], friction[random() % 4]);
+}
+
+RC_GTEST_PROP(SolidEstimate, is_admissible, (Random random)) {
+  const SolidEstimate found = estimate(any_block(random));
+  RC_ASSERT(found.reason == "");
+  RC_ASSERT(found.admissible);
+  RC_ASSERT(found.equilibrium.largest() < 1e-11);
+  RC_ASSERT(found.cone < 1e-15);
+  RC_ASSERT(found.contact >= 0);
+}
+
+RC_GTEST_PROP(SolidEstimate, parts_fit_together, (Random random)) {
+  const SolidEstimate found = estimate(any_block(random), {5, 0});
+  const double e = found.e;
+  RC_ASSERT(std::abs(found.elastic * found.elastic + found.contact - e * e) <
+            1e-12 * e * e);
+  RC_ASSERT(std::abs(found.local.norm() - found.relative) <
+            1e-12 * found.relative);
+  RC_ASSERT(found.history.size() == 6u);
+  RC_ASSERT(std::abs(found.history.back() - e) < 1e-12 * e);
+  for (int k = 1; k < 6; ++k)
+    RC_ASSERT(found.history[k] < found.history[k - 1]);
+}
+
+/// |u - u_h| against the solution on a mesh `ratio` times finer, and e.
+struct Bound {
+  double error, e;
+  double effectivity() const { return e / error; }
+};
+
+Bound bound_of(BlockCase loads, double friction, int cells, int ratio) {
+  const SolidProblem coarse = block_problem(block(cells), loads, friction),
+                     fine =
+                         block_problem(block(cells * ratio), loads, friction);
+  const SurfaceSolution solution = coarse.solve();
+  const VectorXd interpolated = on_finer_brick(
+      solution.displacement, {cells, cells / 2, cells / 2}, ratio);
+  const VectorXd off = fine.solve().displacement - interpolated;
+  const RowMatrix K = stiffness(fine.mesh, solved_solid(fine, {}).hooke);
+  return {std::sqrt(off.dot(K * off)), estimate(coarse, solution).e};
+}
+
+TEST(SolidEstimate, bounds_the_error) {
+  // The reference lacks a part of the error: that of u_h is larger.
+  for (BlockCase loads : all_cases)
+    for (double friction : {0.0, 0.5}) {
+      const Bound bound = bound_of(loads, friction, 4, 4);
+      EXPECT_GT(bound.effectivity(), 1.02);
+      EXPECT_LT(bound.effectivity(), 2);
+    }
+}
+
+TEST(SolidEstimate, falls_with_the_size_of_the_mesh) {
+  for (BlockCase loads : all_cases) {
+    const double coarse =
+                     estimate(block_problem(block(4), loads, 0.5)).relative,
+                 fine = estimate(block_problem(block(8), loads, 0.5)).relative;
+    EXPECT_LT(fine, 0.75 * coarse);
+  }
+}
+
+TEST(SolidEstimate, scales_with_lengths_and_moduli) {
+  const SolidProblem unit = block_problem(block(4), BlockCase::press, 0.5);
+  const SolidEstimate expected = estimate(unit);
+  for (double length : {1e-9, 1.0, 1e9})
+    for (double modulus : {1e-9, 1.0, 1e9}) {
+      if (length * modulus > 1e10) continue;  // beside a tgv of 1e30
+      SolidMesh mesh = block(4);
+      mesh.vertices *= length;
+      SolidProblem scaled(mesh, 0.5);
+      scaled.A *= modulus;
+      scaled.load(high_x, {-10 * modulus, 0, 0});
+      scaled.load(high_y, {0, -5 * modulus, 0});
+      scaled.guide(low_x, 0);
+      scaled.guide(low_y, 1);
+      scaled.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
+      const SurfaceSolution solution = scaled.solve();
+      SolvedSolid body = solved_solid(scaled, solution);
+      for (auto& C : body.hooke) C *= modulus;
+      const SolidEstimate found = estimate_error(
+          topology_of(mesh), scaled.surface, scaled.system(), body);
+      EXPECT_NEAR(found.relative, expected.relative, 1e-6);
+      EXPECT_EQ(found.reason, "");
+    }
+}
+
+RC_GTEST_PROP(SolidEstimate, does_not_depend_on_numbers, (Random random)) {
+  const SolidMesh mesh = moved(block(4), 20, 0.15, random);
+  const SolidProblem first = block_problem(mesh, BlockCase::shear, 0.5),
+                     second = block_problem(shuffled(mesh, random),
+                                            BlockCase::shear, 0.5);
+  RC_ASSERT(std::abs(estimate(first).e / estimate(second).e - 1) < 1e-6);
+}
+
+/// |sigma_hat - C eps(u_hat)| as a part of |2 sigma|. The contact part of e^2 is
+/// some roundings of |r| |w| beside it, of which e has the root.
+double elastic_part(const SolidEstimate& found) {
+  return found.elastic * found.relative / found.e;
+}
+
+/// A body of one stress, held by contact alone along z.
+SolidProblem pressed(const SolidMesh& mesh, double pressure) {
+  SolidProblem problem(mesh, 0);
+  problem.load(high_z, {0, 0, -pressure});
+  problem.guide(low_x, 0);
+  problem.guide(low_y, 1);
+  return problem;
+}
+
+RC_GTEST_PROP(SolidEstimate, constant_pressure_has_no_error, (Random random)) {
+  const SolidEstimate found = estimate(pressed(irregular_solid(random), 10));
+  RC_ASSERT(elastic_part(found) < 1e-12);
+  RC_ASSERT(found.relative < 1e-7);
+  RC_ASSERT(found.reason == "");
+  for (Index i = 0; i < found.tractions.cols(); ++i)
+    RC_ASSERT((found.tractions.col(i) - Vector3d(-10, 0, 0)).norm() < 1e-9);
+}
+
+RC_GTEST_PROP(SolidEstimate, homogeneous_slip_has_no_error, (Random random)) {
+  // u = (U + g z, 0, -eps z) slides with G g = mu (lambda + 2 G) eps
+  const double lambda = 13e3 * 0.2 / 0.72, G = 13e3 / 2.4, mu = 0.3, eps = 1e-3,
+               g = mu * (lambda + 2 * G) * eps / G;
+  SolidProblem problem(irregular_solid(random), mu);
+  const auto u = [&](const Vector3d& x) {
+    return Vector3d(-0.05 - g * x.z(), 0, -eps * x.z());
+  };
+  const Vector3d on_x(lambda * eps, 0, G * g), on_y(0, lambda * eps, 0);
+  problem.load(low_x, on_x);
+  problem.load(high_x, -on_x);
+  problem.load(low_y, on_y);
+  problem.load(high_y, -on_y);
+  problem.move(high_z, u);
+  const SolidEstimate found = estimate(problem);
+  RC_ASSERT(elastic_part(found) < 1e-12);
+  RC_ASSERT(found.relative < 1e-6);
+}
+
+/// Pressed at one side of its top, held by friction and contact alone along y and z.
+TEST(SolidEstimate, keeps_force_and_moment_where_contact_alone_holds) {
+  std::mt19937 random(4);
+  const SolidMesh mesh = shuffled(moved(block(4), 20, 0.15, random), random);
+  SolidProblem problem(mesh, 0.4);
+  for (Index f = 0; f < mesh.boundary.cols(); ++f) {
+    if (mesh.boundary_label[f] != high_z) continue;
+    const Matrix3d x = mesh.vertices(Eigen::all, mesh.boundary.col(f));
+    const Vector3d force = facet_vector(x).norm() / 3 *
+                           Vector3d(0.3, 0.5, -2 - 0.02 * x.row(0).mean());
+    for (int k = 0; k < 3; ++k) {
+      problem.b.segment<3>(3 * mesh.boundary(k, f)) += force;
+      problem.neumann.col(f).segment<3>(3 * k) += force;
+    }
+  }
+  const SolidEstimate found = estimate(problem);
+  EXPECT_EQ(found.reason, "");
+  EXPECT_LT(found.equilibrium.largest(), 1e-11);
+  EXPECT_LT(found.relative, 0.6);
+}
+
+TEST(SolidEstimate, stress_has_the_moments) {
+  std::mt19937 random(4);
+  const SolidProblem problem = any_block(random);
+  const SurfaceSolution solution = problem.solve();
+  const SolvedSolid body = solved_solid(problem, solution);
+  const SolidTopology topology = topology_of(problem.mesh);
+  const SolidEstimate found =
+      estimate_error(topology, problem.surface, problem.system(), body);
+  const FaceLoads on_faces =
+      loads_of(problem.mesh, topology.faces, found.moments, 7);
+  const EquilibriumDefect defect = tetrahedron_defect(
+      corners_of(problem.mesh, 7), stress_of(topology, found, body, 7),
+      on_faces, SolidBodyLoads::Zero());
+  EXPECT_LT(defect.largest(), 1e-10);
+}
+
+TEST(SolidEstimate, names_what_does_not_fit) {
+  const SolidProblem problem = block_problem(block(4), BlockCase::press, 0.5);
+  const SurfaceSolution solution = problem.solve();
+  const SolidTopology topology = topology_of(problem.mesh);
+  const auto said = [&](const SolvedSolid& body) {
+    return refusal([&] {
+      estimate_error(topology, problem.surface, problem.system(), body);
+    });
+  };
+  SolvedSolid body = solved_solid(problem, solution);
+  EXPECT_EQ(said(body), "accepted");
+  body.neumann.setZero();
+  EXPECT_TRUE(says(said(body), "the loads do not balance the stresses at"));
+  EXPECT_TRUE(says(said(body), "on the boundary: give the traction="));
+  body = solved_solid(problem, solution);
+  body.force *= 1.1;
+  EXPECT_TRUE(says(said(body), "on the contact surface: give the forces"));
+  body = solved_solid(problem, solution);
+  body.body_loads.setConstant(3);
+  EXPECT_TRUE(says(said(body), "inside the body: give the force="));
+  body = solved_solid(problem, solution);
+  for (auto& C : body.hooke) C *= 2;
+  EXPECT_TRUE(says(said(body), "lambda and G (or hooke) are not those of A"));
+}
+
+TEST(SolidEstimate, of_a_rigid_motion_is_nothing) {
+  SolidProblem problem(block(4), 0.5);
+  problem.move(high_z, [](const Vector3d&) { return Vector3d(1, 2, 3); });
+  const SolidEstimate found = estimate(problem);
+  EXPECT_EQ(found.e, 0);
+  EXPECT_EQ(found.reason, "");
+}
+
+}  // namespace
+}  // namespace ffcontact

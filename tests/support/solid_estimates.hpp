@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/estimate/solid_estimate.hpp"
+#include "support/solid_problems.hpp"
+
+/// From a solid in contact to the estimate of its error.
+namespace ffcontact::test {
+
+inline SolvedSolid solved_solid(const SolidProblem& problem,
+                                const SurfaceSolution& solution) {
+  return {HookeTensors<3>(problem.mesh.cell_count(),
+                          isotropic<3>(13e3 * 0.2 / 0.72, 13e3 / 2.4)),
+          solution.displacement,
+          solution.force,
+          problem.law,
+          problem.neumann,
+          SolidBodyLoadsOfAll::Zero(12, problem.mesh.cell_count()),
+          solution.stiffness};
+}
+
+inline SolidEstimate estimate(const SolidProblem& problem,
+                              const SurfaceSolution& solution,
+                              const SolidRelaxationSettings& settings = {}) {
+  return estimate_error(topology_of(problem.mesh), problem.surface,
+                        problem.system(), solved_solid(problem, solution),
+                        settings);
+}
+
+inline SolidEstimate estimate(const SolidProblem& problem,
+                              const SolidRelaxationSettings& settings = {}) {
+  return estimate(problem, problem.solve(), settings);
+}
+
+}  // namespace ffcontact::test
