@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by edp/run, tests/run, tests/mutants, tests/bench/run and .ci/run: what they install and how they build.
+# Sourced by edp/run, tests/run, tests/coverage, tests/mutants, tests/bench/run and .ci/run: what they install and how they build.
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 packages_to_run=(cmake ninja-build g++ freefem++ libfreefem++-dev libsuitesparse-dev libopenblas-dev libeigen3-dev gmsh)
 packages_to_draw=(python3 python3-matplotlib python3-numpy python3-pil)
 packages_to_test=("${packages_to_run[@]}" libgtest-dev librapidcheck-dev clang-format)
 packages_to_sanitize=("${packages_to_test[@]}" clang libclang-rt-dev libomp-dev)
+packages_to_cover=("${packages_to_test[@]}" gcovr)
 packages_to_check=("${packages_to_test[@]}" clang-tidy)
 packages_to_measure=("${packages_to_run[@]}" libbenchmark-dev)
 

@@ -12,7 +12,7 @@ namespace ffcontact {
 
 namespace {
 
-constexpr int edge_loads = 12, all_loads = 18;
+constexpr int loads_on_edges = 12, all_loads = 18;
 using StressMap =
     /// corner stresses (column-major 3 x 9) from edge and body loads
     Matrix<double, 27, all_loads>;
@@ -73,8 +73,8 @@ struct StressConditions {
   void add_body_force(int row, int k) {
     const Matrix3d forces = root_of_area() * force_per_moment(twice_area_ / 2);
     for (int i = 0; i < 3; ++i)
-      right(row, edge_loads + 2 * i) = right(row + 1, edge_loads + 2 * i + 1) =
-          -forces(k, i);
+      right(row, loads_on_edges + 2 * i) =
+          right(row + 1, loads_on_edges + 2 * i + 1) = -forces(k, i);
   }
 
   /// Continuity on the edge from a vertex to the centroid, at both ends.
