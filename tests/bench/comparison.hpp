@@ -96,6 +96,7 @@ class ShortestTimes : public benchmark::ConsoleReporter {
 inline void print_table(const ShortestTimes& times,
                         const std::vector<NamedCase>& cases,
                         const std::vector<int>& sizes,
+                        const std::function<int(int)>& dofs,
                         const std::function<double(std::size_t, int)>& memory) {
   std::printf(
       "| dofs | problem | seconds | / linear solve | peak memory [MB] | / "
@@ -111,7 +112,7 @@ inline void print_table(const ShortestTimes& times,
         first_seconds = seconds->second;
         first_memory = megabytes;
       }
-      std::printf("| %d | %s | %.3f | %.2f | %.0f | %.2f |\n", dof_count(n),
+      std::printf("| %d | %s | %.3f | %.2f | %.0f | %.2f |\n", dofs(n),
                   cases[k].name.c_str(), seconds->second,
                   seconds->second / first_seconds, megabytes,
                   megabytes / first_memory);
@@ -123,8 +124,10 @@ inline void print_table(const ShortestTimes& times,
 /// shortest times. Each case's memory is that of a process of its own: this program,
 /// called as `PROGRAM --peak CASE SIZE`.
 /// @param cases  the first is the linear solve
+/// @param dofs   of a size
 inline int compare(int argc, char** argv, const std::vector<NamedCase>& cases,
-                   const std::vector<int>& sizes) {
+                   const std::vector<int>& sizes,
+                   const std::function<int(int)>& dofs = dof_count) {
   if (argc == 4 && std::string(argv[1]) == "--peak") {
     std::printf("%g\n", peak_memory(cases.at(std::stoul(argv[2])).prepare,
                                     std::stoi(argv[3])));
@@ -158,7 +161,7 @@ inline int compare(int argc, char** argv, const std::vector<NamedCase>& cases,
 
   char program[4096] = {};
   if (readlink("/proc/self/exe", program, sizeof program - 1) < 0) return 1;
-  print_table(times, cases, sizes, [&program](std::size_t k, int n) {
+  print_table(times, cases, sizes, dofs, [&program](std::size_t k, int n) {
     std::ostringstream command;
     command << '\'' << program << "' --peak " << k << ' ' << n;
     double megabytes = 0;

@@ -34,8 +34,8 @@ namespace ffcontact {
 
 namespace {
 
-/// Columns that are updated at once.
-constexpr int panel_width = 256;
+/// Columns that are updated at once where threads share a supernode or S.
+constexpr int shared_width = 128, schur_width = 256;
 /// A subtree is at most this share of a thread's work.
 constexpr double subtree_share = 0.125;
 
@@ -149,7 +149,7 @@ struct PartialCholesky::Factor {
     Index rows = 0;
     for (int s = 0; s < nodes.count(); ++s)
       rows = std::max<Index>(rows, nodes.row_count(s) - nodes.column_count(s));
-    return rows * panel_width;
+    return rows * std::max(widest_supernode, schur_width);
   }
 
   void factorise_subtrees(const SparseMatrix& lower, const Subtrees& tree,
@@ -162,8 +162,8 @@ struct PartialCholesky::Factor {
       for (int s : tree.supernodes[k]) {
         assemble(lower, s);
         put_places(s, own.place);
-        for (int first = 0; first < nodes.column_count(s); first += panel_width)
-          subtract_products(s, panel_of(s, first, own.place), own.product);
+        subtract_products(s, panel_of(s, 0, widest_supernode, own.place),
+                          own.product);
         factorise_block(s);
       }
     }
@@ -177,8 +177,8 @@ struct PartialCholesky::Factor {
     {
       const SerialBlas serial;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
-      for (int first = 0; first < nodes.column_count(s); first += panel_width)
-        subtract_products(s, panel_of(s, first, work[0].place),
+      for (int first = 0; first < nodes.column_count(s); first += shared_width)
+        subtract_products(s, panel_of(s, first, shared_width, work[0].place),
                           work[omp_get_thread_num()].product);
     }
     factorise_block(s);
@@ -194,7 +194,7 @@ struct PartialCholesky::Factor {
     {
       const SerialBlas serial;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
-      for (int first = 0; first < kept; first += panel_width)
+      for (int first = 0; first < kept; first += schur_width)
         subtract_products(nodes.count(), schur_panel(first, work[0].place),
                           work[omp_get_thread_num()].product);
     }
@@ -219,9 +219,10 @@ struct PartialCholesky::Factor {
       place[*row] = next++;
   }
 
-  Panel panel_of(int s, int first, const std::vector<int>& place) const {
+  Panel panel_of(int s, int first, int most,
+                 const std::vector<int>& place) const {
     const int stride = nodes.row_count(s),
-              width = std::min(panel_width, nodes.column_count(s) - first),
+              width = std::min(most, nodes.column_count(s) - first),
               column = nodes.first_column[s] + first;
     return {column, column + width,
             values_of(s) + static_cast<Index>(first) * stride, stride,
@@ -229,7 +230,7 @@ struct PartialCholesky::Factor {
   }
 
   Panel schur_panel(int first, const std::vector<int>& place) {
-    const int width = std::min(panel_width, kept - first),
+    const int width = std::min(schur_width, kept - first),
               column = eliminated + first;
     return {column, column + width, &schur(0, first), kept, place.data()};
   }

@@ -115,6 +115,13 @@ void put_order(cholmod_sparse* graph, const Session& session, int* order) {
     session.require_memory();
 }
 
+void append(int end_column, const int* rows, const int* end_of_rows,
+            Supernodes& nodes) {
+  nodes.first_column.push_back(end_column);
+  nodes.rows.insert(nodes.rows.end(), rows, end_of_rows);
+  nodes.first_row.push_back(nodes.rows.size());
+}
+
 }  // namespace
 
 std::vector<int> dissection_order(const Graph& graph) {
@@ -130,13 +137,16 @@ Supernodes supernodes(const SparseMatrix& lower, int eliminated) {
   const Session session;
   cholmod_sparse pattern = view_of(lower);
   const OwnedFactor L(cholmod_analyze(&pattern, &session.common), session);
-  const int *column = indices(L->super), *row = indices(L->pi);
+  const int *column = indices(L->super), *start = indices(L->pi),
+            *rows = indices(L->s);
   Supernodes result;
   for (std::size_t s = 0; s < L->nsuper && column[s] < eliminated; ++s) {
-    result.first_column.push_back(std::min(column[s + 1], eliminated));
-    result.first_row.push_back(row[s + 1]);
+    const int end = std::min(column[s + 1], eliminated);
+    for (int first = column[s]; first < end; first += widest_supernode)
+      append(std::min(first + widest_supernode, end),
+             rows + start[s] + (first - column[s]), rows + start[s + 1],
+             result);
   }
-  result.rows.assign(indices(L->s), indices(L->s) + result.first_row.back());
   return result;
 }
 

@@ -19,6 +19,9 @@ struct Graph {
 /// The vertices in an order of elimination with little fill: METIS's nested dissection.
 std::vector<int> dissection_order(const Graph& graph);
 
+/// Wider ones are cut: what is stored above the diagonal of their blocks is lost.
+constexpr int widest_supernode = 256;
+
 /// The places of the entries of a Cholesky factor. A supernode is a run of columns that
 /// have the same rows below their diagonal block.
 struct Supernodes {
