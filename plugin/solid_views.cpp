@@ -4,38 +4,9 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/near_origin.hpp"
 //
-#include "point_evaluator.hpp"
+#include "solid_point.hpp"
 
 namespace ffcontact::plugin {
-
-namespace {
-
-/// Evaluates expressions at vertices of boundary faces.
-class SolidPoint : public PointEvaluator {
- public:
-  SolidPoint(Stack stack, const SolidView& solid)
-      : PointEvaluator(stack), solid_(solid) {}
-
-  void go_to_corner(int face, int vertex) {
-    const Fem2D::Mesh3& Th = solid_.fem_mesh;
-    const int element = solid_.faces.boundary_index[face];
-    int side;
-    const int k = Th.BoundaryElement(element, side);
-    const Fem2D::Tet& tetrahedron = Th[k];
-    int corner = 0;
-    while (Th(k, corner) != vertex) ++corner;
-    const R3 hat = R3::KHat[corner];
-    // Tet::n points inward in some versions of FreeFEM
-    const Vector3d n = facet_normal(solid_.mesh, solid_.faces, face);
-    point().set(Th, tetrahedron(hat), hat, tetrahedron, Th.be(element).lab,
-                R3(n.x(), n.y(), n.z()), side);
-  }
-
- private:
-  const SolidView& solid_;
-};
-
-}  // namespace
 
 SolidMesh solid_mesh_of(const Fem2D::Mesh3* fem_mesh) {
   if (!fem_mesh) refuse("the mesh3 is not set");
