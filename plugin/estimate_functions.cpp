@@ -15,6 +15,7 @@
 #include "material_and_loads.hpp"
 #include "progress_lines.hpp"
 #include "registration.hpp"
+#include "solid_error.hpp"
 #include "systems.hpp"
 
 namespace ffcontact::plugin {
@@ -86,6 +87,8 @@ class ContactErrorFunction : public E_F0mps {
                                {"history", &typeid(KN<double>*)},
                                {"rn", &typeid(KN<double>*)},
                                {"rt", &typeid(KN<double>*)},
+                               {"rt1", &typeid(KN<double>*)},
+                               {"rt2", &typeid(KN<double>*)},
                                {"rabscissa", &typeid(KN<double>*)},
                                {"corrected", &typeid(long*)},
                                {"unmended", &typeid(long*)},
@@ -100,8 +103,18 @@ class ContactErrorFunction : public E_F0mps {
 
   double run(Stack stack) const {
     const double start = CPUtime();
-    Contact& contact = stated_contact(stack, contact_);
+    Contact& contact = stated_contact_of_any(stack, contact_);
+    if (contact.solid.problem) {
+      if (!matrix_.empty())
+        refuse(
+            "the contact is that of a mesh3, which contacterror judges by what "
+            "contactsolve found: contacterror(C, lambda=, G=, ...)");
+      return solid_error(stack, named_, contact.solid);
+    }
     const ContactProblem& problem = *contact.problem;
+    for (const char* parameter : {"rt1", "rt2"})
+      if (named_.given(parameter))
+        refuse(parameter, "= is for a mesh3; plane bodies have rt=");
     require_names_of_bodies(named_, estimates_of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
     const StuckNodes stuck = stuck_nodes_of(stack, named_);

@@ -25,6 +25,7 @@ struct SolidResults {
 /// A solution with the system it belongs to.
 struct SolvedSolid {
   std::shared_ptr<const ElasticSystem> system;
+  SurfaceLaw law;  ///< with the multiplier, and u_t of the load step before
   SurfaceSolution solution;
   SolidResults nodes;
 };

@@ -42,6 +42,7 @@ struct SolidProblem : BodyDofs {
   /// carry them.
   void choose_sides(const ElasticSystem& system);
 
+  SolidPart part(int body) const;
   Matrix3Xd places() const;  ///< of the nodes [mm, 3 x p]
 
  private:
@@ -63,7 +64,6 @@ struct SolidProblem : BodyDofs {
     std::optional<Carrier> other;
   };
 
-  SolidPart part(int body) const;
   ContactSurface stated_surface(Stack stack, const NamedArguments& named,
                                 int body, const std::vector<int>& labels) const;
   void add_pair(Stack stack, const NamedArguments& named, int body,

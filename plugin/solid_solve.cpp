@@ -113,7 +113,8 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   const ElasticSystem& system = *solved.system;
   // and stays: what a solution left belongs to its surface
   if (!contact.solved) problem.choose_sides(system);
-  const SurfaceLaw law = law_of(call, contact);
+  solved.law = law_of(call, contact);
+  const SurfaceLaw& law = solved.law;
   const ContactSettings settings = settings_of(call, contact, system);
   try {
     solved.solution =

@@ -6,48 +6,9 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 //
-#include "point_evaluator.hpp"
+#include "solid_point.hpp"
 
 namespace ffcontact::plugin {
-
-namespace {
-
-/// Evaluates expressions on boundary faces.
-class SolidPoint : public PointEvaluator {
- public:
-  SolidPoint(Stack stack, const SolidPart& part)
-      : PointEvaluator(stack), part_(part) {}
-
-  void go_to(const FacePlace& place) {
-    const Fem2D::Mesh3& Th = part_.fem_mesh;
-    const int element =
-        part_.faces.boundary_index[place.face] - part_.first_boundary;
-    int side;
-    const int k = Th.BoundaryElement(element, side);
-    R3 hat(0, 0, 0);
-    for (int c = 0; c < 3; ++c) {
-      const int vertex =
-          part_.faces.vertices(c, place.face) - part_.first_vertex;
-      hat += place.coordinates[c] * corner_of(k, vertex);
-    }
-    const Fem2D::Tet& tetrahedron = Th[k];
-    // Tet::n points inward in some versions of FreeFEM
-    const Vector3d n = facet_normal(part_.mesh, part_.faces, place.face);
-    point().set(Th, tetrahedron(hat), hat, tetrahedron, Th.be(element).lab,
-                R3(n.x(), n.y(), n.z()), side);
-  }
-
- private:
-  R3 corner_of(int tetrahedron, int vertex) const {
-    int corner = 0;
-    while (part_.fem_mesh(tetrahedron, corner) != vertex) ++corner;
-    return R3::KHat[corner];
-  }
-
-  const SolidPart& part_;
-};
-
-}  // namespace
 
 SolidMesh solid_mesh_of(const Fem2D::Mesh3* fem_mesh) {
   if (!fem_mesh) refuse("the mesh3 is not set");

@@ -48,7 +48,7 @@ RC_GTEST_PROP(WrenchBasis, a_wrench_around_an_edge_balances_its_tetrahedra,
         Matrix<double, 9, Dynamic>::Zero(9, faces.count());
     for (int k = edges.facet_start[e]; k < edges.facet_start[e + 1]; ++k)
       unknowns.col(edges.facet[k])
-          << wrench_shift(topology, edges.facet[k], e) * wrench,
+          << wrench_shift(topology, edges.facet[k], e).times(wrench),
           random_vector(3, random);
     for (int t = 0; t < mesh.cell_count(); ++t) {
       TetrahedronCorners x;
@@ -62,6 +62,15 @@ RC_GTEST_PROP(WrenchBasis, a_wrench_around_an_edge_balances_its_tetrahedra,
       RC_ASSERT(out.norm() < 1e-12 * (1 + loads.norm()));
     }
   }
+}
+
+RC_GTEST_PROP(WrenchShift, is_one_matrix, (Random random)) {
+  const WrenchShift shift{random_vector(3, random), 0.7, -1};
+  const Vector6d w = random_vector(6, random);
+  RC_ASSERT((shift.matrix() * w - shift.times(w)).norm() < 1e-14);
+  RC_ASSERT(
+      (shift.matrix().transpose() * w - shift.transposed_times(w)).norm() <
+      1e-14);
 }
 
 }  // namespace

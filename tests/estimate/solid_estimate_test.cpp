@@ -82,6 +82,85 @@ TEST(SolidEstimate, bounds_the_error) {
     }
 }
 
+/// A body of 3 x 2 x 2 under loads at random; kind 0 is pressed by its top, 1 held by
+/// two guides and contact, 2 clamped at one side.
+struct RandomLoads {
+  int kind;
+  double slip_bound;  ///< Tresca's [MPa]
+  VectorXd load = VectorXd(6);
+
+  explicit RandomLoads(Random& random)
+      : kind(static_cast<int>(random() % 3)),
+        slip_bound(random() % 2 ? 50 * std::abs(random_vector(1, random)[0])
+                                : 0) {
+    load = random_vector(6, random);
+  }
+  SolidProblem on(const Vector3i& cells) const {
+    SolidProblem problem(brick(cells, {3, 2, 2}), 0);
+    if (slip_bound > 0)
+      problem.law.slip_bound =
+          VectorXd::Constant(problem.surface.node_count(), slip_bound);
+    problem.load(high_x, 100 * load.head<3>());
+    if (kind != 0)
+      problem.load(high_z, {50 * load[3], 50 * load[4], -200 + 50 * load[5]});
+    else
+      problem.move(high_z, [&](const Vector3d& x) {
+        return Vector3d(0.01 * load[3] + 0.002 * x.y(), 0.01 * load[4],
+                        -0.03 + 0.005 * load[5] * x.x());
+      });
+    if (kind == 1) problem.guide(low_x, 0), problem.guide(low_y, 1);
+    if (kind == 2)
+      problem.move(low_x, [](const Vector3d&) { return Vector3d(0, 0, 0); });
+    return problem;
+  }
+};
+
+RC_GTEST_PROP(SolidEstimate, bounds_the_error_without_friction_and_with_trescas,
+              (Random random)) {
+  const RandomLoads loads(random);
+  const Vector3i cells(3, 2, 2);
+  const SolidProblem coarse = loads.on(cells), fine = loads.on(2 * cells);
+  const SurfaceSolution solution = coarse.solve();
+  RC_PRE(solution.status == ContactStatus::converged);
+  const VectorXd off = fine.solve().displacement -
+                       on_finer_brick(solution.displacement, cells, 2);
+  const RowMatrix K = stiffness(fine.mesh, solved_solid(fine, {}).hooke);
+  const SolidEstimate found = estimate(coarse, solution);
+  RC_ASSERT(found.reason == "");
+  RC_ASSERT(found.e > std::sqrt(off.dot(K * off)));
+}
+
+/// Moved at random, then stretched: v -> stretched(v), component by component.
+template <class Stretch>
+SolidMesh stretched_cube(const Stretch& stretched, std::mt19937& random) {
+  SolidMesh mesh =
+      shuffled(moved(brick({5, 5, 5}, {1, 1, 1}), 0.2, 0.15, random), random);
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    mesh.vertices.col(v) = stretched(Vector3d(mesh.vertices.col(v)));
+  return mesh;
+}
+
+TEST(SolidEstimate, is_admissible_on_flat_and_on_graded_tetrahedra) {
+  std::mt19937 random(8);
+  const SolidMesh flat = stretched_cube(
+                      [](const Vector3d&x) {
+                        return Vector3d(x.x(), x.y(), 0.01 * x.z());
+                      },
+                      random),
+                  graded = stretched_cube(
+                      [](const Vector3d&x) -> Vector3d {
+                        return (std::log(1e3) * x.array()).exp() / 999 -
+                               1.0 / 999;
+                      },
+                      random);
+  for (const SolidMesh& mesh : {flat, graded})
+    for (BlockCase loads : all_cases) {
+      const SolidEstimate found = estimate(block_problem(mesh, loads, 0.5));
+      EXPECT_EQ(found.reason, "");
+      EXPECT_LT(found.equilibrium.largest(), 5e-11);
+    }
+}
+
 TEST(SolidEstimate, falls_with_the_size_of_the_mesh) {
   for (BlockCase loads : all_cases) {
     const double coarse =

@@ -43,17 +43,30 @@ std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
   return wedges;
 }
 
+/// x <- L'^-1 L^-1 x
+void solve_with(const Eigen::MatrixXf& factor, double* x) {
+  const Index n = factor.rows();
+  for (Index j = 0; j < n; ++j) {
+    const float* column = factor.data() + j * n;
+    const double value = x[j] /= column[j];
+    for (Index i = j + 1; i < n; ++i) x[i] -= column[i] * value;
+  }
+  for (Index j = n - 1; j >= 0; --j) {
+    const float* column = factor.data() + j * n;
+    double sum = x[j];
+    for (Index i = j + 1; i < n; ++i) sum -= column[i] * x[i];
+    x[j] = sum / column[j];
+  }
+}
+
 }  // namespace
 
 /// A = Z' H Z.
 MatrixXd EdgeStars::form(int edge, const FaceForms& forms) const {
-  const Hinges<3>& edges = topology_.edges;
-  const int* around = edges.facet.data() + edges.facet_start[edge];
   MatrixXd A = MatrixXd::Zero(unknowns(edge), unknowns(edge));
   for (const Wedge& wedge : wedges_of(topology_, edge)) {
-    Matrix6d shift[2];
-    for (int i = 0; i < 2; ++i)
-      shift[i] = wrench_shift(topology_, around[wedge.place[i]], edge);
+    const Matrix6d shifts[] = {shift(edge, wedge.place[0]).matrix(),
+                               shift(edge, wedge.place[1]).matrix()};
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
         const Matrix9d H =
@@ -61,10 +74,10 @@ MatrixXd EdgeStars::form(int edge, const FaceForms& forms) const {
         const int bars_i = 6 + 3 * wedge.place[i],
                   bars_j = 6 + 3 * wedge.place[j];
         const Matrix<double, 6, 9> above =
-            shift[i].transpose() * H.topRows<6>();
-        A.topLeftCorner<6, 6>() += above.leftCols<6>() * shift[j];
+            shifts[i].transpose() * H.topRows<6>();
+        A.topLeftCorner<6, 6>() += above.leftCols<6>() * shifts[j];
         A.block<6, 3>(0, bars_j) += above.rightCols<3>();
-        A.block<3, 6>(bars_i, 0) += H.bottomLeftCorner<3, 6>() * shift[j];
+        A.block<3, 6>(bars_i, 0) += H.bottomLeftCorner<3, 6>() * shifts[j];
         A.block<3, 3>(bars_i, bars_j) += H.bottomRightCorner<3, 3>();
       }
   }
@@ -86,7 +99,7 @@ MatrixXd EdgeStars::conditions(int edge, const FaceTractions& boundary) const {
     for (int row = 0; row < 9; ++row) {
       if (!boundary.known(row % 3, face)) continue;
       rows.block<1, 6>(next, 0) =
-          V.block<1, 6>(row, 0) * wrench_shift(topology_, face, edge);
+          V.block<1, 6>(row, 0) * shift(edge, i).matrix();
       rows.block<1, 3>(next++, 6 + 3 * i) = V.block<1, 3>(row, 6);
     }
   }
@@ -115,6 +128,7 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
                      const FaceTractions& boundary, const FaceForms& forms)
     : topology_(topology),
       place_(3, topology.faces.count()),
+      shifts_(topology.edges.facet.size()),
       stars_(topology.edges.count()),
       first_(1, 0) {
   const Hinges<3>& edges = topology.edges;
@@ -122,6 +136,7 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
     first_.push_back(first_.back() + unknowns(e));
     for (int i = 0; i < edges.facet_count(e); ++i) {
       const int face = edges.facet[edges.facet_start[e] + i];
+      shifts_[edges.facet_start[e] + i] = wrench_shift(topology, face, e);
       for (int k = 0; k < 3; ++k)
         if (edges.of_facet(k, face) == e) place_(k, face) = i;
     }
@@ -130,55 +145,60 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
   for (int e = 0; e < edges.count(); ++e) stars_[e] = star(e, boundary, forms);
 }
 
-/// Z' g
-VectorXd EdgeStars::restricted(int edge, const Matrix9Xd& g) const {
-  const Hinges<3>& edges = topology_.edges;
-  VectorXd result = VectorXd::Zero(unknowns(edge));
-  for (int i = 0; i < edges.facet_count(edge); ++i) {
-    const int face = edges.facet[edges.facet_start[edge] + i];
-    result.head<6>() +=
-        wrench_shift(topology_, face, edge).transpose() * g.col(face).head<6>();
-    result.segment<3>(6 + 3 * i) = g.col(face).tail<3>();
-  }
-  return result;
+const WrenchShift& EdgeStars::shift(int edge, int place) const {
+  return shifts_[topology_.edges.facet_start[edge] + place];
 }
 
-VectorXd EdgeStars::solved(int edge, VectorXd g) const {
+/// x = Z' g
+void EdgeStars::restrict_to(int edge, const Matrix9Xd& g,
+                            Ref<VectorXd> x) const {
+  const Hinges<3>& edges = topology_.edges;
+  Vector6d wrench = Vector6d::Zero();
+  for (int i = 0; i < edges.facet_count(edge); ++i) {
+    const auto of_face = g.col(edges.facet[edges.facet_start[edge] + i]);
+    wrench += shift(edge, i).transposed_times(of_face.head<6>());
+    x.segment<3>(6 + 3 * i) = of_face.tail<3>();
+  }
+  x.head<6>() = wrench;
+}
+
+/// x <- A^-1 x
+void EdgeStars::solve(int edge, Ref<VectorXd> x) const {
   const auto& [basis, factor] = stars_[edge];
-  if (factor.size() == 0) return VectorXd::Zero(g.size());
-  if (basis.size() > 0) g = (basis.transpose() * g).eval();
-  const Index n = g.size();
-  for (Index j = 0; j < n; ++j) {  // L
-    g[j] /= factor(j, j);
-    for (Index i = j + 1; i < n; ++i) g[i] -= factor(i, j) * g[j];
+  if (factor.size() == 0) {
+    x.setZero();
+  } else if (basis.size() == 0) {
+    solve_with(factor, x.data());
+  } else {
+    VectorXd inside = basis.transpose() * x;
+    solve_with(factor, inside.data());
+    x = basis * inside;
   }
-  for (Index j = n - 1; j >= 0; --j) {  // L'
-    for (Index i = j + 1; i < n; ++i) g[j] -= factor(i, j) * g[i];
-    g[j] /= factor(j, j);
+}
+
+/// What the edges of a face have for it.
+Vector9d EdgeStars::gathered(int face, const VectorXd& x) const {
+  Vector9d sum = Vector9d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const int edge = topology_.edges.of_facet(k, face), place = place_(k, face);
+    const double* of_edge = x.data() + first_[edge];
+    sum.head<6>() += shift(edge, place).times(Map<const Vector6d>(of_edge));
+    sum.tail<3>() += Map<const Vector3d>(of_edge + 6 + 3 * place);
   }
-  return basis.size() > 0 ? VectorXd(basis * g) : g;
+  return sum;
 }
 
 Matrix9Xd EdgeStars::operator()(const Matrix9Xd& g) const {
-  const Hinges<3>& edges = topology_.edges;
   VectorXd x(first_.back());
 #pragma omp parallel for
-  for (int e = 0; e < edges.count(); ++e)
-    x.segment(first_[e], unknowns(e)) = solved(e, restricted(e, g));
-
+  for (int e = 0; e < topology_.edges.count(); ++e) {
+    auto own = x.segment(first_[e], unknowns(e));
+    restrict_to(e, g, own);
+    solve(e, own);
+  }
   Matrix9Xd z(9, g.cols());
 #pragma omp parallel for
-  for (int f = 0; f < topology_.faces.count(); ++f) {
-    Vector9d sum = Vector9d::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const int e = edges.of_facet(k, f);
-      const double* of_edge = x.data() + first_[e];
-      sum.head<6>() +=
-          wrench_shift(topology_, f, e) * Map<const Vector6d>(of_edge);
-      sum.tail<3>() += Map<const Vector3d>(of_edge + 6 + 3 * place_(k, f));
-    }
-    z.col(f) = sum;
-  }
+  for (int f = 0; f < topology_.faces.count(); ++f) z.col(f) = gathered(f, x);
   return z;
 }
 

@@ -40,11 +40,14 @@ class EdgeStars {
   MatrixXd conditions(int edge, const FaceTractions& boundary) const;
   Star star(int edge, const FaceTractions& boundary,
             const FaceForms& forms) const;
-  VectorXd restricted(int edge, const Matrix9Xd& g) const;
-  VectorXd solved(int edge, VectorXd g) const;
+  const WrenchShift& shift(int edge, int place) const;
+  void restrict_to(int edge, const Matrix9Xd& g, Ref<VectorXd> x) const;
+  void solve(int edge, Ref<VectorXd> x) const;
+  Vector9d gathered(int face, const VectorXd& x) const;
 
   const SolidTopology& topology_;
   Matrix3Xi place_;  ///< of a face around each of its edges [3 x faces]
+  std::vector<WrenchShift> shifts_;  ///< of all faces around all edges
   std::vector<Star> stars_;
   std::vector<Index> first_;  ///< unknown of each edge, all edges in a row
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/wrench_basis.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -51,7 +52,27 @@ Matrix9d wrench_basis(const Matrix3d& corners) {
   return V;
 }
 
-Matrix6d wrench_shift(const SolidTopology& topology, int face, int edge) {
+Vector6d WrenchShift::times(const Vector6d& w) const {
+  const Vector3d f = w.head<3>(), m = w.tail<3>();
+  Vector6d shifted;
+  shifted << sign * f, sign * (ratio * m - arm.cross(f));
+  return shifted;
+}
+
+Vector6d WrenchShift::transposed_times(const Vector6d& w) const {
+  const Vector3d f = w.head<3>(), m = w.tail<3>();
+  Vector6d shifted;
+  shifted << sign * (f + arm.cross(m)), sign * ratio * m;
+  return shifted;
+}
+
+Matrix6d WrenchShift::matrix() const {
+  Matrix6d shift;
+  for (int k = 0; k < 6; ++k) shift.col(k) = times(Vector6d::Unit(k));
+  return shift;
+}
+
+WrenchShift wrench_shift(const SolidTopology& topology, int face, int edge) {
   const auto vertices = topology.faces.vertices.col(face);
   const Vector2i ends = topology.edges.vertices.col(edge);
   const Matrix3d corners = corners_of_face(topology, face);
@@ -63,10 +84,7 @@ Matrix6d wrench_shift(const SolidTopology& topology, int face, int edge) {
              b = topology.mesh.vertices.col(ends[1]);
   const Vector3d arm = corners.rowwise().mean() - (a + b) / 2;
   const double size = size_of_face(corners), length = (b - a).norm();
-  Matrix6d shift = Matrix6d::Identity();
-  shift.bottomLeftCorner<3, 3>() = -cross_product_with(arm / size);
-  shift.bottomRightCorner<3, 3>() *= length / size;
-  return sign * shift;
+  return {arm / size, length / size, sign};
 }
 
 std::array<Matrix9d, 4> wrench_bases(const SolidTopology& topology, int cell) {

@@ -21,8 +21,18 @@ Matrix9d wrench_basis(const Matrix3d& face_corners);
 /// across them in the direction in which they turn about it:
 ///     w_e = (f, m / h_e), m about x_e,   w_F = s_F Shift w_e,   m_F = m - (x_F - x_e) x f,
 /// with s_F = 1 where the normal of the face follows the right-hand turn about the edge.
-/// @return s_F Shift
-Matrix6d wrench_shift(const SolidTopology& topology, int face, int edge);
+struct WrenchShift {
+  Vector3d arm;  ///< (x_F - x_e) / h_F
+  double ratio;  ///< h_e / h_F
+  double sign;   ///< s_F
+
+  /// s_F Shift w
+  Vector6d times(const Vector6d& w) const;
+  /// s_F Shift' w
+  Vector6d transposed_times(const Vector6d& w) const;
+  Matrix6d matrix() const;  ///< s_F Shift
+};
+WrenchShift wrench_shift(const SolidTopology& topology, int face, int edge);
 
 /// The columns of face_energy on a tetrahedron for its four faces' (w, y), as these are
 /// stored: of the face's own normal, in the order of its vertices.

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid_error.hpp"
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/require.hpp"
+//
+#include "contact_type.hpp"
+#include "solid_loads.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// Steps of the relaxation in what the script calls a sweep.
+constexpr int steps_of_a_sweep = 4;
+/// Sweeps at most when the script asks for a tightness and not for a number of sweeps.
+constexpr int most_sweeps_in_space = 20;
+
+/// What plane bodies have, and a solid has not.
+void require_parameters_of_solids(const NamedArguments& named) {
+  for (const char* parameter :
+       {"multiplier", "tractions", "construction", "stick", "coulomb", "bound",
+        "rt", "rabscissa", "corrected", "unmended", "rate", "sxx", "syy",
+        "sxy"})
+    if (named.given(parameter))
+      refuse("the contact is that of a mesh3: ", parameter,
+             "= is for plane bodies so far");
+}
+
+SolidRelaxationSettings solid_settings(Stack stack,
+                                       const NamedArguments& named) {
+  SolidRelaxationSettings settings;
+  settings.tightness = named.number(stack, "tightness", settings.tightness);
+  const int sweeps = settings.tightness > 0 ? most_sweeps_in_space
+                                            : settings.steps / steps_of_a_sweep;
+  const long wanted = named.integer(stack, "sweeps", sweeps);
+  if (wanted < 0) refuse("sweeps must not be negative, got ", wanted);
+  settings.steps = steps_of_a_sweep * static_cast<int>(wanted);
+  return settings;
+}
+
+void put(Stack stack, const NamedArguments& named,
+         const SolidEstimate& estimate) {
+  named.put(stack, "eps", estimate.local);
+  named.put(stack, "e", estimate.e);
+  named.put(stack, "elasticpart", estimate.elastic);
+  named.put(stack, "contactpart", estimate.contact);
+  named.put(stack, "history", packed(estimate.history));
+  named.put(stack, "rn", estimate.tractions.row(0).transpose());
+  named.put(stack, "rt1", estimate.tractions.row(1).transpose());
+  named.put(stack, "rt2", estimate.tractions.row(2).transpose());
+  named.put(stack, "balance", estimate.equilibrium.largest());
+  named.put(stack, "cone", estimate.cone);
+  named.put(stack, "penetration", estimate.penetration);
+  named.put(stack, "admissible", estimate.admissible);
+}
+
+void report(Stack stack, const NamedArguments& named,
+            const SolidEstimate& estimate, double seconds) {
+  const long level = named.verbosity_level(stack);
+  if (level < 1 || mpirank != 0) return;
+  cout << "contacterror: " << estimate.local.size() << " tetrahedra, eps "
+       << 100 * estimate.relative << " %, e " << estimate.e << ", "
+       << estimate.history.size() - 1 << " steps, " << seconds << " s" << endl;
+  if (!estimate.admissible)
+    cout << "contacterror: not admissible: " << estimate.reason << endl;
+  if (level > 1)
+    cout << "contacterror: elastic part " << estimate.elastic
+         << ", contact part of e^2 " << estimate.contact
+         << ", equilibrium defect " << estimate.equilibrium.largest()
+         << ", cone defect " << estimate.cone << ", penetration "
+         << estimate.penetration << endl;
+}
+
+}  // namespace
+
+double solid_error(Stack stack, const NamedArguments& named,
+                   const SolidContact& contact) {
+  const double start = CPUtime();
+  require_parameters_of_solids(named);
+  const SolidRelaxationSettings settings = solid_settings(stack, named);
+  if (!contact.solved) refuse_unsolved();
+  const SolidProblem& problem = *contact.problem;
+  if (problem.surface.against_a_body())
+    refuse("solids against each other are not judged so far");
+  const SurfaceSolution& solution = contact.solved->solution;
+
+  ffcontact::SolvedSolid body;
+  body.displacement = solution.displacement;
+  body.force = solution.force;
+  body.law = contact.solved->law;
+  body.stiffness = solution.stiffness;
+  const double oscillation =
+      read_material_and_loads(stack, named, problem.part(0), body);
+
+  const SolidEstimate estimate =
+      estimate_error(topology_of(problem.mesh), problem.surface,
+                     *contact.solved->system, body, settings);
+  put(stack, named, estimate);
+  named.put(stack, "oscillation", oscillation);
+  report(stack, named, estimate, CPUtime() - start);
+  return estimate.relative;
+}
+
+}  // namespace ffcontact::plugin

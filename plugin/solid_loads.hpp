@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "arguments.hpp"
+#include "ffcontact/estimate/solid_estimate.hpp"
+#include "solid_views.hpp"
+
+namespace ffcontact::plugin {
+
+/// Reads elastic law (lambda= and G=, or hooke=) and loads (traction=, bodyforce=) of a
+/// solid into what is judged, by the quadratures that FreeFEM's int2d and int3d use by
+/// default, so that they are the loads of the script.
+/// @return oscillation of the body forces (BodyForce)
+/// @throws std::invalid_argument  if the solid has not one elastic law
+double read_material_and_loads(Stack stack, const NamedArguments& named,
+                               const SolidPart& solid,
+                               ffcontact::SolvedSolid& body);
+
+}  // namespace ffcontact::plugin
