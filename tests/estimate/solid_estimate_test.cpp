@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/solid_estimate.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/Geometry>
 
@@ -207,6 +208,19 @@ RC_GTEST_PROP(SolidEstimate, does_not_depend_on_numbers, (Random random)) {
 /// some roundings of |r| |w| beside it, of which e has the root.
 double elastic_part(const SolidEstimate& found) {
   return found.elastic * found.relative / found.e;
+}
+
+TEST(SolidEstimate, has_the_same_digits_on_two_threads) {
+  const SolidProblem problem = block_problem(block(8), BlockCase::shear, 0.5);
+  const SurfaceSolution solution = problem.solve();
+  const SolidEstimate one = estimate(problem, solution);
+  omp_set_num_threads(2);
+  const SolidEstimate two = estimate(problem, solution);
+  omp_set_num_threads(1);
+  EXPECT_EQ(one.e, two.e);
+  EXPECT_EQ(one.history, two.history);
+  EXPECT_EQ(one.moments, two.moments);
+  EXPECT_EQ(one.local, two.local);
 }
 
 /// A body of one stress, held by contact alone along z.

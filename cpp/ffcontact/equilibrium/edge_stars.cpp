@@ -43,19 +43,28 @@ std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
   return wedges;
 }
 
+/// The columns of L from the diagonal down.
+Eigen::VectorXf packed_columns(const MatrixXd& L) {
+  const Index n = L.rows();
+  Eigen::VectorXf columns(n * (n + 1) / 2);
+  Index next = 0;
+  for (Index j = 0; j < n; next += n - j, ++j)
+    columns.segment(next, n - j) = L.col(j).tail(n - j).cast<float>();
+  return columns;
+}
+
 /// x <- L'^-1 L^-1 x
-void solve_with(const Eigen::MatrixXf& factor, double* x) {
-  const Index n = factor.rows();
-  for (Index j = 0; j < n; ++j) {
-    const float* column = factor.data() + j * n;
-    const double value = x[j] /= column[j];
-    for (Index i = j + 1; i < n; ++i) x[i] -= column[i] * value;
+void solve_with(const Eigen::VectorXf& factor, Index n, double* x) {
+  const float* column = factor.data();  // from its diagonal on
+  for (Index j = 0; j < n; column += n - j, ++j) {
+    const double value = x[j] /= column[0];
+    for (Index i = 1; i < n - j; ++i) x[j + i] -= column[i] * value;
   }
   for (Index j = n - 1; j >= 0; --j) {
-    const float* column = factor.data() + j * n;
+    column -= n - j;
     double sum = x[j];
-    for (Index i = j + 1; i < n; ++i) sum -= column[i] * x[i];
-    x[j] = sum / column[j];
+    for (Index i = 1; i < n - j; ++i) sum -= column[i] * x[j + i];
+    x[j] = sum / column[0];
   }
 }
 
@@ -120,7 +129,7 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
   if (A.rows() == 0) return star;
   const Eigen::LLT<MatrixXd> cholesky(A);
   if (cholesky.info() == Eigen::Success)
-    star.factor = MatrixXd(cholesky.matrixL()).cast<float>();
+    star.factor = packed_columns(cholesky.matrixLLT());
   return star;
 }
 
@@ -168,10 +177,10 @@ void EdgeStars::solve(int edge, Ref<VectorXd> x) const {
   if (factor.size() == 0) {
     x.setZero();
   } else if (basis.size() == 0) {
-    solve_with(factor, x.data());
+    solve_with(factor, x.size(), x.data());
   } else {
     VectorXd inside = basis.transpose() * x;
-    solve_with(factor, inside.data());
+    solve_with(factor, inside.size(), inside.data());
     x = basis * inside;
   }
 }

@@ -33,7 +33,8 @@ class EdgeStars {
   /// What an edge adds: x = basis A^-1 basis' (Z' g), basis the identity if empty.
   struct Star {
     MatrixXd basis;
-    Eigen::MatrixXf factor;  ///< lower triangle; empty: nothing is free
+    /// L of A = L L', its columns from the diagonal down; empty: nothing is free
+    Eigen::VectorXf factor;
   };
 
   MatrixXd form(int edge, const FaceForms& forms) const;
