@@ -11,6 +11,7 @@
 #include <map>
 #include <utility>
 
+#include "appended.hpp"
 #include "contact_problem.hpp"
 #include "contact_statement.hpp"
 
@@ -22,18 +23,6 @@ JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
   std::vector<Mesh> meshes;
   for (pmesh fem_mesh : fem_meshes) meshes.push_back(mesh_of(fem_mesh));
   return joined_mesh(meshes);
-}
-
-void append(const VectorXd& values, VectorXd& all) {
-  const Index before = all.size();
-  all.conservativeResize(before + values.size());
-  all.tail(values.size()) = values;
-}
-
-void append(const Matrix2Xd& values, Matrix2Xd& all) {
-  const Index before = all.cols();
-  all.conservativeResize(Eigen::NoChange, before + values.cols());
-  all.rightCols(values.cols()) = values;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/joined_surfaces.hpp"
 //
+#include "appended.hpp"
 #include "contact_statement.hpp"
 
 namespace ffcontact::plugin {
@@ -37,13 +38,6 @@ void require_apart(const SolidMesh& mesh, const FacingSurface& facing) {
              "), more than a contact face: is the facing face behind the "
              "contact surface? Give gap= if it is meant");
   }
-}
-
-/// A value at each node, behind those of other nodes.
-void append(const VectorXd& values, VectorXd& all) {
-  const Index before = all.size();
-  all.conservativeResize(before + values.size());
-  all.tail(values.size()) = values;
 }
 
 }  // namespace

@@ -244,8 +244,9 @@ BodyForce body_force_loads(Stack stack, Expression fx, Expression fy,
     }
     Map<Matrix<double, 2, 3>> loads(force.loads.col(t).data());
     loads = f * weight.asDiagonal() * phi.transpose();
+    const BodyLoads of_triangle = force.loads.col(t);
     force.oscillation += oscillation_square(
-        f, phi, weight, body_force_of(force.loads.col(t), area), area);
+        f, phi, weight, body_force_of(of_triangle, area), area);
   }
   force.oscillation = std::sqrt(force.oscillation);
   return force;

@@ -27,7 +27,7 @@ using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
 constexpr float least_condition = 1e-5F;
-constexpr int most_steps = 10;
+constexpr int most_refinements = 10;
 
 /// As DenseLu.
 class SingleLu {
@@ -82,7 +82,7 @@ std::optional<VectorXd> refined_solution(const MatrixXd& A, const VectorXd& b) {
                rounding = std::sqrt(static_cast<double>(A.rows())) *
                           std::numeric_limits<double>::epsilon();
   VectorXd x = lu.solve(b);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_refinements; ++step) {
     const VectorXd residual = b - A * x;
     if (max_norm(residual) <= rounding * norm * max_norm(x)) return x;
     x += lu.solve(residual);
