@@ -316,7 +316,7 @@ TEST(SolidEstimate, names_what_does_not_fit) {
   EXPECT_TRUE(says(said(body), "on the contact surface: give the forces"));
   body = solved_solid(problem, solution);
   body.body_loads.setConstant(3);
-  EXPECT_TRUE(says(said(body), "inside the body: give the force="));
+  EXPECT_TRUE(says(said(body), "inside the body: give the bodyforce="));
   body = solved_solid(problem, solution);
   for (auto& C : body.hooke) C *= 2;
   EXPECT_TRUE(says(said(body), "lambda and G (or hooke) are not those of A"));

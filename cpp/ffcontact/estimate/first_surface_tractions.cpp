@@ -31,7 +31,7 @@ std::string cause_at(const Imbalance& imbalance,
     return "it is the reaction of a point support, which no admissible stress "
            "has: prescribe displacements on whole faces";
   if (!(topology.mesh.boundary.array() == imbalance.vertex).any())
-    return "inside the body: give the force= u was computed with; loads of "
+    return "inside the body: give the bodyforce= u was computed with; loads of "
            "thermal or initial strains are not known here";
   if ((surface.vertex.array() == imbalance.vertex).any())
     return "on the contact surface: give the forces of the solution u, and "
