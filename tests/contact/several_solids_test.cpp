@@ -193,18 +193,19 @@ RC_GTEST_PROP(SeveralSolids, that_face_each_other_in_part, (Random random)) {
   RC_ASSERT(solution.force.row(0).sum() < 0);
 }
 
-/// What holds nothing, even glued, is refused.
+/// What holds nothing, even glued, is refused in any unit of force.
 TEST(SeveralSolids, on_nothing_are_refused) {
-  SolidStack stack({brick({1, 1, 1}, {1, 1, 1}),
-                    [] {
-                      SolidMesh lower = brick({1, 1, 1}, {1, 1, 1});
-                      lower.vertices.row(2).array() -= 1;
-                      return lower;
-                    }()},
-                   0.3);
-  stack.problem.load(stack.label(0, high_z), {0, 0, -1});
-  EXPECT_NE(refusal([&] { stack.problem.solve(); }).find("no equilibrium"),
-            std::string::npos);
+  SolidMesh lower = brick({1, 1, 1}, {1, 1, 1});
+  lower.vertices.row(2).array() -= 1;
+  for (double unit : {1e-15, 1.0, 1e15}) {
+    SolidStack stack({brick({1, 1, 1}, {1, 1, 1}), lower}, 0.3);
+    stack.problem.A *= unit;
+    stack.problem.load(stack.label(0, high_z), {0, 0, -unit});
+    EXPECT_NE(refusal([&] {
+                stack.problem.solve();
+              }).find("no equilibrium: the loads push the body"),
+              std::string::npos);
+  }
 }
 
 }  // namespace

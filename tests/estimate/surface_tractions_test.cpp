@@ -113,8 +113,9 @@ TEST(SurfaceError, of_linear_fields) {
   EXPECT_NEAR(parts.sum(), 19.5, 1e-13);
 
   // |w_t| between 0 and 1 at the nodes of an edge is not above linear: a bound
-  problem.law = {VectorXd(4), VectorXd::Ones(4), {}, {}, {}};
-  problem.law.friction.setZero();
+  problem.law = {};
+  problem.law.friction = VectorXd::Zero(4);
+  problem.law.slip_bound = VectorXd::Ones(4);
   u.setZero();
   for (int i = 0; i < 4; ++i)
     u[3 * surface.vertex[i]] =

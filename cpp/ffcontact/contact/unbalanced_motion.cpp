@@ -176,7 +176,9 @@ std::vector<Vertices> moved_parts(const SimplexMesh<dim>& mesh,
   for (Index k = 0; k < all.cols(); k += dim * (dim + 1) / 2) {
     const MatrixXd own = all.middleCols(k, dim * (dim + 1) / 2);
     const VectorXd moved = own.cwiseAbs().rowwise().sum();
-    if ((own.transpose() * motions).isZero(rounding)) continue;
+    if ((own.transpose() * motions).norm() <=
+        rounding * own.norm() * motions.norm())
+      continue;
     parts.push_back(moved_vertices<dim>(moved));
   }
   return parts;

@@ -103,7 +103,8 @@ double FaceDescent::step() {
 }
 
 FaceMoments FaceDescent::correction() const {
-  const auto& [mesh, faces, edges, stars] = setting_.topology;
+  const SolidMesh& mesh = setting_.topology.mesh;
+  const Facets<3>& faces = setting_.topology.faces;
   FaceMoments moments(9, faces.count());
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {

@@ -76,7 +76,8 @@ struct SolidNorms {
 };
 
 SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
-  const auto& [mesh, faces, edges, stars] = setting.topology;
+  const SolidMesh& mesh = setting.topology.mesh;
+  const Facets<3>& faces = setting.topology.faces;
   SolidNorms norms{VectorXd(mesh.cell_count()), 0, {}};
   VectorXd sums(mesh.cell_count());
   double divergence = 0, jump = 0;
