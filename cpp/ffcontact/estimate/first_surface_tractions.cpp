@@ -103,7 +103,10 @@ Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
 FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
                                       const Matrix6Xd& stress,
                                       double stress_terms) {
-  const auto& [topology, surface, system, body] = solved;
+  const SolidTopology& topology = solved.topology;
+  const ContactSurface& surface = solved.surface;
+  const ElasticSystem& system = solved.system;
+  const SolvedSolid& body = solved.body;
   const FaceTractions without = tractions_without_contact(solved);
   require_loads_of_solution(
       solved, nodal_residual(topology, stress, body.body_loads, without),
