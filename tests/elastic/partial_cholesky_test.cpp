@@ -39,7 +39,7 @@ RC_GTEST_PROP(PartialCholesky, is_that_of_the_dense_matrix, (Random random)) {
   PartialCholesky factor(lower_triangle(A), kept);
   const MatrixXd A_ic = A.topRightCorner(eliminated, kept);
   MatrixXd S = A.bottomRightCorner(kept, kept);
-  if (eliminated > 0)
+  if (eliminated > 0 && kept > 0)
     S -= A_ic.transpose() *
          A.topLeftCorner(eliminated, eliminated).partialPivLu().solve(A_ic);
   const MatrixXd schur = factor.take_schur();
