@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
@@ -118,11 +119,10 @@ void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
   FacingSurface facing = facing_surface(mesh, faces, pair.whole, pair.polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
   pair.own = carrier(stack, named, body, std::move(facing), places);
-  if (pair.wanted != 1)
+  if (pair.wanted == 2)
     pair.other = exchanged(stack, named, body, labels, opposite_labels);
-  if (pair.wanted == 0 &&
-      pair.other->surface.area.sum() < as_much * pair.own.surface.area.sum())
-    pair.other.reset();
+  else if (pair.wanted == 0)
+    pair.other = as_good(pair.own, stack, named, body, labels, opposite_labels);
   pairs_.push_back(std::move(pair));
 }
 
@@ -154,6 +154,20 @@ SolidProblem::Carrier SolidProblem::exchanged(
   const std::vector<FacePlace> places =
       places_faced(facing.surface, whole, polygons);
   return carrier(stack, named, body, std::move(facing), places);
+}
+
+/// The other side, if it can carry the multipliers and of as much of the surface.
+std::optional<SolidProblem::Carrier> SolidProblem::as_good(
+    const Carrier& own, Stack stack, const NamedArguments& named, int body,
+    const std::vector<int>& labels,
+    const std::vector<int>& opposite_labels) const {
+  try {
+    Carrier other = exchanged(stack, named, body, labels, opposite_labels);
+    if (other.surface.area.sum() >= as_much * own.surface.area.sum())
+      return other;
+  } catch (const std::invalid_argument&) {  // what stands against it
+  }
+  return std::nullopt;
 }
 
 /// @param places  of the nodes on the body that comes first, or of what they face there

@@ -75,6 +75,10 @@ struct SolidProblem : BodyDofs {
   Carrier exchanged(Stack stack, const NamedArguments& named, int body,
                     const std::vector<int>& labels,
                     const std::vector<int>& opposite_labels) const;
+  std::optional<Carrier> as_good(const Carrier& own, Stack stack,
+                                 const NamedArguments& named, int body,
+                                 const std::vector<int>& labels,
+                                 const std::vector<int>& opposite_labels) const;
   Carrier carrier(Stack stack, const NamedArguments& named, int body,
                   FacingSurface facing,
                   const std::vector<FacePlace>& places) const;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/condensed_rows.hpp"
 #include "ffcontact/contact/nodal_law.hpp"
 #include "ffcontact/contact/singular_system.hpp"
 

@@ -79,30 +79,6 @@ struct CondensedContact : ContactTrace {
 std::vector<int> contact_dofs(const ContactLine& line,
                               const ElasticSystem& system);
 
-/// What the unknowns v of the primary and q of the dependent rows are divided by: neither
-/// units nor the sizes of elements matter then.
-struct UnknownScales {
-  VectorXd v;  ///< R = diag(S)^-1/2 [f]
-  /// 1 / (E_d' R^2 E_d + F_dd)^(1/2): what q_d moves [d]
-  VectorXd q;
-};
-UnknownScales unknown_scales(const CondensedContact& contact);
-
-/// Multipliers and displacements of all rows dim i + c [rows].
-struct ContactRows {
-  VectorXd P, v;
-};
-
-/// Those that v of the primary and q of the dependent rows make.
-ContactRows rows_of(const CondensedContact& contact, const VectorXd& v,
-                    const VectorXd& q);
-
-/// What v is small against: its largest value, or what the loads would move a node alone,
-/// max |g_i| / S_ii with the S_ii of the stiffer component of the node (that of a
-/// component in which the body is free is rounding). Where all nodes stick v is nothing
-/// but rounding.
-double motion_scale(const CondensedContact& contact, const VectorXd& v);
-
 /// @param primary  rows whose v the own components w determine, one each [f]
 /// @throws std::invalid_argument  if the rows are not independent
 CondensedContact condensed_contact(ContactTrace trace,

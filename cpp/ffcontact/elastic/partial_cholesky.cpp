@@ -7,27 +7,18 @@
 #include <utility>
 #include <vector>
 
+#include "ffcontact/base/serial_blas.hpp"
 #include "ffcontact/base/symmetric.hpp"
+#include "ffcontact/elastic/panel.hpp"
 #include "ffcontact/elastic/subtrees.hpp"
 
 extern "C" {
-void dgemm_(const char* transpose_a, const char* transpose_b, const int* rows,
-            const int* columns, const int* depth, const double* alpha,
-            const double* a, const int* stride_of_a, const double* b,
-            const int* stride_of_b, const double* beta, double* c,
-            const int* stride_of_c);
-void dsyrk_(const char* triangle, const char* transpose, const int* n,
-            const int* depth, const double* alpha, const double* a,
-            const int* stride_of_a, const double* beta, double* c,
-            const int* stride_of_c);
 void dpotrf_(const char* triangle, const int* n, double* a, const int* stride,
              int* info);
 void dtrsm_(const char* side, const char* triangle, const char* transpose,
             const char* diagonal, const int* rows, const int* columns,
             const double* alpha, const double* a, const int* stride_of_a,
             double* b, const int* stride_of_b);
-int openblas_get_num_threads();
-void openblas_set_num_threads(int threads);
 }
 
 namespace ffcontact {
@@ -41,26 +32,6 @@ constexpr double subtree_share = 0.125;
 
 /// Products from which on threads pay.
 constexpr double least_shared_work = 1e8;
-
-/// While it lives, OpenBLAS does not use threads of its own.
-class SerialBlas {
- public:
-  SerialBlas() { openblas_set_num_threads(1); }
-  ~SerialBlas() { openblas_set_num_threads(threads_); }
-  SerialBlas(const SerialBlas&) = delete;
-  SerialBlas& operator=(const SerialBlas&) = delete;
-
- private:
-  const int threads_ = openblas_get_num_threads();
-};
-
-/// Columns first .. end of a dense block of the factor, or of S.
-struct Panel {
-  int first, end;
-  double* values;  ///< of column `first`, from the block's first row on
-  int stride;
-  const int* place;  ///< of each row in the block
-};
 
 /// What a thread needs for itself.
 struct Workspace {
@@ -241,42 +212,14 @@ struct PartialCholesky::Factor {
       const int *rows = nodes.rows_below(d), *end = nodes.end_of_rows(d),
                 *first = std::lower_bound(rows, end, panel.first),
                 *last = std::lower_bound(first, end, panel.end);
-      if (first != last) subtract_product(d, first, last, panel, product);
-    }
-  }
-
-  /// Of the rows of d from `first` on and those before `last`.
-  void subtract_product(int d, const int* first, const int* last,
-                        const Panel& panel, VectorXd& product) const {
-    const int stride = nodes.row_count(d), depth = nodes.column_count(d),
-              rows = static_cast<int>(nodes.end_of_rows(d) - first),
-              columns = static_cast<int>(last - first);
-    const double* L = values_of(d) + (first - nodes.begin_of_rows(d));
-    const int top = panel.place[*first];
-    const bool dense = panel.place[first[rows - 1]] - top == rows - 1;
-    const double minus = -1, beta = dense ? 1 : 0;
-    double* target = dense ? column_of(panel, *first) + top : product.data();
-    const int target_stride = dense ? panel.stride : rows;
-    const int below = rows - columns;
-    dsyrk_("L", "N", &columns, &depth, &minus, L, &stride, &beta, target,
-           &target_stride);
-    if (below > 0)
-      dgemm_("N", "T", &below, &columns, &depth, &minus, L + columns, &stride,
-             L, &stride, &beta, target + columns, &target_stride);
-    if (!dense) scatter(first, rows, columns, panel, product);
-  }
-
-  static double* column_of(const Panel& panel, int column) {
-    return panel.values +
-           static_cast<Index>(column - panel.first) * panel.stride;
-  }
-
-  static void scatter(const int* row, int rows, int columns, const Panel& panel,
-                      const VectorXd& product) {
-    const double* from = product.data();
-    for (int j = 0; j < columns; ++j, from += rows) {
-      double* column = column_of(panel, row[j]);
-      for (int i = j; i < rows; ++i) column[panel.place[row[i]]] += from[i];
+      if (first == last) continue;
+      const FactorRows L{values_of(d) + (first - nodes.begin_of_rows(d)),
+                         nodes.row_count(d),
+                         nodes.column_count(d),
+                         first,
+                         static_cast<int>(end - first),
+                         static_cast<int>(last - first)};
+      subtract_product(L, panel, product);
     }
   }
 
