@@ -10,21 +10,30 @@ namespace ffcontact {
 /// every x86-64, does not (2000 unknowns: 0.31 and 0.97 s). Eigen::PartialPivLU with
 /// EIGEN_USE_BLAS is as fast, but hands empty matrices to BLAS with a stride of 0, which
 /// prints an error on the host's console.
-class DenseLu {
+/// @tparam Scalar  double or float
+template <class Scalar>
+class LapackLu {
  public:
+  using Square = Matrix<Scalar, Dynamic, Dynamic>;
+  using Column = Matrix<Scalar, Dynamic, 1>;
+
   /// @param matrix  square, not empty
-  explicit DenseLu(MatrixXd matrix);
+  explicit LapackLu(Square matrix);
 
   /// Estimate of 1 / (|A| |A^-1|) in the 1-norm; 0 if A is singular or not finite.
-  double reciprocal_condition() const;
+  Scalar reciprocal_condition() const;
 
   /// A^-1 b, for a matrix that is not singular.
-  VectorXd solve(VectorXd right) const;
+  Column solve(Column right) const;
 
  private:
-  MatrixXd factors_;
+  int size() const { return static_cast<int>(factors_.rows()); }
+
+  Square factors_;
   VectorXi pivots_;
-  double norm_;
+  Scalar norm_;
 };
+
+using DenseLu = LapackLu<double>;
 
 }  // namespace ffcontact
