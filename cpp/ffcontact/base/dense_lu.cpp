@@ -72,13 +72,25 @@ Scalar LapackLu<Scalar>::reciprocal_condition() const {
 }
 
 template <class Scalar>
-typename LapackLu<Scalar>::Column LapackLu<Scalar>::solve(Column right) const {
+typename LapackLu<Scalar>::Column LapackLu<Scalar>::solved(
+    const char* transpose, Column right) const {
   assert(right.size() == factors_.rows());
   const int n = size(), one = 1;
   int info = 0;
-  Lapack<Scalar>::solve("N", &n, &one, factors_.data(), &n, pivots_.data(),
-                        right.data(), &n, &info);
+  Lapack<Scalar>::solve(transpose, &n, &one, factors_.data(), &n,
+                        pivots_.data(), right.data(), &n, &info);
   return right;
+}
+
+template <class Scalar>
+typename LapackLu<Scalar>::Column LapackLu<Scalar>::solve(Column right) const {
+  return solved("N", std::move(right));
+}
+
+template <class Scalar>
+typename LapackLu<Scalar>::Column LapackLu<Scalar>::solve_transposed(
+    Column right) const {
+  return solved("T", std::move(right));
 }
 
 template class LapackLu<double>;

@@ -20,14 +20,18 @@ class LapackLu {
   /// @param matrix  square, not empty
   explicit LapackLu(Square matrix);
 
+  int size() const { return static_cast<int>(factors_.rows()); }
+
   /// Estimate of 1 / (|A| |A^-1|) in the 1-norm; 0 if A is singular or not finite.
   Scalar reciprocal_condition() const;
 
   /// A^-1 b, for a matrix that is not singular.
   Column solve(Column right) const;
+  /// A^-T b
+  Column solve_transposed(Column right) const;
 
  private:
-  int size() const { return static_cast<int>(factors_.rows()); }
+  Column solved(const char* transpose, Column right) const;
 
   Square factors_;
   VectorXi pivots_;

@@ -45,7 +45,9 @@ class LinearStep {
   SystemKind solve(ContactRows& rows) {
     assemble();
     SystemKind kind = SystemKind::regular;
-    const VectorXd x = solved(matrix_, right_, count_of(unknown_), kind);
+    RefinedSolver solver;
+    const VectorXd x =
+        solved(transposed_, right_, count_of(unknown_), kind, solver);
     if (!x.allFinite()) return SystemKind::inconsistent;
     const Index n = count_of(unknown_);
     VectorXd v = VectorXd::Zero(contact_.S.rows());
@@ -56,7 +58,7 @@ class LinearStep {
 
   MatrixXd matrix() {
     assemble();
-    return std::move(matrix_);
+    return transposed_.transpose();
   }
 
  private:
@@ -65,14 +67,14 @@ class LinearStep {
     const Index n = count_of(unknown_);
     const int k = contact_.position[row];
     if (k < 0) {
-      matrix_(e, n - 1 - k) += factor * scale_.q[-1 - k];
+      transposed_(n - 1 - k, e) += factor * scale_.q[-1 - k];
       return;
     }
     for (Index j = 0; j < n; ++j)
-      matrix_(e, j) +=
+      transposed_(j, e) +=
           factor * contact_.S(unknown_[j], k) * scale_.v[unknown_[j]];
     for (Index d = 0; d < contact_.E.cols(); ++d)
-      matrix_(e, n + d) -= factor * contact_.E(k, d) * scale_.q[d];
+      transposed_(n + d, e) -= factor * contact_.E(k, d) * scale_.q[d];
     right_[e] += factor * contact_.g[k];
   }
 
@@ -88,13 +90,13 @@ class LinearStep {
     const Index n = count_of(unknown_);
     double steering = 0;
     for (Index j = 0; j < n; ++j) {
-      matrix_(e, j) =
+      transposed_(j, e) =
           scale_.q[d] * contact_.E(unknown_[j], d) * scale_.v[unknown_[j]];
       steering += std::abs(contact_.E(unknown_[j], d));
     }
     for (Index j = 0; j < contact_.F.cols(); ++j) {
-      matrix_(e, n + j) = scale_.q[d] * contact_.F(d, j) * scale_.q[j];
-      steering += std::abs(matrix_(e, n + j));
+      transposed_(n + j, e) = scale_.q[d] * contact_.F(d, j) * scale_.q[j];
+      steering += std::abs(transposed_(n + j, e));
     }
     right_[e] = -scale_.q[d] * contact_.dependent_offset[d];
     if (steering < unsteered) continuation_equation(e, d);
@@ -102,7 +104,7 @@ class LinearStep {
 
   /// The multiplier is that of the row it is continued from, or 0.
   void continuation_equation(Index e, Index d) {
-    matrix_.row(e).setZero();
+    transposed_.col(e).setZero();
     right_[e] = 0;
     add_multiplier(e, contact_.dependent[d], 1 / scale_.q[d]);
     if (contact_.loads_the_body(d) && contact_.continued[d] >= 0)
@@ -111,7 +113,7 @@ class LinearStep {
 
   void assemble() {
     const Index n = count_of(unknown_), d = contact_.E.cols();
-    matrix_ = MatrixXd::Zero(n + d, n + d);
+    transposed_ = MatrixXd::Zero(n + d, n + d);
     right_ = VectorXd::Zero(n + d);
     for (Index e = 0; e < n; ++e)
       multiplier_equation(e, contact_.primary[unknown_[e]],
@@ -143,7 +145,7 @@ class LinearStep {
   VectorXd right_;
   std::vector<RowCondition> conditions_;
   std::vector<int> unknown_;
-  MatrixXd matrix_;
+  MatrixXd transposed_;  ///< an equation is a column
 };
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/least_squares.hpp"
-#include "ffcontact/base/refined_solution.hpp"
 
 namespace ffcontact {
 
@@ -24,12 +23,14 @@ constexpr double leash = 1e-8;
 
 }  // namespace
 
-VectorXd solved(MatrixXd A, const VectorXd& b, Index displacements,
-                SystemKind& kind) {
+VectorXd solved(const MatrixXd& transposed, const VectorXd& b,
+                Index displacements, SystemKind& kind, RefinedSolver& solver) {
   kind = SystemKind::regular;
-  if (A.rows() == 0) return b;
-  if (A.rows() >= many)
-    if (std::optional<VectorXd> x = refined_solution(A, b)) return *x;
+  if (b.size() == 0) return b;
+  if (b.size() >= many)
+    if (std::optional<VectorXd> x = solver.solve_transposed(transposed, b))
+      return *x;
+  MatrixXd A = transposed.transpose();
   const DenseLu lu(A);
   if (lu.reciprocal_condition() > singular) return lu.solve(b);
   const VectorXd smallest = least_squares(A, b, {10 * singular});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/refined_solver.hpp"
 
 namespace ffcontact {
 
@@ -17,9 +17,11 @@ enum class SystemKind {
 };
 
 /// x of A x = b, rows and columns scaled.
+/// @param transposed     A': equations are assembled as columns
 /// @param displacements  how many of the unknowns are; they come first
 /// @param kind           how it was solved
-VectorXd solved(MatrixXd A, const VectorXd& b, Index displacements,
-                SystemKind& kind);
+/// @param solver         of the systems before
+VectorXd solved(const MatrixXd& transposed, const VectorXd& b,
+                Index displacements, SystemKind& kind, RefinedSolver& solver);
 
 }  // namespace ffcontact

@@ -18,7 +18,7 @@ constexpr double least_violation = 1e-13;
 constexpr int most_full_steps = 5;
 constexpr double smallest_step = 1e-3;
 /// Steps that may fail to lower the violation, before the tolerance is met and after.
-constexpr int patience = 30, patience_with_rounding = 2;
+constexpr int patience = 30, patience_with_rounding = 1;
 
 /// Exactly in the law where it is missed by rounding.
 void put_into_law(const NodalLaw& law, const std::vector<char>& held,
@@ -66,14 +66,15 @@ class Newton {
     ++result_.iterations;
     const ContactRows last = rows_;
     const SystemKind kind =
-        solve_surface_step(contact_, held_, map_, states_, rows_);
+        solve_surface_step(contact_, held_, map_, states_, rows_, solver_);
     const bool loose = kind == SystemKind::inconsistent;
     if (failures_ > most_full_steps) shorten_step(last);
     const double violation =
         loose ? infinity : surface_violation(contact_, law_, held_, rows_);
-    const bool better = violation < result_.violation;
+    const bool better = violation < result_.violation,
+               gains = violation < wanted_violation();
     if (better || result_.iterations == 1) keep(violation);
-    failures_ = better ? 0 : failures_ + 1;
+    failures_ = gains ? 0 : failures_ + 1;
     if (violation <= least_violation) return true;
     result_.status = loose ? ContactStatus::singular : ContactStatus::cycled;
     for (std::size_t i = 0; i < states_.size(); ++i)
@@ -82,6 +83,12 @@ class Newton {
     return failures_ > (result_.violation <= settings_.tolerance
                             ? patience_with_rounding
                             : patience);
+  }
+
+  /// Once the tolerance is met, steps that gain less than a factor of 10 are rounding.
+  double wanted_violation() const {
+    const bool met = result_.violation <= settings_.tolerance;
+    return met ? result_.violation / 10 : result_.violation;
   }
 
   /// Back towards the rows before, as far as the merit asks for.
@@ -117,6 +124,7 @@ class Newton {
   const NaturalMap map_;
   std::vector<NodeState> states_;
   ContactRows rows_;
+  RefinedSolver solver_;
   ActiveSetResult result_;
   int failures_ = 0;
 };

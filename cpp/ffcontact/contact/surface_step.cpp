@@ -39,13 +39,12 @@ class SurfaceStep {
     for (int d : dependent_) q_scale_.push_back(scales.q[d]);
   }
 
-  SystemKind solve(ContactRows& rows) {
+  SystemKind solve(ContactRows& rows, RefinedSolver& solver) {
     assemble();
     add_proximal_terms(rows.P);
     SystemKind kind;
     const Index n = count_of(unknown_);
-    transposed_.transposeInPlace();
-    const VectorXd x = solved(std::move(transposed_), right_, n, kind);
+    const VectorXd x = solved(transposed_, right_, n, kind, solver);
     if (!x.allFinite()) return SystemKind::inconsistent;
     spread(x, rows);
     return kind;
@@ -142,6 +141,7 @@ class SurfaceStep {
     const Index n = count_of(unknown_), q = count_of(dependent_);
     transposed_ = MatrixXd::Zero(n + q, n + q);
     right_ = VectorXd::Zero(n + q);
+#pragma omp parallel for
     for (Index e = 0; e < n; ++e)
       put_equation(e, contact_.primary[unknown_[e]], v_scale_[unknown_[e]], 0);
     for (Index d = 0; d < q; ++d) {
@@ -190,8 +190,8 @@ SystemKind solve_surface_step(const CondensedContact& contact,
                               const std::vector<char>& held,
                               const NaturalMap& map,
                               const std::vector<NodeState>& states,
-                              ContactRows& rows) {
-  return SurfaceStep(contact, held, map, states).solve(rows);
+                              ContactRows& rows, RefinedSolver& solver) {
+  return SurfaceStep(contact, held, map, states).solve(rows, solver);
 }
 
 }  // namespace ffcontact
