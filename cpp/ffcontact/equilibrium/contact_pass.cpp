@@ -10,14 +10,32 @@ namespace ffcontact {
 
 namespace {
 
-/// The edges of contact faces, ascending.
-std::vector<int> edges_of_contact(const Hinges<3>& edges,
+/// Places nearer to each other than this part of the body's size are the same.
+constexpr double same_place = 1e-9;
+
+/// The edges of contact faces in the order of their middles, whatever their numbers.
+std::vector<int> edges_of_contact(const SolidTopology& topology,
                                   const std::vector<ContactFace>& contact) {
+  const auto& [mesh, faces, edges, stars] = topology;
   std::vector<int> found;
   for (const ContactFace& face : contact)
     for (int edge : edges.of_facet.col(face.face)) found.push_back(edge);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
+  Matrix3Xd middle(3, edges.count());
+  const double size =
+      (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff())
+          .maxCoeff();
+  for (int edge : found) {
+    const Vector3d sum =
+        mesh.vertices(Eigen::all, edges.vertices.col(edge)).rowwise().sum();
+    middle.col(edge) = (sum / (same_place * size)).array().round();
+  }
+  std::stable_sort(found.begin(), found.end(), [&](int a, int b) {
+    return std::lexicographical_compare(
+        middle.col(a).begin(), middle.col(a).end(), middle.col(b).begin(),
+        middle.col(b).end());
+  });
   return found;
 }
 
@@ -45,7 +63,7 @@ ContactPass::ContactPass(const SolidTopology& topology,
     const Matrix3d of_face = moments.col(face.face).reshaped(3, 3);
     tractions_.push_back(traction_of(face, of_face));
   }
-  for (int edge : edges_of_contact(topology.edges, contact)) {
+  for (int edge : edges_of_contact(topology, contact)) {
     ContactStar star(topology, edge, known, forms, contact, contact_index);
     if (star.is_free()) stars_.push_back(std::move(star));
   }

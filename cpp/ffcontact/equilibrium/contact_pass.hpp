@@ -10,6 +10,7 @@ namespace ffcontact {
 /// Relaxes contact tractions inside the cone: one after the other, the stars of the edges
 /// with contact faces take what lowers e^2 most (ContactStar).
 ///
+/// The order is that of the middles of the edges, whatever their numbers.
 /// Stars that have no tetrahedron's face in common are of one colour and change together:
 /// the digits do not depend on the number of threads.
 class ContactPass {

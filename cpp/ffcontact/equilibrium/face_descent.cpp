@@ -10,7 +10,7 @@ namespace ffcontact {
 namespace {
 
 /// A star that lowers e^2 by less than this part of what it was at first may as well stay.
-constexpr double least_part_of_a_star = 1e-9;
+constexpr double least_part_of_a_star = 1e-8;
 
 }  // namespace
 
@@ -101,22 +101,16 @@ void FaceDescent::turn_direction() {
 
 double FaceDescent::step() {
   turn_direction();
-  const double slope = dot(residual_, direction_);
-  if (!(square_ > 0) || !(slope > 0)) {
-    square_ = 0;
-    return 0;
-  }
-  const double length = slope / square_;
+  if (!(square_ > 0)) return 0;
+  const double slope = dot(residual_, direction_), length = slope / square_;
   add(length, direction_, corrections_);
   add(-length, image_, residual_);
   return length * slope;
 }
 
 double FaceDescent::contact_pass() {
-  const double least = least_part_of_a_star * first_square_;
-  const double fall = contact_(least, corrections_, residual_);
-  if (fall > 0) square_ = 0;
-  return fall;
+  return contact_(least_part_of_a_star * first_square_, corrections_,
+                  residual_);
 }
 
 FaceMoments FaceDescent::correction() const {

@@ -35,8 +35,8 @@ SolidStress difference_stress(const FaceSetting& setting,
 /// the last direction p,
 ///     z = EdgeStars r,   p <- z - (z'Hp / p'Hp) p,   x <- x + (r'p / p'Hp) p.
 /// Every direction is self-equilibrated and leaves known boundary tractions alone.
-/// Contact tractions change between the steps only (contact_pass), after which the
-/// directions begin anew.
+/// Contact tractions change between the steps only (contact_pass); the next direction is
+/// conjugate to the last one as ever.
 /// Sums are over parts of fixed size and each face gathers what the tetrahedra beside it
 /// have for it: the digits do not depend on the number of threads.
 class FaceDescent {

@@ -14,7 +14,7 @@ struct SolidRelaxationSettings {
 };
 
 /// Steps between two passes over the contact edges.
-constexpr int steps_of_a_round = 4;
+constexpr int steps_of_a_round = 3;
 
 /// Lowers e^2 by steps of FaceDescent, after every round of them and the last one by a
 /// ContactPass as well, and keeps equilibrium exactly. What e^2 falls by in a step comes

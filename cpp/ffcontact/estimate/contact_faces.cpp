@@ -12,6 +12,9 @@ namespace {
 /// Tractions nearer to the cone than this part of the largest are in it but for rounding.
 constexpr double traction_rounding = 1e-12;
 
+/// Motions below this part of the largest displacement have no direction.
+constexpr double least_motion = 1e-9;
+
 }  // namespace
 
 std::vector<ContactFace> contact_faces(
@@ -21,6 +24,7 @@ std::vector<ContactFace> contact_faces(
   const Matrix3Xd w =
       displacement_against_foundation(surface, law, displacement);
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const double least = least_motion * largest_displacement(law, displacement);
   std::vector<ContactFace> contact;
   for (int m = 0; m < surface.face_count(); ++m) {
     const Vector3i nodes = surface.face_node.col(m);
@@ -35,8 +39,9 @@ std::vector<ContactFace> contact_faces(
       face.cone[i] = cones[nodes[i]];
       at_vertices.col(i) = w.col(nodes[i]);
       const Vector2d tangential = at_vertices.col(i).tail<2>();
-      face.direction.col(i) = tangential.stableNormalized();
       slip(0, i) = tangential.norm();
+      face.direction.col(i).setZero();
+      if (slip(0, i) > least) face.direction.col(i) = tangential / slip(0, i);
     }
     face.work = face_moments_of(at_vertices, face.area);
     face.slip = face_moments_of(slip, face.area).row(0);
