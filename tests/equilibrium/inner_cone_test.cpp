@@ -40,7 +40,7 @@ struct AnyCone {
 
 RC_GTEST_PROP(InnerCone, lies_in_the_cone, (Random random)) {
   const AnyCone any(random);
-  const InnerCone inner = inner_cone(any.cone, any.present, any.direction);
+  const InnerCone inner = inner_cone(any.cone, any.present, any.direction, 1);
   for (int trial = 0; trial < 200; ++trial) {
     Vector3d r = random_vector(3, random);
     if (any.cone.frictionless()) r.tail<2>().setZero();
@@ -52,7 +52,7 @@ RC_GTEST_PROP(InnerCone, lies_in_the_cone, (Random random)) {
 
 RC_GTEST_PROP(InnerCone, holds_the_present_traction, (Random random)) {
   const AnyCone any(random);
-  const InnerCone inner = inner_cone(any.cone, any.present, any.direction);
+  const InnerCone inner = inner_cone(any.cone, any.present, any.direction, 1);
   RC_ASSERT((inner.C * any.present - inner.d).minCoeff() > -1e-15);
   // by rays of its own, not by limits that give way
   for (Index row = 1; row < inner.d.size(); ++row) {
@@ -66,7 +66,7 @@ RC_GTEST_PROP(InnerCone, holds_the_present_traction, (Random random)) {
 RC_GTEST_PROP(InnerCone, reaches_the_cone_on_its_rays, (Random random)) {
   AnyCone any(random);
   any.present.tail<2>() *= 0.5;
-  const InnerCone inner = inner_cone(any.cone, any.present, any.direction);
+  const InnerCone inner = inner_cone(any.cone, any.present, any.direction, 1);
   const double angle = any.direction.isZero(0)
                            ? 0
                            : std::atan2(any.direction.y(), any.direction.x());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
 
@@ -91,12 +92,13 @@ void ContactPass::colour() {
 }
 
 /// Lets one star change what lies around its edge; returns by how much e^2 fell.
-double ContactPass::relax(const ContactStar& star, double least_fall,
+double ContactPass::relax(const ContactStar& star,
+                          const ContactStar::Scales& scales,
                           Matrix9Xd& corrections, Matrix9Xd& residual) {
   const Hinges<3>& edges = topology_.edges;
   const int edge = star.edge(), first = edges.facet_start[edge];
-  const ContactStar::Change change = star.change(
-      -restricted(topology_, edge, residual), least_fall, tractions_);
+  const ContactStar::Change change =
+      star.change(-restricted(topology_, edge, residual), scales, tractions_);
   if (change.fall == 0) return 0;
   const auto of_face = [&](int place) {
     return at_place(topology_, edge, place, change.x);
@@ -117,12 +119,15 @@ double ContactPass::relax(const ContactStar& star, double least_fall,
 
 double ContactPass::operator()(double least_fall, Matrix9Xd& corrections,
                                Matrix9Xd& residual) {
+  ContactStar::Scales scales{least_fall, 0};
+  for (const Matrix3d& traction : tractions_)
+    scales.traction = std::max(scales.traction, max_norm(traction));
   VectorXd falls = VectorXd::Zero(count_of(stars_));
   for (const std::vector<int>& colour : colours_) {
 #pragma omp parallel for
     for (std::size_t k = 0; k < colour.size(); ++k)
       falls[colour[k]] =
-          relax(stars_[colour[k]], least_fall, corrections, residual);
+          relax(stars_[colour[k]], scales, corrections, residual);
   }
   return falls.sum();
 }

@@ -34,7 +34,7 @@ class ContactPass {
 
  private:
   void colour();
-  double relax(const ContactStar& star, double least_fall,
+  double relax(const ContactStar& star, const ContactStar::Scales& scales,
                Matrix9Xd& corrections, Matrix9Xd& residual);
 
   const SolidTopology& topology_;

@@ -16,9 +16,8 @@ namespace {
 
 /// Conditions on the corrections of an edge that depend on others but for this part.
 constexpr PivotThreshold dependent_on_others{1e-9};
-/// Tractions outside the cone by this part of the largest beside them are inside it but
-/// for rounding.
-constexpr double cone_rounding = 1e-13;
+/// Tractions outside the cone by this part of the largest are in it but for rounding.
+constexpr double cone_rounding = 1e-14;
 
 /// Tractions at the vertices of a contact face from its nine unknowns.
 Matrix9d tractions_of_unknowns(const SolidTopology& topology,
@@ -57,13 +56,6 @@ MatrixXd free_basis(const MatrixXd& conditions, const std::vector<MatrixXd>& P,
   if (rows.rows() == 0)
     return MatrixXd::Identity(conditions.cols(), conditions.cols());
   return kernel_basis(rows, dependent_on_others);
-}
-
-double largest_of(const std::vector<Matrix3d>& tractions) {
-  double largest = 0;
-  for (const Matrix3d& traction : tractions)
-    largest = std::max(largest, max_norm(traction));
-  return largest;
 }
 
 }  // namespace
@@ -126,10 +118,11 @@ ContactStar::Tractions ContactStar::moved(const Tractions& from,
   return to;
 }
 
-bool ContactStar::in_the_cone(const Tractions& tractions) const {
-  const double rounding = cone_rounding * largest_of(tractions);
+bool ContactStar::in_the_cone(const Tractions& tractions,
+                              double largest) const {
   for (std::size_t k = 0; k < tractions.size(); ++k)
-    if (cone_violation(*faces_[k], tractions[k]) > rounding) return false;
+    if (cone_violation(*faces_[k], tractions[k]) > cone_rounding * largest)
+      return false;
   return true;
 }
 
@@ -141,34 +134,37 @@ double ContactStar::term(const Tractions& tractions) const {
 }
 
 /// t with the least t'S t / 2 + slope't in the inner cones.
-std::optional<VectorXd> ContactStar::least_in_cones(
-    const VectorXd& slope, const Tractions& from) const {
+std::optional<VectorXd> ContactStar::least_in_cones(const VectorXd& slope,
+                                                    const Tractions& from,
+                                                    double largest) const {
   MatrixXd C(6 * InnerCone::most_rows, slope.size());
   VectorXd d(C.rows());
   Index rows = 0;
   for (std::size_t k = 0; k < from.size(); ++k)
     for (int i = 0; i < 3; ++i) {
       const InnerCone inner = inner_cone(faces_[k]->cone[i], from[k].col(i),
-                                         -faces_[k]->direction.col(i));
+                                         -faces_[k]->direction.col(i), largest);
       const Index count = inner.d.size();
       C.middleRows(rows, count) = inner.C * P_[k].middleRows<3>(3 * i);
       d.segment(rows, count) = inner.d - inner.C * from[k].col(i);
       rows += count;
     }
   const auto t = quadratic_minimum(S_, slope, C.topRows(rows), d.head(rows));
-  return t && in_the_cone(moved(from, *t)) ? t : std::nullopt;
+  return t && in_the_cone(moved(from, *t), largest) ? t : std::nullopt;
 }
 
 std::optional<VectorXd> ContactStar::least(const VectorXd& slope,
                                            const Tractions& from,
-                                           double least_fall) const {
+                                           const Scales& scales) const {
   const VectorXd t = -S_factor_.solve(slope);
-  if (-slope.dot(t) <= least_fall) return std::nullopt;
-  return in_the_cone(moved(from, t)) ? t : least_in_cones(slope, from);
+  if (-slope.dot(t) <= scales.least_fall) return std::nullopt;
+  return in_the_cone(moved(from, t), scales.traction)
+             ? t
+             : least_in_cones(slope, from, scales.traction);
 }
 
 ContactStar::Change ContactStar::change(
-    const VectorXd& g, double least_fall,
+    const VectorXd& g, const Scales& scales,
     std::vector<Matrix3d>& tractions) const {
   const VectorXd g_inside = g(inside_), first = -solve_inside(g_inside),
                  elastic = basis_.transpose() * g(outside_) +
@@ -179,13 +175,13 @@ ContactStar::Change ContactStar::change(
     from.push_back(tractions[index_[k]]);
     slope += P_[k].transpose() * contact_slope(*faces_[k], from[k]).reshaped();
   }
-  const std::optional<VectorXd> t = least(slope, from, least_fall);
+  const std::optional<VectorXd> t = least(slope, from, scales);
   if (!t) return {};
   const Tractions to = moved(from, *t);
   Change change;
   change.fall = -g_inside.dot(first) - t->dot(2 * elastic + S_ * *t) -
                 2 * (term(to) - term(from));
-  if (!(change.fall > least_fall)) return {};
+  if (!(change.fall > scales.least_fall)) return {};
   for (std::size_t k = 0; k < to.size(); ++k) tractions[index_[k]] = to[k];
   change.x.resize(g.size());
   change.x(outside_) = basis_ * *t;

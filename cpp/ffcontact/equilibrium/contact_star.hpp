@@ -35,6 +35,11 @@ class ContactStar {
   /// Is there anything that changes contact tractions?
   bool is_free() const { return basis_.cols() > 0; }
 
+  struct Scales {
+    double least_fall;  ///< of e^2: less is nothing
+    double traction;    ///< largest on the surface [MPa]
+  };
+
   /// What lowers e^2 and keeps the cone.
   struct Change {
     VectorXd x;       ///< [6 + 3 m]
@@ -44,8 +49,7 @@ class ContactStar {
   /// @param g           half the slope of the elastic part of e^2 by x
   /// @param tractions   r_hat at the vertices of all contact faces; those of the edge are
   ///                    changed
-  /// @param least_fall  less than this is nothing
-  Change change(const VectorXd& g, double least_fall,
+  Change change(const VectorXd& g, const Scales& scales,
                 std::vector<Matrix3d>& tractions) const;
 
  private:
@@ -55,12 +59,13 @@ class ContactStar {
   void reduce(const MatrixXd& A);
   VectorXd solve_inside(const VectorXd& b) const;
   Tractions moved(const Tractions& from, const VectorXd& t) const;
-  bool in_the_cone(const Tractions& tractions) const;
+  bool in_the_cone(const Tractions& tractions, double largest) const;
   double term(const Tractions& tractions) const;
   std::optional<VectorXd> least(const VectorXd& slope, const Tractions& from,
-                                double least_fall) const;
+                                const Scales& scales) const;
   std::optional<VectorXd> least_in_cones(const VectorXd& slope,
-                                         const Tractions& from) const;
+                                         const Tractions& from,
+                                         double largest) const;
 
   int edge_;
   std::vector<int> inside_, outside_;      ///< places in x

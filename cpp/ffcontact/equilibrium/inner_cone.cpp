@@ -19,16 +19,20 @@ double angle_of(const Vector2d& direction) {
   return std::atan2(direction.y(), direction.x());
 }
 
+/// Tractions below this part of the largest have no direction.
+constexpr double least_traction = 1e-9;
+
 /// Ascending angles of the rays, the first once more after a turn.
 std::vector<double> ray_angles(const FrictionCone& cone,
                                const Vector3d& present,
-                               const Vector2d& direction) {
+                               const Vector2d& direction, double largest) {
   const Vector2d rt = present.tail<2>();
   const double first = direction.isZero(0) ? 0 : angle_of(direction);
   std::vector<double> angles;
   for (int k = 0; k < InnerCone::rays; ++k)
     angles.push_back(first + whole_turn * k / InnerCone::rays);
-  if (rt.norm() > near_the_cone * cone.bound(present[0])) {
+  if (rt.norm() > std::max(near_the_cone * cone.bound(present[0]),
+                           least_traction * largest)) {
     double own = angle_of(rt);
     while (own < first - same_ray) own += whole_turn;
     while (own >= first - same_ray + whole_turn) own -= whole_turn;
@@ -47,7 +51,7 @@ std::vector<double> ray_angles(const FrictionCone& cone,
 }  // namespace
 
 InnerCone inner_cone(const FrictionCone& cone, const Vector3d& present,
-                     const Vector2d& direction) {
+                     const Vector2d& direction, double largest) {
   InnerCone inner{{InnerCone::most_rows, 3}, VectorXd(InnerCone::most_rows)};
   int rows = 0;
   const auto add = [&](const Vector3d& row, double limit) {
@@ -56,7 +60,8 @@ InnerCone inner_cone(const FrictionCone& cone, const Vector3d& present,
   };
   add({-1, 0, 0}, 0);
   if (!cone.frictionless()) {
-    const std::vector<double> angles = ray_angles(cone, present, direction);
+    const std::vector<double> angles =
+        ray_angles(cone, present, direction, largest);
     for (std::size_t k = 1; k < angles.size(); ++k) {
       const double middle = (angles[k - 1] + angles[k]) / 2,
                    chord = std::cos((angles[k] - angles[k - 1]) / 2);

@@ -24,7 +24,8 @@ struct InnerCone {
 
 /// @param present    a traction in the cone, but for rounding: its conditions are met
 /// @param direction  of one of the rays, or 0
+/// @param largest    traction around: 1e-9 of it has no direction
 InnerCone inner_cone(const FrictionCone& cone, const Vector3d& present,
-                     const Vector2d& direction);
+                     const Vector2d& direction, double largest);
 
 }  // namespace ffcontact
