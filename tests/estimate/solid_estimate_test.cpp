@@ -42,6 +42,71 @@ RC_GTEST_PROP(SolidEstimate, is_admissible, (Random random)) {
   RC_ASSERT(found.contact >= 0);
 }
 
+RC_GTEST_PROP(SolidEstimate, falls_by_what_steps_and_passes_say,
+              (Random random)) {
+  // history is summed from the last e^2: the first must be that of no steps
+  const SolidProblem problem = any_block(random);
+  const SurfaceSolution solution = problem.solve();
+  const int steps = 1 + static_cast<int>(random() % 16);
+  const SolidEstimate first = estimate(problem, solution, {0, 0}),
+                      last = estimate(problem, solution, {steps, 0});
+  RC_ASSERT(std::abs(last.history[0] - first.e) < 1e-6 * first.e);
+  RC_ASSERT(std::abs(first.history[0] - first.e) < 1e-15 * first.e);
+  for (int k = 1; k <= steps; ++k)
+    RC_ASSERT(last.history[k] < last.history[k - 1]);
+  RC_ASSERT(last.reason == "");
+}
+
+/// Any law and displacement of the load step before, with friction that changes from
+/// node to node.
+SolidProblem with_any_law(SolidProblem problem, std::mt19937& random) {
+  SurfaceLaw& law = problem.law;
+  const int nodes = problem.surface.node_count(), kind = random() % 4;
+  const auto any = [&](double scale) -> VectorXd {
+    return scale * random_vector(nodes, random).cwiseAbs();
+  };
+  if (kind == 0) law.slip_bound = any(10);
+  if (kind == 1) law.shear_limit = any(3);
+  if (kind == 2) law.multiplier = Multiplier::pressure;
+  if (kind != 0) law.friction = any(1);
+  if (random() % 2) law.gap = any(0.01);
+  if (random() % 2) law.previous = 1e-3 * random_matrix(2, nodes, random);
+  return problem;
+}
+
+RC_GTEST_PROP(SolidEstimate, is_admissible_for_every_law, (Random random)) {
+  const SolidProblem problem = with_any_law(any_block(random), random);
+  const SurfaceSolution solution = problem.solve();
+  RC_PRE(solution.status == ContactStatus::converged);
+  const SolidEstimate first = estimate(problem, solution, {0, 0}),
+                      last = estimate(problem, solution);
+  RC_ASSERT(last.reason == "");
+  RC_ASSERT(last.equilibrium.largest() < 1e-11);
+  RC_ASSERT(last.cone < 1e-15);
+  RC_ASSERT(last.contact >= 0);
+  RC_ASSERT(std::abs(last.history[0] - first.e) < 1e-6 * first.e);
+}
+
+TEST(SolidEstimate, relaxes_contact_tractions_inside_the_cone) {
+  // where all sticks this lowers e most; where all slips, little
+  const SolidProblem problem = block_problem(block(8), BlockCase::shear, 0.5);
+  const SurfaceSolution solution = problem.solve();
+  const SolidEstimate before = estimate(problem, solution, {0, 0}),
+                      after = estimate(problem, solution);
+  EXPECT_LT(after.e, 7.02);  // 7.5 with tractions as they were
+  EXPECT_LT(after.contact, 0.01 * after.e * after.e);
+  EXPECT_EQ(after.tractions, before.tractions);
+  double change = 0;
+  for (int m = 0; m < problem.surface.face_count(); ++m) {
+    const Matrix3d first =
+        after.tractions(Eigen::all, problem.surface.face_node.col(m));
+    change = std::max(change,
+                      (after.face_tractions.col(m) - first.reshaped()).norm());
+    EXPECT_LT((before.face_tractions.col(m) - first.reshaped()).norm(), 1e-13);
+  }
+  EXPECT_GT(change, 1);
+}
+
 RC_GTEST_PROP(SolidEstimate, parts_fit_together, (Random random)) {
   const SolidEstimate found = estimate(any_block(random), {5, 0});
   const double e = found.e;
@@ -83,6 +148,38 @@ TEST(SolidEstimate, bounds_the_error) {
     }
 }
 
+/// e / |u - u_h| where the error is extrapolated from references of 8, 16 and 32 cells
+/// along x: |u_ref - u_h|^2 = C^2 (h^2r - h_ref^2r).
+std::array<double, 2> effectivities(BlockCase loads) {
+  const std::array<double, 2> cells{8, 16};
+  std::array<Bound, 2> bounds{bound_of(loads, 0.5, 8, 4),
+                              bound_of(loads, 0.5, 16, 2)};
+  const auto power = [](double n, double rate) {
+    return std::pow(n, -2 * rate);
+  };
+  double low = 0.1, high = 3;
+  while (high - low > 1e-6) {
+    const double rate = (low + high) / 2,
+                 ratio = bounds[0].error / bounds[1].error;
+    const bool more = (power(8, rate) - power(32, rate)) /
+                          (power(16, rate) - power(32, rate)) <
+                      ratio * ratio;
+    (more ? low : high) = rate;
+  }
+  for (int k = 0; k < 2; ++k)
+    bounds[k].error *= std::sqrt(power(cells[k], low) /
+                                 (power(cells[k], low) - power(32, low)));
+  return {bounds[0].effectivity(), bounds[1].effectivity()};
+}
+
+TEST(SolidEstimate, is_near_the_error_with_contact) {
+  for (BlockCase loads : {BlockCase::press, BlockCase::shear})
+    for (double effectivity : effectivities(loads)) {
+      EXPECT_LT(effectivity, 1.25);
+      EXPECT_GT(effectivity, 1.05);
+    }
+}
+
 /// A body of 3 x 2 x 2 under loads at random; kind 0 is pressed by its top, 1 held by
 /// two guides and contact, 2 clamped at one side.
 struct RandomLoads {
@@ -120,11 +217,11 @@ RC_GTEST_PROP(SolidEstimate, bounds_the_error_without_friction_and_with_trescas,
               (Random random)) {
   const RandomLoads loads(random);
   const Vector3i cells(3, 2, 2);
-  const SolidProblem coarse = loads.on(cells), fine = loads.on(2 * cells);
+  const SolidProblem coarse = loads.on(cells), fine = loads.on(3 * cells);
   const SurfaceSolution solution = coarse.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const VectorXd off = fine.solve().displacement -
-                       on_finer_brick(solution.displacement, cells, 2);
+                       on_finer_brick(solution.displacement, cells, 3);
   const RowMatrix K = stiffness(fine.mesh, solved_solid(fine, {}).hooke);
   const SolidEstimate found = estimate(coarse, solution);
   RC_ASSERT(found.reason == "");
@@ -221,6 +318,7 @@ TEST(SolidEstimate, has_the_same_digits_on_two_threads) {
   EXPECT_EQ(one.history, two.history);
   EXPECT_EQ(one.moments, two.moments);
   EXPECT_EQ(one.local, two.local);
+  EXPECT_EQ(one.face_tractions, two.face_tractions);
 }
 
 /// A body of one stress, held by contact alone along z.
@@ -237,8 +335,11 @@ RC_GTEST_PROP(SolidEstimate, constant_pressure_has_no_error, (Random random)) {
   RC_ASSERT(elastic_part(found) < 1e-12);
   RC_ASSERT(found.relative < 1e-7);
   RC_ASSERT(found.reason == "");
-  for (Index i = 0; i < found.tractions.cols(); ++i)
-    RC_ASSERT((found.tractions.col(i) - Vector3d(-10, 0, 0)).norm() < 1e-9);
+  for (const auto& r :
+       {found.tractions, Matrix3Xd(found.face_tractions.reshaped(
+                             3, 3 * found.face_tractions.cols()))})
+    for (Index i = 0; i < r.cols(); ++i)
+      RC_ASSERT((r.col(i) - Vector3d(-10, 0, 0)).norm() < 1e-9);
 }
 
 RC_GTEST_PROP(SolidEstimate, homogeneous_slip_has_no_error, (Random random)) {

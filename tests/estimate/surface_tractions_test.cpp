@@ -94,6 +94,18 @@ TEST(SurfaceTractions, none_pull) {
                                motions, motions.transpose() * lift));
 }
 
+/// The contact part of e^2 for tractions at the nodes.
+VectorXd parts_of(const SolidProblem& problem, const Matrix3Xd& r,
+                  const VectorXd& u) {
+  SurfaceTractions on_faces(9, problem.surface.face_count());
+  for (int m = 0; m < problem.surface.face_count(); ++m)
+    on_faces.col(m) =
+        r(Eigen::all, problem.surface.face_node.col(m)).reshaped();
+  return contact_error(contact_faces(problem.mesh, problem.faces,
+                                     problem.surface, problem.law, u),
+                       on_faces);
+}
+
 TEST(SurfaceError, of_linear_fields) {
   // (0, 1)^2: r = (-1 - x, 0.5, 0), w = (-y, 0, -3), mu = 2, gap 1 at u_n = 1 - y:
   // 2 int 2 (1 + x) 3 + (1 + x) y = 2 (9 + 3/4)
@@ -107,8 +119,7 @@ TEST(SurfaceError, of_linear_fields) {
     r.col(i) << -1 - x.x(), 0.5, 0;
     u.segment<3>(3 * surface.vertex[i]) << 0, -3, -(1 - x.y());
   }
-  const VectorXd parts =
-      contact_error(problem.mesh, problem.faces, surface, problem.law, r, u);
+  const VectorXd parts = parts_of(problem, r, u);
   EXPECT_EQ(parts.size(), 2);
   EXPECT_NEAR(parts.sum(), 19.5, 1e-13);
 
@@ -120,10 +131,42 @@ TEST(SurfaceError, of_linear_fields) {
   for (int i = 0; i < 4; ++i)
     u[3 * surface.vertex[i]] =
         problem.mesh.vertices(0, surface.vertex[i]) - 0.5;
-  const double bound = contact_error(problem.mesh, problem.faces, surface,
-                                     problem.law, Matrix3Xd::Zero(3, 4), u)
-                           .sum();
+  const double bound = parts_of(problem, Matrix3Xd::Zero(3, 4), u).sum();
   EXPECT_NEAR(bound, 2 * 0.5, 1e-14);  // the integral is 2 / 4
+}
+
+RC_GTEST_PROP(ContactFaces, moments_and_tractions_are_the_same,
+              (Random random)) {
+  SolidProblem problem(irregular_solid(random), 0.6);
+  const std::vector<ContactFace> contact =
+      contact_faces(problem.mesh, problem.faces, problem.surface, problem.law,
+                    VectorXd::Zero(problem.b.size()));
+  SurfaceTractions given = 0.1 * random_matrix(9, contact.size(), random);
+  for (int i : {0, 3, 6}) given.row(i).array() -= 1;
+  FaceMoments moments = FaceMoments::Zero(9, problem.faces.count());
+  put_moments(contact, given, moments);
+  RC_ASSERT((tractions_of(contact, moments) - given).norm() < 1e-13);
+  // n is -z, t1 and t2 are x and y: the resultant is that of the moments
+  Vector3d force = Vector3d::Zero();
+  for (std::size_t m = 0; m < contact.size(); ++m)
+    force += contact[m].area / 3 * given.col(m).reshaped(3, 3).rowwise().sum();
+  const Vector3d sum = moments.reshaped(3, moments.size() / 3).rowwise().sum();
+  RC_ASSERT((Vector3d(-sum.z(), sum.x(), sum.y()) - force).norm() < 1e-13);
+}
+
+TEST(ContactFaces, cut_off_rounding_alone) {
+  SolidProblem problem(brick({1, 1, 1}, {1, 1, 1}), 0.5);
+  const std::vector<ContactFace> contact =
+      contact_faces(problem.mesh, problem.faces, problem.surface, problem.law,
+                    VectorXd::Zero(problem.b.size()));
+  for (double outside : {1e-14, 1e-6}) {
+    SurfaceTractions given = SurfaceTractions::Zero(9, contact.size());
+    given.col(0).head<3>() << -2, 1 + outside, 0;
+    FaceMoments moments = FaceMoments::Zero(9, problem.faces.count());
+    put_moments(contact, given, moments);
+    const double left = cone_violation(contact, tractions_of(contact, moments));
+    EXPECT_NEAR(left, outside < 1e-12 ? 0 : outside, 1e-15);
+  }
 }
 
 TEST(SurfaceError, admissible_displacement_keeps_clear) {

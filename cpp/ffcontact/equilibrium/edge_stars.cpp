@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/equilibrium/edge_form.hpp"
 
 namespace ffcontact {
 
@@ -11,37 +12,6 @@ namespace {
 
 /// Conditions on the corrections of an edge that depend on others but for this part.
 constexpr PivotThreshold dependent_conditions{1e-9};
-
-/// Which face of a tetrahedron.
-int local_face(const Facets<3>& faces, int face, int cell) {
-  int k = 0;
-  while (faces.of_cell(k, cell) != face) ++k;
-  return k;
-}
-
-/// The tetrahedra around an edge, each by the places of its two faces there.
-struct Wedge {
-  int cell;
-  int place[2];  ///< among the faces around the edge
-  int local[2];  ///< among those of the tetrahedron
-};
-
-std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
-  const auto& [mesh, faces, edges, stars] = topology;
-  const int first = edges.facet_start[edge], count = edges.facet_count(edge);
-  std::vector<Wedge> wedges;
-  for (int b = 1; b < count; ++b)
-    for (int t : faces.cells.col(edges.facet[first + b]))
-      for (int a = 0; a < b && t >= 0; ++a) {
-        const int face = edges.facet[first + a];
-        if (faces.cells(0, face) == t || faces.cells(1, face) == t)
-          wedges.push_back({t,
-                            {a, b},
-                            {local_face(faces, face, t),
-                             local_face(faces, edges.facet[first + b], t)}});
-      }
-  return wedges;
-}
 
 /// The columns of L from the diagonal down.
 Eigen::VectorXf packed_columns(const MatrixXd& L) {
@@ -70,57 +40,12 @@ void solve_with(const Eigen::VectorXf& factor, Index n, double* x) {
 
 }  // namespace
 
-/// A = Z' H Z.
-MatrixXd EdgeStars::form(int edge, const FaceForms& forms) const {
-  MatrixXd A = MatrixXd::Zero(unknowns(edge), unknowns(edge));
-  for (const Wedge& wedge : wedges_of(topology_, edge)) {
-    const Matrix6d shifts[] = {shift(edge, wedge.place[0]).matrix(),
-                               shift(edge, wedge.place[1]).matrix()};
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) {
-        const Matrix9d H =
-            forms.block(wedge.cell, wedge.local[i], wedge.local[j]);
-        const int bars_i = 6 + 3 * wedge.place[i],
-                  bars_j = 6 + 3 * wedge.place[j];
-        const Matrix<double, 6, 9> above =
-            shifts[i].transpose() * H.topRows<6>();
-        A.topLeftCorner<6, 6>() += above.leftCols<6>() * shifts[j];
-        A.block<6, 3>(0, bars_j) += above.rightCols<3>();
-        A.block<3, 6>(bars_i, 0) += H.bottomLeftCorner<3, 6>() * shifts[j];
-        A.block<3, 3>(bars_i, bars_j) += H.bottomRightCorner<3, 3>();
-      }
-  }
-  return A;
-}
-
-/// Rows that are zero for corrections that leave known boundary tractions alone.
-MatrixXd EdgeStars::conditions(int edge, const FaceTractions& boundary) const {
-  const Hinges<3>& edges = topology_.edges;
-  const Facets<3>& faces = topology_.faces;
-  MatrixXd rows = MatrixXd::Zero(18, unknowns(edge));
-  int next = 0;
-  for (int i = 0; i < edges.facet_count(edge); ++i) {
-    const int face = edges.facet[edges.facet_start[edge] + i];
-    if (!faces.on_boundary(face)) continue;
-    const Matrix3d corners =
-        topology_.mesh.vertices(Eigen::all, faces.vertices.col(face));
-    const Matrix9d V = wrench_basis(corners);
-    for (int row = 0; row < 9; ++row) {
-      if (!boundary.known(row % 3, face)) continue;
-      rows.block<1, 6>(next, 0) =
-          V.block<1, 6>(row, 0) * shift(edge, i).matrix();
-      rows.block<1, 3>(next++, 6 + 3 * i) = V.block<1, 3>(row, 6);
-    }
-  }
-  return rows.topRows(next);
-}
-
 EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
                                 const FaceForms& forms) const {
   Star star;
-  MatrixXd A = form(edge, forms);
+  MatrixXd A = edge_form(topology_, edge, forms);
   if (topology_.edges.on_boundary[edge]) {
-    const MatrixXd known = conditions(edge, boundary);
+    const MatrixXd known = edge_conditions(topology_, edge, boundary.known);
     if (known.rows() > 0) {
       star.basis = kernel_basis(known, dependent_conditions);
       A = (star.basis.transpose() * A * star.basis).eval();

@@ -37,8 +37,6 @@ class EdgeStars {
     Eigen::VectorXf factor;
   };
 
-  MatrixXd form(int edge, const FaceForms& forms) const;
-  MatrixXd conditions(int edge, const FaceTractions& boundary) const;
   Star star(int edge, const FaceTractions& boundary,
             const FaceForms& forms) const;
   const WrenchShift& shift(int edge, int place) const;

@@ -7,6 +7,13 @@
 
 namespace ffcontact {
 
+namespace {
+
+/// A star that lowers e^2 by less than this part of what it was at first may as well stay.
+constexpr double least_part_of_a_star = 1e-8;
+
+}  // namespace
+
 FaceLoads difference_loads(const FaceSetting& setting,
                            const FaceMoments& moments, int cell) {
   const auto& [mesh, faces, edges, stars] = setting.topology;
@@ -31,6 +38,8 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
     : setting_(setting),
       forms_(setting.topology, setting.hooke),
       stars_(setting.topology, setting.boundary, forms_),
+      contact_(setting.topology, setting.boundary, forms_, setting.contact,
+               moments),
       corrections_(Matrix9Xd::Zero(9, moments.cols())),
       residual_(9, moments.cols()),
       direction_(9, 0),
@@ -50,6 +59,7 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
   }
   gather(slopes, residual_);
   first_square_ = parted_sum(cells, [&](int t) { return squares[t]; });
+  first_contact_part_ = contact_.contact_part();
 }
 
 void FaceDescent::gather(const Matrix<double, 36, Dynamic>& of_cells,
@@ -91,27 +101,31 @@ void FaceDescent::turn_direction() {
 
 double FaceDescent::step() {
   turn_direction();
-  const double slope = dot(residual_, direction_);
-  if (!(square_ > 0) || !(slope > 0)) {
-    square_ = 0;
-    return 0;
-  }
-  const double length = slope / square_;
+  if (!(square_ > 0)) return 0;
+  const double slope = dot(residual_, direction_), length = slope / square_;
   add(length, direction_, corrections_);
   add(-length, image_, residual_);
   return length * slope;
 }
 
+double FaceDescent::contact_pass() {
+  return contact_(least_part_of_a_star * first_square_, corrections_,
+                  residual_);
+}
+
 FaceMoments FaceDescent::correction() const {
   const SolidMesh& mesh = setting_.topology.mesh;
   const Facets<3>& faces = setting_.topology.faces;
+  KnownComponents known = setting_.boundary.known;
+  for (const ContactFace& face : setting_.contact)
+    known.col(face.face).setConstant(false);
   FaceMoments moments(9, faces.count());
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {
     const Matrix3d corners = mesh.vertices(Eigen::all, faces.vertices.col(f));
     moments.col(f) = wrench_basis(corners) * corrections_.col(f);
     for (int row = 0; row < 9; ++row)
-      if (setting_.boundary.known(row % 3, f)) moments(row, f) = 0;
+      if (known(row % 3, f)) moments(row, f) = 0;
   }
   return moments;
 }

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/equilibrium/contact_pass.hpp"
 #include "ffcontact/equilibrium/edge_stars.hpp"
 #include "ffcontact/equilibrium/solid_residual.hpp"
 
 namespace ffcontact {
 
-/// What a solid's face moments are relaxed for: the least |sigma_hat - sigma|.
+/// What a solid's face moments are relaxed for: the least
+///     e^2 = |sigma_hat - sigma|^2 + 2 sum of contact_term
+/// with r_hat in the cone.
 struct FaceSetting {
   const SolidTopology& topology;
   const HookeTensors<3>& hooke;
   const FaceTractions& boundary;
   const SolidBodyLoadsOfAll& body_loads;
   const Matrix6Xd& stress;  ///< sigma, constant per tetrahedron [MPa]
+  /// faces whose tractions, known in `boundary`, may change in the cone
+  std::vector<ContactFace> contact = {};
 };
 
 /// The loads of sigma_hat - sigma on one tetrahedron's faces. With the body loads they are
@@ -30,6 +35,8 @@ SolidStress difference_stress(const FaceSetting& setting,
 /// the last direction p,
 ///     z = EdgeStars r,   p <- z - (z'Hp / p'Hp) p,   x <- x + (r'p / p'Hp) p.
 /// Every direction is self-equilibrated and leaves known boundary tractions alone.
+/// Contact tractions change between the steps only (contact_pass); the next direction is
+/// conjugate to the last one as ever.
 /// Sums are over parts of fixed size and each face gathers what the tetrahedra beside it
 /// have for it: the digits do not depend on the number of threads.
 class FaceDescent {
@@ -38,13 +45,17 @@ class FaceDescent {
   /// @param moments  in equilibrium, from which the descent starts
   FaceDescent(const FaceSetting& setting, const FaceMoments& moments);
 
-  /// e_0^2 [N mm]
+  /// |sigma_hat - sigma|^2 and the contact part of e^2 at first [N mm]
   double first_square() const { return first_square_; }
+  double first_contact_part() const { return first_contact_part_; }
 
   /// One step; returns by how much e^2 fell.
   double step();
 
-  /// The moments of x [N, 9 x faces], 0 on known components.
+  /// One ContactPass; returns by how much e^2 fell.
+  double contact_pass();
+
+  /// The moments of x [N, 9 x faces], 0 on components known but for contact.
   FaceMoments correction() const;
 
  private:
@@ -56,10 +67,11 @@ class FaceDescent {
   const FaceSetting& setting_;
   FaceForms forms_;
   EdgeStars stars_;
+  ContactPass contact_;
   Matrix9Xd corrections_, residual_, direction_;
   Matrix9Xd image_;    ///< H p
   double square_ = 0;  ///< p'Hp; 0: no direction yet
-  double first_square_ = 0;
+  double first_square_ = 0, first_contact_part_ = 0;
 };
 
 }  // namespace ffcontact

@@ -14,11 +14,14 @@ namespace ffcontact {
 /// vectors per face [N].
 using FaceMoments = Matrix<double, 9, Dynamic>;
 
+/// Which components of the traction on each face are given [3 x faces].
+using KnownComponents = Eigen::Array<bool, 3, Dynamic>;
+
 /// What the boundary of an admissible stress must carry, per face and Cartesian
 /// component; as BoundaryTractions in the plane.
 struct FaceTractions {
-  Eigen::Array<bool, 3, Dynamic> known;  ///< [3 x faces], false inside the body
-  FaceMoments moments;  ///< of the known components, 0 elsewhere
+  KnownComponents known;  ///< false inside the body
+  FaceMoments moments;    ///< of the known components, 0 elsewhere
 };
 
 /// The given tractions alone; contact faces are as any others.

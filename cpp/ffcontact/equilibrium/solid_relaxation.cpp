@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/solid_relaxation.hpp"
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/relaxation_progress.hpp"
 
 namespace ffcontact {
@@ -10,12 +11,18 @@ std::vector<double> relax_faces(const FaceSetting& setting,
                                 FaceMoments& moments) {
   if (settings.steps == 0) return {};
   FaceDescent descent(setting, moments);
-  RelaxationProgress progress(descent.first_square(), 0);
+  RelaxationProgress progress(descent.first_square(),
+                              descent.first_contact_part());
   std::vector<double> falls;
-  for (int step = 0; step < settings.steps; ++step) {
+  for (bool goes_on = true; goes_on;) {
     falls.push_back(descent.step());
-    if (!progress.goes_on(falls.back(), settings.tightness)) break;
+    const int steps = count_of(falls);
+    if (steps % steps_of_a_round == 0) falls.back() += descent.contact_pass();
+    goes_on = progress.goes_on(falls.back(), settings.tightness) &&
+              steps < settings.steps;
   }
+  if (falls.size() % steps_of_a_round != 0)
+    falls.back() += descent.contact_pass();
   moments += descent.correction();
   return falls;
 }

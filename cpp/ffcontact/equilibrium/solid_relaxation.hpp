@@ -13,9 +13,13 @@ struct SolidRelaxationSettings {
   double tightness = 0;
 };
 
-/// Lowers e^2 = |sigma_hat - sigma|^2 by steps of FaceDescent, and keeps equilibrium
-/// exactly. What e^2 falls by in a step comes with it: the stopping test costs nothing.
-/// @param moments  in equilibrium, relaxed in place
+/// Steps between two passes over the contact edges.
+constexpr int steps_of_a_round = 3;
+
+/// Lowers e^2 by steps of FaceDescent, after every round of them and the last one by a
+/// ContactPass as well, and keeps equilibrium exactly. What e^2 falls by in a step comes
+/// with it: the stopping test costs nothing. A pass counts with the step before it.
+/// @param moments  in equilibrium, relaxed in place, those on contact faces in the cone
 /// @return what e^2 fell by in every step [N mm]
 std::vector<double> relax_faces(const FaceSetting& setting,
                                 const SolidRelaxationSettings& settings,

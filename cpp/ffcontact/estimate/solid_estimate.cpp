@@ -102,12 +102,11 @@ SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
 }
 
 /// (2.11) to (2.13).
-void put_error(const SolvedSolidProblem& solved, const SolidNorms& norms,
+void put_error(const FaceSetting& setting, const SolidNorms& norms,
                const std::vector<double>& falls, SolidEstimate& estimate) {
-  const auto& [topology, surface, system, body] = solved;
-  const VectorXd contact_part =
-      contact_error(topology.mesh, topology.faces, surface, body.law,
-                    estimate.tractions, estimate.displacement);
+  const auto& [topology, hooke, boundary, body_loads, stress, contact] =
+      setting;
+  const VectorXd contact_part = contact_error(contact, estimate.face_tractions);
   const double elastic = parted_sum(topology.mesh.cell_count(),
                                     [&](int t) { return norms.difference[t]; }),
                scale = norms.sum > 0 ? norms.sum : 1;
@@ -117,14 +116,15 @@ void put_error(const SolvedSolidProblem& solved, const SolidNorms& norms,
   estimate.relative = estimate.e / std::sqrt(scale);
   estimate.history = error_history(elastic + estimate.contact, falls);
   VectorXd local = norms.difference;
-  for (int m = 0; m < surface.face_count(); ++m)
-    local[topology.faces.cells(0, surface.face[m])] += contact_part[m];
+  for (std::size_t m = 0; m < contact.size(); ++m)
+    local[topology.faces.cells(0, contact[m].face)] += contact_part[m];
   estimate.local = (local / scale).cwiseMax(0.0).cwiseSqrt();
 }
 
 /// What the theory promises, measured.
 void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
-           const SolidNorms& norms, SolidEstimate& estimate) {
+           const std::vector<ContactFace>& contact, const SolidNorms& norms,
+           SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
   const double largest = std::max(
       {max_norm(stress.computed), least_part_of_terms * stress.terms,
@@ -133,7 +133,7 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
   estimate.equilibrium = {norms.defect.divergence / scale,
                           norms.defect.jump / scale,
                           norms.defect.boundary / scale};
-  estimate.cone = cone_violation(body.law, surface, estimate.tractions) / scale;
+  estimate.cone = cone_violation(contact, estimate.face_tractions) / scale;
   const DeepestNode deepest =
       deepest_node(surface, body.law, estimate.displacement);
   if (deepest.depth > 0)
@@ -178,18 +178,26 @@ SolidEstimate estimate_error(const SolidTopology& topology,
   estimate.tractions = std::move(first.contact);
   estimate.moments = std::move(first.moments);
 
-  // 4. Relaxation of sigma_hat - C eps(u_hat).
-  const FaceSetting setting{topology, body.hooke, first.boundary,
-                            body.body_loads, of_displacement};
+  // 4. Relaxation of sigma_hat - C eps(u_hat), contact tractions in the cone.
+  const FaceSetting setting{
+      topology,
+      body.hooke,
+      first.boundary,
+      body.body_loads,
+      of_displacement,
+      contact_faces(topology.mesh, topology.faces, surface, body.law,
+                    estimate.displacement)};
   const std::vector<double> falls =
       relax_faces(setting, settings, estimate.moments);
+  estimate.face_tractions = tractions_of(setting.contact, estimate.moments);
+  put_moments(setting.contact, estimate.face_tractions, first.boundary.moments);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const SolidNorms norms = solid_norms(setting, estimate.moments);
-  put_error(solved, norms, falls, estimate);
+  put_error(setting, norms, falls, estimate);
 
   // 6. What the theory promises, measured.
-  judge(solved, stress, norms, estimate);
+  judge(solved, stress, setting.contact, norms, estimate);
   return estimate;
 }
 

@@ -9,6 +9,7 @@
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/equilibrium/equilibrium_defect.hpp"
 #include "ffcontact/equilibrium/solid_relaxation.hpp"
+#include "ffcontact/estimate/contact_faces.hpp"
 
 namespace ffcontact {
 
@@ -39,7 +40,10 @@ struct SolidEstimate {
 
   VectorXd displacement;  ///< u_hat on all dofs [mm]
   FaceMoments moments;    ///< of sigma_hat on the faces [N]
-  Matrix3Xd tractions;    ///< r_hat at the nodes, linear between [MPa, 3 x p]
+  /// r_hat before its relaxation: at the nodes, linear between [MPa, 3 x p]
+  Matrix3Xd tractions;
+  /// r_hat at the vertices of the contact faces, linear on each [MPa]
+  SurfaceTractions face_tractions;
   EquilibriumDefect equilibrium;
   double cone = 0;  ///< cone_violation of r_hat, relative to the largest stress
   double penetration = 0;  ///< of u_hat, relative to the largest displacement
@@ -51,9 +55,10 @@ struct SolidEstimate {
 /// Builds the admissible pair of a solid on a rigid foundation and evaluates it, as the
 /// numbered steps in the body.
 ///
-/// r_hat stays as it is first: the nodal forces over the nodal areas, which are in the
-/// cone everywhere. Where contact alone holds the body they are moved inside the cone as
-/// little as keeps force and moment.
+/// r_hat begins with the nodal forces over the nodal areas, which are in the cone
+/// everywhere; where contact alone holds the body they are moved inside the cone as little
+/// as keeps force and moment. Relaxation then changes it face by face inside the cone, and
+/// keeps force and moment of what contact alone holds.
 ///
 /// A body without loads whose stresses and tractions are below 1e-12 of the terms |C|
 /// |grad phi| |u| that stresses are summed from has none.

@@ -41,27 +41,21 @@ Vector3d lowering(const ContactSurface& surface, const VectorXd& penetration,
 
 }  // namespace
 
-VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
-                       const ContactSurface& surface, const SurfaceLaw& law,
-                       const Ref<const Matrix3Xd>& traction,
-                       const Ref<const VectorXd>& displacement) {
-  const Matrix3Xd w =
-      displacement_against_foundation(surface, law, displacement);
-  const std::vector<FrictionCone> cones = traction_cones(law, surface);
-  VectorXd result(surface.face_count());
-  for (int m = 0; m < surface.face_count(); ++m) {
-    const Vector3i nodes = surface.face_node.col(m);
-    double sum = 0;
-    for (int i : nodes)
-      for (int j : nodes) {
-        const double bound = cones[i].bound(traction(0, i)),
-                     product = bound * w.col(j).tail<2>().norm() +
-                               traction.col(i).dot(w.col(j));
-        sum += (i == j ? 2 : 1) * product;
-      }
-    result[m] = 2 * facet_measure(mesh, faces, surface.face[m]) / 12 * sum;
-  }
+VectorXd contact_error(const std::vector<ContactFace>& contact,
+                       const SurfaceTractions& tractions) {
+  VectorXd result(tractions.cols());
+  for (Index m = 0; m < tractions.cols(); ++m)
+    result[m] = 2 * contact_term(contact[m], tractions.col(m).reshaped(3, 3));
   return result;
+}
+
+double cone_violation(const std::vector<ContactFace>& contact,
+                      const SurfaceTractions& tractions) {
+  double largest = 0;
+  for (Index m = 0; m < tractions.cols(); ++m)
+    largest = std::max(
+        largest, cone_violation(contact[m], tractions.col(m).reshaped(3, 3)));
+  return largest;
 }
 
 VectorXd admissible_displacement(const ContactSurface& surface,

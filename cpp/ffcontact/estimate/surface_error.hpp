@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/surface_law.hpp"
+#include "ffcontact/estimate/contact_faces.hpp"
 
 namespace ffcontact {
 
@@ -10,12 +10,12 @@ namespace ffcontact {
 /// where c at the nodes and |w_t| at the nodes are taken linear between these: |w_t| is
 /// convex, so that this is a bound, without quadrature. Components are those along n, t1
 /// and t2 of the nodes. In the cone and without penetration no value is negative.
-/// @param traction      r_hat at the nodes [MPa, 3 x p]
-/// @param displacement  u_hat on all dofs [mm]
-VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
-                       const ContactSurface& surface, const SurfaceLaw& law,
-                       const Ref<const Matrix3Xd>& traction,
-                       const Ref<const VectorXd>& displacement);
+VectorXd contact_error(const std::vector<ContactFace>& contact,
+                       const SurfaceTractions& tractions);
+
+/// Largest of r_n and |r_t| less its bound on any face [MPa]; 0 in the cone.
+double cone_violation(const std::vector<ContactFace>& contact,
+                      const SurfaceTractions& tractions);
 
 /// u_hat: u_h with u_n - gap lowered to min(u_n - gap, 0) at the nodes by the smallest
 /// change of each vertex's free components; a vertex that no such change clears, or only

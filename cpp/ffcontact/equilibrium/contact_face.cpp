@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/contact_face.hpp"
+
+#include <algorithm>
+
+namespace ffcontact {
+
+double contact_term(const ContactFace& face, const Matrix3d& traction) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+    sum += face.cone[i].bound(traction(0, i)) * face.slip[i] +
+           traction.col(i).dot(face.work.col(i));
+  return sum;
+}
+
+Matrix3d traction_of(const ContactFace& face, const Matrix3d& moments) {
+  Matrix3d traction = face_density(moments, face.area);
+  for (int i = 0; i < 3; ++i)
+    traction.col(i) = face.frame[i].transpose() * traction.col(i).eval();
+  return traction;
+}
+
+Matrix3d moments_of(const ContactFace& face, const Matrix3d& traction) {
+  Matrix3d density;
+  for (int i = 0; i < 3; ++i) density.col(i) = face.frame[i] * traction.col(i);
+  return face_moments_of(density, face.area);
+}
+
+double cone_violation(const ContactFace& face, const Matrix3d& traction) {
+  double largest = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double rn = traction(0, i), rt = traction.col(i).tail<2>().norm();
+    largest = std::max({largest, rn, rt - face.cone[i].bound(rn)});
+  }
+  return largest;
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/surface_law.hpp"
+#include "ffcontact/equilibrium/contact_face.hpp"
+
+namespace ffcontact {
+
+/// (r_n, r_t1, r_t2) at the three vertices of each contact face, one column a face [MPa].
+using SurfaceTractions = Matrix<double, 9, Dynamic>;
+
+/// The faces of a surface whose corners are all nodes of it.
+/// @param displacement  u_hat on all dofs [mm]
+std::vector<ContactFace> contact_faces(const SolidMesh& mesh,
+                                       const Facets<3>& faces,
+                                       const ContactSurface& surface,
+                                       const SurfaceLaw& law,
+                                       const Ref<const VectorXd>& displacement);
+
+/// Tractions of given moments on all faces of the mesh, in the cone where they are but for
+/// rounding.
+SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
+                              const FaceMoments& moments);
+
+/// Moments of given tractions take the place of those on the contact faces.
+void put_moments(const std::vector<ContactFace>& contact,
+                 const SurfaceTractions& tractions, FaceMoments& moments);
+
+}  // namespace ffcontact
