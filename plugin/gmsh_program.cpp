@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gmsh_program.hpp"
 
-#include <sys/wait.h>
-
 #include <array>
-#include <cstdlib>
 #include <fstream>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/edges.hpp"
 //
+#include "gmsh_run.hpp"
 #include "text_file.hpp"
 
 namespace ffcontact::plugin {
@@ -18,69 +16,11 @@ namespace {
 
 using std::filesystem::path;
 
-/// A folder of our own for what goes to gmsh and comes back; it lives as long as the
-/// call.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "ffcontact.XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      refuse("no temporary folder can be made in ",
-             std::filesystem::temp_directory_path());
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  path operator/(const char* name) const { return path_ / name; }
-
- private:
-  path path_;
-};
-
-std::string quoted_for_shell(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) c == '\'' ? quoted += "'\\''" : quoted += c;
-  return quoted + "'";
-}
-
 std::string quoted_for_gmsh(const path& file) {
   const std::string name = std::filesystem::absolute(file).string();
   if (name.find_first_of("\"\n") != std::string::npos)
     refuse("gmsh cannot open a file with a quotation mark in its name: ", name);
   return '"' + name + '"';
-}
-
-std::string first_line(const path& file) {
-  std::ifstream stream(file);
-  std::string line;
-  while (line.empty() && std::getline(stream, line)) {
-  }
-  return line;
-}
-
-/// Runs gmsh on `input`; its mesh (MSH 2.2, text) goes to `output`. `what` is the user's
-/// file.
-void run_gmsh(const std::string& dimension, const path& input,
-              const path& output, const path& what, const path& log) {
-  constexpr int shell_found_nothing = 127;
-  const std::string command =
-      "gmsh " + dimension + " -v 1 " + quoted_for_shell(input.string()) +
-      " -setnumber Mesh.Binary 0 -format msh22 -o " +
-      quoted_for_shell(output.string()) + " </dev/null >" +
-      quoted_for_shell(log.string()) + " 2>&1";
-  const int status = std::system(command.c_str());
-  if (WIFEXITED(status) && WEXITSTATUS(status) == shell_found_nothing)
-    refuse(
-        "the program gmsh was not found; install it (Debian: apt-get install "
-        "gmsh) or add its folder to PATH");
-  if (status != 0 || !std::filesystem::exists(output))
-    refuse("gmsh could not use ", what.string(), ": ", first_line(log));
 }
 
 void require_readable(const path& file) {
@@ -94,7 +34,7 @@ bool is_mesh_file(const path& file) { return file.extension() == ".msh"; }
 GmshMesh made_by_gmsh(const char* dimension, const path& input,
                       const path& what, const TemporaryFolder& folder) {
   const path output = folder / "mesh.msh";
-  run_gmsh(dimension, input, output, what, folder / "log");
+  run_gmsh(dimension, input, output, what.string(), folder / "log");
   return read_gmsh_mesh(output, what.string());
 }
 
@@ -199,7 +139,7 @@ int gmsh_label(const path& file, const std::string& name) {
   require_readable(file);
   if (is_mesh_file(file)) return physical_tag(file, name, file.string());
   const TemporaryFolder folder;
-  run_gmsh("-0", file, folder / "names.msh", file, folder / "log");
+  run_gmsh("-0", file, folder / "names.msh", file.string(), folder / "log");
   return physical_tag(folder / "names.msh", name, file.string());
 }
 

@@ -32,4 +32,33 @@ pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const VectorXi& regions) {
   return Add2StackOfPtr2FreeRC(stack, fem_mesh);
 }
 
+pmesh3 fem_mesh_of(Stack stack, const SolidMesh& mesh,
+                   const VectorXi& regions) {
+  const int nv = mesh.vertex_count(), nt = mesh.cell_count(),
+            neb = static_cast<int>(mesh.boundary.cols());
+  auto* vertices = new Fem2D::Vertex3[nv];
+  auto* tetrahedra = new Fem2D::Tet[nt];
+  auto* boundary = new Fem2D::Triangle3[neb];
+  for (int v = 0; v < nv; ++v) {
+    vertices[v].x = mesh.vertices(0, v);
+    vertices[v].y = mesh.vertices(1, v);
+    vertices[v].z = mesh.vertices(2, v);
+    vertices[v].lab = 0;
+  }
+  for (int t = 0; t < nt; ++t) {
+    Vector4i corners = mesh.cells.col(t);
+    tetrahedra[t].set(vertices, corners.data(), regions[t]);
+  }
+  for (int e = 0; e < neb; ++e) {
+    Vector3i corners = mesh.boundary.col(e);
+    boundary[e].set(vertices, corners.data(), mesh.boundary_label[e]);
+    for (const int v : corners)
+      if (vertices[v].lab == 0) vertices[v].lab = mesh.boundary_label[e];
+  }
+  auto* fem_mesh =
+      new Fem2D::Mesh3(nv, nt, neb, vertices, tetrahedra, boundary);
+  fem_mesh->BuildGTree();
+  return Add2StackOfPtr2FreeRC(stack, fem_mesh);
+}
+
 }  // namespace ffcontact::plugin

@@ -12,4 +12,8 @@ namespace ffcontact::plugin {
 /// @param regions  one per triangle
 pmesh fem_mesh_of(Stack stack, const Mesh& mesh, const VectorXi& regions);
 
+/// FreeFEM's mesh3, likewise.
+/// @param regions  one per tetrahedron
+pmesh3 fem_mesh_of(Stack stack, const SolidMesh& mesh, const VectorXi& regions);
+
 }  // namespace ffcontact::plugin

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/hinges.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"
 //
 #include "contact_type.hpp"
@@ -15,7 +16,7 @@ const NamedArguments::Table sizes_of_bodies = {{"rate", &typeid(KN<double>*)},
                                                {"size", &typeid(KN<double>*)},
                                                {"ratio", &typeid(KN<double>*)}};
 
-/// predicted triangles = optimalsize(C, eps, target=, size=, ...), with eps of each body:
+/// predicted cells = optimalsize(C, eps, target=, size=, ...), with eps of each body:
 /// one wanted error and one Lambda for all of them.
 class OptimalSizeFunction : public E_F0mps {
  public:
@@ -66,9 +67,30 @@ class OptimalSizeFunction : public E_F0mps {
     return values;
   }
 
+  SizeSettings settings(Stack stack) const {
+    SizeSettings settings;
+    settings.target = named_.number(stack, "target", settings.target);
+    settings.smallest = named_.number(stack, "hmin", settings.smallest);
+    settings.largest = named_.number(stack, "hmax", settings.largest);
+    settings.gradation = named_.number(stack, "gradation", settings.gradation);
+    settings.largest_step =
+        named_.number(stack, "largeststep", settings.largest_step);
+    return settings;
+  }
+
   double run(Stack stack) const {
-    const ContactProblem& problem = *stated_contact(stack, contact_).problem;
-    const JoinedMesh& all = problem.joined;
+    const Contact& contact = stated_contact_of_any(stack, contact_);
+    if (!contact.solid.problem)
+      return run(stack, *contact.problem, contact.problem->edges.vertices);
+    const SolidProblem& solid = *contact.solid.problem;
+    return run(stack, solid, hinges_of(solid.mesh, solid.faces).vertices);
+  }
+
+  /// @param edges  their vertices
+  template <class Problem>
+  double run(Stack stack, const Problem& problem,
+             const Ref<const Matrix2Xi>& edges) const {
+    const auto& all = problem.joined;
     const int bodies = problem.body_count();
     problem.require_bodies("eps", local_error_.size());
     require_names_of_bodies(named_, sizes_of_bodies, bodies);
@@ -78,16 +100,18 @@ class OptimalSizeFunction : public E_F0mps {
                    all.first_cell[k + 1] - all.first_cell[k]);
       rates.push_back(named_.expression(name_of_body("rate", k, bodies)));
     }
-    SizeSettings settings;
-    settings.target = named_.number(stack, "target", settings.target);
-    settings.smallest = named_.number(stack, "hmin", settings.smallest);
-    settings.largest = named_.number(stack, "hmax", settings.largest);
-    settings.gradation = named_.number(stack, "gradation", settings.gradation);
-    settings.largest_step =
-        named_.number(stack, "largeststep", settings.largest_step);
     const OptimalSize optimal =
-        optimal_size(all.mesh, problem.edges, joined(stack, local_error_),
-                     joined(stack, rates), settings);
+        optimal_size(all.mesh, edges, joined(stack, local_error_),
+                     joined(stack, rates), settings(stack));
+    put(stack, all, optimal);
+    report(stack, words_of(all), optimal);
+    return optimal.predicted_count;
+  }
+
+  template <int dim>
+  void put(Stack stack, const JoinedBodies<dim>& all,
+           const OptimalSize& optimal) const {
+    const int bodies = all.body_count();
     for (int k = 0; k < bodies; ++k) {
       const int v = all.first_vertex[k], t = all.first_cell[k];
       named_.put(stack, name_of_body("size", k, bodies),
@@ -97,12 +121,20 @@ class OptimalSizeFunction : public E_F0mps {
     }
     named_.put(stack, "wanted", optimal.wanted);
     named_.put(stack, "predicted", optimal.predicted_error);
-    if (named_.verbosity_level(stack) > 0 && mpirank == 0)
-      cout << "optimalsize: sizes " << optimal.size.minCoeff() << " to "
-           << optimal.size.maxCoeff() << ", about "
-           << std::lround(optimal.predicted_count) << " triangles for eps "
-           << 100 * optimal.predicted_error << " %" << endl;
-    return optimal.predicted_count;
+  }
+
+  template <int dim>
+  static const char* words_of(const JoinedBodies<dim>&) {
+    return MeshWords<dim>::cells;
+  }
+
+  void report(Stack stack, const char* cells,
+              const OptimalSize& optimal) const {
+    if (named_.verbosity_level(stack) < 1 || mpirank != 0) return;
+    cout << "optimalsize: sizes " << optimal.size.minCoeff() << " to "
+         << optimal.size.maxCoeff() << ", about "
+         << std::lround(optimal.predicted_count) << " " << cells << " for eps "
+         << 100 * optimal.predicted_error << " %" << endl;
   }
 
   NamedArguments named_;

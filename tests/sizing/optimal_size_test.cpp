@@ -102,7 +102,7 @@ RC_GTEST_PROP(GradedSize, has_no_steeper_slope_and_is_the_largest_such_field,
   const Edges edges = edges_of(mesh);
   const double gradation = *real(0.05, 1);
   const VectorXd size = random_errors(mesh.vertex_count(), random) * 100;
-  const VectorXd graded = graded_size(mesh, edges, size, gradation);
+  const VectorXd graded = graded_size(mesh, edges.vertices, size, gradation);
   RC_ASSERT((size - graded).minCoeff() >= 0);
   std::vector<char> held(mesh.vertex_count(),
                          0);  // by its own size or by a neighbour
@@ -128,7 +128,7 @@ struct Sized {
     error = random_errors(mesh.cell_count(), random);
   }
   OptimalSize size(const SizeSettings& settings) const {
-    return optimal_size(mesh, edges, error, {}, settings);
+    return optimal_size(mesh, edges.vertices, error, {}, settings);
   }
 };
 
@@ -147,9 +147,9 @@ RC_GTEST_PROP(OptimalSize, is_bounded_and_graded, (Random random)) {
   const OptimalSize result = sized.size(settings);
   RC_ASSERT(result.size.minCoeff() >= 0.2);
   RC_ASSERT(result.size.maxCoeff() <= 1.5);
-  RC_ASSERT(
-      (graded_size(sized.mesh, sized.edges, result.size, 0.4) - result.size)
-          .isZero(1e-14));
+  RC_ASSERT((graded_size(sized.mesh, sized.edges.vertices, result.size, 0.4) -
+             result.size)
+                .isZero(1e-14));
 }
 
 RC_GTEST_PROP(OptimalSize, goes_to_far_targets_in_steps, (Random random)) {
@@ -166,8 +166,8 @@ TEST(OptimalSize,
   const Edges edges = edges_of(mesh);
   const VectorXd error = VectorXd::Constant(128, 0.01);
   for (double part : {1.0, 0.5, 0.35}) {
-    const OptimalSize result =
-        optimal_size(mesh, edges, error, {}, target(part * error.norm()));
+    const OptimalSize result = optimal_size(mesh, edges.vertices, error, {},
+                                            target(part * error.norm()));
     EXPECT_NEAR(result.predicted_error / result.wanted, 1, 1e-9);
     // For one area eps goes with the quality, (sqrt(3) / 2)^(1/2) for half a square; the
     // count goes with eps^-2.

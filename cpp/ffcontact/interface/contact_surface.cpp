@@ -4,11 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/unions.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/interface/labelled_facets.hpp"
 
@@ -28,25 +28,6 @@ std::vector<int> stated_faces(const SolidMesh& mesh, const Facets<3>& faces,
   if (labels.empty()) refuse("no label is given");
   return labelled_facets(mesh, faces, labels);
 }
-
-/// Sets that are joined pair by pair.
-class Unions {
- public:
-  explicit Unions(int count) : above_(count) {
-    std::iota(above_.begin(), above_.end(), 0);
-  }
-  int root(int k) {
-    while (above_[k] != k) k = above_[k] = above_[above_[k]];
-    return k;
-  }
-  void join(int a, int b) {
-    a = root(a), b = root(b);
-    above_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> above_;
-};
 
 /// Finds the sheets; corner 3 m + k is vertex k of contact face m.
 class SheetFinder {

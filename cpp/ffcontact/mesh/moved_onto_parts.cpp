@@ -16,7 +16,7 @@ namespace ffcontact {
 namespace {
 
 /// The smooth curve that a part is on, nothing if it is straight.
-std::optional<SmoothCurve> curve_of(const Mesh& mesh,
+std::optional<SmoothCurve<2>> curve_of(const Mesh& mesh,
                                     const BoundaryPart& part) {
   if (part.straight()) return std::nullopt;
   const Matrix2Xd points = mesh.vertices(Eigen::all, part.curve);
@@ -49,7 +49,7 @@ class Places {
   }
 
   Vector2d first_, last_;
-  std::optional<SmoothCurve> curve_;
+  std::optional<SmoothCurve<2>> curve_;
 };
 
 /// The parts that each vertex is on, by labels that count from `first_label`.

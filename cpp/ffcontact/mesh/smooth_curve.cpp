@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/smooth_curve.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <optional>
 
@@ -12,34 +13,52 @@ namespace ffcontact {
 
 namespace {
 
-Vector2d circle_tangent(const Vector2d& before, const Vector2d& at,
-                        const Vector2d& after) {
-  const Vector2d a = at - before, b = after - at;
+double angle_of(const Vector2d& a, const Vector2d& b) {
+  return angle_between(a, b);
+}
+double angle_of(const Vector3d& a, const Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+template <int dim>
+using PointOf = Matrix<double, dim, 1>;
+template <int dim>
+using PointsOf = Matrix<double, dim, Dynamic>;
+
+template <int dim>
+PointOf<dim> circle_tangent(const Ref<const PointsOf<dim>>& points,
+                            Index before, Index at, Index after) {
+  const PointOf<dim> a = points.col(at) - points.col(before),
+                     b = points.col(after) - points.col(at);
   return (a / a.squaredNorm() + b / b.squaredNorm()).normalized();
 }
 
 /// On a circle the tangents at both ends of a chord make the same angle with it.
-Vector2d mirrored(const Vector2d& tangent, const Vector2d& chord) {
+template <class Vector>
+Vector mirrored(const Vector& tangent, const Vector& chord) {
   return 2 * chord.dot(tangent) / chord.squaredNorm() * chord - tangent;
 }
 
 /// Between two neighbouring points of a curve.
+template <int dim>
 struct Chord {
-  Vector2d first, vector;
-  Vector2d first_tangent, last_tangent;  ///< of the curve at its ends
+  PointOf<dim> first, vector;
+  PointOf<dim> first_tangent, last_tangent;  ///< of the curve at its ends
 };
 
-Chord chord_of(const SmoothCurve& curve, int piece) {
-  const Vector2d first = curve.points.col(piece);
+template <int dim>
+Chord<dim> chord_of(const SmoothCurve<dim>& curve, int piece) {
+  const PointOf<dim> first = curve.points.col(piece);
   return {first, curve.points.col(piece + 1) - first, curve.tangents.col(piece),
           curve.tangents.col(piece + 1)};
 }
 
 /// Where (point - x(s)) . t(s) = 0 on a chord, s in [0, 1] but for rounding.
-std::optional<double> foot(const Vector2d& point, const Chord& chord) {
+template <int dim>
+std::optional<double> foot(const PointOf<dim>& point, const Chord<dim>& chord) {
   constexpr double rounding = 1e-9;
-  const Vector2d r = point - chord.first;
-  const Vector2d m = chord.last_tangent - chord.first_tangent;
+  const PointOf<dim> r = point - chord.first;
+  const PointOf<dim> m = chord.last_tangent - chord.first_tangent;
   const auto s = finite_root(r.dot(chord.first_tangent),
                              r.dot(m) - chord.vector.dot(chord.first_tangent),
                              -chord.vector.dot(m));
@@ -47,42 +66,61 @@ std::optional<double> foot(const Vector2d& point, const Chord& chord) {
   return std::min(1.0, std::max(0.0, *s));
 }
 
-Vector2d nearer_end(const Matrix2Xd& points, const Vector2d& point) {
-  const Vector2d first = points.col(0), last = points.col(points.cols() - 1);
+template <int dim>
+PointOf<dim> nearer_end(const PointsOf<dim>& points,
+                        const PointOf<dim>& point) {
+  const PointOf<dim> first = points.col(0),
+                     last = points.col(points.cols() - 1);
   return (point - first).norm() < (point - last).norm() ? first : last;
 }
 
-void put_end_tangents(bool closed, SmoothCurve& curve) {
-  const Matrix2Xd& x = curve.points;
-  Matrix2Xd& t = curve.tangents;
+template <int dim>
+void put_end_tangents(bool closed, SmoothCurve<dim>& curve) {
+  const PointsOf<dim>& x = curve.points;
   const Index last = x.cols() - 1;
-  if (closed) {
-    t.col(0) = t.col(last) =
-        circle_tangent(x.col(last - 1), x.col(0), x.col(1));
-    return;
+  const auto tangent = [&](Index k) -> PointOf<dim> {
+    return curve.tangents.col(k);
+  };
+  const auto chord = [&](Index k) -> PointOf<dim> {
+    return x.col(k + 1) - x.col(k);
+  };
+  if (closed)
+    curve.tangents.col(0) = curve.tangents.col(last) =
+        circle_tangent<dim>(x, last - 1, 0, 1);
+  else {
+    curve.tangents.col(0) = mirrored(tangent(1), chord(0));
+    curve.tangents.col(last) = mirrored(tangent(last - 1), chord(last - 1));
   }
-  t.col(0) = mirrored(t.col(1), x.col(1) - x.col(0));
-  t.col(last) = mirrored(t.col(last - 1), x.col(last) - x.col(last - 1));
+}
+
+template <int dim>
+double angle_at(const Ref<const PointsOf<dim>>& points, Index before, Index at,
+                Index after) {
+  const PointOf<dim> in = points.col(at) - points.col(before),
+                     out = points.col(after) - points.col(at);
+  return angle_of(in, out);
 }
 
 }  // namespace
 
-Vector2d SmoothCurve::at(int piece, double s) const {
-  const Chord chord = chord_of(*this, piece);
-  const double theta = angle_between(chord.first_tangent, chord.last_tangent),
+template <int dim>
+PointOf<dim> SmoothCurve<dim>::at(int piece, double s) const {
+  const Chord<dim> chord = chord_of(*this, piece);
+  const double theta = angle_of(chord.first_tangent, chord.last_tangent),
                quarter = std::cos(theta / 4);
   const double length = chord.vector.norm() / (quarter * quarter);
-  const Vector2d bend = (1 - s) * chord.first_tangent - s * chord.last_tangent;
+  const Point bend = (1 - s) * chord.first_tangent - s * chord.last_tangent;
   return chord.first + s * s * (3 - 2 * s) * chord.vector +
          s * (1 - s) * length * bend;
 }
 
-Vector2d SmoothCurve::beside(const Vector2d& point) const {
-  Vector2d best = nearer_end(points, point);
+template <int dim>
+PointOf<dim> SmoothCurve<dim>::beside(const Point& point) const {
+  Point best = nearer_end<dim>(points, point);
   double distance = infinity;
   for (int piece = 0; piece < pieces(); ++piece) {
-    const Chord chord = chord_of(*this, piece);
-    const auto s = foot(point, chord);
+    const Chord<dim> chord = chord_of(*this, piece);
+    const auto s = foot<dim>(point, chord);
     if (!s) continue;
     const double off = (point - chord.first - *s * chord.vector).norm();
     if (off >= distance) continue;
@@ -92,20 +130,30 @@ Vector2d SmoothCurve::beside(const Vector2d& point) const {
   return best;
 }
 
-bool closes_smoothly(const Ref<const Matrix2Xd>& points) {
+template <int dim>
+bool closes_smoothly(
+    const Ref<const typename SmoothCurve<dim>::Points>& points) {
   const Index n = points.cols() - 1;
-  const double beside =
-      std::max(turn_at(points, 0, 1, 2), turn_at(points, n - 2, n - 1, n));
-  return turn_at(points, n - 1, 0, 1) <= 2 * beside;
+  const double beside = std::max(angle_at<dim>(points, 0, 1, 2),
+                                 angle_at<dim>(points, n - 2, n - 1, n));
+  return angle_at<dim>(points, n - 1, 0, 1) <= 2 * beside;
 }
 
-SmoothCurve smooth_curve(const Ref<const Matrix2Xd>& points, bool closed) {
-  SmoothCurve curve{points, Matrix2Xd(2, points.cols())};
+template <int dim>
+SmoothCurve<dim> smooth_curve(
+    const Ref<const typename SmoothCurve<dim>::Points>& points, bool closed) {
+  SmoothCurve<dim> curve{points, PointsOf<dim>(dim, points.cols())};
   for (Index k = 1; k + 1 < points.cols(); ++k)
-    curve.tangents.col(k) =
-        circle_tangent(points.col(k - 1), points.col(k), points.col(k + 1));
+    curve.tangents.col(k) = circle_tangent<dim>(points, k - 1, k, k + 1);
   put_end_tangents(closed, curve);
   return curve;
 }
+
+template struct SmoothCurve<2>;
+template struct SmoothCurve<3>;
+template bool closes_smoothly<2>(const Ref<const Matrix2Xd>&);
+template bool closes_smoothly<3>(const Ref<const Matrix3Xd>&);
+template SmoothCurve<2> smooth_curve<2>(const Ref<const Matrix2Xd>&, bool);
+template SmoothCurve<3> smooth_curve<3>(const Ref<const Matrix3Xd>&, bool);
 
 }  // namespace ffcontact

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <queue>
-#include <vector>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/sizing/cell_shape.hpp"
+#include "ffcontact/sizing/graded_size.hpp"
 
 namespace ffcontact {
 
@@ -18,12 +18,9 @@ constexpr double part_far = 0.92, part_at = 0.85;
 /// A mesh is far from the target when it is off by more than this, as a part of it.
 constexpr double closeness = 0.15;
 
-/// area of the equilateral triangle of size 1
-const double equilateral = std::sqrt(3.0) / 4;
-
-/// Size of a triangle: edge length of the equilateral triangle of its area, which is what
-/// meshers call its size.
-double triangle_size(double area) { return std::sqrt(area / equilateral); }
+/// shape_quality of the cells that meshers make, which errors of new meshes have
+template <int dim>
+constexpr double usual_quality = dim == 2 ? 1 : 0.9;
 
 /// Zero of an increasing function, bracketed outwards from 0 and halved.
 double increasing_zero(const std::function<double(double)>& f) {
@@ -38,8 +35,8 @@ double increasing_zero(const std::function<double(double)>& f) {
   return 0.5 * (low + high);
 }
 
-void require_rates(const Mesh& mesh, const VectorXd& rate) {
-  require_size("rate", rate.size(), mesh.cell_count());
+void require_rates(const VectorXd& rate, int cells) {
+  require_size("rate", rate.size(), cells);
   for (Index t = 0; t < rate.size(); ++t)
     if (!(rate[t] > 0) || !std::isfinite(rate[t]))
       refuse("rate[", t, "] must be positive, got ", rate[t]);
@@ -68,45 +65,50 @@ void require_valid(const SizeSettings& settings) {
   require_bounds(settings.smallest, settings.largest);
 }
 
-/// Vertex sizes that keep the density of elements: h^-2 is the mean of (r_E h_E)^-2 over
-/// the star, weighted by area.
-VectorXd vertex_sizes(const Mesh& mesh, const VectorXd& ratio) {
+/// Vertex sizes that keep the density of elements: h^-dim is the mean of (r_E h_E)^-dim
+/// over the star, weighted by volume.
+template <int dim>
+VectorXd vertex_sizes(const SimplexMesh<dim>& mesh, const VectorXd& ratio) {
   VectorXd density = VectorXd::Zero(mesh.vertices.cols()), weight = density;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const double area = signed_area(mesh, t),
-                 h = ratio[t] * triangle_size(area);
+    const double volume = signed_volume(mesh, t),
+                 h = ratio[t] * size_of_volume<dim>(volume);
     for (const int v : mesh.cells.col(t)) {
-      density[v] += area / (h * h);
-      weight[v] += area;
+      density[v] += volume * std::pow(h, -dim);
+      weight[v] += volume;
     }
   }
-  const auto has_triangles = weight.array() > 0;
-  return has_triangles.select(weight.cwiseQuotient(density).cwiseSqrt(), 0);
+  const auto has_cells = weight.array() > 0;
+  return has_cells.select(weight.cwiseQuotient(density).array().pow(1.0 / dim),
+                          0);
 }
 
-/// Mean of h^-2 on a triangle.
-double density(const Mesh& mesh, const VectorXd& size, int t) {
+/// Mean of h^-dim on a cell.
+template <int dim>
+double density(const SimplexMesh<dim>& mesh, const VectorXd& size, int t) {
   double sum = 0;
-  for (int k = 0; k < 3; ++k)
-    sum += 1 / (3 * std::pow(size[mesh.cells(k, t)], 2));
-  return sum;
+  for (const int v : mesh.cells.col(t)) sum += std::pow(size[v], -dim);
+  return sum / (dim + 1);
 }
 
-double predicted_triangles(const Mesh& mesh, const VectorXd& size) {
+template <int dim>
+double predicted_cells(const SimplexMesh<dim>& mesh, const VectorXd& size) {
   double count = 0;
   for (int t = 0; t < mesh.cell_count(); ++t)
-    count += signed_area(mesh, t) * density(mesh, size, t) / equilateral;
-  return count;
+    count += signed_volume(mesh, t) * density(mesh, size, t);
+  return count / regular_volume<dim>();
 }
 
-/// Mean size on a triangle in parts of its own.
-double size_ratio(const Mesh& mesh, const VectorXd& size, int t) {
-  return 1 / (triangle_size(signed_area(mesh, t)) *
-              std::sqrt(density(mesh, size, t)));
+/// Mean size on a cell in parts of its own.
+template <int dim>
+double size_ratio(const SimplexMesh<dim>& mesh, const VectorXd& size, int t) {
+  return std::pow(density(mesh, size, t), -1.0 / dim) /
+         size_of_volume<dim>(signed_volume(mesh, t));
 }
 
 /// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
-double predicted_error(const Mesh& mesh, const VectorXd& size,
+template <int dim>
+double predicted_error(const SimplexMesh<dim>& mesh, const VectorXd& size,
                        const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
@@ -116,29 +118,9 @@ double predicted_error(const Mesh& mesh, const VectorXd& size,
   return std::sqrt(square);
 }
 
-double sum_of_squared_sides(const Mesh& mesh, int t) {
-  double squares = 0;
-  for (int k = 0; k < 3; ++k)
-    squares += (mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k)).squaredNorm();
-  return squares;
-}
-
-/// Vertices that an edge joins with each vertex, and its length.
-using Neighbours = std::vector<std::vector<std::pair<int, double>>>;
-
-Neighbours neighbours_of(const Mesh& mesh, const Edges& edges) {
-  Neighbours neighbours(mesh.vertices.cols());
-  for (int e = 0; e < edges.count(); ++e) {
-    const int i = edges.vertices(0, e), j = edges.vertices(1, e);
-    const double length = edge_vector(mesh, edges, e).norm();
-    neighbours[i].emplace_back(j, length);
-    neighbours[j].emplace_back(i, length);
-  }
-  return neighbours;
-}
-
-double extent_of(const Mesh& mesh) {
-  const Vector2d extents =
+template <int dim>
+double extent_of(const SimplexMesh<dim>& mesh) {
+  const auto extents =
       mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
   return extents.maxCoeff();
 }
@@ -161,6 +143,7 @@ double wanted_error(double now, const SizeSettings& settings) {
 
 }  // namespace
 
+template <int dim>
 VectorXd size_ratios(const Ref<const VectorXd>& local_error,
                      const Ref<const VectorXd>& rate, double wanted) {
   const Eigen::ArrayXd squared = local_error.array().square(), q = rate.array();
@@ -169,7 +152,7 @@ VectorXd size_ratios(const Ref<const VectorXd>& local_error,
   // elements without error coarsen by a finite ratio
   const Eigen::ArrayXd bounded = squared.max(1e-12 * largest);
   const auto ratios = [&](double inverse_lambda) -> Eigen::ArrayXd {
-    return (inverse_lambda / (q * bounded)).pow(1 / (2 * q + 2));
+    return (inverse_lambda / (q * bounded)).pow(1 / (2 * q + dim));
   };
   const double log_root = increasing_zero([&](double log_inverse) {
     const double inverse_lambda = std::exp(log_inverse);
@@ -182,57 +165,41 @@ VectorXd size_ratios(const Ref<const VectorXd>& local_error,
   return (squared > 0).select(result.array(), coarsest);
 }
 
-VectorXd graded_size(const Mesh& mesh, const Edges& edges, VectorXd size,
-                     double gradation) {
-  const auto neighbours = neighbours_of(mesh, edges);
-  // Dijkstra's algorithm: the smallest size is final and bounds its neighbours.
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for (Index v = 0; v < size.size(); ++v)
-    queue.emplace(size[v], static_cast<int>(v));
-  while (!queue.empty()) {
-    const auto [h, v] = queue.top();
-    queue.pop();
-    if (h > size[v]) continue;
-    for (const auto& [w, length] : neighbours[v]) {
-      const double most = h + gradation * length;
-      if (size[w] <= most) continue;
-      size[w] = most;
-      queue.emplace(most, w);
-    }
-  }
-  return size;
-}
-
-VectorXd shape_quality(const Mesh& mesh) {
-  VectorXd quality(mesh.cells.cols());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    quality[t] = std::sqrt(16 * equilateral * signed_area(mesh, t) /
-                           sum_of_squared_sides(mesh, t));
-  return quality;
-}
-
-OptimalSize optimal_size(const Mesh& mesh, const Edges& edges,
+template <int dim>
+OptimalSize optimal_size(const SimplexMesh<dim>& mesh,
+                         const Ref<const Matrix2Xi>& edges,
                          const Ref<const VectorXd>& local_error,
                          const VectorXd& rate, const SizeSettings& settings) {
   require_size("eps_E", local_error.size(), mesh.cell_count());
   const VectorXd rates =
       rate.size() > 0 ? rate : VectorXd::Ones(local_error.size());
-  require_rates(mesh, rates);
+  require_rates(rates, mesh.cell_count());
   require_nonnegative("eps_E", local_error);
   require_valid(settings);
-  const VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
+  const VectorXd error =
+      local_error.cwiseProduct(shape_quality(mesh)) / usual_quality<dim>;
   OptimalSize result;
   result.wanted = wanted_error(local_error.norm(), settings);
-  result.ratio = size_ratios(error, rates, result.wanted);
+  result.ratio = size_ratios<dim>(error, rates, result.wanted);
 
   result.size = graded_size(
       mesh, edges,
       bounded_size(vertex_sizes(mesh, result.ratio), extent_of(mesh), settings),
       settings.gradation);
-  result.predicted_count = predicted_triangles(mesh, result.size);
+  result.predicted_count = predicted_cells(mesh, result.size);
   result.predicted_error = predicted_error(mesh, result.size, error, rates);
   return result;
 }
+
+template VectorXd size_ratios<2>(const Ref<const VectorXd>&,
+                                 const Ref<const VectorXd>&, double);
+template VectorXd size_ratios<3>(const Ref<const VectorXd>&,
+                                 const Ref<const VectorXd>&, double);
+template OptimalSize optimal_size(const Mesh&, const Ref<const Matrix2Xi>&,
+                                  const Ref<const VectorXd>&, const VectorXd&,
+                                  const SizeSettings&);
+template OptimalSize optimal_size(const SolidMesh&, const Ref<const Matrix2Xi>&,
+                                  const Ref<const VectorXd>&, const VectorXd&,
+                                  const SizeSettings&);
 
 }  // namespace ffcontact

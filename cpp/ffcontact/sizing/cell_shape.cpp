@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/sizing/cell_shape.hpp"
+
+#include <cmath>
+
+namespace ffcontact {
+
+namespace {
+
+template <int dim>
+double mean_of_squared_sides(const SimplexMesh<dim>& mesh, int cell) {
+  constexpr int sides = dim * (dim + 1) / 2;
+  double squares = 0;
+  for (int i = 0; i < dim; ++i)
+    for (int j = i + 1; j <= dim; ++j)
+      squares += (mesh.corner(cell, j) - mesh.corner(cell, i)).squaredNorm();
+  return squares / sides;
+}
+
+}  // namespace
+
+template <int dim>
+double regular_volume() {
+  return dim == 2 ? std::sqrt(3.0) / 4 : std::sqrt(2.0) / 12;
+}
+
+template <int dim>
+double size_of_volume(double volume) {
+  const double cells = volume / regular_volume<dim>();
+  return dim == 2 ? std::sqrt(cells) : std::cbrt(cells);
+}
+
+template <int dim>
+VectorXd shape_quality(const SimplexMesh<dim>& mesh) {
+  VectorXd quality(mesh.cells.cols());
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    quality[t] = size_of_volume<dim>(signed_volume(mesh, t)) /
+                 std::sqrt(mean_of_squared_sides(mesh, t));
+  return quality;
+}
+
+template double regular_volume<2>();
+template double regular_volume<3>();
+template double size_of_volume<2>(double);
+template double size_of_volume<3>(double);
+template VectorXd shape_quality(const Mesh&);
+template VectorXd shape_quality(const SolidMesh&);
+
+}  // namespace ffcontact
