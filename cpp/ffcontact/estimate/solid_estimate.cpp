@@ -15,6 +15,7 @@
 #include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
+#include "ffcontact/estimate/traction_oscillation.hpp"
 #include "ffcontact/estimate/unstressed.hpp"
 
 namespace ffcontact {
@@ -135,7 +136,7 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
                           norms.defect.boundary / scale};
   estimate.cone = cone_violation(body.law, surface, estimate.tractions) / scale;
   const DeepestNode deepest =
-      deepest_node(surface, body.law, estimate.displacement);
+      deepest_node(topology.faces, surface, body.law, estimate.displacement);
   if (deepest.depth > 0)
     estimate.penetration =
         deepest.depth / largest_displacement(body.law, body.displacement);
@@ -166,7 +167,7 @@ SolidEstimate estimate_error(const SolidTopology& topology,
 
   // 1. Admissible displacement [CHH01, 4.1].
   estimate.displacement = admissible_displacement(
-      surface, body.law, body.displacement, system.prescribed);
+      topology.faces, surface, body.law, body.displacement, system.prescribed);
   const Matrix6Xd of_displacement =
       stress.unstressed
           ? stress.computed
@@ -187,6 +188,8 @@ SolidEstimate estimate_error(const SolidTopology& topology,
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const SolidNorms norms = solid_norms(setting, estimate.moments);
   put_error(solved, norms, falls, estimate);
+  estimate.oscillation = traction_oscillation(
+      topology.mesh, topology.faces, surface, body.hooke, estimate.tractions);
 
   // 6. What the theory promises, measured.
   judge(solved, stress, norms, estimate);
