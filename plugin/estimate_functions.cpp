@@ -94,6 +94,7 @@ class ContactErrorFunction : public E_F0mps {
                                {"unmended", &typeid(long*)},
                                {"oscillation", &typeid(double*)},
                                {"strainoscillation", &typeid(double*)},
+                               {"tractionoscillation", &typeid(double*)},
                                {"balance", &typeid(double*)},
                                {"cone", &typeid(double*)},
                                {"penetration", &typeid(double*)},
@@ -109,12 +110,17 @@ class ContactErrorFunction : public E_F0mps {
         refuse(
             "the contact is that of a mesh3, which contacterror judges by what "
             "contactsolve found: contacterror(C, lambda=, G=, ...)");
+      require_names_of_bodies(named_, estimates_of_bodies,
+                              contact.solid.problem->body_count());
       return solid_error(stack, named_, contact.solid);
     }
     const ContactProblem& problem = *contact.problem;
-    for (const char* parameter : {"rt1", "rt2"})
+    for (const char* parameter : {"rt1", "rt2", "tractionoscillation"})
       if (named_.given(parameter))
-        refuse(parameter, "= is for a mesh3; plane bodies have rt=");
+        refuse(parameter, "= is for a mesh3",
+               std::string(parameter) == "tractionoscillation"
+                   ? ""
+                   : "; plane bodies have rt=");
     require_names_of_bodies(named_, estimates_of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
     const StuckNodes stuck = stuck_nodes_of(stack, named_);

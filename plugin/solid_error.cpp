@@ -16,15 +16,21 @@ constexpr int steps_of_a_sweep = 4;
 /// Sweeps at most when the script asks for a tightness and not for a number of sweeps.
 constexpr int most_sweeps_in_space = 20;
 
+[[noreturn]] void refuse_of_plane_bodies(const char* parameter) {
+  refuse("the contact is that of a mesh3: ", parameter,
+         "= is for plane bodies so far");
+}
+
 /// What plane bodies have, and a solid has not.
 void require_parameters_of_solids(const NamedArguments& named) {
   for (const char* parameter :
        {"multiplier", "tractions", "construction", "stick", "coulomb", "bound",
-        "rt", "rabscissa", "corrected", "unmended", "rate", "sxx", "syy",
-        "sxy"})
-    if (named.given(parameter))
-      refuse("the contact is that of a mesh3: ", parameter,
-             "= is for plane bodies so far");
+        "rt", "rabscissa", "corrected", "unmended", "strainoscillation"})
+    if (named.given(parameter)) refuse_of_plane_bodies(parameter);
+  for (const char* of_bodies :
+       {"rate", "sxx", "syy", "sxy", "initialstrain", "initialstress"})
+    if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
+      refuse_of_plane_bodies(of_bodies);
 }
 
 SolidRelaxationSettings solid_settings(Stack stack,
@@ -39,9 +45,19 @@ SolidRelaxationSettings solid_settings(Stack stack,
   return settings;
 }
 
-void put(Stack stack, const NamedArguments& named,
+/// eps= of one body, eps1=, eps2=, ... of several.
+void put_eps(Stack stack, const NamedArguments& named,
+             const SolidProblem& problem, const VectorXd& local) {
+  const std::vector<int>& first = problem.joined.first_cell;
+  const int bodies = problem.body_count();
+  for (int k = 0; k < bodies; ++k)
+    named.put(stack, name_of_body("eps", k, bodies),
+              local.segment(first[k], first[k + 1] - first[k]));
+}
+
+void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
          const SolidEstimate& estimate) {
-  named.put(stack, "eps", estimate.local);
+  put_eps(stack, named, problem, estimate.local);
   named.put(stack, "e", estimate.e);
   named.put(stack, "elasticpart", estimate.elastic);
   named.put(stack, "contactpart", estimate.contact);
@@ -52,6 +68,7 @@ void put(Stack stack, const NamedArguments& named,
   named.put(stack, "balance", estimate.equilibrium.largest());
   named.put(stack, "cone", estimate.cone);
   named.put(stack, "penetration", estimate.penetration);
+  named.put(stack, "tractionoscillation", estimate.oscillation);
   named.put(stack, "admissible", estimate.admissible);
 }
 
@@ -62,6 +79,10 @@ void report(Stack stack, const NamedArguments& named,
   cout << "contacterror: " << estimate.local.size() << " tetrahedra, eps "
        << 100 * estimate.relative << " %, e " << estimate.e << ", "
        << estimate.history.size() - 1 << " steps, " << seconds << " s" << endl;
+  if (estimate.oscillation > 0)
+    cout << "contacterror: what tractions between the bodies have beyond "
+            "linear ones is at most "
+         << estimate.oscillation << " beside e" << endl;
   if (!estimate.admissible)
     cout << "contacterror: not admissible: " << estimate.reason << endl;
   if (level > 1)
@@ -81,8 +102,6 @@ double solid_error(Stack stack, const NamedArguments& named,
   const SolidRelaxationSettings settings = solid_settings(stack, named);
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;
-  if (problem.surface.against_a_body())
-    refuse("solids against each other are not judged so far");
   const SurfaceSolution& solution = contact.solved->solution;
 
   ffcontact::SolvedSolid body;
@@ -91,12 +110,12 @@ double solid_error(Stack stack, const NamedArguments& named,
   body.law = contact.solved->law;
   body.stiffness = solution.stiffness;
   const double oscillation =
-      read_material_and_loads(stack, named, problem.part(0), body);
+      read_material_and_loads(stack, named, problem, body);
 
   const SolidEstimate estimate =
       estimate_error(topology_of(problem.mesh), problem.surface,
                      *contact.solved->system, body, settings);
-  put(stack, named, estimate);
+  put(stack, named, problem, estimate);
   named.put(stack, "oscillation", oscillation);
   report(stack, named, estimate, CPUtime() - start);
   return estimate.relative;

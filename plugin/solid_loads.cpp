@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "ffcontact/base/require.hpp"
 //
@@ -15,9 +16,9 @@ namespace {
 /// An expression at the barycentre of each tetrahedron (x, y, z, region).
 VectorXd at_tetrahedra(Stack stack, Expression expression,
                        const SolidPart& solid) {
-  VectorXd values(solid.mesh.cell_count());
+  VectorXd values(solid.fem_mesh.nt);
   SolidPoint point(stack, solid);
-  for (int t = 0; t < solid.mesh.cell_count(); ++t) {
+  for (int t = 0; t < solid.fem_mesh.nt; ++t) {
     point.go_to_tetrahedron(t);
     values[t] = point.value(expression);
   }
@@ -36,36 +37,48 @@ HookeTensors<3> isotropic_of(Stack stack, Expression lambda, Expression G,
 
 /// From the 21 values C11, C12, ..., C16, C22, ..., C66.
 HookeTensors<3> general_of(Stack stack, const NamedArguments& named,
-                           const SolidPart& solid) {
-  HookeTensors<3> hooke(solid.mesh.cell_count());
+                           const std::string& name, const SolidPart& solid) {
+  HookeTensors<3> hooke(solid.fem_mesh.nt);
   int place = 0;
   for (int row = 0; row < 6; ++row)
     for (int column = row; column < 6; ++column) {
       const VectorXd values =
-          at_tetrahedra(stack, named.component("hooke", place++, 21), solid);
+          at_tetrahedra(stack, named.component(name, place++, 21), solid);
       for (Index t = 0; t < values.size(); ++t)
         hooke[t](row, column) = hooke[t](column, row) = values[t];
     }
   return hooke;
 }
 
+/// The names of parameters of one of several bodies.
+class NamesOfBody {
+ public:
+  NamesOfBody(int body, int bodies) : body_(body), bodies_(bodies) {}
+  std::string operator()(const char* name) const {
+    return name_of_body(name, body_, bodies_);
+  }
+
+ private:
+  int body_, bodies_;
+};
+
 HookeTensors<3> hooke_of(Stack stack, const NamedArguments& named,
-                         const SolidPart& solid) {
-  const Expression lambda = named.expression("lambda"),
-                   G = named.expression("G");
+                         const NamesOfBody& own, const SolidPart& solid) {
+  const Expression lambda = named.expression(own("lambda")),
+                   G = named.expression(own("G"));
   const bool lame = lambda && G;
-  if (lame == named.given("hooke"))
-    refuse(
-        "give either lambda= and G= (Lame's constants) or hooke=[C11, C12, "
-        "..., C16, C22, ..., C66]");
+  if (lame == named.given(own("hooke")))
+    refuse("give either ", own("lambda"), "= and ", own("G"),
+           "= (Lame's constants) or ", own("hooke"),
+           "=[C11, C12, ..., C16, C22, ..., C66]");
   return lame ? isotropic_of(stack, lambda, G, solid)
-              : general_of(stack, named, solid);
+              : general_of(stack, named, own("hooke"), solid);
 }
 
 /// The components of a load at points of a solid, 0 where it is not given.
 class SolidLoad {
  public:
-  SolidLoad(const NamedArguments& named, const char* name) {
+  SolidLoad(const NamedArguments& named, const std::string& name) {
     for (int c = 0; c < 3; ++c) component_[c] = named.component(name, c, 3);
   }
   bool given() const { return component_[0]; }
@@ -79,17 +92,18 @@ class SolidLoad {
   std::array<Expression, 3> component_;
 };
 
-/// Moments int F phi at the three vertices of every boundary element [9 x boundary].
-FaceMoments traction_moments(Stack stack, const SolidLoad& traction,
-                             const SolidPart& solid) {
+/// Adds moments int F phi at the three vertices of every boundary element of a solid.
+/// @param moments  of all solids [9 x boundary]
+void put_tractions(Stack stack, const SolidLoad& traction,
+                   const SolidPart& solid, FaceMoments& moments) {
+  if (!traction.given()) return;
   const SolidMesh& mesh = solid.mesh;
   const Facets<3>& faces = solid.faces;
-  FaceMoments moments = FaceMoments::Zero(9, mesh.boundary.cols());
-  if (!traction.given()) return moments;
   const auto& quadrature = Fem2D::QuadratureFormular_T_5;
   SolidPoint point(stack, solid);
   for (int f = 0; f < faces.count(); ++f) {
-    if (!faces.on_boundary(f)) continue;
+    if (!faces.on_boundary(f) || !solid.has_boundary(faces.boundary_index[f]))
+      continue;
     const double area = facet_measure(mesh, faces, f);
     Map<Matrix3d> of_face(moments.col(faces.boundary_index[f]).data());
     for (int q = 0; q < quadrature.n; ++q) {
@@ -99,7 +113,6 @@ FaceMoments traction_moments(Stack stack, const SolidLoad& traction,
       of_face += area * quadrature[q].a * traction.at(point) * phi.transpose();
     }
   }
-  return moments;
 }
 
 /// A body force at the points of one tetrahedron.
@@ -109,10 +122,10 @@ struct ForceSamples {
   VectorXd weight;
 };
 
-ForceSamples samples_of(const SolidLoad& force, const SolidMesh& mesh, int t,
+/// @param t  in the solid's own mesh
+ForceSamples samples_of(const SolidLoad& force, double volume, int t,
                         SolidPoint& point) {
   const auto& quadrature = Fem2D::QuadratureFormular_Tet_5;
-  const double volume = signed_volume(mesh, t);
   ForceSamples samples{Matrix3Xd(3, quadrature.n), Matrix4Xd(4, quadrature.n),
                        VectorXd(quadrature.n)};
   for (int q = 0; q < quadrature.n; ++q) {
@@ -140,25 +153,42 @@ double oscillation_square(const ForceSamples& samples,
   return std::pow(std::cbrt(6 * volume) / M_PI, 2) * square;
 }
 
-}  // namespace
-
-double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const SolidPart& solid,
-                               ffcontact::SolvedSolid& body) {
-  const SolidMesh& mesh = solid.mesh;
-  body.hooke = hooke_of(stack, named, solid);
-  body.neumann = traction_moments(stack, {named, "traction"}, solid);
-  body.body_loads = SolidBodyLoadsOfAll::Zero(12, mesh.cell_count());
-  const SolidLoad force(named, "bodyforce");
+/// @param body_loads  of all solids [12 x tetrahedra]
+/// @return the square of their oscillation
+double put_body_loads(Stack stack, const SolidLoad& force,
+                      const SolidPart& solid, SolidBodyLoadsOfAll& body_loads) {
   if (!force.given()) return 0;
   SolidPoint point(stack, solid);
   double square = 0;
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    const ForceSamples samples = samples_of(force, mesh, t, point);
+  for (int t = 0; t < solid.fem_mesh.nt; ++t) {
+    const int cell = solid.first_cell + t;
+    const double volume = signed_volume(solid.mesh, cell);
+    const ForceSamples samples = samples_of(force, volume, t, point);
     const SolidBodyLoads loads =
         samples.f * samples.weight.asDiagonal() * samples.phi.transpose();
-    body.body_loads.col(t) = loads.reshaped();
-    square += oscillation_square(samples, loads, signed_volume(mesh, t));
+    body_loads.col(cell) = loads.reshaped();
+    square += oscillation_square(samples, loads, volume);
+  }
+  return square;
+}
+
+}  // namespace
+
+double read_material_and_loads(Stack stack, const NamedArguments& named,
+                               const SolidProblem& problem,
+                               ffcontact::SolvedSolid& body) {
+  const SolidMesh& mesh = problem.mesh;
+  body.neumann = FaceMoments::Zero(9, mesh.boundary.cols());
+  body.body_loads = SolidBodyLoadsOfAll::Zero(12, mesh.cell_count());
+  double square = 0;
+  for (int k = 0; k < problem.body_count(); ++k) {
+    const NamesOfBody own(k, problem.body_count());
+    const SolidPart solid = problem.part(k);
+    const HookeTensors<3> hooke = hooke_of(stack, named, own, solid);
+    body.hooke.insert(body.hooke.end(), hooke.begin(), hooke.end());
+    put_tractions(stack, {named, own("traction")}, solid, body.neumann);
+    square += put_body_loads(stack, {named, own("bodyforce")}, solid,
+                             body.body_loads);
   }
   return std::sqrt(square);
 }

@@ -3,17 +3,17 @@
 
 #include "arguments.hpp"
 #include "ffcontact/estimate/solid_estimate.hpp"
-#include "solid_views.hpp"
+#include "solid_problem.hpp"
 
 namespace ffcontact::plugin {
 
-/// Reads elastic law (lambda= and G=, or hooke=) and loads (traction=, bodyforce=) of a
-/// solid into what is judged, by the quadratures that FreeFEM's int2d and int3d use by
+/// Reads elastic law (lambda= and G=, or hooke=) and loads (traction=, bodyforce=) of all
+/// solids into what is judged, by the quadratures that FreeFEM's int2d and int3d use by
 /// default, so that they are the loads of the script.
 /// @return oscillation of the body forces (BodyForce)
-/// @throws std::invalid_argument  if the solid has not one elastic law
+/// @throws std::invalid_argument  if a solid has not one elastic law
 double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const SolidPart& solid,
+                               const SolidProblem& problem,
                                ffcontact::SolvedSolid& body);
 
 }  // namespace ffcontact::plugin

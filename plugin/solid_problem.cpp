@@ -71,7 +71,11 @@ SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
 }
 
 SolidPart SolidProblem::part(int body) const {
-  return {*fem_meshes[body], mesh, faces, joined.first_vertex[body],
+  return {*fem_meshes[body],
+          mesh,
+          faces,
+          joined.first_vertex[body],
+          joined.first_cell[body],
           joined.first_boundary[body]};
 }
 

@@ -18,7 +18,12 @@ struct SolidPart {
   const Fem2D::Mesh3& fem_mesh;
   const SolidMesh& mesh;
   const Facets<3>& faces;
-  int first_vertex, first_boundary;
+  int first_vertex, first_cell, first_boundary;
+
+  /// Is a column of SolidMesh::boundary one of this solid's?
+  bool has_boundary(int column) const {
+    return column >= first_boundary && column < first_boundary + fem_mesh.nbe;
+  }
 };
 
 /// A place on a boundary face.

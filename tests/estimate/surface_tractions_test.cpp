@@ -80,6 +80,22 @@ RC_GTEST_PROP(SurfaceTractions, have_the_resultants_of_the_forces,
   RC_ASSERT((found - resultants).norm() < 1e-11);
 }
 
+TEST(SurfaceTractions, have_the_same_cones_with_either_multiplier) {
+  std::mt19937 random(2);
+  SolidProblem problem(irregular_solid(random), 0.6);
+  const int nodes = problem.surface.node_count();
+  problem.law.slip_bound = VectorXd::Constant(nodes, 2);
+  problem.law.shear_limit = VectorXd::Constant(nodes, 3);
+  for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
+    problem.law.multiplier = multiplier;
+    for (const FrictionCone& cone :
+         traction_cones(problem.law, problem.surface)) {
+      EXPECT_DOUBLE_EQ(cone.cohesion, 2);
+      EXPECT_DOUBLE_EQ(cone.limit, 3);
+    }
+  }
+}
+
 TEST(SurfaceTractions, none_pull) {
   std::mt19937 random(2);
   SolidProblem problem(irregular_solid(random), 0.6);
@@ -176,8 +192,8 @@ TEST(SurfaceError, admissible_displacement_keeps_clear) {
   std::vector<char> prescribed(u.size(), 0);
   const int held = problem.surface.vertex[3];
   prescribed[3 * held + 2] = 1;
-  const VectorXd lowered =
-      admissible_displacement(problem.surface, problem.law, u, prescribed);
+  const VectorXd lowered = admissible_displacement(
+      problem.faces, problem.surface, problem.law, u, prescribed);
   for (int dof = 0; dof < u.size(); ++dof) {
     const bool on_surface = dof % 3 == 2 &&
                             problem.mesh.vertices(2, dof / 3) == 0 &&
@@ -185,7 +201,8 @@ TEST(SurfaceError, admissible_displacement_keeps_clear) {
     const double expected = on_surface ? std::max(0.0, u[dof]) : u[dof];
     EXPECT_NEAR(lowered[dof], expected, 1e-15);
   }
-  const DeepestNode deepest = deepest_node(problem.surface, problem.law, u);
+  const DeepestNode deepest =
+      deepest_node(problem.faces, problem.surface, problem.law, u);
   EXPECT_EQ(deepest.depth, -u[3 * problem.surface.vertex[deepest.node] + 2]);
 }
 

@@ -3,6 +3,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/prescribed_labels.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
 
 namespace ffcontact {
 
@@ -55,16 +56,11 @@ FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
                            const Facets<3>& faces,
                            const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& traction) {
-  for (int m = 0; m < surface.face_count(); ++m) {
-    const int face = surface.face[m];
-    Matrix3d density;
-    for (int k = 0; k < 3; ++k) {
-      const int node = surface.face_node(k, m);
-      density.col(k) = surface.frame(node) * traction.col(node);
-    }
-    const double area = facet_measure(mesh, faces, face);
-    given.known.col(face).setConstant(true);
-    given.moments.col(face) += face_moments_of(density, area).reshaped();
+  for (const TractionPart& part : traction_parts(mesh, faces, surface)) {
+    const Matrix3d moments =
+        traction_at_corners(surface, part.contact_face, traction) * part.weight;
+    given.known.col(part.face).setConstant(true);
+    given.moments.col(part.face) += moments.reshaped();
   }
   return given;
 }

@@ -34,7 +34,9 @@ FaceTractions given_tractions(const SolidMesh& mesh, const Facets<3>& faces,
                               const std::vector<char>& prescribed,
                               const Ref<const FaceMoments>& neumann);
 
-/// Adds contact tractions, with which all components are known.
+/// Adds contact tractions, with which all components are known. Against another body they
+/// act on both, where faces do not match by the linear tractions nearest to them: these
+/// have their force and their moment on every face.
 /// @param traction  (r_n, r_t1, r_t2) at the nodes, linear on the faces [MPa, 3 x p]
 FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
                            const Facets<3>& faces,

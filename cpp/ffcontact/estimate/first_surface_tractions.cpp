@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/first_surface_tractions.hpp"
 
+#include <algorithm>
+
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/face_moments.hpp"
@@ -23,6 +25,14 @@ FaceTractions tractions_without_contact(const SolvedSolidProblem& solved) {
                       Matrix3Xd::Zero(3, surface.node_count()));
 }
 
+/// The vertices of the nodes and those that these face.
+std::vector<int> contact_vertices(const ContactSurface& surface) {
+  std::vector<int> vertices(surface.vertex.begin(), surface.vertex.end());
+  const std::vector<int> opposite = opposite_vertices(surface);
+  vertices.insert(vertices.end(), opposite.begin(), opposite.end());
+  return vertices;
+}
+
 /// Why the stresses of u_h are not in equilibrium with the loads at a vertex.
 std::string cause_at(const Imbalance& imbalance,
                      const SolvedSolidProblem& solved) {
@@ -33,7 +43,9 @@ std::string cause_at(const Imbalance& imbalance,
   if (!(topology.mesh.boundary.array() == imbalance.vertex).any())
     return "inside the body: give the bodyforce= u was computed with; loads of "
            "thermal or initial strains are not known here";
-  if ((surface.vertex.array() == imbalance.vertex).any())
+  const std::vector<int> contact = contact_vertices(surface);
+  if (std::find(contact.begin(), contact.end(), imbalance.vertex) !=
+      contact.end())
     return "on the contact surface: give the forces of the solution u, and "
            "the same label= and traction=";
   return "on the boundary: give the traction= u was computed with; loads of "
@@ -121,10 +133,9 @@ FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
       topology, body.hooke,
       nodal_residual(topology, stress, body.body_loads, first.boundary), stress,
       [&] {
-        const std::vector<int> vertices(surface.vertex.begin(),
-                                        surface.vertex.end());
-        return Rebalancing(system, free_dofs_at(vertices, system), motions,
-                           body.stiffness);
+        return Rebalancing(system,
+                           free_dofs_at(contact_vertices(surface), system),
+                           motions, body.stiffness);
       });
   first.moments = equilibrated_moments(topology, in_balance, body.body_loads,
                                        first.boundary);

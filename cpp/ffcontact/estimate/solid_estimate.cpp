@@ -11,10 +11,12 @@
 #include "ffcontact/equilibrium/solid_defect.hpp"
 #include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/error_history.hpp"
+#include "ffcontact/estimate/facing_error.hpp"
 #include "ffcontact/estimate/first_surface_tractions.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
+#include "ffcontact/estimate/traction_oscillation.hpp"
 #include "ffcontact/estimate/unstressed.hpp"
 
 namespace ffcontact {
@@ -101,12 +103,24 @@ SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
   return norms;
 }
 
+/// The contact part of e^2 on each contact face.
+VectorXd contact_part_of(const SolvedSolidProblem& solved,
+                         const std::vector<ContactFace>& contact,
+                         const SolidEstimate& estimate) {
+  const auto& [topology, surface, system, body] = solved;
+  if (!surface.against_a_body())
+    return contact_error(contact, estimate.face_tractions);
+  return facing_contact_error(topology.mesh, topology.faces, surface, body.law,
+                              estimate.tractions, estimate.displacement);
+}
+
 /// (2.11) to (2.13).
-void put_error(const FaceSetting& setting, const SolidNorms& norms,
-               const std::vector<double>& falls, SolidEstimate& estimate) {
-  const auto& [topology, hooke, boundary, body_loads, stress, contact] =
-      setting;
-  const VectorXd contact_part = contact_error(contact, estimate.face_tractions);
+void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
+               const SolidNorms& norms, const std::vector<double>& falls,
+               SolidEstimate& estimate) {
+  const auto& [topology, surface, system, body] = solved;
+  const VectorXd contact_part =
+      contact_part_of(solved, setting.contact, estimate);
   const double elastic = parted_sum(topology.mesh.cell_count(),
                                     [&](int t) { return norms.difference[t]; }),
                scale = norms.sum > 0 ? norms.sum : 1;
@@ -116,8 +130,8 @@ void put_error(const FaceSetting& setting, const SolidNorms& norms,
   estimate.relative = estimate.e / std::sqrt(scale);
   estimate.history = error_history(elastic + estimate.contact, falls);
   VectorXd local = norms.difference;
-  for (std::size_t m = 0; m < contact.size(); ++m)
-    local[topology.faces.cells(0, contact[m].face)] += contact_part[m];
+  for (int m = 0; m < surface.face_count(); ++m)
+    local[topology.faces.cells(0, surface.face[m])] += contact_part[m];
   estimate.local = (local / scale).cwiseMax(0.0).cwiseSqrt();
 }
 
@@ -133,9 +147,12 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
   estimate.equilibrium = {norms.defect.divergence / scale,
                           norms.defect.jump / scale,
                           norms.defect.boundary / scale};
-  estimate.cone = cone_violation(contact, estimate.face_tractions) / scale;
+  estimate.cone = (surface.against_a_body()
+                       ? cone_violation(body.law, surface, estimate.tractions)
+                       : cone_violation(contact, estimate.face_tractions)) /
+                  scale;
   const DeepestNode deepest =
-      deepest_node(surface, body.law, estimate.displacement);
+      deepest_node(topology.faces, surface, body.law, estimate.displacement);
   if (deepest.depth > 0)
     estimate.penetration =
         deepest.depth / largest_displacement(body.law, body.displacement);
@@ -166,7 +183,7 @@ SolidEstimate estimate_error(const SolidTopology& topology,
 
   // 1. Admissible displacement [CHH01, 4.1].
   estimate.displacement = admissible_displacement(
-      surface, body.law, body.displacement, system.prescribed);
+      topology.faces, surface, body.law, body.displacement, system.prescribed);
   const Matrix6Xd of_displacement =
       stress.unstressed
           ? stress.computed
@@ -185,8 +202,10 @@ SolidEstimate estimate_error(const SolidTopology& topology,
       first.boundary,
       body.body_loads,
       of_displacement,
-      contact_faces(topology.mesh, topology.faces, surface, body.law,
-                    estimate.displacement)};
+      surface.against_a_body()
+          ? std::vector<ContactFace>()  // r_hat stays as it is
+          : contact_faces(topology.mesh, topology.faces, surface, body.law,
+                          estimate.displacement)};
   const std::vector<double> falls =
       relax_faces(setting, settings, estimate.moments);
   estimate.face_tractions = tractions_of(setting.contact, estimate.moments);
@@ -194,7 +213,9 @@ SolidEstimate estimate_error(const SolidTopology& topology,
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const SolidNorms norms = solid_norms(setting, estimate.moments);
-  put_error(setting, norms, falls, estimate);
+  put_error(solved, setting, norms, falls, estimate);
+  estimate.oscillation = traction_oscillation(
+      topology.mesh, topology.faces, surface, body.hooke, estimate.tractions);
 
   // 6. What the theory promises, measured.
   judge(solved, stress, setting.contact, norms, estimate);

@@ -47,13 +47,16 @@ struct SolidEstimate {
   EquilibriumDefect equilibrium;
   double cone = 0;  ///< cone_violation of r_hat, relative to the largest stress
   double penetration = 0;  ///< of u_hat, relative to the largest displacement
+  /// traction_oscillation, same unit as e: where surfaces of two bodies do not match, e +
+  /// this is what is said of e; 0 elsewhere
+  double oscillation = 0;
   /// in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
   bool admissible = false;
   std::string reason;  ///< why not, one sentence without a full stop
 };
 
-/// Builds the admissible pair of a solid on a rigid foundation and evaluates it, as the
-/// numbered steps in the body.
+/// Builds the admissible pair of solids on a rigid foundation or against each other (as
+/// one mesh, joined_mesh) and evaluates it, as the numbered steps in the body.
 ///
 /// r_hat begins with the nodal forces over the nodal areas, which are in the cone
 /// everywhere; where contact alone holds the body they are moved inside the cone as little

@@ -5,6 +5,9 @@
 
 namespace ffcontact {
 
+/// Of a solid on a rigid foundation; against another body these are those of
+/// facing_error.hpp.
+
 /// The contact part of e^2 on each contact face [N mm]:
 ///     2 int (c |w_t| + r_t . w_t + r_n (w_n - gap)),   c = mu |r_n|, Tresca's bound, or the shear limit if that is less   [CHH01, (2.11), (2.19)]
 /// where c at the nodes and |w_t| at the nodes are taken linear between these: |w_t| is
@@ -21,7 +24,8 @@ double cone_violation(const std::vector<ContactFace>& contact,
 /// change of each vertex's free components; a vertex that no such change clears, or only
 /// one of 1000 times the largest displacement or gap, stays as it is.
 /// @param prescribed  1 where the dof is prescribed and stays
-VectorXd admissible_displacement(const ContactSurface& surface,
+VectorXd admissible_displacement(const Facets<3>& faces,
+                                 const ContactSurface& surface,
                                  const SurfaceLaw& law,
                                  const Ref<const VectorXd>& displacement,
                                  const std::vector<char>& prescribed);
@@ -31,7 +35,8 @@ struct DeepestNode {
   double depth = 0;
   int node = 0;
 };
-DeepestNode deepest_node(const ContactSurface& surface, const SurfaceLaw& law,
+DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
+                         const SurfaceLaw& law,
                          const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

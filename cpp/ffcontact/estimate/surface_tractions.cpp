@@ -7,6 +7,7 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/cone_projection.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
 
 namespace ffcontact {
 
@@ -19,25 +20,31 @@ constexpr double resultant_missed = 1e-12;
 
 constexpr int most_cone_steps = 100;
 
-/// Rows of node i, [3 p x k]: sum over j of M_ij z_j along n, t1, t2, so that the
-/// resultants of r are its product with them.
+/// The vectors of a field at the vertices of a face.
+Matrix3d vectors_at(const Facets<3>& faces, int face,
+                    const Ref<const VectorXd>& field) {
+  Matrix3d z;
+  for (int k = 0; k < 3; ++k)
+    z.col(k) = vector_at<3>(field, faces.vertices(k, face));
+  return z;
+}
+
+/// Rows of node i, [3 p x k]: int chi_i [z] along n, t1, t2, so that the resultants of r
+/// are its product with them.
 MatrixXd weighted_motions(const SolidMesh& mesh, const Facets<3>& faces,
                           const ContactSurface& surface,
                           const MatrixXd& motions) {
   MatrixXd rows = MatrixXd::Zero(3 * surface.node_count(), motions.cols());
-  for (int m = 0; m < surface.face_count(); ++m) {
-    const double area = facet_measure(mesh, faces, surface.face[m]);
-    for (int k = 0; k < motions.cols(); ++k) {
-      Matrix3d z;
-      for (int j = 0; j < 3; ++j)
-        z.col(j) = motions.col(k).segment<3>(
-            dof_of<3>(surface.vertex[surface.face_node(j, m)], 0));
-      const Vector3d sum = z.rowwise().sum();
-      for (int i = 0; i < 3; ++i) {
-        const int node = surface.face_node(i, m);
+  for (const TractionPart& part : traction_parts(mesh, faces, surface)) {
+    const FaceHats hats = face_hats(surface, part.contact_face);
+    for (std::size_t a = 0; a < hats.node.size(); ++a) {
+      const int node = hats.node[a];
+      const Vector3d weight =
+          part.weight.transpose() * hats.hat.col(static_cast<Index>(a));
+      for (int k = 0; k < motions.cols(); ++k)
         rows.col(k).segment<3>(3 * node) +=
-            area / 12 * surface.frame(node).transpose() * (z.col(i) + sum);
-      }
+            surface.frame(node).transpose() *
+            vectors_at(faces, part.face, motions.col(k)) * weight;
     }
   }
   return rows;
@@ -121,12 +128,9 @@ class SurfaceDual {
 
 std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
                                          const ContactSurface& surface) {
-  std::vector<FrictionCone> cones = nodal_law(law, surface).cone;
-  for (int i = 0; i < surface.node_count(); ++i) {
-    cones[i].cohesion /= surface.area[i];
-    cones[i].limit /= surface.area[i];
-  }
-  return cones;
+  SurfaceLaw of_pressures = law;
+  of_pressures.multiplier = Multiplier::pressure;
+  return nodal_law(of_pressures, surface).cone;
 }
 
 Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,

@@ -12,7 +12,7 @@ namespace ffcontact {
 /// nodes [MPa, 3 x p]. A law linear between the nodes holds all along a face if it holds
 /// at its nodes: the cones are convex.
 
-/// The cones of tractions at the nodes [MPa].
+/// The cones of tractions at the nodes [MPa], whatever the multiplier is.
 std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
                                          const ContactSurface& surface);
 
@@ -21,7 +21,7 @@ std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
 Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force);
 
-/// int [z_k] . r over the surface, r = sum of phi_i r_i [k].
+/// int [z_k] . r over what the surface faces, r linear between the nodes (FaceHats) [k].
 /// @param motions  vertex fields z_k, linear on the faces [3 * vertices x k]
 VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
                        const ContactSurface& surface,
@@ -30,7 +30,7 @@ VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
 
 /// The tractions in the cones nearest to given ones, min 1/2 sum of A_i |r_i - r0_i|^2,
 /// with given resultants. By duality
-///     r_i = Pi_i(r0_i + sum of eta_k (M z_k)_i / A_i),
+///     r_i = Pi_i(r0_i + sum of eta_k int chi_i [z_k] / A_i),
 /// where the multipliers eta minimise a convex function whose gradient is what the
 /// resultants are off: Newton's method.
 /// @return nothing if there are no such tractions

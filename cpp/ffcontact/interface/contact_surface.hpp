@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/interface/facing_polygon.hpp"
 #include "ffcontact/interface/weights_by_node.hpp"
 #include "ffcontact/mesh/facets.hpp"
 
@@ -30,6 +31,9 @@ struct ContactSurface {
   /// the same for all components [p x vertices]; no rows where all of the foundation is
   /// rigid.
   WeightsByNode opposite;
+  /// of its faces, in their order: what faces what; none where all of the foundation is
+  /// rigid
+  std::vector<FacingPolygon> polygons;
 
   int node_count() const { return static_cast<int>(vertex.size()); }
   int face_count() const { return static_cast<int>(face.size()); }

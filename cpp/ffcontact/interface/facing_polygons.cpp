@@ -188,7 +188,8 @@ class FacePairing {
         if (const double area = polygon_area(polygon); area > least)
           found.push_back({m, part.face, scale * area, own.coordinates(polygon),
                            part.seen.coordinates(polygon),
-                           distances(own, part.seen, polygon)});
+                           distances(own, part.seen, polygon),
+                           own.coordinates(part.seen.corners)});
   }
 
   const SolidMesh& mesh_;

@@ -154,7 +154,7 @@ class Coupling {
     }
   }
 
-  FacingSurface surface() const {
+  FacingSurface surface(const std::vector<FacingPolygon>& polygons) const {
     FacingSurface result;
     const std::vector<int> nodes = carriers();
     ContactSurface& part = result.surface;
@@ -163,6 +163,7 @@ class Coupling {
     part.area = area_(nodes);
     const VectorXi number = numbers(nodes);
     put_faces(number, part);
+    put_polygons(polygons, part);
     put_weights(nodes, part);
     Triplets mass;
     for (const auto& entry : mass_)
@@ -198,6 +199,18 @@ class Coupling {
     part.face = surface_.face(kept);
     part.face_node = surface_.face_node(Eigen::all, kept);
     for (int& node : part.face_node.reshaped()) node = number[node];
+  }
+
+  void put_polygons(const std::vector<FacingPolygon>& polygons,
+                    ContactSurface& part) const {
+    VectorXi number(surface_.face_count());
+    for (int m = 0, next = 0; m < surface_.face_count(); ++m)
+      number[m] = is_faced_[m] ? next++ : -1;
+    for (const FacingPolygon& polygon : polygons) {
+      if (!is_faced_[polygon.contact_face]) continue;
+      part.polygons.push_back(polygon);
+      part.polygons.back().contact_face = number[polygon.contact_face];
+    }
   }
 
   /// A node that follows one vertex follows it to the last digit.
@@ -239,7 +252,7 @@ FacingSurface facing_surface(const SolidMesh& mesh, const Facets<3>& faces,
   }
   Coupling coupling(mesh, faces, surface);
   for (const auto& [m, integrals] : of_face) coupling.add_face(m, integrals);
-  return coupling.surface();
+  return coupling.surface(polygons);
 }
 
 }  // namespace ffcontact

@@ -2,6 +2,7 @@
 #include "ffcontact/interface/joined_surfaces.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ffcontact/base/packed.hpp"
 
@@ -17,6 +18,10 @@ ContactSurface joined_surfaces(const std::vector<ContactSurface>& surfaces) {
   Index vertices = 0;
   for (const ContactSurface& surface : surfaces) {
     const int first = count_of(vertex);
+    for (FacingPolygon polygon : surface.polygons) {
+      polygon.contact_face += count_of(face);
+      all.polygons.push_back(std::move(polygon));
+    }
     vertex.insert(vertex.end(), surface.vertex.begin(), surface.vertex.end());
     area.insert(area.end(), surface.area.begin(), surface.area.end());
     face.insert(face.end(), surface.face.begin(), surface.face.end());
