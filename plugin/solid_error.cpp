@@ -20,8 +20,8 @@ constexpr int most_sweeps_in_space = 20;
 void require_parameters_of_solids(const NamedArguments& named) {
   for (const char* parameter :
        {"multiplier", "tractions", "construction", "stick", "coulomb", "bound",
-        "rt", "rabscissa", "corrected", "unmended", "rate", "sxx", "syy",
-        "sxy"})
+        "rt", "spring", "rest", "springpart", "rabscissa", "corrected",
+        "unmended", "rate", "sxx", "syy", "sxy"})
     if (named.given(parameter))
       refuse("the contact is that of a mesh3: ", parameter,
              "= is for plane bodies so far");
