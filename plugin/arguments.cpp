@@ -112,6 +112,10 @@ Expression NamedArguments::component(const std::string& name, int k,
   return components[k];
 }
 
+int NamedArguments::component_count(const std::string& name) const {
+  return given(name) ? count_of(components_[place(name)]) : 0;
+}
+
 std::vector<int> NamedArguments::numbers_after(const char* name) const {
   std::vector<int> numbers;
   for (std::size_t k = 0; k < table_.size(); ++k)

@@ -47,6 +47,9 @@ class NamedArguments {
   /// @throws std::invalid_argument  if the list has not `size` components
   Expression component(const std::string& name, int k, int size) const;
 
+  /// How many components a literal list has, 0 where the parameter is not given.
+  int component_count(const std::string& name) const;
+
   /// The k of the given parameters that are called name followed by k.
   std::vector<int> numbers_after(const char* name) const;
 

@@ -30,7 +30,8 @@ const NamedArguments::Table estimates_of_bodies = {
     {"lambda", &typeid(double)},         {"G", &typeid(double)},
     {"hooke", &typeid(E_Array)},         {"traction", &typeid(E_Array)},
     {"bodyforce", &typeid(E_Array)},     {"initialstrain", &typeid(E_Array)},
-    {"initialstress", &typeid(E_Array)}, {"eps", &typeid(KN<double>*)},
+    {"initialstress", &typeid(E_Array)}, {"spring", &typeid(E_Array)},
+    {"rest", &typeid(E_Array)},          {"eps", &typeid(KN<double>*)},
     {"rate", &typeid(KN<double>*)},      {"sxx", &typeid(KN<double>*)},
     {"syy", &typeid(KN<double>*)},       {"sxy", &typeid(KN<double>*)}};
 
@@ -84,6 +85,7 @@ class ContactErrorFunction : public E_F0mps {
                                {"e", &typeid(double*)},
                                {"elasticpart", &typeid(double*)},
                                {"contactpart", &typeid(double*)},
+                               {"springpart", &typeid(double*)},
                                {"history", &typeid(KN<double>*)},
                                {"rn", &typeid(KN<double>*)},
                                {"rt", &typeid(KN<double>*)},
@@ -214,9 +216,10 @@ class ContactErrorFunction : public E_F0mps {
                  const ElasticSystem& system, const SolvedBody& body) const {
     if (!is_wanted("rate", problem.body_count())) return;
     const Topology& topology = problem.topology();
-    const BoundaryTractions boundary = boundary_tractions(
-        topology.mesh, topology.edges, system.prescribed, body.neumann,
-        problem.line, edge_densities(problem.line, body.pressure));
+    const BoundaryTractions boundary =
+        boundary_tractions(topology.mesh, topology.edges, system.prescribed,
+                           boundary_moments(topology.mesh, body), problem.line,
+                           edge_densities(problem.line, body.pressure));
     const std::vector<SingularVertex> singular = singular_vertices(
         topology, body.hooke,
         total_stresses(topology.mesh, body, body.displacement).mean, boundary,
@@ -258,6 +261,7 @@ class ContactErrorFunction : public E_F0mps {
     named_.put(stack, "e", estimate.e);
     named_.put(stack, "elasticpart", estimate.elastic);
     named_.put(stack, "contactpart", estimate.contact);
+    named_.put(stack, "springpart", estimate.springs);
     named_.put(stack, "history", packed(estimate.history));
     named_.put(stack, "rn", estimate.tractions.normal.reshaped());
     named_.put(stack, "rt", estimate.tractions.tangential.reshaped());
@@ -288,6 +292,7 @@ class ContactErrorFunction : public E_F0mps {
     if (level > 1)
       cout << "contacterror: elastic part " << estimate.elastic
            << ", contact part of e^2 " << estimate.contact
+           << ", that of springs " << estimate.springs
            << ", equilibrium defect " << estimate.equilibrium.largest()
            << ", cone defect " << estimate.cone << ", penetration "
            << estimate.penetration << endl;

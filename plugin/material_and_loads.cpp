@@ -2,6 +2,7 @@
 #include "material_and_loads.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/base/require.hpp"
 //
@@ -106,10 +107,63 @@ class InitialStresses {
   Matrix<double, 9, Dynamic> values_;  ///< at the vertices of all triangles
 };
 
+/// Components xx, xy, yy of the springs' stiffness, [kx, ky] or [kxx, kxy, kyy].
+VoigtExpression stiffness_of(const NamedArguments& named,
+                             const std::string& name) {
+  const int size = named.component_count(name);
+  if (size != 2 && size != 3)
+    refuse(name, " must be a list [kx, ky] or [kxx, kxy, kyy]");
+  const Expression first = named.component(name, 0, size),
+                   last = named.component(name, size - 1, size);
+  return {first, size == 3 ? named.component(name, 1, 3) : nullptr, last};
+}
+
+/// Springs of the bodies, joined; empty where none has any.
+class Springs {
+ public:
+  explicit Springs(const ContactProblem& problem) : problem_(problem) {}
+
+  void read(Stack stack, const NamedArguments& named, int k) {
+    const int bodies = problem_.body_count();
+    const std::string spring = name_of_body("spring", k, bodies);
+    const Load rest = load_of(named, "rest", k, bodies);
+    if (!named.given(spring)) {
+      if (rest.x)
+        refuse(name_of_body("rest", k, bodies), "= is for ", spring, "=");
+      return;
+    }
+    if (joined.empty())
+      joined = BoundarySprings(problem_.joined.first_boundary.back());
+    put(stack, stiffness_of(named, spring), rest, k);
+  }
+
+  BoundarySprings joined;
+
+ private:
+  void put(Stack stack, const VoigtExpression& K, const Load& rest, int k) {
+    const Fem2D::Mesh& fem_mesh = *problem_.fem_meshes[k];
+    const Mesh mesh = mesh_of(&fem_mesh);
+    const auto put_rows = [&](Expression expression, auto& rows, int row,
+                              int step) {
+      const MatrixXd values =
+          at_gauss_points(stack, expression, fem_mesh, mesh);
+      for (int q = 0; q < 3; ++q)
+        rows.row(row + step * q)
+            .segment(problem_.joined.first_boundary[k], values.cols()) =
+            values.row(q);
+    };
+    for (int c = 0; c < 3; ++c) put_rows(K[c], joined.stiffness, c, 3);
+    put_rows(rest.x, joined.rest, 0, 2);
+    put_rows(rest.y, joined.rest, 1, 2);
+  }
+
+  const ContactProblem& problem_;
+};
+
 /// Reads one body into what is there for all of them.
 Oscillation read_body(Stack stack, const NamedArguments& named,
                       const ContactProblem& problem, int k, SolvedBody& body,
-                      InitialStresses& initial) {
+                      InitialStresses& initial, Springs& springs) {
   const JoinedMesh& joined = problem.joined;
   const int bodies = problem.body_count();
   const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[k];
@@ -123,6 +177,7 @@ Oscillation read_body(Stack stack, const NamedArguments& named,
   const BodyForce force = body_force_loads(stack, f.x, f.y, fem_mesh, mesh);
   body.body_loads.middleCols(joined.first_cell[k], mesh.cells.cols()) =
       force.loads;
+  springs.read(stack, named, k);
   return {force.oscillation, initial.read(stack, named, k, hooke)};
 }
 
@@ -135,12 +190,15 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
   body.body_loads.resize(6, problem.joined.first_cell.back());
   Oscillation all;
   InitialStresses initial(problem);
+  Springs springs(problem);
   for (int k = 0; k < problem.body_count(); ++k) {
-    const Oscillation own = read_body(stack, named, problem, k, body, initial);
+    const Oscillation own =
+        read_body(stack, named, problem, k, body, initial, springs);
     all = {std::hypot(all.force, own.force),
            std::hypot(all.strain, own.strain)};
   }
   body.initial = initial.joined();
+  body.springs = std::move(springs.joined);
   return all;
 }
 

@@ -13,9 +13,10 @@ struct Oscillation {
 };
 
 /// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
-/// (initialstrain=, initialstress=) and loads (traction=, bodyforce=) of all bodies into
-/// what is judged.
-/// @throws std::invalid_argument  if a body has not one elastic law
+/// (initialstrain=, initialstress=), loads (traction=, bodyforce=) and springs (spring=,
+/// rest=) of all bodies into what is judged.
+/// @throws std::invalid_argument  if a body has not one elastic law, or springs at rest
+///                                and none
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
                                     const ContactProblem& problem,
                                     SolvedBody& body);

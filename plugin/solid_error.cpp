@@ -25,10 +25,11 @@ constexpr int most_sweeps_in_space = 20;
 void require_parameters_of_solids(const NamedArguments& named) {
   for (const char* parameter :
        {"multiplier", "tractions", "construction", "stick", "coulomb", "bound",
-        "rt", "rabscissa", "corrected", "unmended", "strainoscillation"})
+        "rt", "springpart", "rabscissa", "corrected", "unmended",
+        "strainoscillation"})
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
-  for (const char* of_bodies :
-       {"rate", "sxx", "syy", "sxy", "initialstrain", "initialstress"})
+  for (const char* of_bodies : {"rate", "sxx", "syy", "sxy", "initialstrain",
+                                "initialstress", "spring", "rest"})
     if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
       refuse_of_plane_bodies(of_bodies);
 }

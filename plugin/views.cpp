@@ -2,6 +2,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/equilibrium/boundary_springs.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 //
 #include "point_evaluator.hpp"
@@ -199,6 +200,21 @@ MatrixXd at_quadrature_points(Stack stack, Expression expression,
       point.go_to_triangle(t, R2(quadrature[q].x, quadrature[q].y));
       values(q, t) = point.value(expression);
     }
+  return values;
+}
+
+MatrixXd at_gauss_points(Stack stack, Expression expression,
+                         const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+  MatrixXd values = MatrixXd::Zero(3, mesh.boundary.cols());
+  if (!expression) return values;
+  PlanePoint point(stack, fem_mesh);
+  for (int e = 0; e < values.cols(); ++e) {
+    const bool same = point.first_vertex(e) == mesh.boundary(0, e);
+    for (int q = 0; q < 3; ++q) {
+      point.go_to_boundary(e, same ? 1 - gauss_places[q] : gauss_places[q]);
+      values(q, e) = point.value(expression);
+    }
+  }
   return values;
 }
 

@@ -59,6 +59,11 @@ VectorXd at_triangles(Stack stack, Expression expression,
 MatrixXd at_quadrature_points(Stack stack, Expression expression,
                               const Fem2D::Mesh& fem_mesh);
 
+/// An expression at the three Gauss points of every boundary element, from its first
+/// vertex to its second (x, y, label, N), 0 where it is null [3 x boundary].
+MatrixXd at_gauss_points(Stack stack, Expression expression,
+                         const Fem2D::Mesh& fem_mesh, const Mesh& mesh);
+
 /// Moments int F phi of a traction at the two vertices of every boundary element [4 x
 /// boundary], by the quadrature that FreeFEM's int1d uses by default (three Gauss
 /// points), so that they are the loads of the script. Null components are zero.

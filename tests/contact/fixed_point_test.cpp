@@ -38,6 +38,27 @@ TEST(FixedPoint, contracts_on_example_1) {
       1e-8);
 }
 
+/// Every node sticks, v = 0, and the multiplier of the prescribed end is free: P(g) takes
+/// the one for which a node is at the bound of g, and Coulomb's bound is above it.
+TEST(FixedPoint, sticks_where_only_the_given_bound_is_reached) {
+  for (const unsigned seed : {19u, 56u, 66u, 153u}) {
+    Random random(seed);
+    Case c;
+    c.mesh = irregular(3, 3, 6, 4, random);
+    c.support = Support::symmetric_right;
+    c.multiplier = Multiplier::pressure;
+    c.mu = 0.2739;
+    c.nu = 0.0396;
+    c.on_left = {-1, -0.868};
+    c.on_top = {0.228, -3.098};
+    c.in_body = {-0.0344, -0.05};
+    const ContactSolution fixed = by_fixed_point(problem_of(c));
+    EXPECT_EQ(fixed.status, ContactStatus::converged) << seed;
+    for (const ContactState state : fixed.state)
+      EXPECT_EQ(state, ContactState::stick) << seed;
+  }
+}
+
 TEST(FixedPoint, of_trescas_law_is_one_step) {
   Problem problem = example_2(Multiplier::force, 0, 8);
   problem.law.slip_bound = everywhere(problem.line, 0.2);

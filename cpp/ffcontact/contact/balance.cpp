@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/unbalanced_motion.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
@@ -159,6 +160,25 @@ void require_balance(const Mesh& mesh, const ContactLine& line,
   require_balance(mesh, line, system, [&](const MatrixXd& motions) {
     return extreme_forces(line, law, motions);
   });
+}
+
+void require_balance(const Mesh& mesh, const ContactLine& line,
+                     const ContactLaw& law, const ElasticSystem& system,
+                     const MatrixXd& motions, const VectorXd& push) {
+  const MatrixXd unheld = unheld_motions(mesh, system);
+  MatrixXd all(motions.rows(), unheld.cols() + motions.cols());
+  all << unheld, motions;
+  VectorXd pushed(all.cols());
+  pushed << unheld.transpose() * system.load, -push;
+  const double scale = system.load.cwiseAbs().sum() + push.cwiseAbs().sum();
+  const MatrixXd forces = extreme_forces(line, law, all);
+  const VectorXd left =
+      pushed + forces * nonnegative_least_squares(forces, -pushed);
+  if (left.norm() > unbalanced * scale)
+    refuse(
+        "no contact forces in the cone have the force and the moment of push= "
+        "and moment=, or they push the body where nothing holds it: the tool "
+        "is drawn away, slides, or tips over an end of the contact line");
 }
 
 void require_balance(const SolidMesh& mesh, const ContactSurface& surface,

@@ -26,6 +26,15 @@ MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
 void require_balance(const Mesh& mesh, const ContactLine& line,
                      const ContactLaw& law, const ElasticSystem& system);
 
+/// Can contact balance the loads of the body and those on a rigid foundation that forces
+/// move?
+/// @param motions  of the foundation, as fields on all dofs, one a column
+/// @param push     force or moment along each of them, which contact passes on to the body
+/// @throws std::invalid_argument  if it cannot
+void require_balance(const Mesh& mesh, const ContactLine& line,
+                     const ContactLaw& law, const ElasticSystem& system,
+                     const MatrixXd& motions, const VectorXd& push);
+
 /// Likewise on a surface. The cones are taken a thousandth wider, with 64 sides: what they
 /// cannot balance no force in the cones can.
 void require_balance(const SolidMesh& mesh, const ContactSurface& surface,

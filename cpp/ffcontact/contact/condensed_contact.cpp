@@ -190,7 +190,9 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
   contact.opposite_offset = VectorXd::Zero(o);
   if (o == 0) return;
   const SparseMatrix A_o = opposite_A(contact);
-  put_opposite_loads(g_w.tail(o) - A_o.transpose() * contact.g, contact);
+  VectorXd h = g_w.tail(o) - A_o.transpose() * contact.g;
+  if (contact.opposite_load.size() > 0) h += contact.opposite_load;
+  put_opposite_loads(h, contact);
 }
 
 /// The relation, loads apart.
@@ -201,6 +203,35 @@ void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
   const OppositeTerms opposite = opposite_terms(terms, factor, contact);
   put_own_relation(std::move(terms), factor, contact);
   condense_opposite(opposite, contact);
+}
+
+/// [A, B]
+SparseMatrix beside(const SparseMatrix& A, const SparseMatrix& B) {
+  SparseMatrix both(A.rows(), A.cols() + B.cols());
+  both.leftCols(A.cols()) = A;
+  both.rightCols(B.cols()) = B;
+  return both;
+}
+
+/// Forces on held rows load no body, and none of the foundation's then.
+MatrixXd felt(MatrixXd trace, const ContactLaw& law,
+              const std::vector<char>& held) {
+  if (law.multiplier == Multiplier::pressure) return trace;
+  for (Index row = 0; row < trace.rows(); ++row)
+    if (held[row]) trace.row(row).setZero();
+  return trace;
+}
+
+/// The foundation's motions as further opposite components.
+void add_foundation(const FoundationMotions& foundation, const ContactLaw& law,
+                    const std::vector<char>& held, const SparseMatrix& W,
+                    ContactTrace& trace) {
+  if (foundation.trace.cols() == 0) return;
+  const MatrixXd moved = -(W * felt(foundation.trace, law, held));
+  trace.A = beside(trace.A, moved.sparseView());
+  trace.to_kept =
+      beside(trace.to_kept, SparseMatrix(trace.to_kept.rows(), moved.cols()));
+  trace.opposite_load = foundation.load;
 }
 
 }  // namespace
@@ -229,7 +260,8 @@ CondensedContact condensed_contact(ContactTrace trace,
 CondensedContact condensed_contact(const ContactLine& line,
                                    const ContactLaw& law,
                                    const ElasticSystem& system,
-                                   const CondensedStiffness& stiffness) {
+                                   const CondensedStiffness& stiffness,
+                                   const FoundationMotions& foundation) {
   const VertexMotions motions = vertex_motions(line, system.prescribed);
   if (motions.rows.empty())
     refuse("every dof of the contact line is prescribed");
@@ -242,6 +274,7 @@ CondensedContact condensed_contact(const ContactLine& line,
   trace.to_kept = kept_operator(motions, trace.kept_dofs);
   trace.A = W * trace_operator(line, held.row, motions);
   trace.v_prescribed = W * v.reshaped();
+  add_foundation(foundation, law, held.row, W, trace);
   CondensedContact contact =
       condensed_contact(std::move(trace), motions.rows, system.load, stiffness);
   contact.held = std::move(held);

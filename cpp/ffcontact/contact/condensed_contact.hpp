@@ -21,6 +21,8 @@ struct ContactTrace {
   SparseMatrix A;  ///< v of all rows = A (w, w_o) + v_prescribed [rows x f + o]
   /// v of the prescribed values, gap and previous displacement included [rows]
   VectorXd v_prescribed;
+  /// loads on w_o beside those of the body [o]; empty: none
+  VectorXd opposite_load{};
 };
 
 /// The body as the contact conditions see it: a small dense relation between multipliers
@@ -86,11 +88,23 @@ CondensedContact condensed_contact(ContactTrace trace,
                                    const VectorXd& load,
                                    const CondensedStiffness& stiffness);
 
+/// Motions of a rigid foundation that forces move: they are opposite components without
+/// stiffness, v = W (trace of u - trace z), which
+///     (W trace)' P = load
+/// holds.
+struct FoundationMotions {
+  MatrixXd
+      trace;  ///< (n . z, t . z) at the nodes, one motion a column [2 p x m]
+  VectorXd load;  ///< what contact does to the body along each of them [m]
+};
+
 /// @throws std::invalid_argument  if the contact line has no free dof
+/// @throws std::runtime_error     if foundation and body are not held by each other
 CondensedContact condensed_contact(const ContactLine& line,
                                    const ContactLaw& law,
                                    const ElasticSystem& system,
-                                   const CondensedStiffness& stiffness);
+                                   const CondensedStiffness& stiffness,
+                                   const FoundationMotions& foundation = {});
 
 /// The same relation for another load on all dofs and other v of the prescribed values:
 /// that of a correction, for instance.

@@ -6,35 +6,14 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
-#include "ffcontact/contact/convex_contact.hpp"
+#include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/feasibility.hpp"
-#include "ffcontact/contact/fixed_point.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/contact/refinement.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Newton; where it does not converge, the convex minimum, or with Coulomb's law the
-/// fixed point helped by Newton.
-FixedPointResult safeguarded_newton(const CondensedContact& contact,
-                                    const NodalLaw& law,
-                                    const std::vector<ContactState>& start,
-                                    const NewtonSettings& settings) {
-  if (law.is_convex()) return {solve_convex(contact, law, start, settings), {}};
-  FixedPointResult newton{active_set_newton(contact, law, start, settings), {}};
-  const int left = settings.max_iterations - newton.answer.iterations;
-  if (newton.answer.status == ContactStatus::converged || left <= 0)
-    return newton;
-  FixedPointResult path =
-      fixed_point(contact, law, start, settings.with_at_most(left), true);
-  const bool better = path.answer.is_better_than(newton.answer);
-  const int systems = newton.answer.iterations + path.answer.iterations;
-  if (better) newton = std::move(path);
-  newton.answer.iterations = systems;
-  return newton;
-}
 
 /// Residuals below this are rounding.
 constexpr double residual_rounding = 1e-12;
@@ -147,29 +126,6 @@ void require_sound(const Mesh& mesh, const ContactLine& line,
   require_balance(mesh, line, law, system);
 }
 
-std::shared_ptr<const CondensedStiffness> prepared_stiffness(
-    const ContactLine& line, const ElasticSystem& system,
-    const ContactSettings& settings) {
-  if (settings.stiffness) return settings.stiffness;
-  tell(settings.report,
-       {"factorisation", 0, "dofs", static_cast<double>(system.dof_count())});
-  return std::make_shared<const CondensedStiffness>(system,
-                                                    contact_dofs(line, system));
-}
-
-/// By the chosen solver, from the chosen states.
-FixedPointResult condensed_answer(const CondensedContact& contact,
-                                  const NodalLaw& law,
-                                  const ContactSettings& settings) {
-  std::vector<ContactState> start = settings.initial_state;
-  if (start.empty()) start.assign(law.node_count(), ContactState::stick);
-  const NewtonSettings limits{settings.max_iterations, settings.tolerance,
-                              settings.report};
-  return settings.solver == ContactSolver::newton
-             ? safeguarded_newton(contact, law, start, limits)
-             : fixed_point(contact, law, start, limits);
-}
-
 Index nearest(const Ref<const VectorXd>& values, double value) {
   Index place;
   (values.array() - value).abs().minCoeff(&place);
@@ -225,7 +181,8 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
 
   // 1. The body as the contact line sees it, P = S v - g.
   ContactSolution solution;
-  solution.stiffness = prepared_stiffness(line, system, settings);
+  solution.stiffness =
+      prepared_stiffness(contact_dofs(line, system), system, settings);
   const CondensedStiffness& stiffness = *solution.stiffness;
   solution.contact = std::make_shared<const CondensedContact>(
       condensed_contact(line, law, system, stiffness));

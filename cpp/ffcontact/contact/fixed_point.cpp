@@ -2,6 +2,7 @@
 #include "ffcontact/contact/fixed_point.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
@@ -36,6 +37,19 @@ void follow_slip(const NodalLaw& law, const NodalLaw& given,
         is_open(answer.state[i]))
       continue;
     answer.state[i] = sliding_state(answer.v[2 * node + 1]);
+  }
+}
+
+/// A node that slips in P(g) without moving, where multipliers have more than one value,
+/// sticks with Coulomb's law when its bound is above that of P(g).
+void stick_below_bound(const NodalLaw& law, double tolerance,
+                       ActiveSetResult& answer) {
+  const double rounding = tolerance * max_norm(answer.P);
+  for (Index i = 0; i < count_of(answer.state); ++i) {
+    const double bound = law.cone[i].bound(answer.P[2 * i]);
+    if (!is_open(answer.state[i]) && slip_sign(answer.state[i]) != 0 &&
+        std::abs(answer.P[2 * i + 1]) < bound - rounding)
+      answer.state[i] = ContactState::stick;
   }
 }
 
@@ -79,8 +93,10 @@ class Iteration {
     else
       g_.move_towards(normal_multipliers(step.P));
     if (keep(std::move(step))) {
-      // the law at g is Coulomb's but for the last digits
+      // the law at g is Coulomb's but for the last digits, or nothing slides
       follow_slip(law_, given, result_.answer);
+      if (!law_.is_convex())
+        stick_below_bound(law_, settings_.tolerance, result_.answer);
       put_into_law(law_, result_.answer.state, result_.answer.P);
       return true;
     }

@@ -50,6 +50,9 @@ void fix_known(const BoundarySpoke& spoke, const BoundaryTractions& boundary,
   for (int c = 0; c < 2; ++c)
     if (boundary.known(c, spoke.edge()))
       conditions.fix(spoke, Vector2d::Unit(c));
+  const auto direction = boundary.known_direction.find(spoke.edge());
+  if (direction != boundary.known_direction.end())
+    conditions.fix(spoke, direction->second);
 }
 
 /// Both bodies of a contact edge are loaded oppositely.

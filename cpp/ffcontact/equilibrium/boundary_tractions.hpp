@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
@@ -35,6 +36,8 @@ inline Vector4d moments_of_side(const Edges& edges, int k, int triangle,
 struct BoundaryTractions {
   Eigen::Array<bool, 2, Dynamic> known;  ///< [2 x edges], false inside the body
   EdgeMoments moments;  ///< of the known components, 0 elsewhere
+  /// of boundary edges along which one direction, not an axis, is known alone: that one
+  std::map<int, Vector2d> known_direction{};
 };
 
 /// The given tractions alone; contact edges are as any others.

@@ -52,6 +52,19 @@ EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
   return loads;
 }
 
+int side_number(const Edges& edges, int edge, int triangle) {
+  int k = 0;
+  while (edges.of_cell(k, triangle) != edge) ++k;
+  return k;
+}
+
+Vector4d moments_beside(const Mesh& mesh, const Edges& edges, int edge,
+                        const LinearStresses& stresses,
+                        const EdgeLoadsOfAll& loads) {
+  const int t = edges.cells(0, edge), k = side_number(edges, edge, t);
+  return loads.block<4, 1>(4 * k, t) + moments_of_stress(mesh, stresses, t, k);
+}
+
 void put_boundary_loads(const Mesh& mesh, const Edges& edges,
                         const BoundaryTractions& boundary,
                         const LinearStresses& stresses, EdgeLoadsOfAll& loads) {

@@ -24,6 +24,14 @@ void put_boundary_loads(const Mesh& mesh, const Edges& edges,
                         const BoundaryTractions& boundary,
                         const LinearStresses& stresses, EdgeLoadsOfAll& loads);
 
+/// The moments of sigma_hat on a boundary edge by its edge loads less those of sigma.
+Vector4d moments_beside(const Mesh& mesh, const Edges& edges, int edge,
+                        const LinearStresses& stresses,
+                        const EdgeLoadsOfAll& loads);
+
+/// Which side of a triangle an edge is.
+int side_number(const Edges& edges, int edge, int triangle);
+
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 
 Vector2d centroid_of(const Mesh& mesh, int triangle);

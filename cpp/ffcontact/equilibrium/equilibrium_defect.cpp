@@ -66,18 +66,11 @@ double jump_inside(const Mesh& mesh, int t, int vertex,
                   traction(at_centroid, n).norm());
 }
 
-/// Which side of a triangle an edge is.
-int local_number(const Edges& edges, int edge, int t) {
-  int k = 0;
-  while (edges.of_cell(k, t) != edge) ++k;
-  return k;
-}
-
 /// sigma n of the triangle beside an edge, at the edge's first and second vertex, for the
 /// edge's own normal.
 Vector4d traction_beside(const Mesh& mesh, const Edges& edges, int edge, int t,
                          const std::vector<CompositeStress>& stress) {
-  const int k = local_number(edges, edge, t);
+  const int k = side_number(edges, edge, t);
   const Vector2d n = edge_normal(mesh, edges, edge);
   // then the triangle runs through the edge from its first vertex to its second
   const bool same = edges.eta(k, t) > 0;

@@ -132,10 +132,12 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
                                 const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings,
                                 EdgeLoadsOfAll& difference,
-                                FreeContact* contact) {
+                                FreeContact* contact,
+                                const std::vector<FreeSpring>& springs) {
   if (settings.sweeps == 0) return {};
-  const StarSetting setting =
+  StarSetting setting =
       star_setting(topology, hooke, boundary, body_loads, difference);
+  add_springs(springs, setting);
   Relaxation relaxation(setting, contact);
   RelaxationProgress progress(elastic_square(setting), contact_square(contact));
   std::vector<double> falls;

@@ -6,6 +6,7 @@
 #include "ffcontact/base/progress.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
+#include "ffcontact/equilibrium/free_springs.hpp"
 #include "ffcontact/equilibrium/free_tractions.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
@@ -32,18 +33,23 @@ struct RelaxationSettings {
 /// vertices are relaxed together, with r_hat on one and -r_hat on the other
 /// (relax_boundary).
 ///
+/// Springs whose tractions are free (released) take part by their error, which joins the
+/// energies of the triangles beside them.
+///
 /// The relaxation ends where a sweep no longer changes a digit of e.
 ///
 /// The result does not depend on the number of threads.
 /// @param body_loads  int f phi_i per triangle
 /// @param difference  edge loads of sigma_hat - C eps(u_hat), relaxed in place
 /// @param contact     r_hat, relaxed in place; null keeps it fixed
+/// @param springs     free_springs, not known on the boundary
 /// @return what e^2 fell by in every sweep [N/mm per unit thickness times mm]
 std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
                                 const BoundaryTractions& boundary,
                                 const BodyLoadsOfAll& body_loads,
                                 const RelaxationSettings& settings,
                                 EdgeLoadsOfAll& difference,
-                                FreeContact* contact);
+                                FreeContact* contact,
+                                const std::vector<FreeSpring>& springs = {});
 
 }  // namespace ffcontact

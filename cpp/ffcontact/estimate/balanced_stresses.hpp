@@ -17,16 +17,28 @@ constexpr int most_refinements = 3;
 /// edge of a thin triangle that balances it is larger by the ratio of its sides.
 constexpr double balanced = 1e-13;
 
+/// Bodies without springs.
+struct NoSprings {
+  template <class Residual>
+  Residual answered(Residual residual, const VectorXd&) const {
+    return residual;
+  }
+  void keep(const VectorXd&) {}
+};
+
 /// Stresses in equilibrium with loads and contact tractions: the given ones, and those of
 /// the small displacement that makes up for what they lack; its own rounding once more.
 /// @param topology     of triangles or tetrahedra
 /// @param residual     what the stresses lack beside all loads and tractions
 /// @param rebalancing  makes a Rebalancing; not called where nothing is missing
+/// @param springs      answer that displacement too: answered(residual, u) takes their
+///                     forces into account, keep(u) what they have answered
 template <class Topology, class Tensors, class Residual, class Stress,
-          class MakeRebalancing>
+          class MakeRebalancing, class Springs = NoSprings>
 Stress balanced_stresses(const Topology& topology, const Tensors& hooke,
                          Residual residual, Stress stress,
-                         const MakeRebalancing& rebalancing) {
+                         const MakeRebalancing& rebalancing,
+                         Springs&& springs = {}) {
   const auto missing = [&] { return max_norm(residual.missing); };
   const auto is_balanced = [&] {
     return missing() <= balanced * residual.scale;
@@ -37,9 +49,11 @@ Stress balanced_stresses(const Topology& topology, const Tensors& hooke,
     const double before = missing();
     const VectorXd u = solver.displacement(residual.missing.reshaped());
     const Stress added = stresses(topology.mesh, hooke, u);
-    residual = less_stress(topology, std::move(residual), added);
+    residual =
+        springs.answered(less_stress(topology, std::move(residual), added), u);
     if (step > 0 && missing() >= before) break;
     stress += added;
+    springs.keep(u);
   }
   return stress;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 #include "ffcontact/base/require.hpp"
@@ -62,12 +63,12 @@ VectorXd inner_forces(const Mesh& mesh, const SolvedBody& body) {
   return inner_forces(mesh, total_stresses(mesh, body, body.displacement).mean);
 }
 
+/// K u of what the script says of a body: its law, and springs if there are any.
+using StatedForces = std::function<VectorXd(const VectorXd&)>;
+
 /// K_ii of one dof.
-template <int dim>
-double diagonal_of_law(const SimplexMesh<dim>& mesh,
-                       const HookeTensors<dim>& hooke, Index dof) {
-  const VectorXd unit = VectorXd::Unit(dim * mesh.vertices.cols(), dof);
-  return inner_forces(mesh, hooke, unit)[dof];
+double diagonal_of_law(const StatedForces& forces, Index dofs, Index dof) {
+  return forces(VectorXd::Unit(dofs, dof))[dof];
 }
 
 template <int dim>
@@ -126,7 +127,7 @@ VectorXd left_over_with_other_multiplier(const Mesh& mesh,
   VectorXd left = inner_forces(mesh, body) -
                   nodal_forces(mesh, line, edge_densities(line, other));
   subtract_loads(mesh.cells, body.body_loads, left);
-  subtract_loads(mesh.boundary, body.neumann, left);
+  subtract_loads(mesh.boundary, boundary_moments(mesh, body), left);
   for (Index dof = 0; dof < left.size(); ++dof)
     if (system.prescribed[dof]) left[dof] = 0;
   return left;
@@ -142,11 +143,9 @@ struct Comparison {
   VectorXd off;  ///< |A z - K z| in parts of the terms
 
   /// @param prescribed  dofs that are left out
-  template <int dim>
-  Comparison(const SimplexMesh<dim>& mesh, const RowMatrix& A,
-             const HookeTensors<dim>& hooke,
+  Comparison(const RowMatrix& A, const StatedForces& forces,
              const std::vector<char>& prescribed)
-      : z(probe(prescribed)), of_law(inner_forces(mesh, hooke, z)) {
+      : z(probe(prescribed)), of_law(forces(z)) {
     of_matrix = terms = off = VectorXd::Zero(z.size());
 #pragma omp parallel for
     for (Index dof = 0; dof < z.size(); ++dof)
@@ -175,20 +174,44 @@ struct Comparison {
 
 /// Refuses a matrix that differs by something on one dof's diagonal.
 template <int dim>
-void require_no_spring(const SimplexMesh<dim>& mesh,
-                       const ElasticSystem& system,
-                       const HookeTensors<dim>& hooke,
-                       const Comparison& comparison, Index dof) {
+void require_no_penalty(const SimplexMesh<dim>& mesh,
+                        const ElasticSystem& system, const StatedForces& forces,
+                        const Comparison& comparison, Index dof) {
   const auto& [z, of_law, of_matrix, terms, off] = comparison;
   const double more = (of_matrix[dof] - of_law[dof]) / z[dof];
   const double added =
-      system.stiffness.coeff(dof, dof) - diagonal_of_law(mesh, hooke, dof);
+      system.stiffness.coeff(dof, dof) - diagonal_of_law(forces, z.size(), dof);
   if (std::abs(more - added) <= 1e-3 * std::abs(added))
     refuse("A has ", added, " more on its diagonal at ",
            in_words(mesh, dof / dim),
            " than lambda and G (or hooke) give: a penalty in place of a "
-           "prescribed displacement, or a spring; prescribe with on() and tgv "
-           "1e30, -1 or -2");
+           "prescribed displacement, or a spring at a point; prescribe with "
+           "on() and tgv 1e30, -1 or -2, and spread springs over an edge");
+}
+
+/// Refuses a matrix that differs along the boundary alone, by what a spring would add.
+void require_springs_of_matrix(const Mesh& mesh, const ElasticSystem& system,
+                               const StatedForces& forces,
+                               const Comparison& comparison, bool given,
+                               Index dof) {
+  std::vector<char> on_boundary(mesh.vertex_count(), 0);
+  for (const int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
+  for (Index k = 0; k < comparison.off.size(); ++k)
+    if (comparison.off[k] > tolerance && !on_boundary[k / 2]) return;
+  const double added = system.stiffness.coeff(dof, dof) -
+                       diagonal_of_law(forces, comparison.z.size(), dof);
+  if (given)
+    refuse("spring= is not that of A: at ", in_words(mesh, dof / 2), " A has ",
+           added,
+           " more on its diagonal; give the stiffness of the script's int1d on "
+           "its labels, [kx, ky] or [kxx, kxy, kyy]");
+  if (added > 0)
+    refuse(
+        "A is stiffer along the boundary than lambda and G (or hooke) make "
+        "it, by ",
+        added, " on its diagonal at ", in_words(mesh, dof / 2),
+        ": where the script has springs, int1d of k u v, give "
+        "spring=[kx*(label == ...), ky*(label == ...)]");
 }
 
 /// C times a coordinate at the centroids: r C, whose integrals are exact.
@@ -206,8 +229,11 @@ bool is_axisymmetric(const Mesh& mesh, const ElasticSystem& system,
   std::vector<char> left_out = system.prescribed;
   for (std::size_t dof = radial; dof < left_out.size(); dof += 2)
     left_out[dof] = 1;
-  const Comparison axial(mesh, system.stiffness, weighted(mesh, hooke, radial),
-                         left_out);
+  const Hooke by_radius = weighted(mesh, hooke, radial);
+  const Comparison axial(
+      system.stiffness,
+      [&](const VectorXd& u) { return inner_forces(mesh, by_radius, u); },
+      left_out);
   return axial.of_matrix.norm() > 0 && axial.is_multiple();
 }
 
@@ -251,36 +277,66 @@ std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
          "initialstress= u was computed with";
 }
 
-template <int dim>
-void require_law(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
-                 const HookeTensors<dim>& hooke) {
-  const Comparison comparison(mesh, system.stiffness, hooke, system.prescribed);
+/// The dof at which A is off the most, or -1.
+Index worst_dof(const Comparison& comparison) {
   Index worst;
-  if (comparison.off.maxCoeff(&worst) <= tolerance) return;
+  return comparison.off.maxCoeff(&worst) <= tolerance ? -1 : worst;
+}
 
-  require_no_spring(mesh, system, hooke, comparison, worst);
+template <int dim>
+void require_no_factor(const SimplexMesh<dim>& mesh,
+                       const Comparison& comparison, Index dof) {
   if (comparison.is_multiple())
     refuse("lambda and G (or hooke) are not those of A: A is ",
            comparison.factor(), " times the stiffness of the law at ",
-           in_words(mesh, worst / dim),
+           in_words(mesh, dof / dim),
            "; give the constants of the script's varf");
-  if constexpr (dim == 2) require_plane(mesh, system, hooke);
+}
+
+template <int dim>
+[[noreturn]] void refuse_row(const SimplexMesh<dim>& mesh,
+                             const Comparison& comparison, Index dof) {
   refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
-         in_words(mesh, worst / dim), " is off by ", comparison.off[worst],
+         in_words(mesh, dof / dim), " is off by ", comparison.off[dof],
          " of its terms; give the law of the script's varf in every region, "
-         "and A without springs");
+         "and A without springs",
+         dim == 2 ? " that spring= does not name" : "");
 }
 
 }  // namespace
 
 void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
-                           const Hooke& hooke) {
-  require_law(mesh, system, hooke);
+                           const Hooke& hooke, const BoundarySprings& springs) {
+  const StatedForces forces = [&](const VectorXd& u) -> VectorXd {
+    const VectorXd of_law = inner_forces(mesh, hooke, u);
+    if (springs.empty()) return of_law;
+    return of_law -
+           boundary_forces(mesh, spring_moment_changes(mesh, springs, u));
+  };
+  const Comparison comparison(system.stiffness, forces, system.prescribed);
+  const Index worst = worst_dof(comparison);
+  if (worst < 0) return;
+
+  require_no_penalty(mesh, system, forces, comparison, worst);
+  require_no_factor(mesh, comparison, worst);
+  require_plane(mesh, system, hooke);
+  require_springs_of_matrix(mesh, system, forces, comparison, !springs.empty(),
+                            worst);
+  refuse_row(mesh, comparison, worst);
 }
 
 void require_law_of_matrix(const SolidMesh& mesh, const ElasticSystem& system,
                            const HookeTensors<3>& hooke) {
-  require_law(mesh, system, hooke);
+  const StatedForces forces = [&](const VectorXd& u) {
+    return inner_forces(mesh, hooke, u);
+  };
+  const Comparison comparison(system.stiffness, forces, system.prescribed);
+  const Index worst = worst_dof(comparison);
+  if (worst < 0) return;
+
+  require_no_penalty(mesh, system, forces, comparison, worst);
+  require_no_factor(mesh, comparison, worst);
+  refuse_row(mesh, comparison, worst);
 }
 
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,

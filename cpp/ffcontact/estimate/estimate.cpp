@@ -33,6 +33,21 @@ void require_valid(const LinearStresses& initial, int triangles) {
              " is not a finite number");
 }
 
+/// Contact tractions and those of springs on one edge could not be told apart.
+void require_no_springs_in_contact(const Edges& edges, const ContactLine& line,
+                                   const BoundarySprings& springs) {
+  const auto require_none = [&](int edge) {
+    if (springs.on(edges.boundary_index[edge]))
+      refuse(
+          "the springs are on the contact line, at the edge between vertices ",
+          edges.vertices(0, edge), " and ", edges.vertices(1, edge),
+          ": give them on other labels");
+  };
+  for (const int edge : line.edge) require_none(edge);
+  for (const FacingPiece& piece : line.pieces)
+    require_none(piece.opposite_edge);
+}
+
 void require_valid(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   const Mesh& mesh = topology.mesh;
@@ -45,6 +60,8 @@ void require_valid(const SolvedProblem& solved) {
   require_size("body loads", body.body_loads.cols(), mesh.cell_count());
   require_finite("body load", body.body_loads.reshaped());
   require_valid(body.initial, mesh.cell_count());
+  require_valid(mesh, body.springs);
+  require_no_springs_in_contact(topology.edges, line, body.springs);
   require_valid(body.law, line);
 }
 
@@ -79,29 +96,35 @@ FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
   return {densities, costs.normal, costs.tangential, contact_edge};
 }
 
-RelaxedTractions relaxed(const MatchedBodies& bodies, const Compared& compared,
+RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
                          const FirstTractions& first,
                          const EstimateSettings& settings,
-                         bool contact_is_free) {
+                         const VectorXd& u_hat, bool contact_is_free) {
   const auto& [mesh, edges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
   const ContactDensities& densities = first.contact.densities;
   const BoundaryTractions boundary = bodies.boundary_with(densities);
   const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
+  const std::vector<FreeSpring> springs =
+      free_springs(mesh, edges, body.springs, boundary, contact_edge, u_hat,
+                   bodies.spring_tractions());
+  const BoundaryTractions without_springs = released(boundary, springs);
 
   RelaxedTractions result{
       difference_loads(mesh, edges, first.moments, compared.stress), {}, {}};
   FreeTractions tractions =
       free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions};
-  result.falls =
-      relax_stars(bodies.topology(), body.hooke, boundary,
-                  compared.body_loads(body), settings.relaxation,
-                  result.difference, contact_is_free ? &contact : nullptr);
+  result.falls = relax_stars(bodies.topology(), body.hooke, without_springs,
+                             compared.body_loads(body), settings.relaxation,
+                             result.difference,
+                             contact_is_free ? &contact : nullptr, springs);
   result.contact = std::move(tractions.densities);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
+  add_spring_changes(mesh, edges, springs, boundary, compared.stress,
+                     result.difference, bodies.spring_tractions());
   put_boundary_loads(mesh, edges, bodies.boundary_with(result.contact),
                      compared.stress, result.difference);
   return result;
@@ -119,6 +142,15 @@ void share_contact_part(const Edges& edges, const ContactLine& line,
   }
 }
 
+/// Adds the springs' part of each edge to its triangle.
+void share_spring_part(const Edges& edges, const VectorXd& of_column,
+                       VectorXd& local) {
+  if (of_column.size() == 0) return;
+  for (int e = 0; e < edges.count(); ++e)
+    if (edges.on_boundary(e))
+      local[edges.cells(0, e)] += of_column[edges.boundary_index[e]];
+}
+
 StressNorms norms_by(Construction construction, const MatchedBodies& bodies,
                      const Compared& compared,
                      const RelaxedTractions& relaxed) {
@@ -132,15 +164,18 @@ StressNorms norms_by(Construction construction, const MatchedBodies& bodies,
 
 /// (2.11) to (2.13).
 void put_error(const MatchedBodies& bodies, const StressNorms& norms,
-               const VectorXd& contact_part, Estimate& estimate) {
-  const double elastic = norms.difference.sum(),
-               scale = norms.sum > 0 ? norms.sum : 1;
+               const SpringNorms& springs, const VectorXd& contact_part,
+               Estimate& estimate) {
+  const double elastic = norms.difference.sum(), sum = norms.sum + springs.sum,
+               scale = sum > 0 ? sum : 1;
   estimate.elastic = std::sqrt(elastic);
-  estimate.e = std::sqrt(std::max(0.0, elastic + estimate.contact));
+  estimate.e =
+      std::sqrt(std::max(0.0, elastic + estimate.springs + estimate.contact));
   estimate.relative = estimate.e / std::sqrt(scale);
   VectorXd local = norms.difference;
   share_contact_part(bodies.topology().edges, bodies.line(), contact_part,
                      local);
+  share_spring_part(bodies.topology().edges, springs.difference, local);
   estimate.local =
       (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
 }
@@ -152,13 +187,18 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
   const VectorXd contact_part = contact_error(
       bodies.line(), compared.law, relaxed.contact, compared.displacement);
   estimate.contact = contact_part.sum();
+  const SpringNorms springs =
+      spring_norms(bodies.topology().mesh, bodies.body().springs,
+                   estimate.displacement, bodies.spring_tractions());
+  estimate.springs = springs.difference.sum();
   StressNorms norms =
       norms_by(Construction::composite, bodies, compared, relaxed);
-  estimate.history =
-      error_history(norms.difference.sum() + estimate.contact, relaxed.falls);
+  estimate.history = error_history(
+      norms.difference.sum() + estimate.springs + estimate.contact,
+      relaxed.falls);
   if (construction != Construction::composite)
     norms = norms_by(construction, bodies, compared, relaxed);
-  put_error(bodies, norms, contact_part, estimate);
+  put_error(bodies, norms, springs, contact_part, estimate);
   estimate.stress = std::move(norms.stress);
 }
 
@@ -230,12 +270,13 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
 
   // 4. Star relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
   RelaxedTractions tractions =
-      relaxed(bodies, u_hat, first, settings,
+      relaxed(bodies, u_hat, first, settings, estimate.displacement,
               settings.tractions == Tractions::free && !terms.unstressed);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   put_error(bodies, u_hat, tractions, settings.construction, estimate);
   estimate.tractions = std::move(tractions.contact);
+  estimate.spring_tractions = bodies.spring_tractions();
   if (terms.unstressed)  // to the last digit: above it is what u_hat - u leaves
     for (CompositeStress& zero : estimate.stress) zero.setZero();
 
@@ -253,7 +294,7 @@ Estimate estimate_error(const Topology& topology, const ContactLine& line,
   const SolvedProblem solved{topology, line, system, body};
   require_valid(solved);
   require_valid(settings.relaxation);
-  require_law_of_matrix(topology.mesh, system, body.hooke);
+  require_law_of_matrix(topology.mesh, system, body.hooke, body.springs);
   const double stress_terms =
       largest_stress_terms(topology, line, body, body.displacement);
   if (!is_unstressed(topology, line, system.prescribed, body, stress_terms))

@@ -21,6 +21,10 @@ namespace ffcontact {
 /// (sigma_hat, r_hat)) [CHH01, 2.2].
 ///     e^2 = |sigma_hat - C eps(u_hat)|^2 + 2 int (mu |r_n||w_t| + r_t w_t + r_n w_n)                              (2.11)
 ///     eps = e / |sigma_hat + C eps(u_hat)|,   eps^2 = sum of eps_E^2                                        (2.12), (2.13)
+/// Springs on the boundary (BoundarySprings) with the tractions t_hat beside the given ones
+/// add int (t_hat + K (u_hat - u_0))' K^-1 (t_hat + K (u_hat - u_0)) to e^2 and the same
+/// with a minus to the square of the denominator; the bounds hold for norms that contain
+/// their energy.
 /// With initial strains eps0 and stresses sigma0 C eps(u_hat) + tau0 stands for C
 /// eps(u_hat), tau0 = sigma0 - C eps0 linear on each triangle. All of this is exact for
 /// such tau0, of which the P1 solution knows the means alone: what varies is in e. For
@@ -31,6 +35,7 @@ struct Estimate {
   double e = 0;         ///< [(N/mm times mm)^(1/2)]
   double relative = 0;  ///< eps [-]
   double elastic = 0;   ///< |sigma_hat - C eps(u_hat)|, same unit as e
+  double springs = 0;   ///< the springs' part of e^2
   /// the contact part of e^2; negative values are possible only outside the cone
   double contact = 0;
   /// eps_E per triangle [-]; 0 where a negative contact part exceeds the elastic one
@@ -45,6 +50,9 @@ struct Estimate {
   /// sigma_hat [MPa]; of the polynomial construction its values at these corners
   std::vector<CompositeStress> stress;
   ContactDensities tractions;  ///< r_hat [MPa]
+  /// moments of t_hat of the springs at the vertices of each column of Mesh::boundary [4 x
+  /// boundary]; no columns without springs
+  Matrix4Xd spring_tractions;
   VectorXd shift;  ///< d of (4.1) per contact edge [MPa], 0 where none
   /// contact edges left outside the cone (Tractions::published only)
   std::vector<int> unmended;

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
-#include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
 #include "ffcontact/estimate/balanced_stresses.hpp"
@@ -36,13 +36,14 @@ double longest_edge(const Topology& topology) {
   return longest;
 }
 
-/// The script's tractions; on the contact line, where all components count as known, those
+/// The script's tractions and those of the springs; on the contact line, where all components count as known, those
 /// of contact are left out.
 BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   const Matrix2Xd zero = Matrix2Xd::Zero(2, line.edge_count());
   return boundary_tractions(topology.mesh, topology.edges, system.prescribed,
-                            body.neumann, line, {zero, zero});
+                            boundary_moments(topology.mesh, body), line,
+                            {zero, zero});
 }
 
 /// Forces of lambda_h on all dofs.
@@ -182,14 +183,29 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
           VectorXd::Zero(bodies.line().edge_count())};
 }
 
+/// The springs' answers to the displacement that rebalances the stresses.
+struct SpringAnswers {
+  const SolvedProblem& solved;
+  MatchedBodies& bodies;
+
+  NodalResidual answered(NodalResidual residual, const VectorXd& u) const {
+    const BoundarySprings& springs = solved.body.springs;
+    if (springs.empty()) return residual;
+    const Mesh& mesh = solved.topology.mesh;
+    return with_forces(
+        std::move(residual),
+        boundary_forces(mesh, spring_moment_changes(mesh, springs, u)));
+  }
+  void keep(const VectorXd& u) { bodies.answer(u); }
+};
+
 }  // namespace
 
 FirstTractions first_tractions(const SolvedProblem& solved,
-                               const MatchedBodies& bodies,
-                               const StressTerms& terms, Tractions kind) {
+                               MatchedBodies& bodies, const StressTerms& terms,
+                               Tractions kind) {
   const Matrix3Xd computed = computed_stresses(solved, terms);
-  const MatrixXd motions =
-      free_rigid_motions(solved.topology.mesh, solved.system.prescribed);
+  const MatrixXd motions = unheld_motions(solved.topology.mesh, solved.system);
   const NodalResidual without =
       residual_without_contact(solved, terms, computed);
   ContactTractions contact = kind == Tractions::published
@@ -203,7 +219,8 @@ FirstTractions first_tractions(const SolvedProblem& solved,
         return Rebalancing(solved.system,
                            contact_dofs(solved.line, solved.system), motions,
                            solved.body.stiffness);
-      });
+      },
+      SpringAnswers{solved, bodies});
   const BoundaryTractions boundary = bodies.boundary_with(contact.balanced);
   const EdgeMoments on_solved =
       equilibrated_moments(solved.topology, stress, solved.body.body_loads,

@@ -25,12 +25,13 @@ struct FirstTractions {
 
 /// Tractions of the kind that is asked for. Those in the cone are not those that u_h was
 /// computed with: one back-substitution gives the small displacement whose stresses make
-/// up for the difference, and one or two more its rounding (Rebalancing).
+/// up for the difference, and one or two more its rounding (Rebalancing); springs answer
+/// it.
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with
 ///                                the cause, or where no tractions in the cone hold the
 ///                                body
 FirstTractions first_tractions(const SolvedProblem& solved,
-                               const MatchedBodies& bodies,
-                               const StressTerms& terms, Tractions kind);
+                               MatchedBodies& bodies, const StressTerms& terms,
+                               Tractions kind);
 
 }  // namespace ffcontact

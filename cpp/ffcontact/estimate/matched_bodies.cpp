@@ -7,8 +7,19 @@
 
 namespace ffcontact {
 
+namespace {
+
+/// Sums, where moments without columns are none.
+Matrix4Xd sum_of(const Matrix4Xd& given, const Matrix4Xd& springs) {
+  return springs.cols() > 0 ? Matrix4Xd(given + springs) : given;
+}
+
+}  // namespace
+
 MatchedBodies::MatchedBodies(const SolvedProblem& solved) : solved_(solved) {
   const auto& [topology, line, system, body] = solved;
+  solved_springs_ = springs_ =
+      spring_moments(topology.mesh, body.springs, body.displacement);
   if (line.matches()) return;
   refinement_ = common_refinement(topology.mesh, topology.edges, line);
   const Stars stars = stars_of(refinement_->mesh, refinement_->edges);
@@ -16,12 +27,31 @@ MatchedBodies::MatchedBodies(const SolvedProblem& solved) : solved_(solved) {
       {refinement_->mesh, refinement_->edges, stars},
       refined_prescribed(*refinement_, system.prescribed),
       refined_body(topology.mesh, topology.edges, line, body, *refinement_)};
+  springs_ = matched_moments(solved_springs_);
+}
+
+Matrix4Xd MatchedBodies::matched_moments(const Matrix4Xd& solved) const {
+  if (!cut_ || solved.cols() == 0) return solved;
+  return refined_boundary_moments(solved_.topology.mesh, *refinement_, solved);
+}
+
+void MatchedBodies::answer(const VectorXd& displacement) {
+  if (solved_springs_.cols() == 0) return;
+  const Matrix4Xd change = spring_moment_changes(
+      solved_.topology.mesh, solved_.body.springs, displacement);
+  solved_springs_ += change;
+  springs_ += matched_moments(change);
+}
+
+Matrix4Xd MatchedBodies::solved_moments() const {
+  return sum_of(solved_.body.neumann, solved_springs_);
 }
 
 BoundaryTractions MatchedBodies::boundary_with(
     const ContactDensities& densities) const {
   return boundary_tractions(topology().mesh, topology().edges, prescribed(),
-                            body().neumann, line(), densities);
+                            sum_of(body().neumann, springs_), line(),
+                            densities);
 }
 
 BoundaryTractions MatchedBodies::solved_boundary(
@@ -31,7 +61,7 @@ BoundaryTractions MatchedBodies::solved_boundary(
   return tractions_of_parts(
       edges, *refinement_, boundary,
       given_tractions(solved_.topology.mesh, edges, solved_.system.prescribed,
-                      solved_.body.neumann));
+                      solved_moments()));
 }
 
 VectorXd MatchedBodies::solved_forces(const ContactDensities& densities) const {

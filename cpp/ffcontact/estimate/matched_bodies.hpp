@@ -37,8 +37,18 @@ class MatchedBodies {
     return cut_ ? cut_->prescribed : solved_.system.prescribed;
   }
 
+  /// Moments of the springs' tractions [4 x Mesh::boundary], of those that answer u_h at
+  /// first.
+  Matrix4Xd& spring_tractions() { return springs_; }
+  const Matrix4Xd& spring_tractions() const { return springs_; }
+  /// They answer a further displacement of the solved bodies, too.
+  void answer(const VectorXd& displacement);
+
   /// What the boundary carries with these contact tractions.
   BoundaryTractions boundary_with(const ContactDensities& densities) const;
+
+  /// Moments of the given and the springs' tractions on the solved mesh.
+  Matrix4Xd solved_moments() const;
 
   /// The same on the solved mesh.
   BoundaryTractions solved_boundary(const BoundaryTractions& boundary) const;
@@ -70,7 +80,11 @@ class MatchedBodies {
     std::vector<char> prescribed;
     SolvedBody body;
   };
+  /// Moments on the solved boundary on that of the matched bodies.
+  Matrix4Xd matched_moments(const Matrix4Xd& solved) const;
+
   SolvedProblem solved_;
+  Matrix4Xd solved_springs_, springs_;
   std::optional<CommonRefinement> refinement_;
   std::optional<Cut> cut_;
 };

@@ -79,6 +79,16 @@ LinearStresses refined_stresses(const Mesh& old_mesh,
   return LinearStresses::of_values(values);
 }
 
+/// Springs are on edges that are not cut.
+BoundarySprings refined_springs(const CommonRefinement& refinement,
+                                const BoundarySprings& old) {
+  if (old.empty()) return old;
+  BoundarySprings springs(refinement.mesh.boundary.cols());
+  springs.stiffness = old.stiffness(Eigen::all, refinement.parent_boundary);
+  springs.rest = old.rest(Eigen::all, refinement.parent_boundary);
+  return springs;
+}
+
 }  // namespace
 
 VectorXd refined_field(const CommonRefinement& refinement,
@@ -100,6 +110,7 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
   body.neumann = refined_boundary_moments(old_mesh, refinement, old.neumann);
   body.body_loads = refined_body_loads(old_mesh, refinement, old.body_loads);
   body.initial = refined_stresses(old_mesh, refinement, old.initial);
+  body.springs = refined_springs(refinement, old.springs);
   return body;
 }
 

@@ -9,4 +9,9 @@ LinearStresses total_stresses(const Mesh& mesh, const SolvedBody& body,
          body.initial;
 }
 
+Matrix4Xd boundary_moments(const Mesh& mesh, const SolvedBody& body) {
+  if (body.springs.empty()) return body.neumann;
+  return body.neumann + spring_moments(mesh, body.springs, body.displacement);
+}
+
 }  // namespace ffcontact

@@ -7,6 +7,7 @@
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/boundary_springs.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 #include "ffcontact/equilibrium/linear_stress.hpp"
 
@@ -26,7 +27,13 @@ struct SolvedBody {
       stiffness;  ///< of the solution on the contact line; null: factorised if needed
   /// tau0 = sigma0 - C eps0 of sigma = C eps(u) + tau0; empty: none
   LinearStresses initial{};
+  /// of which A has the stiffness, and the loads what K u_0 makes of them
+  BoundarySprings springs{};
 };
+
+/// Moments of the given tractions and of those that the springs answer u_h with [4 x
+/// Mesh::boundary].
+Matrix4Xd boundary_moments(const Mesh& mesh, const SolvedBody& body);
 
 /// sigma = C eps(u) + tau0.
 LinearStresses total_stresses(const Mesh& mesh, const SolvedBody& body,

@@ -69,7 +69,8 @@ bool slides(const ContactLine& line, const SolvedBody& body) {
 bool has_loads(const Topology& topology, const std::vector<char>& prescribed,
                const SolvedBody& body) {
   const BoundaryTractions given =
-      given_tractions(topology.mesh, topology.edges, prescribed, body.neumann);
+      given_tractions(topology.mesh, topology.edges, prescribed,
+                      boundary_moments(topology.mesh, body));
   return !given.moments.isZero(0) || !body.body_loads.isZero(0);
 }
 

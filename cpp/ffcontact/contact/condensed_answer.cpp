@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/condensed_answer.hpp"
+
+#include "ffcontact/contact/convex_contact.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Newton; where it does not converge, the convex minimum, or with Coulomb's law the
+/// fixed point helped by Newton.
+FixedPointResult safeguarded_newton(const CondensedContact& contact,
+                                    const NodalLaw& law,
+                                    const std::vector<ContactState>& start,
+                                    const NewtonSettings& settings) {
+  if (law.is_convex()) return {solve_convex(contact, law, start, settings), {}};
+  FixedPointResult newton{active_set_newton(contact, law, start, settings), {}};
+  const int left = settings.max_iterations - newton.answer.iterations;
+  if (newton.answer.status == ContactStatus::converged || left <= 0)
+    return newton;
+  FixedPointResult path =
+      fixed_point(contact, law, start, settings.with_at_most(left), true);
+  const bool better = path.answer.is_better_than(newton.answer);
+  const int systems = newton.answer.iterations + path.answer.iterations;
+  if (better) newton = std::move(path);
+  newton.answer.iterations = systems;
+  return newton;
+}
+
+}  // namespace
+
+std::shared_ptr<const CondensedStiffness> prepared_stiffness(
+    const std::vector<int>& contact_dofs, const ElasticSystem& system,
+    const ContactSettings& settings) {
+  if (settings.stiffness) return settings.stiffness;
+  tell(settings.report,
+       {"factorisation", 0, "dofs", static_cast<double>(system.dof_count())});
+  return std::make_shared<const CondensedStiffness>(system, contact_dofs);
+}
+
+/// By the chosen solver, from the chosen states.
+FixedPointResult condensed_answer(const CondensedContact& contact,
+                                  const NodalLaw& law,
+                                  const ContactSettings& settings) {
+  std::vector<ContactState> start = settings.initial_state;
+  if (start.empty()) start.assign(law.node_count(), ContactState::stick);
+  const NewtonSettings limits{settings.max_iterations, settings.tolerance,
+                              settings.report};
+  return settings.solver == ContactSolver::newton
+             ? safeguarded_newton(contact, law, start, limits)
+             : fixed_point(contact, law, start, limits);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/rigid_tool.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/condensed_answer.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// z(x) of a motion.
+Vector2d place_moves(const RigidTool& tool, const Vector3d& motion,
+                     const Vector2d& x) {
+  const Vector2d r = x - tool.about;
+  return motion.head<2>() + motion[2] * Vector2d(-r.y(), r.x());
+}
+
+/// The free motions at all vertices of the mesh [dofs x m].
+MatrixXd free_fields(const Mesh& mesh, const RigidTool& tool) {
+  MatrixXd fields(2 * mesh.vertices.cols(), tool.free.cols());
+  for (Index k = 0; k < fields.cols(); ++k)
+    for (Index v = 0; v < mesh.vertices.cols(); ++v)
+      fields.col(k).segment<2>(2 * v) =
+          place_moves(tool, tool.free.col(k), mesh.vertices.col(v));
+  return fields;
+}
+
+void require_valid(const ContactLine& line, const RigidTool& tool) {
+  if (line.against_a_body())
+    refuse("push= and moment= move a rigid foundation, not a body");
+  if (tool.free.cols() == 0) refuse("the tool has no free motion");
+  require_finite("push", tool.push);
+  require_finite("free motion of the tool", tool.free.reshaped());
+  require_finite("place of the tool", tool.about);
+}
+
+VectorXd plus(const VectorXd& values, const VectorXd& more) {
+  return values.size() > 0 ? VectorXd(values + more) : more;
+}
+
+ContactLaw moved(ContactLaw law, const Matrix2Xd& z) {
+  law.gap = plus(law.gap, z.row(0));
+  law.previous = plus(law.previous, z.row(1));
+  return law;
+}
+
+/// w_o of an answer.
+VectorXd opposite_components(const CondensedContact& contact,
+                             const ActiveSetResult& answer) {
+  return contact.opposite_offset +
+         contact.opposite_of_v * answer.v(contact.primary) +
+         contact.opposite_of_q * answer.P(contact.dependent);
+}
+
+}  // namespace
+
+Matrix2Xd tool_components(const Mesh& mesh, const ContactLine& line,
+                          const RigidTool& tool, const Vector3d& motion) {
+  Matrix2Xd components(2, line.node_count());
+  for (int i = 0; i < line.node_count(); ++i) {
+    const Vector2d z =
+        place_moves(tool, motion, mesh.vertices.col(line.vertex[i]));
+    components.col(i) << line.normal.col(i).dot(z), line.tangent(i).dot(z);
+  }
+  return components;
+}
+
+ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
+                                     const ContactLaw& law,
+                                     const ElasticSystem& system,
+                                     const RigidTool& tool,
+                                     const ContactSettings& settings) {
+  require_valid(line, tool);
+  require_valid(law, line);
+  require_valid(settings, line.node_count());
+  const VectorXd push = tool.free.transpose() * tool.push;
+  require_balance(mesh, line, law, system, free_fields(mesh, tool), push);
+
+  // 1. The motion, with the condensed contact line.
+  FoundationMotions foundation{
+      MatrixXd(2 * line.node_count(), tool.free.cols()), push};
+  for (Index k = 0; k < tool.free.cols(); ++k)
+    foundation.trace.col(k) =
+        tool_components(mesh, line, tool, tool.free.col(k)).reshaped();
+  ContactSettings next = settings;
+  next.stiffness =
+      prepared_stiffness(contact_dofs(line, system), system, settings);
+  const CondensedContact contact =
+      condensed_contact(line, law, system, *next.stiffness, foundation);
+  const ActiveSetResult answer =
+      condensed_answer(contact, nodal_law(law, line), settings).answer;
+
+  // 2. The body against the moved foundation.
+  ToolSolution result;
+  result.motion = tool.free * opposite_components(contact, answer);
+  result.law = moved(law, tool_components(mesh, line, tool, result.motion));
+  next.initial_state = answer.state;
+  result.solution = solve_contact(mesh, line, result.law, system, next);
+  ContactSolution& solution = result.solution;
+  solution.iterations += answer.iterations;
+  if (answer.status != ContactStatus::converged)
+    solution.status = answer.status;
+
+  // 3. What the tool lacks of equilibrium.
+  const VectorXd passed_on =
+      foundation.trace.transpose() * solution.force.reshaped();
+  const double scale =
+      std::max(max_norm(push), solution.force.cwiseAbs().sum());
+  result.imbalance = scale > 0 ? max_norm(passed_on - push) / scale : 0;
+  solution.residual = std::max(solution.residual, result.imbalance);
+  solution.status = judged_status(solution.status, solution.complementarity,
+                                  solution.residual, settings.tolerance);
+  return result;
+}
+
+}  // namespace ffcontact
