@@ -13,28 +13,34 @@ namespace {
 /// Conditions on the corrections of an edge that depend on others but for this part.
 constexpr PivotThreshold dependent_conditions{1e-9};
 
-/// The columns of L from the diagonal down.
+/// The columns of L from the diagonal down, which is inverted.
 Eigen::VectorXf packed_columns(const MatrixXd& L) {
   const Index n = L.rows();
   Eigen::VectorXf columns(n * (n + 1) / 2);
   Index next = 0;
-  for (Index j = 0; j < n; next += n - j, ++j)
+  for (Index j = 0; j < n; next += n - j, ++j) {
     columns.segment(next, n - j) = L.col(j).tail(n - j).cast<float>();
+    columns[next] = static_cast<float>(1 / L(j, j));
+  }
   return columns;
 }
 
 /// x <- L'^-1 L^-1 x
-void solve_with(const Eigen::VectorXf& factor, Index n, double* x) {
+void solve_with(const Eigen::VectorXf& factor, int n, float* x) {
   const float* column = factor.data();  // from its diagonal on
-  for (Index j = 0; j < n; column += n - j, ++j) {
-    const double value = x[j] /= column[0];
-    for (Index i = 1; i < n - j; ++i) x[j + i] -= column[i] * value;
+  for (int j = 0; j < n; column += n - j, ++j) {
+    const float value = x[j] *= column[0];
+    float* below = x + j;
+#pragma omp simd
+    for (int i = 1; i < n - j; ++i) below[i] -= column[i] * value;
   }
-  for (Index j = n - 1; j >= 0; --j) {
+  for (int j = n - 1; j >= 0; --j) {
     column -= n - j;
-    double sum = x[j];
-    for (Index i = 1; i < n - j; ++i) sum -= column[i] * x[j + i];
-    x[j] = sum / column[0];
+    const float* below = x + j;
+    float sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (int i = 1; i < n - j; ++i) sum += column[i] * below[i];
+    x[j] = (x[j] - sum) * column[0];
   }
 }
 
@@ -47,8 +53,9 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
   if (topology_.edges.on_boundary[edge]) {
     const MatrixXd known = edge_conditions(topology_, edge, boundary.known);
     if (known.rows() > 0) {
-      star.basis = kernel_basis(known, dependent_conditions);
-      A = (star.basis.transpose() * A * star.basis).eval();
+      const MatrixXd basis = kernel_basis(known, dependent_conditions);
+      A = (basis.transpose() * A * basis).eval();
+      star.basis = basis.cast<float>();
     }
   }
   if (A.rows() == 0) return star;
@@ -75,6 +82,7 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
         if (edges.of_facet(k, face) == e) place_(k, face) = i;
     }
   }
+  x_.resize(first_.back());
 #pragma omp parallel for
   for (int e = 0; e < edges.count(); ++e) stars_[e] = star(e, boundary, forms);
 }
@@ -84,56 +92,55 @@ const WrenchShift& EdgeStars::shift(int edge, int place) const {
 }
 
 /// x = Z' g
-void EdgeStars::restrict_to(int edge, const Matrix9Xd& g,
-                            Ref<VectorXd> x) const {
+void EdgeStars::restrict_to(int edge, const Matrix9Xd& g, float* x) const {
   const Hinges<3>& edges = topology_.edges;
   Vector6d wrench = Vector6d::Zero();
   for (int i = 0; i < edges.facet_count(edge); ++i) {
     const auto of_face = g.col(edges.facet[edges.facet_start[edge] + i]);
     wrench += shift(edge, i).transposed_times(of_face.head<6>());
-    x.segment<3>(6 + 3 * i) = of_face.tail<3>();
+    Map<Eigen::Vector3f>(x + 6 + 3 * i) = of_face.tail<3>().cast<float>();
   }
-  x.head<6>() = wrench;
+  Map<Matrix<float, 6, 1>>{x} = wrench.cast<float>();
 }
 
 /// x <- A^-1 x
-void EdgeStars::solve(int edge, Ref<VectorXd> x) const {
+void EdgeStars::solve(int edge, float* x) const {
   const auto& [basis, factor] = stars_[edge];
+  Map<Eigen::VectorXf> all(x, unknowns(edge));
   if (factor.size() == 0) {
-    x.setZero();
+    all.setZero();
   } else if (basis.size() == 0) {
-    solve_with(factor, x.size(), x.data());
+    solve_with(factor, unknowns(edge), x);
   } else {
-    VectorXd inside = basis.transpose() * x;
-    solve_with(factor, inside.size(), inside.data());
-    x = basis * inside;
+    Eigen::VectorXf inside = basis.transpose() * all;
+    solve_with(factor, static_cast<int>(inside.size()), inside.data());
+    all = basis * inside;
   }
 }
 
 /// What the edges of a face have for it.
-Vector9d EdgeStars::gathered(int face, const VectorXd& x) const {
+Vector9d EdgeStars::gathered(int face) const {
   Vector9d sum = Vector9d::Zero();
   for (int k = 0; k < 3; ++k) {
     const int edge = topology_.edges.of_facet(k, face), place = place_(k, face);
-    const double* of_edge = x.data() + first_[edge];
-    sum.head<6>() += shift(edge, place).times(Map<const Vector6d>(of_edge));
-    sum.tail<3>() += Map<const Vector3d>(of_edge + 6 + 3 * place);
+    const float* x = x_.data() + first_[edge];
+    const Vector6d wrench = Map<const Matrix<float, 6, 1>>(x).cast<double>();
+    sum.head<6>() += shift(edge, place).times(wrench);
+    sum.tail<3>() +=
+        Map<const Eigen::Vector3f>(x + 6 + 3 * place).cast<double>();
   }
   return sum;
 }
 
-Matrix9Xd EdgeStars::operator()(const Matrix9Xd& g) const {
-  VectorXd x(first_.back());
+void EdgeStars::operator()(const Matrix9Xd& g, Matrix9Xd& z) {
 #pragma omp parallel for
   for (int e = 0; e < topology_.edges.count(); ++e) {
-    auto own = x.segment(first_[e], unknowns(e));
+    float* own = x_.data() + first_[e];
     restrict_to(e, g, own);
     solve(e, own);
   }
-  Matrix9Xd z(9, g.cols());
 #pragma omp parallel for
-  for (int f = 0; f < topology_.faces.count(); ++f) z.col(f) = gathered(f, x);
-  return z;
+  for (int f = 0; f < topology_.faces.count(); ++f) z.col(f) = gathered(f);
 }
 
 }  // namespace ffcontact

@@ -23,7 +23,8 @@ class EdgeStars {
             const FaceForms& forms);
 
   /// @param g  on the unknowns (w, y) of all faces [9 x faces]
-  Matrix9Xd operator()(const Matrix9Xd& g) const;
+  /// @param z  likewise
+  void operator()(const Matrix9Xd& g, Matrix9Xd& z);
 
   int unknowns(int edge) const {
     return 6 + 3 * topology_.edges.facet_count(edge);
@@ -32,23 +33,25 @@ class EdgeStars {
  private:
   /// What an edge adds: x = basis A^-1 basis' (Z' g), basis the identity if empty.
   struct Star {
-    MatrixXd basis;
-    /// L of A = L L', its columns from the diagonal down; empty: nothing is free
+    Eigen::MatrixXf basis;
+    /// L of A = L L', its columns from the diagonal down, of which the reciprocal is
+    /// stored; empty: nothing is free
     Eigen::VectorXf factor;
   };
 
   Star star(int edge, const FaceTractions& boundary,
             const FaceForms& forms) const;
   const WrenchShift& shift(int edge, int place) const;
-  void restrict_to(int edge, const Matrix9Xd& g, Ref<VectorXd> x) const;
-  void solve(int edge, Ref<VectorXd> x) const;
-  Vector9d gathered(int face, const VectorXd& x) const;
+  void restrict_to(int edge, const Matrix9Xd& g, float* x) const;
+  void solve(int edge, float* x) const;
+  Vector9d gathered(int face) const;
 
   const SolidTopology& topology_;
   Matrix3Xi place_;  ///< of a face around each of its edges [3 x faces]
   std::vector<WrenchShift> shifts_;  ///< of all faces around all edges
   std::vector<Star> stars_;
   std::vector<Index> first_;  ///< unknown of each edge, all edges in a row
+  Eigen::VectorXf x_;         ///< their unknowns
 };
 
 }  // namespace ffcontact

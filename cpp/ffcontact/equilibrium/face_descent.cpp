@@ -42,7 +42,9 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
                moments),
       corrections_(Matrix9Xd::Zero(9, moments.cols())),
       residual_(9, moments.cols()),
-      direction_(9, 0),
+      direction_(9, moments.cols()),
+      next_(9, moments.cols()),
+      images_(36, setting.topology.mesh.cell_count()),
       image_(9, moments.cols()) {
   const SolidTopology& topology = setting.topology;
   const int cells = topology.mesh.cell_count();
@@ -62,15 +64,18 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
   first_contact_part_ = contact_.contact_part();
 }
 
-void FaceDescent::gather(const Matrix<double, 36, Dynamic>& of_cells,
-                         Matrix9Xd& y) const {
+template <class OfCells>
+void FaceDescent::gather(const OfCells& of_cells, Matrix9Xd& y) const {
   const Facets<3>& faces = setting_.topology.faces;
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {
     Vector9d sum = Vector9d::Zero();
     for (int t : faces.cells.col(f))
       for (int k = 0; k < 4 && t >= 0; ++k)
-        if (faces.of_cell(k, t) == f) sum += of_cells.col(t).segment<9>(9 * k);
+        if (faces.of_cell(k, t) == f)
+          sum += of_cells.col(t)
+                     .template segment<9>(9 * k)
+                     .template cast<double>();
     y.col(f) = sum;
   }
 }
@@ -86,16 +91,16 @@ void FaceDescent::add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const {
 }
 
 void FaceDescent::turn_direction() {
-  Matrix9Xd z = stars_(residual_);
-  if (square_ > 0) add(-dot(z, image_) / square_, direction_, z);
-  direction_ = std::move(z);
+  stars_(residual_, next_);
+  if (square_ > 0) add(-dot(next_, image_) / square_, direction_, next_);
+  direction_.swap(next_);
 
   const SolidTopology& topology = setting_.topology;
-  Matrix<double, 36, Dynamic> images(36, topology.mesh.cell_count());
 #pragma omp parallel for
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
-    images.col(t) = forms_.times(t, unknowns_at(topology.faces, direction_, t));
-  gather(images, image_);
+    images_.col(t) =
+        forms_.times(t, unknowns_at(topology.faces, direction_, t));
+  gather(images_, image_);
   square_ = dot(direction_, image_);
 }
 

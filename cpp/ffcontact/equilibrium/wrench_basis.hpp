@@ -17,6 +17,9 @@ using Vector9d = Matrix<double, 9, 1>;
 /// only if the wrenches of its faces, seen outward, add to zero.
 Matrix9d wrench_basis(const Matrix3d& face_corners);
 
+/// x -> a x x
+Matrix3d cross_product_with(const Vector3d& a);
+
 /// The wrench that all faces around an edge of length h_e and middle x_e carry, seen
 /// across them in the direction in which they turn about it:
 ///     w_e = (f, m / h_e), m about x_e,   w_F = s_F Shift w_e,   m_F = m - (x_F - x_e) x f,
