@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
+#include "ffcontact/equilibrium/tiled_factor.hpp"
 
 namespace ffcontact {
 
@@ -13,41 +14,10 @@ namespace {
 /// Conditions on the corrections of an edge that depend on others but for this part.
 constexpr PivotThreshold dependent_conditions{1e-9};
 
-/// The columns of L from the diagonal down, which is inverted.
-Eigen::VectorXf packed_columns(const MatrixXd& L) {
-  const Index n = L.rows();
-  Eigen::VectorXf columns(n * (n + 1) / 2);
-  Index next = 0;
-  for (Index j = 0; j < n; next += n - j, ++j) {
-    columns.segment(next, n - j) = L.col(j).tail(n - j).cast<float>();
-    columns[next] = static_cast<float>(1 / L(j, j));
-  }
-  return columns;
-}
-
-/// x <- L'^-1 L^-1 x
-void solve_with(const Eigen::VectorXf& factor, int n, float* x) {
-  const float* column = factor.data();  // from its diagonal on
-  for (int j = 0; j < n; column += n - j, ++j) {
-    const float value = x[j] *= column[0];
-    float* below = x + j;
-#pragma omp simd
-    for (int i = 1; i < n - j; ++i) below[i] -= column[i] * value;
-  }
-  for (int j = n - 1; j >= 0; --j) {
-    column -= n - j;
-    const float* below = x + j;
-    float sum = 0;
-#pragma omp simd reduction(+ : sum)
-    for (int i = 1; i < n - j; ++i) sum += column[i] * below[i];
-    x[j] = (x[j] - sum) * column[0];
-  }
-}
-
 }  // namespace
 
 EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
-                                const FaceForms& forms) const {
+                                const FaceForms& forms, float* factor) const {
   Star star;
   MatrixXd A = edge_form(topology_, edge, forms);
   if (topology_.edges.on_boundary[edge]) {
@@ -58,10 +28,13 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
       star.basis = basis.cast<float>();
     }
   }
-  if (A.rows() == 0) return star;
+  star.size = static_cast<int>(A.rows());
+  if (star.size == 0) return star;
   const Eigen::LLT<MatrixXd> cholesky(A);
   if (cholesky.info() == Eigen::Success)
-    star.factor = packed_columns(cholesky.matrixLLT());
+    put_tiles(cholesky.matrixLLT(), factor);
+  else
+    star.size = 0;
   return star;
 }
 
@@ -71,10 +44,13 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
       place_(3, topology.faces.count()),
       shifts_(topology.edges.facet.size()),
       stars_(topology.edges.count()),
-      first_(1, 0) {
+      first_(1, 0),
+      first_of_factor_(1, 0) {
   const Hinges<3>& edges = topology.edges;
   for (int e = 0; e < edges.count(); ++e) {
-    first_.push_back(first_.back() + unknowns(e));
+    const int size = unknowns_around(edges, e);
+    first_.push_back(first_.back() + tiled(size));
+    first_of_factor_.push_back(first_of_factor_.back() + factor_size(size));
     for (int i = 0; i < edges.facet_count(e); ++i) {
       const int face = edges.facet[edges.facet_start[e] + i];
       shifts_[edges.facet_start[e] + i] = wrench_shift(topology, face, e);
@@ -82,9 +58,11 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
         if (edges.of_facet(k, face) == e) place_(k, face) = i;
     }
   }
-  x_.resize(first_.back());
+  x_.setZero(first_.back());
+  factors_.reset(new float[first_of_factor_.back()]);
 #pragma omp parallel for
-  for (int e = 0; e < edges.count(); ++e) stars_[e] = star(e, boundary, forms);
+  for (int e = 0; e < edges.count(); ++e)
+    stars_[e] = star(e, boundary, forms, factors_.get() + first_of_factor_[e]);
 }
 
 const WrenchShift& EdgeStars::shift(int edge, int place) const {
@@ -105,16 +83,18 @@ void EdgeStars::restrict_to(int edge, const Matrix9Xd& g, float* x) const {
 
 /// x <- A^-1 x
 void EdgeStars::solve(int edge, float* x) const {
-  const auto& [basis, factor] = stars_[edge];
-  Map<Eigen::VectorXf> all(x, unknowns(edge));
-  if (factor.size() == 0) {
+  const auto& [basis, size] = stars_[edge];
+  const float* factor = factors_.get() + first_of_factor_[edge];
+  Map<Eigen::VectorXf> all(x, unknowns_around(topology_.edges, edge));
+  if (size == 0) {
     all.setZero();
   } else if (basis.size() == 0) {
-    solve_with(factor, unknowns(edge), x);
+    solve_tiles(factor, size, x);
   } else {
-    Eigen::VectorXf inside = basis.transpose() * all;
-    solve_with(factor, static_cast<int>(inside.size()), inside.data());
-    all = basis * inside;
+    Eigen::VectorXf inside = Eigen::VectorXf::Zero(tiled(size));
+    inside.head(size) = basis.transpose() * all;
+    solve_tiles(factor, size, inside.data());
+    all = basis * inside.head(size);
   }
 }
 

@@ -48,20 +48,6 @@ Matrix9d wrench_basis(const Matrix3d& corners) {
   return V;
 }
 
-Vector6d WrenchShift::times(const Vector6d& w) const {
-  const Vector3d f = w.head<3>(), m = w.tail<3>();
-  Vector6d shifted;
-  shifted << sign * f, sign * (ratio * m - arm.cross(f));
-  return shifted;
-}
-
-Vector6d WrenchShift::transposed_times(const Vector6d& w) const {
-  const Vector3d f = w.head<3>(), m = w.tail<3>();
-  Vector6d shifted;
-  shifted << sign * (f + arm.cross(m)), sign * ratio * m;
-  return shifted;
-}
-
 Matrix6d WrenchShift::matrix() const {
   Matrix6d shift;
   for (int k = 0; k < 6; ++k) shift.col(k) = times(Vector6d::Unit(k));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "ffcontact/equilibrium/face_energy.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 
@@ -30,9 +32,19 @@ struct WrenchShift {
   double sign;   ///< s_F
 
   /// s_F Shift w
-  Vector6d times(const Vector6d& w) const;
+  Vector6d times(const Vector6d& w) const {
+    const Vector3d f = w.head<3>(), m = w.tail<3>();
+    Vector6d shifted;
+    shifted << sign * f, sign * (ratio * m - arm.cross(f));
+    return shifted;
+  }
   /// s_F Shift' w
-  Vector6d transposed_times(const Vector6d& w) const;
+  Vector6d transposed_times(const Vector6d& w) const {
+    const Vector3d f = w.head<3>(), m = w.tail<3>();
+    Vector6d shifted;
+    shifted << sign * (f + arm.cross(m)), sign * ratio * m;
+    return shifted;
+  }
   Matrix6d matrix() const;  ///< s_F Shift
 };
 WrenchShift wrench_shift(const SolidTopology& topology, int face, int edge);
