@@ -30,9 +30,9 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
   }
   star.size = static_cast<int>(A.rows());
   if (star.size == 0) return star;
-  const Eigen::LLT<MatrixXd> cholesky(A);
+  const Eigen::LLT<Ref<MatrixXd>> cholesky(A);  // in place
   if (cholesky.info() == Eigen::Success)
-    put_tiles(cholesky.matrixLLT(), factor);
+    put_tiles(A, factor);
   else
     star.size = 0;
   return star;

@@ -48,7 +48,6 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
       image_(9, moments.cols()) {
   const SolidTopology& topology = setting.topology;
   const int cells = topology.mesh.cell_count();
-  Matrix<double, 36, Dynamic> slopes(36, cells);
   VectorXd squares(cells);
 #pragma omp parallel for
   for (int t = 0; t < cells; ++t) {
@@ -56,16 +55,17 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
     const Matrix6d compliance = setting.hooke[t].inverse();
     const SolidStress tau = difference_stress(setting, moments, t);
     squares[t] = energy(corners, compliance, tau);
-    slopes.col(t) =
-        -face_slope(corners, compliance, tau, wrench_bases(topology, t));
+    images_.col(t) =
+        -face_slope(corners, compliance, tau, wrench_bases(topology, t))
+             .cast<float>();
   }
-  gather(slopes, residual_);
+  gather(residual_);
   first_square_ = parted_sum(cells, [&](int t) { return squares[t]; });
   first_contact_part_ = contact_.contact_part();
 }
 
-template <class OfCells>
-void FaceDescent::gather(const OfCells& of_cells, Matrix9Xd& y) const {
+/// y = sum of what the tetrahedra beside each face have for it in images_.
+void FaceDescent::gather(Matrix9Xd& y) const {
   const Facets<3>& faces = setting_.topology.faces;
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {
@@ -73,9 +73,7 @@ void FaceDescent::gather(const OfCells& of_cells, Matrix9Xd& y) const {
     for (int t : faces.cells.col(f))
       for (int k = 0; k < 4 && t >= 0; ++k)
         if (faces.of_cell(k, t) == f)
-          sum += of_cells.col(t)
-                     .template segment<9>(9 * k)
-                     .template cast<double>();
+          sum += images_.col(t).segment<9>(9 * k).cast<double>();
     y.col(f) = sum;
   }
 }
@@ -100,7 +98,7 @@ void FaceDescent::turn_direction() {
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
     images_.col(t) =
         forms_.times(t, unknowns_at(topology.faces, direction_, t));
-  gather(images_, image_);
+  gather(image_);
   square_ = dot(direction_, image_);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/tiled_factor.hpp"
 
-#include <Eigen/LU>
+#include <algorithm>
 
 namespace ffcontact {
 
@@ -18,22 +18,30 @@ Map<PartOfTile> part_at(float* x, int tile) {
   return Map<PartOfTile>(x + tile_size * tile);
 }
 
+Tile inverse_of_lower(const Tile& L) {
+  Tile inverse = Tile::Zero();
+  for (int j = 0; j < tile_size; ++j) {
+    inverse(j, j) = 1 / L(j, j);
+    for (int i = j + 1; i < tile_size; ++i)
+      inverse(i, j) =
+          -L.row(i).segment(j, i - j).dot(inverse.col(j).segment(j, i - j)) /
+          L(i, i);
+  }
+  return inverse;
+}
+
 }  // namespace
 
-void put_tiles(const MatrixXd& L, float* factor) {
+void put_tiles(const Ref<const MatrixXd>& L, float* factor) {
   const auto n = static_cast<int>(L.rows());
-  const int tiles = tiled(n) / tile_size;
-  MatrixXd whole = MatrixXd::Identity(tiled(n), tiled(n));
-  whole.topLeftCorner(n, n) = L.triangularView<Eigen::Lower>();
-  for (int J = 0; J < tiles; ++J)
-    for (int I = J; I < tiles; ++I, factor += numbers_in_tile) {
-      const Matrix4d tile =
-          whole.block<tile_size, tile_size>(tile_size * I, tile_size * J);
-      const Matrix4d stored =
-          I == J ? Matrix4d(tile.triangularView<Eigen::Lower>().solve(
-                       Matrix4d::Identity()))
-                 : tile;
-      Map<Tile>{factor} = stored.cast<float>();
+  for (int J = 0; J < n; J += tile_size)
+    for (int I = J; I < n; I += tile_size, factor += numbers_in_tile) {
+      Tile tile = Tile::Identity();
+      if (I > J) tile.setZero();
+      for (int j = J; j < std::min(n, J + tile_size); ++j)
+        for (int i = std::max(I, j); i < std::min(n, I + tile_size); ++i)
+          tile(i - I, j - J) = static_cast<float>(L(i, j));
+      Map<Tile>{factor} = I == J ? inverse_of_lower(tile) : tile;
     }
 }
 

@@ -25,7 +25,7 @@ constexpr Index factor_size(int n) {
 
 /// @param L       lower triangle of n unknowns
 /// @param factor  [factor_size(n)]
-void put_tiles(const MatrixXd& L, float* factor);
+void put_tiles(const Ref<const MatrixXd>& L, float* factor);
 
 /// x <- A^-1 x
 /// @param n  unknowns
