@@ -8,9 +8,9 @@ namespace ffcontact {
 
 namespace {
 
-/// A pass that lowers e by less than this part is the last one: where all of the surface
+/// A pass that lowers e^2 by less than this part is the last one: where all of the surface
 /// slips there is little to be had.
-constexpr double tightness_of_passes = 1e-3;
+constexpr double tightness_of_passes = 2e-3;
 
 }  // namespace
 
@@ -23,16 +23,20 @@ std::vector<double> relax_faces(const FaceSetting& setting,
                               descent.first_contact_part());
   std::vector<double> falls;
   bool goes_on = true, passes = !setting.contact.empty();
+  const auto pass = [&] {
+    const double of_pass = descent.contact_pass(),
+                 square = progress.e() * progress.e() - falls.back();
+    passes = of_pass > tightness_of_passes * square;
+    falls.back() += of_pass;
+  };
   while (goes_on) {
     falls.push_back(descent.step());
     const int steps = count_of(falls);
+    if (passes && steps % steps_of_a_round == 0) pass();
     goes_on = progress.goes_on(falls.back(), settings.tightness) &&
               steps < settings.steps;
-    if (!passes || (goes_on && steps % steps_of_a_round != 0)) continue;
-    const double of_pass = descent.contact_pass();
-    falls.back() += of_pass;
-    passes = progress.goes_on(of_pass, tightness_of_passes);
   }
+  if (passes && falls.size() % steps_of_a_round != 0) pass();
   moments += descent.correction();
   return falls;
 }
