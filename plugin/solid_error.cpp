@@ -63,9 +63,11 @@ void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
   named.put(stack, "elasticpart", estimate.elastic);
   named.put(stack, "contactpart", estimate.contact);
   named.put(stack, "history", packed(estimate.history));
-  named.put(stack, "rn", estimate.tractions.row(0).transpose());
-  named.put(stack, "rt1", estimate.tractions.row(1).transpose());
-  named.put(stack, "rt2", estimate.tractions.row(2).transpose());
+  const auto tractions =
+      estimate.face_tractions.reshaped(3, 3 * estimate.face_tractions.cols());
+  named.put(stack, "rn", tractions.row(0).transpose());
+  named.put(stack, "rt1", tractions.row(1).transpose());
+  named.put(stack, "rt2", tractions.row(2).transpose());
   named.put(stack, "balance", estimate.equilibrium.largest());
   named.put(stack, "cone", estimate.cone);
   named.put(stack, "penetration", estimate.penetration);

@@ -106,13 +106,14 @@ double ContactPass::relax(const ContactStar& star,
   for (int i = 0; i < edges.facet_count(edge); ++i)
     corrections.col(edges.facet[first + i]) += of_face(i);
   for (const Wedge& wedge : wedges_of(topology_, edge)) {
-    Matrix<double, 36, 1> x = Matrix<double, 36, 1>::Zero();
+    Vector36f x = Vector36f::Zero();
     for (int side = 0; side < 2; ++side)
-      x.segment<9>(9 * wedge.local[side]) = of_face(wedge.place[side]);
-    const Matrix<double, 36, 1> image = forms_.times(wedge.cell, x);
+      x.segment<9>(9 * wedge.local[side]) =
+          of_face(wedge.place[side]).cast<float>();
+    const Vector36f image = forms_.times(wedge.cell, x);
     for (int k = 0; k < 4; ++k)
       residual.col(topology_.faces.of_cell(k, wedge.cell)) -=
-          image.segment<9>(9 * k);
+          image.segment<9>(9 * k).cast<double>();
   }
   return change.fall;
 }

@@ -18,6 +18,18 @@ WrenchShift shift_at(const SolidTopology& topology, int edge, int place) {
                       edge);
 }
 
+/// Z_i' H Z_j, Z = diag(s Shift, I) of a face, Shift = (I, 0; -arm x, ratio I).
+Matrix9d shifted(const WrenchShift& rows, Matrix9d H,
+                 const WrenchShift& columns) {
+  H.topRows<3>() += cross_product_with(rows.arm) * H.middleRows<3>(3);
+  H.topRows<3>() *= rows.sign;
+  H.middleRows<3>(3) *= rows.sign * rows.ratio;
+  H.leftCols<3>() -= H.middleCols<3>(3) * cross_product_with(columns.arm);
+  H.leftCols<3>() *= columns.sign;
+  H.middleCols<3>(3) *= columns.sign * columns.ratio;
+  return H;
+}
+
 }  // namespace
 
 int unknowns_around(const Hinges<3>& edges, int edge) {
@@ -28,6 +40,7 @@ std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
   const auto& [mesh, faces, edges, stars] = topology;
   const int first = edges.facet_start[edge], count = edges.facet_count(edge);
   std::vector<Wedge> wedges;
+  wedges.reserve(count);
   for (int b = 1; b < count; ++b)
     for (int t : faces.cells.col(edges.facet[first + b]))
       for (int a = 0; a < b && t >= 0; ++a) {
@@ -44,25 +57,34 @@ std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
 MatrixXd edge_form(const SolidTopology& topology, int edge,
                    const FaceForms& forms) {
   const int size = unknowns_around(topology.edges, edge);
-  MatrixXd A = MatrixXd::Zero(size, size);
-  for (const Wedge& wedge : wedges_of(topology, edge)) {
-    const Matrix6d shifts[] = {
-        shift_at(topology, edge, wedge.place[0]).matrix(),
-        shift_at(topology, edge, wedge.place[1]).matrix()};
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) {
-        const Matrix9d H =
-            forms.block(wedge.cell, wedge.local[i], wedge.local[j]);
-        const int bars_i = 6 + 3 * wedge.place[i],
-                  bars_j = 6 + 3 * wedge.place[j];
-        const Matrix<double, 6, 9> above =
-            shifts[i].transpose() * H.topRows<6>();
-        A.topLeftCorner<6, 6>() += above.leftCols<6>() * shifts[j];
-        A.block<6, 3>(0, bars_j) += above.rightCols<3>();
-        A.block<3, 6>(bars_i, 0) += H.bottomLeftCorner<3, 6>() * shifts[j];
-        A.block<3, 3>(bars_i, bars_j) += H.bottomRightCorner<3, 3>();
-      }
+  std::vector<WrenchShift> shifts;
+  for (int i = 0; i < topology.edges.facet_count(edge); ++i)
+    shifts.push_back(shift_at(topology, edge, i));
+  MatrixXd A = MatrixXd::Zero(size, size);  // its lower triangle at first
+  for (const auto& [cell, place, local] : wedges_of(topology, edge)) {
+    const auto block = [&, t = cell](int k, int l) {
+      return forms.block(t, k, l).cast<double>().eval();
+    };
+    const int a = place[0], b = place[1], bars_a = 6 + 3 * a,
+              bars_b = 6 + 3 * b;
+    const Matrix9d aa =
+                       shifted(shifts[a], block(local[0], local[0]), shifts[a]),
+                   ba =
+                       shifted(shifts[b], block(local[1], local[0]), shifts[a]),
+                   bb =
+                       shifted(shifts[b], block(local[1], local[1]), shifts[b]);
+    A.topLeftCorner<6, 6>() +=
+        aa.topLeftCorner<6, 6>() + bb.topLeftCorner<6, 6>() +
+        ba.topLeftCorner<6, 6>() + ba.topLeftCorner<6, 6>().transpose();
+    A.block<3, 6>(bars_a, 0) +=
+        aa.bottomLeftCorner<3, 6>() + ba.topRightCorner<6, 3>().transpose();
+    A.block<3, 6>(bars_b, 0) +=
+        bb.bottomLeftCorner<3, 6>() + ba.bottomLeftCorner<3, 6>();
+    A.block<3, 3>(bars_a, bars_a) += aa.bottomRightCorner<3, 3>();
+    A.block<3, 3>(bars_b, bars_b) += bb.bottomRightCorner<3, 3>();
+    A.block<3, 3>(bars_b, bars_a) += ba.bottomRightCorner<3, 3>();
   }
+  A.triangularView<Eigen::StrictlyUpper>() = A.transpose();
   return A;
 }
 

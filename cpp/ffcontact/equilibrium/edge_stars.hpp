@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "ffcontact/equilibrium/face_forms.hpp"
@@ -15,7 +16,7 @@ namespace ffcontact {
 /// with Z of wrench_shift. At a boundary edge only those x count that leave known
 /// tractions of its two boundary faces alone; where nothing is left the edge has no part.
 ///
-/// Factors are kept in single precision: they only steer. Each loop writes what is its
+/// Factors (tiled_factor) are kept in single precision: they only steer. Each loop writes what is its
 /// own: the result does not depend on the number of threads.
 class EdgeStars {
  public:
@@ -23,32 +24,31 @@ class EdgeStars {
             const FaceForms& forms);
 
   /// @param g  on the unknowns (w, y) of all faces [9 x faces]
-  Matrix9Xd operator()(const Matrix9Xd& g) const;
-
-  int unknowns(int edge) const {
-    return 6 + 3 * topology_.edges.facet_count(edge);
-  }
+  /// @param z  likewise
+  void operator()(const Matrix9Xd& g, Matrix9Xd& z);
 
  private:
   /// What an edge adds: x = basis A^-1 basis' (Z' g), basis the identity if empty.
   struct Star {
-    MatrixXd basis;
-    /// L of A = L L', its columns from the diagonal down; empty: nothing is free
-    Eigen::VectorXf factor;
+    Eigen::MatrixXf basis;
+    int size;  ///< of A; 0: nothing is free
   };
 
-  Star star(int edge, const FaceTractions& boundary,
-            const FaceForms& forms) const;
+  Star star(int edge, const FaceTractions& boundary, const FaceForms& forms,
+            float* factor) const;
   const WrenchShift& shift(int edge, int place) const;
-  void restrict_to(int edge, const Matrix9Xd& g, Ref<VectorXd> x) const;
-  void solve(int edge, Ref<VectorXd> x) const;
-  Vector9d gathered(int face, const VectorXd& x) const;
+  void restrict_to(int edge, const Matrix9Xd& g, float* x) const;
+  void solve(int edge, float* x) const;
+  Vector9d gathered(int face) const;
 
   const SolidTopology& topology_;
   Matrix3Xi place_;  ///< of a face around each of its edges [3 x faces]
   std::vector<WrenchShift> shifts_;  ///< of all faces around all edges
   std::vector<Star> stars_;
-  std::vector<Index> first_;  ///< unknown of each edge, all edges in a row
+  // All edges in a row, each in whole tiles.
+  std::vector<Index> first_, first_of_factor_;
+  Eigen::VectorXf x_;  ///< unknowns
+  std::unique_ptr<float[]> factors_;
 };
 
 }  // namespace ffcontact

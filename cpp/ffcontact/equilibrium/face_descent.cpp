@@ -42,11 +42,12 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
                moments),
       corrections_(Matrix9Xd::Zero(9, moments.cols())),
       residual_(9, moments.cols()),
-      direction_(9, 0),
+      direction_(9, moments.cols()),
+      next_(9, moments.cols()),
+      images_(36, setting.topology.mesh.cell_count()),
       image_(9, moments.cols()) {
   const SolidTopology& topology = setting.topology;
   const int cells = topology.mesh.cell_count();
-  Matrix<double, 36, Dynamic> slopes(36, cells);
   VectorXd squares(cells);
 #pragma omp parallel for
   for (int t = 0; t < cells; ++t) {
@@ -54,23 +55,25 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
     const Matrix6d compliance = setting.hooke[t].inverse();
     const SolidStress tau = difference_stress(setting, moments, t);
     squares[t] = energy(corners, compliance, tau);
-    slopes.col(t) =
-        -face_slope(corners, compliance, tau, wrench_bases(topology, t));
+    images_.col(t) =
+        -face_slope(corners, compliance, tau, wrench_bases(topology, t))
+             .cast<float>();
   }
-  gather(slopes, residual_);
+  gather(residual_);
   first_square_ = parted_sum(cells, [&](int t) { return squares[t]; });
   first_contact_part_ = contact_.contact_part();
 }
 
-void FaceDescent::gather(const Matrix<double, 36, Dynamic>& of_cells,
-                         Matrix9Xd& y) const {
+/// y = sum of what the tetrahedra beside each face have for it in images_.
+void FaceDescent::gather(Matrix9Xd& y) const {
   const Facets<3>& faces = setting_.topology.faces;
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {
     Vector9d sum = Vector9d::Zero();
     for (int t : faces.cells.col(f))
       for (int k = 0; k < 4 && t >= 0; ++k)
-        if (faces.of_cell(k, t) == f) sum += of_cells.col(t).segment<9>(9 * k);
+        if (faces.of_cell(k, t) == f)
+          sum += images_.col(t).segment<9>(9 * k).cast<double>();
     y.col(f) = sum;
   }
 }
@@ -86,16 +89,16 @@ void FaceDescent::add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const {
 }
 
 void FaceDescent::turn_direction() {
-  Matrix9Xd z = stars_(residual_);
-  if (square_ > 0) add(-dot(z, image_) / square_, direction_, z);
-  direction_ = std::move(z);
+  stars_(residual_, next_);
+  if (square_ > 0) add(-dot(next_, image_) / square_, direction_, next_);
+  direction_.swap(next_);
 
   const SolidTopology& topology = setting_.topology;
-  Matrix<double, 36, Dynamic> images(36, topology.mesh.cell_count());
 #pragma omp parallel for
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
-    images.col(t) = forms_.times(t, unknowns_at(topology.faces, direction_, t));
-  gather(images, image_);
+    images_.col(t) =
+        forms_.times(t, unknowns_at(topology.faces, direction_, t));
+  gather(image_);
   square_ = dot(direction_, image_);
 }
 

@@ -59,7 +59,7 @@ class FaceDescent {
   FaceMoments correction() const;
 
  private:
-  void gather(const Matrix<double, 36, Dynamic>& of_cells, Matrix9Xd& y) const;
+  void gather(Matrix9Xd& y) const;
   double dot(const Matrix9Xd& a, const Matrix9Xd& b) const;
   void add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const;
   void turn_direction();
@@ -68,9 +68,10 @@ class FaceDescent {
   FaceForms forms_;
   EdgeStars stars_;
   ContactPass contact_;
-  Matrix9Xd corrections_, residual_, direction_;
-  Matrix9Xd image_;    ///< H p
-  double square_ = 0;  ///< p'Hp; 0: no direction yet
+  Matrix9Xd corrections_, residual_, direction_, next_;
+  Matrix<float, 36, Dynamic> images_;  ///< of tetrahedra: slopes, then H p
+  Matrix9Xd image_;                    ///< H p
+  double square_ = 0;                  ///< p'Hp; 0: no direction yet
   double first_square_ = 0, first_contact_part_ = 0;
 };
 

@@ -9,7 +9,6 @@ namespace {
 
 constexpr int voigt_pairs = 21, packed_form = 36 * 37 / 2;
 
-using PackedForm = Matrix<double, packed_form, 1>;
 /// The lower triangles of P_ab, one a column, b <= a.
 using PairForms = Matrix<double, packed_form, voigt_pairs>;
 
@@ -86,8 +85,9 @@ Matrix<double, voigt_pairs, 1> pair_weights(
   return weights;
 }
 
-FaceForm unpacked(const PackedForm& form) {
-  FaceForm full;
+template <class Scalar>
+Matrix<Scalar, 36, 36> unpacked(const Matrix<Scalar, packed_form, 1>& form) {
+  Matrix<Scalar, 36, 36> full;
   for (int r = 0; r < 36; ++r)
     for (int c = 0; c <= r; ++c)
       full(r, c) = full(c, r) = form[packed_place(r, c)];
@@ -104,24 +104,53 @@ std::array<Matrix9d, 4> pulled_back(const Matrix3d& B,
   return basis;
 }
 
+/// A C, C = diag(C_1, .., C_4), column by column.
+template <class Scalar>
+Matrix<Scalar, 36, 36> times_blocks(
+    const Matrix<Scalar, 36, 36>& A,
+    const std::array<Matrix<Scalar, 9, 9>, 4>& C) {
+  Matrix<Scalar, 36, 36> product;
+  for (int k = 0; k < 4; ++k)
+    for (int column = 0; column < 9; ++column) {
+      Matrix<Scalar, 36, 1> sum = A.col(9 * k) * C[k](0, column);
+      for (int row = 1; row < 9; ++row)
+        sum += A.col(9 * k + row) * C[k](row, column);
+      product.col(9 * k + column) = sum;
+    }
+  return product;
+}
+
+template <class Scalar>
+Matrix<Scalar, 36, 36> face_energy_of(
+    const Matrix<Scalar, packed_form, voigt_pairs>& forms,
+    const TetrahedronCorners& corners, const Matrix<double, 6, 6>& compliance,
+    const std::array<Matrix9d, 4>& basis) {
+  const Matrix3d B = piola_matrix(corners);
+  const std::array<Matrix9d, 4> of_loads = pulled_back(B, basis);
+  std::array<Matrix<Scalar, 9, 9>, 4> columns;
+  for (int k = 0; k < 4; ++k) columns[k] = of_loads[k].cast<Scalar>();
+  const Matrix<Scalar, voigt_pairs, 1> weights =
+      pair_weights(B, compliance).cast<Scalar>();
+  const Matrix<Scalar, packed_form, 1> packed = forms * weights;
+  const Matrix<Scalar, 36, 36> half =
+      times_blocks<Scalar>(unpacked<Scalar>(packed), columns).transpose();
+  return times_blocks<Scalar>(half, columns);
+}
+
 }  // namespace
 
 FaceForm face_energy(const TetrahedronCorners& corners,
                      const Matrix<double, 6, 6>& compliance,
                      const std::array<Matrix9d, 4>& basis) {
-  const Matrix3d B = piola_matrix(corners);
-  const std::array<Matrix9d, 4> columns = pulled_back(B, basis);
-  const FaceForm reference =
-      unpacked(pair_forms() * pair_weights(B, compliance));
-  FaceForm form;
-  for (int k = 0; k < 4; ++k)
-    for (int l = 0; l <= k; ++l) {
-      const Matrix9d half = reference.block<9, 9>(9 * k, 9 * l) * columns[l],
-                     block = columns[k].transpose() * half;
-      form.block<9, 9>(9 * k, 9 * l) = block;
-      form.block<9, 9>(9 * l, 9 * k) = block.transpose();
-    }
-  return form;
+  return face_energy_of<double>(pair_forms(), corners, compliance, basis);
+}
+
+Matrix<float, 36, 36> rough_face_energy(const TetrahedronCorners& corners,
+                                        const Matrix<double, 6, 6>& compliance,
+                                        const std::array<Matrix9d, 4>& basis) {
+  static const Matrix<float, packed_form, voigt_pairs> forms =
+      pair_forms().cast<float>();
+  return face_energy_of<float>(forms, corners, compliance, basis);
 }
 
 Matrix<double, 36, 1> face_slope(const TetrahedronCorners& corners,

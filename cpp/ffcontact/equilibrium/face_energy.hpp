@@ -18,11 +18,16 @@ using FaceForm = Matrix<double, 36, 36>;
 /// With Piola's map sigma = T s / det B and s = L b_ref the reference tetrahedron has 21
 /// matrices P_ab, one for each pair of Voigt components, and
 ///     H_ref = sum of M_ab P_ab,   M = T' C^-1 T / det B,   b = B b_ref:
-/// 21 x 666 products, and ten of 9 x 9 blocks for the basis.
+/// 21 x 666 products, and 2 x 36 x 36 x 9 for the basis.
 /// @param compliance  C^-1 in Voigt order with engineering shear [1/MPa]
 FaceForm face_energy(const TetrahedronCorners& corners,
                      const Matrix<double, 6, 6>& compliance,
                      const std::array<Matrix9d, 4>& basis);
+
+/// The same in single precision, for what only steers.
+Matrix<float, 36, 36> rough_face_energy(const TetrahedronCorners& corners,
+                                        const Matrix<double, 6, 6>& compliance,
+                                        const std::array<Matrix9d, 4>& basis);
 
 /// g with int sigma : C^-1 tau = g' x for the stress tau of these loads x.
 /// @param stress  sigma

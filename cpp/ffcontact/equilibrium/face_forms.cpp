@@ -2,10 +2,34 @@
 #include "ffcontact/equilibrium/face_forms.hpp"
 
 #include <Eigen/LU>
+#include <array>
 
 #include "ffcontact/equilibrium/face_tractions.hpp"
 
 namespace ffcontact {
+
+namespace {
+
+using Matrix36f = Matrix<float, 36, 36>;
+using Matrix4f = Matrix<float, 4, 4>;
+using Vector4f = Matrix<float, 4, 1>;
+
+/// Where an entry of the lower triangle is in its tiles.
+constexpr int place_in_tiles(int row, int column) {
+  const int I = row / 4, J = column / 4;
+  return 16 * (9 * J - J * (J - 1) / 2 + I - J) + 4 * (column % 4) + row % 4;
+}
+
+struct PlacesInTiles {
+  std::array<std::array<int, 36>, 36> at{};
+  constexpr PlacesInTiles() {
+    for (int r = 0; r < 36; ++r)
+      for (int c = 0; c < 36; ++c)
+        at[r][c] = r >= c ? place_in_tiles(r, c) : place_in_tiles(c, r);
+  }
+};
+
+}  // namespace
 
 FaceForms::FaceForms(const SolidTopology& topology,
                      const HookeTensors<3>& hooke) {
@@ -13,39 +37,43 @@ FaceForms::FaceForms(const SolidTopology& topology,
   forms_.reset(new float[static_cast<std::size_t>(packed) * cells]);
 #pragma omp parallel for
   for (int t = 0; t < cells; ++t) {
-    const FaceForm H =
-        face_energy(corners_of(topology.mesh, t), hooke[t].inverse(),
-                    wrench_bases(topology, t));
+    const Matrix36f H =
+        rough_face_energy(corners_of(topology.mesh, t), hooke[t].inverse(),
+                          wrench_bases(topology, t));
     float* next = forms_.get() + static_cast<std::size_t>(packed) * t;
-    for (int r = 0; r < 36; ++r)
-      for (int c = 0; c <= r; ++c) *next++ = static_cast<float>(H(r, c));
+    for (int J = 0; J < tiles; ++J)
+      for (int I = J; I < tiles; ++I, next += 16)
+        Map<Matrix4f>{next} = H.block<4, 4>(4 * I, 4 * J);
   }
 }
 
-Matrix<double, 36, 1> FaceForms::times(int cell,
-                                       const Matrix<double, 36, 1>& x) const {
-  const float* row = form(cell);
-  Matrix<double, 36, 1> y;
-  for (int r = 0; r < 36; row += ++r) {
-    double sum = row[r] * x[r];
-    for (int c = 0; c < r; ++c) {
-      sum += row[c] * x[c];
-      y[c] += row[c] * x[r];
+Vector36f FaceForms::times(int cell, const Vector36f& x) const {
+  const float* next = form(cell);
+  Vector36f y = Vector36f::Zero();
+  for (int J = 0; J < tiles; ++J) {
+    const Vector4f x_J = x.segment<4>(4 * J);
+    // of H' x, column by column; the tile on the diagonal counts once
+    Matrix4f below = Matrix4f::Zero();
+    y.segment<4>(4 * J) += Map<const Matrix4f>(next) * x_J;
+    next += 16;
+    for (int I = J + 1; I < tiles; ++I, next += 16) {
+      const Map<const Matrix4f> tile(next);
+      const Vector4f x_I = x.segment<4>(4 * I);
+      y.segment<4>(4 * I) += tile * x_J;
+      below.array() += tile.array().colwise() * x_I.array();
     }
-    y[r] = sum;
+    y.segment<4>(4 * J) += below.colwise().sum().transpose();
   }
   return y;
 }
 
-Matrix9d FaceForms::block(int cell, int k, int l) const {
+Matrix<float, 9, 9> FaceForms::block(int cell, int k, int l) const {
+  static constexpr PlacesInTiles places;
   const float* H = form(cell);
-  Matrix9d block;
-  for (int i = 0; i < 9; ++i)
-    for (int j = 0; j < 9; ++j) {
-      const int r = std::max(9 * k + i, 9 * l + j),
-                c = std::min(9 * k + i, 9 * l + j);
-      block(i, j) = H[r * (r + 1) / 2 + c];
-    }
+  Matrix<float, 9, 9> block;
+  for (int j = 0; j < 9; ++j)
+    for (int i = 0; i < 9; ++i)
+      block(i, j) = H[places.at[9 * k + i][9 * l + j]];
   return block;
 }
 

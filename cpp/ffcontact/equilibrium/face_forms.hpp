@@ -10,6 +10,8 @@ namespace ffcontact {
 
 using Matrix9Xd = Matrix<double, 9, Dynamic>;
 
+using Vector36f = Matrix<float, 36, 1>;
+
 /// face_energy of every tetrahedron in the wrenches and bars of its faces, in single
 /// precision: the forms only steer a descent, whose corrections are balanced by
 /// themselves.
@@ -18,13 +20,14 @@ class FaceForms {
   FaceForms(const SolidTopology& topology, const HookeTensors<3>& hooke);
 
   /// H x of one tetrahedron.
-  Matrix<double, 36, 1> times(int cell, const Matrix<double, 36, 1>& x) const;
+  Vector36f times(int cell, const Vector36f& x) const;
 
   /// Block (k, l) of H: the unknowns of face k with those of face l.
-  Matrix9d block(int cell, int k, int l) const;
+  Matrix<float, 9, 9> block(int cell, int k, int l) const;
 
  private:
-  static constexpr int packed = 36 * 37 / 2;  ///< lower triangle, row by row
+  /// H in tiles of 4 x 4, those of the lower triangle column by column of tiles
+  static constexpr int tiles = 9, packed = 16 * tiles * (tiles + 1) / 2;
   const float* form(int cell) const {
     return forms_.get() + static_cast<std::size_t>(packed) * cell;
   }
@@ -33,11 +36,12 @@ class FaceForms {
 };
 
 /// The unknowns of a tetrahedron's faces among those of all.
-inline Matrix<double, 36, 1> unknowns_at(const Facets<3>& faces,
-                                         const Matrix9Xd& of_all, int cell) {
-  Matrix<double, 36, 1> unknowns;
+inline Vector36f unknowns_at(const Facets<3>& faces, const Matrix9Xd& of_all,
+                             int cell) {
+  Vector36f unknowns;
   for (int k = 0; k < 4; ++k)
-    unknowns.segment<9>(9 * k) = of_all.col(faces.of_cell(k, cell));
+    unknowns.segment<9>(9 * k) =
+        of_all.col(faces.of_cell(k, cell)).cast<float>();
   return unknowns;
 }
 

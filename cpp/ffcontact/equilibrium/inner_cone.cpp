@@ -11,7 +11,7 @@ namespace {
 
 constexpr double whole_turn = 2 * EIGEN_PI;
 /// Rays nearer to each other than this are one [rad].
-constexpr double same_ray = 1e-3;
+constexpr double same_ray = 1e-5;
 /// A traction that is larger than this part of its bound may lie outside the chords.
 constexpr double near_the_cone = 0.9;
 

@@ -6,6 +6,14 @@
 
 namespace ffcontact {
 
+namespace {
+
+/// A pass that lowers e^2 by less than this part is the last one: where all of the surface
+/// slips there is little to be had.
+constexpr double tightness_of_passes = 2e-3;
+
+}  // namespace
+
 std::vector<double> relax_faces(const FaceSetting& setting,
                                 const SolidRelaxationSettings& settings,
                                 FaceMoments& moments) {
@@ -14,15 +22,21 @@ std::vector<double> relax_faces(const FaceSetting& setting,
   RelaxationProgress progress(descent.first_square(),
                               descent.first_contact_part());
   std::vector<double> falls;
-  for (bool goes_on = true; goes_on;) {
+  bool goes_on = true, passes = !setting.contact.empty();
+  const auto pass = [&] {
+    const double of_pass = descent.contact_pass(),
+                 square = progress.e() * progress.e() - falls.back();
+    passes = of_pass > tightness_of_passes * square;
+    falls.back() += of_pass;
+  };
+  while (goes_on) {
     falls.push_back(descent.step());
     const int steps = count_of(falls);
-    if (steps % steps_of_a_round == 0) falls.back() += descent.contact_pass();
+    if (passes && steps % steps_of_a_round == 0) pass();
     goes_on = progress.goes_on(falls.back(), settings.tightness) &&
               steps < settings.steps;
   }
-  if (falls.size() % steps_of_a_round != 0)
-    falls.back() += descent.contact_pass();
+  if (passes && falls.size() % steps_of_a_round != 0) pass();
   moments += descent.correction();
   return falls;
 }

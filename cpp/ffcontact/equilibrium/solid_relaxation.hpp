@@ -17,8 +17,9 @@ struct SolidRelaxationSettings {
 constexpr int steps_of_a_round = 3;
 
 /// Lowers e^2 by steps of FaceDescent, after every round of them and the last one by a
-/// ContactPass as well, and keeps equilibrium exactly. What e^2 falls by in a step comes
-/// with it: the stopping test costs nothing. A pass counts with the step before it.
+/// ContactPass as well, as long as these are worth their time; keeps equilibrium exactly.
+/// What e^2 falls by in a step comes with it: the stopping test costs nothing. A pass
+/// counts with the step before it.
 /// @param moments  in equilibrium, relaxed in place, those on contact faces in the cone
 /// @return what e^2 fell by in every step [N mm]
 std::vector<double> relax_faces(const FaceSetting& setting,

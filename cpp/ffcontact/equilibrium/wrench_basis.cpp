@@ -11,13 +11,6 @@ namespace ffcontact {
 
 namespace {
 
-/// x -> a x x
-Matrix3d cross_product_with(const Vector3d& a) {
-  Matrix3d matrix;
-  matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return matrix;
-}
-
 Matrix3d corners_of_face(const SolidTopology& topology, int face) {
   return topology.mesh.vertices(Eigen::all, topology.faces.vertices.col(face));
 }
@@ -26,23 +19,26 @@ double size_of_face(const Matrix3d& corners) {
   return std::sqrt(facet_vector(corners).norm());
 }
 
-/// W: the wrench of the moments.
-Matrix<double, 6, 9> wrench_of_moments(const Matrix3d& corners) {
-  const Vector3d centre = corners.rowwise().mean();
-  const double size = size_of_face(corners);
-  Matrix<double, 6, 9> W;
-  for (int i = 0; i < 3; ++i)
-    W.middleCols<3>(3 * i) << Matrix3d::Identity(),
-        cross_product_with((corners.col(i) - centre) / size);
-  return W;
-}
-
 }  // namespace
 
+Matrix3d cross_product_with(const Vector3d& a) {
+  Matrix3d matrix;
+  matrix << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return matrix;
+}
+
 Matrix9d wrench_basis(const Matrix3d& corners) {
-  const Matrix<double, 6, 9> W = wrench_of_moments(corners);
+  const Matrix3d arms = (corners.colwise() - corners.rowwise().mean().eval()) /
+                        size_of_face(corners);
+  // W W', whose blocks of forces with moments are 0 about the centroid: 3 I and J
+  const Matrix3d J = arms.squaredNorm() * Matrix3d::Identity() -
+                     arms * arms.transpose(),
+                 inverse = J.inverse();
   Matrix9d V = Matrix9d::Zero();
-  V.leftCols<6>() = W.transpose() * Matrix6d(W * W.transpose()).inverse();
+  for (int i = 0; i < 3; ++i) {
+    V.block<3, 3>(3 * i, 0).diagonal().setConstant(1.0 / 3);
+    V.block<3, 3>(3 * i, 3) = -cross_product_with(arms.col(i)) * inverse;
+  }
   for (int k = 0; k < 3; ++k) {
     const int a = (k + 1) % 3, b = (k + 2) % 3;
     const Vector3d along = (corners.col(b) - corners.col(a)).normalized();
@@ -50,20 +46,6 @@ Matrix9d wrench_basis(const Matrix3d& corners) {
     V.col(6 + k).segment<3>(3 * b) = along;
   }
   return V;
-}
-
-Vector6d WrenchShift::times(const Vector6d& w) const {
-  const Vector3d f = w.head<3>(), m = w.tail<3>();
-  Vector6d shifted;
-  shifted << sign * f, sign * (ratio * m - arm.cross(f));
-  return shifted;
-}
-
-Vector6d WrenchShift::transposed_times(const Vector6d& w) const {
-  const Vector3d f = w.head<3>(), m = w.tail<3>();
-  Vector6d shifted;
-  shifted << sign * (f + arm.cross(m)), sign * ratio * m;
-  return shifted;
 }
 
 Matrix6d WrenchShift::matrix() const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "ffcontact/equilibrium/face_energy.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 
@@ -17,6 +19,9 @@ using Vector9d = Matrix<double, 9, 1>;
 /// only if the wrenches of its faces, seen outward, add to zero.
 Matrix9d wrench_basis(const Matrix3d& face_corners);
 
+/// x -> a x x
+Matrix3d cross_product_with(const Vector3d& a);
+
 /// The wrench that all faces around an edge of length h_e and middle x_e carry, seen
 /// across them in the direction in which they turn about it:
 ///     w_e = (f, m / h_e), m about x_e,   w_F = s_F Shift w_e,   m_F = m - (x_F - x_e) x f,
@@ -27,9 +32,19 @@ struct WrenchShift {
   double sign;   ///< s_F
 
   /// s_F Shift w
-  Vector6d times(const Vector6d& w) const;
+  Vector6d times(const Vector6d& w) const {
+    const Vector3d f = w.head<3>(), m = w.tail<3>();
+    Vector6d shifted;
+    shifted << sign * f, sign * (ratio * m - arm.cross(f));
+    return shifted;
+  }
   /// s_F Shift' w
-  Vector6d transposed_times(const Vector6d& w) const;
+  Vector6d transposed_times(const Vector6d& w) const {
+    const Vector3d f = w.head<3>(), m = w.tail<3>();
+    Vector6d shifted;
+    shifted << sign * (f + arm.cross(m)), sign * ratio * m;
+    return shifted;
+  }
   Matrix6d matrix() const;  ///< s_F Shift
 };
 WrenchShift wrench_shift(const SolidTopology& topology, int face, int edge);

@@ -7,8 +7,9 @@ namespace {
 
 /// S + s Z Z' with s of the size of S: regular where contact alone holds the motions Z.
 MatrixXd with_motions(const MatrixXd& S, const MatrixXd& Z) {
-  const double scale = S.diagonal().mean();
-  return S + scale * Z * Z.transpose();
+  MatrixXd regular = S;
+  if (Z.cols() > 0) regular += S.diagonal().mean() * Z * Z.transpose();
+  return regular;
 }
 
 }  // namespace
@@ -22,7 +23,7 @@ Rebalancing::Rebalancing(const ElasticSystem& system,
     stiffness_ =
         std::make_shared<const CondensedStiffness>(system, contact_dofs);
   const MatrixXd Z = motions(contact_dofs, Eigen::all);
-  schur_ = Cholesky(with_motions(stiffness_->schur(), Z));
+  schur_ = DenseCholesky(with_motions(stiffness_->schur(), Z));
 }
 
 VectorXd Rebalancing::displacement(const VectorXd& force_change) const {

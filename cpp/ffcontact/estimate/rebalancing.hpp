@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/dense_cholesky.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
 namespace ffcontact {
@@ -32,7 +32,7 @@ class Rebalancing {
 
  private:
   std::shared_ptr<const CondensedStiffness> stiffness_;
-  Cholesky schur_;  ///< S + Z_c Z_c'
+  DenseCholesky schur_;  ///< S + Z_c Z_c'
 };
 
 }  // namespace ffcontact

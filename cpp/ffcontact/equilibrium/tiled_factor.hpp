@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/base/eigen.hpp"
+
+namespace ffcontact {
+
+/// The Cholesky factor L of a small matrix A = L L' in single precision, in tiles of 4 x 4
+/// that processors multiply at once: for an A that only steers. The tiles of the lower
+/// triangle stand column by column, those on the diagonal inverted; unknowns that are
+/// missing in the last ones count as 1.
+
+constexpr int tile_size = 4;
+
+/// Numbers that hold n unknowns in whole tiles.
+constexpr int tiled(int n) {
+  return (n + tile_size - 1) / tile_size * tile_size;
+}
+
+/// Numbers in the factor of n unknowns.
+constexpr Index factor_size(int n) {
+  const Index tiles = tiled(n) / tile_size;
+  return tile_size * tile_size * tiles * (tiles + 1) / 2;
+}
+
+/// @param L       lower triangle of n unknowns
+/// @param factor  [factor_size(n)]
+void put_tiles(const Ref<const MatrixXd>& L, float* factor);
+
+/// x <- A^-1 x
+/// @param n  unknowns
+/// @param x  [tiled(n)], what is beyond n unknowns finite
+void solve_tiles(const float* factor, int n, float* x);
+
+}  // namespace ffcontact

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/dense_cholesky.hpp"
+
+#include "support/random.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+RC_GTEST_PROP(DenseCholesky, solves, (Random random)) {
+  const auto n = static_cast<Index>(random() % 200);
+  const MatrixXd B = random_matrix(n, n, random),
+                 H = B * B.transpose() + MatrixXd::Identity(n, n);
+  const VectorXd x = random_vector(n, random);
+  const MatrixXd lower = H.triangularView<Eigen::Lower>();
+  const DenseCholesky cholesky(lower);
+  RC_ASSERT(cholesky.is_positive_definite());
+  RC_ASSERT((cholesky.solve(H * x) - x).norm() <=
+            1e-11 * static_cast<double>(n));
+}
+
+TEST(DenseCholesky, knows_what_is_not_positive_definite) {
+  EXPECT_FALSE(DenseCholesky(-MatrixXd::Identity(2, 2)).is_positive_definite());
+  EXPECT_FALSE(DenseCholesky().is_positive_definite());
+}
+
+}  // namespace
+}  // namespace ffcontact

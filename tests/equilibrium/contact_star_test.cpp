@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/contact_star.hpp"
+
+#include "ffcontact/equilibrium/edge_form.hpp"
+#include "support/random.hpp"
+#include "support/solids.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// A solid whose side low_z is in contact, its other sides free or held, with tractions
+/// in the cone, motions and residuals at random.
+struct AnyContact {
+  SolidTopology topology;
+  FaceForms forms;
+  KnownComponents known;
+  std::vector<ContactFace> contact;
+  std::vector<int> index;
+  std::vector<Matrix3d> tractions;
+  Matrix9Xd residual;
+
+  explicit AnyContact(std::mt19937& random)
+      : topology(topology_of(irregular_solid(random))),
+        forms(topology, HookeTensors<3>(topology.mesh.cell_count(),
+                                        isotropic<3>(0.5, 0.4))),
+        index(topology.faces.count(), -1),
+        residual(random_matrix(9, topology.faces.count(), random)) {
+    const Facets<3>& faces = topology.faces;
+    known.setConstant(3, faces.count(), false);
+    const bool free[] = {false, random() % 2 == 0, random() % 2 == 0};
+    const int law = static_cast<int>(random() % 4);
+    for (int f = 0; f < faces.count(); ++f) {
+      if (!faces.on_boundary(f)) continue;
+      const int side = topology.mesh.boundary_label[faces.boundary_index[f]];
+      for (int c = 0; c < 3; ++c)
+        known(c, f) = side != low_z && !(side == high_x && free[c]);
+      if (side == low_z) add(f, law, random);
+    }
+  }
+
+  void add(int f, int law, std::mt19937& random) {
+    ContactFace face;
+    face.face = f;
+    face.area = facet_measure(topology.mesh, topology.faces, f);
+    Matrix3d traction;
+    for (int i = 0; i < 3; ++i) {
+      face.frame[i] << 0, 1, 0, 0, 0, 1, -1, 0, 0;
+      if (law > 0) face.cone[i].friction = 0.5;
+      if (law == 2) face.cone[i].limit = 0.2;
+      if (law == 3) face.cone[i] = {0.3, 0};
+      const Vector3d any = random_vector(3, random);
+      traction(0, i) = random() % 3 ? -std::abs(any[0]) : 0;
+      traction.col(i).tail<2>() = face.cone[i].bound(traction(0, i)) *
+                                  any.tail<2>() /
+                                  std::max(1.0, any.tail<2>().norm());
+    }
+    Matrix3d w = 0.1 * random_matrix(3, 3, random);
+    w.row(0) = -w.row(0).cwiseAbs();
+    face.work = face_moments_of(w, face.area);
+    Matrix3d slip = Matrix3d::Zero();
+    slip.row(0) = w.bottomRows<2>().colwise().norm();
+    face.slip = face_moments_of(slip, face.area).row(0);
+    face.direction = w.bottomRows<2>().colwise().normalized();
+    index[f] = static_cast<int>(contact.size());
+    contact.push_back(face);
+    tractions.push_back(traction);
+  }
+
+  double term() const {
+    double sum = 0;
+    for (std::size_t m = 0; m < contact.size(); ++m)
+      sum += contact_term(contact[m], tractions[m]);
+    return sum;
+  }
+};
+
+RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
+              (Random random)) {
+  AnyContact any(random);
+  const Hinges<3>& edges = any.topology.edges;
+  int changed = 0;
+  for (int e = 0; e < edges.count(); ++e) {
+    bool in_contact = false;
+    for (int k = edges.facet_start[e]; k < edges.facet_start[e + 1]; ++k)
+      in_contact = in_contact || any.index[edges.facet[k]] >= 0;
+    if (!in_contact) continue;
+    const ContactStar star(any.topology, e, any.known, any.forms, any.contact,
+                           any.index);
+    if (!star.is_free()) continue;
+    const VectorXd g = -restricted(any.topology, e, any.residual);
+    const std::vector<Matrix3d> before = any.tractions;
+    const double term = any.term();
+    const auto change = star.change(g, {0, 1}, any.tractions);
+    if (change.fall == 0) {
+      RC_ASSERT(any.tractions == before);
+      continue;
+    }
+    ++changed;
+    // e^2 = 2 g'x + x'A x + 2 terms
+    const VectorXd& x = change.x;
+    const MatrixXd A = edge_form(any.topology, e, any.forms);
+    const double fall = -2 * g.dot(x) - x.dot(A * x) - 2 * (any.term() - term);
+    RC_ASSERT(std::abs(fall - change.fall) < 1e-9 * (1 + fall));
+    RC_ASSERT(change.fall > 0);
+    // what is known stays
+    RC_ASSERT((edge_conditions(any.topology, e, any.known) * x).norm() <
+              1e-9 * (1 + x.norm()));
+    for (std::size_t m = 0; m < any.contact.size(); ++m) {
+      RC_ASSERT(cone_violation(any.contact[m], any.tractions[m]) < 1e-13);
+      Matrix3d moved = before[m];
+      for (int k = 0; k < edges.facet_count(e); ++k) {
+        const int f = edges.facet[edges.facet_start[e] + k];
+        if (f != any.contact[m].face) continue;
+        const Matrix3d corners = any.topology.mesh.vertices(
+            Eigen::all, any.topology.faces.vertices.col(f));
+        const Vector9d moments =
+            wrench_basis(corners) * at_place(any.topology, e, k, x);
+        moved += traction_of(any.contact[m], moments.reshaped(3, 3));
+      }
+      RC_ASSERT((moved - any.tractions[m]).norm() < 1e-9);
+    }
+    // nothing is left for the same star, but for what chords cut off a cone
+    const VectorXd left = g + A * x;
+    const double more = star.change(left, {0, 1}, any.tractions).fall;
+    if (any.contact[0].cone[0].frictionless())
+      RC_ASSERT(more < 1e-9 * (1 + fall));
+    any.tractions = before;
+  }
+  RC_ASSERT(changed > 0);
+}
+
+}  // namespace
+}  // namespace ffcontact
