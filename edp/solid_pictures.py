@@ -94,8 +94,10 @@ def draw_faces(axes, camera, points, faces, colours):
     shade = 0.62 + 0.38 * np.clip(normals @ (camera.towards + 0.4 * camera.right + 0.3 * camera.up), 0, 1)
     colours = np.clip(colours[:, :3] * shade[:, None], 0, 1)
     sizes = np.sqrt(np.abs(normals[order] @ camera.towards) * areas[order])
-    width = np.clip(6 * sizes / np.ptp(points, axis=0).max(), 0.03, 0.35)
-    axes.add_collection(PolyCollection(camera.flat(corners[order]), facecolors=colours[order], edgecolors=INK, linewidths=width))
+    # edges of small faces would hide them
+    dark = np.clip(30 * sizes / np.ptp(points, axis=0).max(), 0, 1)[:, None]
+    axes.add_collection(PolyCollection(camera.flat(corners[order]), facecolors=colours[order], linewidths=0.3,
+                                       edgecolors=(1 - 0.85 * dark) * colours[order]))
     axes.set_aspect("equal")
     axes.axis("off")
     axes.autoscale_view()
@@ -201,7 +203,7 @@ def draw(folder):
         panels["surface_last"] = lambda axes: draw_surface(axes, last, camera, "Optimised mesh")
     panels["deformed"] = lambda axes: draw_deformed(axes, last, camera)
     panels["cut"] = lambda axes: draw_cut(axes, last, camera, "Optimised mesh" if is_adapted else "Mesh")
-    title, bar, gap = 0.32, 0.62, 0.1  # inches
+    title, bar, gap = 0.32, 0.7, 0.1  # inches
 
     width = min(WIDTH - bar - gap, 4.2 / aspect)
     for name, paint in panels.items():
