@@ -43,8 +43,9 @@ RC_GTEST_PROP(SurfaceModel,
               of_a_brick_is_its_sides_edges_and_corners_whatever_the_labels,
               (Random random)) {
   SolidMesh mesh = moved(brick({4, 3, 3}, {4, 3, 3}), 1, 0.15, random);
-  mesh.vertices =
-      Eigen::AngleAxisd(0.3, Vector3d(1, 2, 3).normalized()) * mesh.vertices;
+  const Matrix3d turn =
+      Eigen::AngleAxisd(0.3, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  mesh.vertices = (turn * mesh.vertices).eval();
   for (const bool one_label : {false, true}) {
     if (one_label) mesh.boundary_label.setConstant(7);
     const SurfaceModel model = model_of(mesh);
