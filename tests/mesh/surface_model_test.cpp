@@ -9,6 +9,7 @@
 
 #include "ffcontact/mesh/cell_quality.hpp"
 #include "ffcontact/mesh/smooth_surface.hpp"
+#include "ffcontact/mesh/surface_curvature.hpp"
 #include "support/pi.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
@@ -111,6 +112,41 @@ TEST(SurfaceModel, of_a_ball_of_six_labels_has_their_curves) {
     EXPECT_TRUE(curve.is_rim);
     EXPECT_EQ(curve.vertices.size(), 5);
   }
+}
+
+TEST(SurfaceCurvature, is_that_of_cylinders_and_none_of_planes) {
+  constexpr int n = 8;
+  constexpr double radius = 3;
+  SolidMesh mesh = brick({n, 2, 2}, {pi / 2, 1, 2});  // a quarter of a tube
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const Vector3d x = mesh.vertices.col(v);
+    const double r = radius + x.y();
+    mesh.vertices.col(v) << r * std::sin(x.x()), r * std::cos(x.x()), -x.z();
+  }
+  mesh.cells.row(2).swap(mesh.cells.row(3));
+  if (signed_volume(mesh, 0) < 0) mesh.cells.row(2).swap(mesh.cells.row(3));
+  const Facets<3> faces = facets_of(mesh);
+  const SurfaceModel model =
+      surface_model(mesh, faces, VectorXi::Zero(mesh.cell_count()), pi / 6);
+  const VectorXd curvature = surface_curvature(mesh, faces, model);
+  const double turn = pi / 2 / n, chord = 2 * std::sin(turn / 2);
+  int inner = 0, outer = 0;
+  for (int v = 0; v < mesh.vertex_count(); ++v) {
+    const Vector3d x = mesh.vertices.col(v);
+    const double r = x.head<2>().norm();
+    if (x.x() < 1e-9 || x.y() < 1e-9) continue;  // the ends
+    if (std::abs(r - radius) < 1e-9) {
+      EXPECT_NEAR(curvature[v], turn / (radius * chord), 1e-12);
+      ++inner;
+    } else if (std::abs(r - radius - 1) < 1e-9) {
+      EXPECT_NEAR(curvature[v], turn / ((radius + 1) * chord), 1e-12);
+      ++outer;
+    } else {
+      EXPECT_EQ(curvature[v], 0);
+    }
+  }
+  EXPECT_EQ(inner, 3 * (n - 1));
+  EXPECT_EQ(outer, 3 * (n - 1));
 }
 
 RC_GTEST_PROP(CubicTriangle, is_a_sphere_to_fourth_order, (Random random)) {
