@@ -87,9 +87,10 @@ TEST(SurfaceModel, refuses_a_label_inside_that_parts_nothing) {
       mesh.boundary_label[last] = 33;
       break;
     }
-  EXPECT_EQ(refusal([&] { model_of(mesh); }),
-            "a face inside the body has the label 33 and does not part it in "
-            "two: such faces cannot be meshed anew");
+  EXPECT_EQ(
+      refusal([&] { model_of(mesh); }),
+      "a face inside the body has the label 33 and does not part it in "
+      "two: such faces cannot be meshed anew, remove them from the boundary");
 }
 
 TEST(SurfaceModel, cuts_a_ball_into_patches_with_a_rim) {
