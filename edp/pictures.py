@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the files of contactpicture as the paper shows such results: meshes, deformed body, map of eps_E, contact pressures.
+"""Draws the files of contactpicture as the paper shows such results: meshes, deformed body, map of eps_E, contact pressures; solids
+by solid_pictures.py.
 
 usage: pictures.py FOLDER    (that contactpicture named; the pictures go there too)
 """
@@ -94,6 +95,12 @@ def steps_in(folder):
     """The numbers of the steps in a folder, ascending."""
     names = (re.fullmatch(r"contact(\d+)\.txt", file.name) for file in folder.iterdir())
     return sorted(int(name[1]) for name in names if name)
+
+
+def is_of_solids(folder):
+    with open(folder / f"contact{steps_in(folder)[0]}.txt") as file:
+        file.readline()
+        return file.readline().startswith("# x y z ")
 
 
 def finish(axes, title):
@@ -242,4 +249,9 @@ def draw(folder):
 if __name__ == "__main__":
     if len(sys.argv) != 2 or not pathlib.Path(sys.argv[1]).is_dir() or not steps_in(pathlib.Path(sys.argv[1])):
         sys.exit(__doc__ + "\nno contactN.txt there: call contactpicture first (examples: -out FOLDER)")
-    draw(pathlib.Path(sys.argv[1]))
+    if is_of_solids(pathlib.Path(sys.argv[1])):
+        import solid_pictures
+
+        solid_pictures.draw(pathlib.Path(sys.argv[1]))
+    else:
+        draw(pathlib.Path(sys.argv[1]))

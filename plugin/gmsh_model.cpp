@@ -236,6 +236,7 @@ Background Field = 1;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeFromCurvature = 0;
 Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.OptimizeThreshold = 0.5;
 Mesh.MeshSizeMin = 0;
 Mesh.MeshSizeMax = 1e22;
 )";

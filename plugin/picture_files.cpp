@@ -3,7 +3,6 @@
 
 #include <array>
 #include <limits>
-#include <regex>
 #include <string>
 
 #include "ffcontact/base/packed.hpp"
@@ -11,6 +10,7 @@
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 //
 #include "estimate_arrays.hpp"
+#include "picture_folder.hpp"
 #include "text_file.hpp"
 #include "vtu.hpp"
 
@@ -20,27 +20,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name with the number of the step and the letter of the body: none, b, c, ...
-std::string file_name(const char* name, long step, int body) {
-  return name + std::to_string(step) +
-         (body > 0 ? std::string(1, static_cast<char>('a' + body)) : "") +
-         ".vtu";
+/// Vectors of the plane in space [3 x n].
+Matrix3Xd in_space(const Ref<const Matrix2Xd>& of_plane) {
+  Matrix3Xd vectors = Matrix3Xd::Zero(3, of_plane.cols());
+  vectors.topRows<2>() = of_plane;
+  return vectors;
 }
 
-/// A displacement of the plane in space [3 x vertices].
-MatrixXd in_space(const Ref<const VectorXd>& displacement) {
-  MatrixXd u = MatrixXd::Zero(3, displacement.size() / 2);
-  u.topRows<2>() = displacement.reshaped(2, u.cols());
-  return u;
-}
-
-VtuTriangles body_triangles(const JoinedMesh& joined, int body) {
+VtuCells body_triangles(const JoinedMesh& joined, int body) {
   const int v = joined.first_vertex[body], t = joined.first_cell[body];
-  VtuTriangles triangles;
-  triangles.points =
+  VtuCells triangles;
+  const Matrix2Xd points =
       joined.mesh.vertices.middleCols(v, joined.first_vertex[body + 1] - v)
           .colwise() +
       joined.mesh.origin;
+  triangles.points = in_space(points);
   triangles.corners =
       joined.mesh.cells.middleCols(t, joined.first_cell[body + 1] - t).array() -
       v;
@@ -50,17 +44,19 @@ VtuTriangles body_triangles(const JoinedMesh& joined, int body) {
 void write_body(const fs::path& folder, long step,
                 const ContactProblem& problem, const SolvedContact& solved,
                 int body) {
-  VtuTriangles triangles = body_triangles(problem.joined, body);
+  VtuCells triangles = body_triangles(problem.joined, body);
   triangles.on_points = {
-      {"displacement", in_space(solved.solution.displacement.segment(
-                           problem.first_dof(body), problem.dof_count(body)))}};
+      {"displacement",
+       in_space(solved.solution.displacement
+                    .segment(problem.first_dof(body), problem.dof_count(body))
+                    .reshaped(2, triangles.points.cols()))}};
   if (solved.estimate)
-    triangles.on_triangles = {
+    triangles.on_cells = {
         {"eps_E",
          solved.estimate->local
              .segment(problem.joined.first_cell[body], triangles.corners.cols())
              .transpose()}};
-  write_vtu(folder / file_name("step", step, body), triangles);
+  write_vtu(folder / picture_file("step", step, body), triangles);
 }
 
 /// The three subtriangles k+1, k+2, centroid of each triangle, with corners of their own:
@@ -73,8 +69,8 @@ void write_stress(const fs::path& folder, long step,
             triangles = first_triangle[body + 1] - first;
   const Index count = 9 * triangles;
   MatrixXd at_corners(3, count);
-  VtuTriangles parts;
-  parts.points.resize(2, count);
+  VtuCells parts;
+  Matrix2Xd points(2, count);
   parts.corners =
       Eigen::VectorXi::LinSpaced(count, 0, static_cast<int>(count) - 1)
           .reshaped(3, count / 3);
@@ -83,13 +79,14 @@ void write_stress(const fs::path& folder, long step,
         corners_of(problem.mesh, first + t).colwise() + problem.mesh.origin;
     at_corners.middleCols<9>(9 * t) = stress[first + t];
     for (int k = 0; k < 3; ++k)
-      parts.points.middleCols<3>(9 * t + 3 * k) << corners.col((k + 1) % 3),
+      points.middleCols<3>(9 * t + 3 * k) << corners.col((k + 1) % 3),
           corners.col((k + 2) % 3), corners.rowwise().mean();
   }
+  parts.points = in_space(points);
   const std::array names = {"sxx", "syy", "sxy"};
   for (int c = 0; c < 3; ++c)
     parts.on_points.push_back({names[c], at_corners.row(c)});
-  write_vtu(folder / file_name("stress", step, body), parts);
+  write_vtu(folder / picture_file("stress", step, body), parts);
 }
 
 double value_or(const VectorXd& values, Index i, double otherwise) {
@@ -138,42 +135,12 @@ void write_tractions(const fs::path& file, const ContactProblem& problem,
   text.close();
 }
 
-/// Is this a file of the step or of a later one?
-bool is_of_step(const std::string& name, long step) {
-  static const std::regex pattern(
-      R"((?:(?:contact|tractions)(\d{1,9})\.txt)|(?:(?:step|stress)(\d{1,9})[a-z]?\.vtu))");
-  std::smatch match;
-  if (!std::regex_match(name, match, pattern)) return false;
-  return std::stol(match[match[1].matched ? 1 : 2]) >= step;
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    refuse("the folder ", folder.string(),
-           " cannot be made: ", error.message());
-}
-
-/// Removes what an earlier run left, so that its last steps are not taken for these.
-void remove_later_steps(const fs::path& folder, long step) try {
-  std::vector<fs::path> old;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (is_of_step(entry.path().filename().string(), step))
-      old.push_back(entry.path());
-  for (const fs::path& file : old) fs::remove(file);
-} catch (const fs::filesystem_error& error) {
-  refuse("old files in the folder ", folder.string(),
-         " cannot be removed: ", error.code().message());
-}
-
 }  // namespace
 
 void write_pictures(const fs::path& folder, long step,
                     const ContactProblem& problem,
                     const SolvedContact& solved) {
-  make_folder(folder);
-  remove_later_steps(folder, step);
+  make_picture_folder(folder, step);
   const std::string number = std::to_string(step) + ".txt";
   write_nodes(folder / ("contact" + number), step, problem, solved);
   for (int body = 0; body < problem.body_count(); ++body)

@@ -4,6 +4,7 @@
 #include "guard.hpp"
 #include "picture_files.hpp"
 #include "registration.hpp"
+#include "solid_picture_files.hpp"
 
 namespace ffcontact::plugin {
 
@@ -32,13 +33,20 @@ class ContactPicture : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const Contact& contact = stated_contact(stack, contact_);
-    const SolvedContact& solved = solved_contact(contact);
+    const Contact& contact = stated_contact_of_any(stack, contact_);
     const long step = named_.integer(stack, "step", 0);
     if (step < 0) refuse("step must not be negative, got ", step);
     const std::string& folder = *value_of<string*>(stack, folder_);
     if (folder.empty()) refuse("the folder has no name");
-    if (mpirank == 0) write_pictures(folder, step, *contact.problem, solved);
+    if (contact.solid.problem) {
+      if (!contact.solid.solved) refuse_unsolved();
+      if (mpirank == 0)
+        write_pictures(folder, step, *contact.solid.problem,
+                       *contact.solid.solved);
+    } else {
+      const SolvedContact& solved = solved_contact(contact);
+      if (mpirank == 0) write_pictures(folder, step, *contact.problem, solved);
+    }
     return 0;
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/estimate/solid_estimate.hpp"
 //
 #include "solid_problem.hpp"
 
@@ -28,6 +29,9 @@ struct SolvedSolid {
   SurfaceLaw law;  ///< with the multiplier, and u_t of the load step before
   SurfaceSolution solution;
   SolidResults nodes;
+  /// what contacterror made of it last, and of what; null before
+  std::shared_ptr<const SolidEstimate> estimate;
+  std::shared_ptr<const ffcontact::SolvedSolid> judged;
 };
 
 /// States of nodes and where they are.

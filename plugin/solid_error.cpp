@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid_error.hpp"
 
+#include <memory>
+#include <utility>
+
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 //
@@ -99,7 +102,7 @@ void report(Stack stack, const NamedArguments& named,
 }  // namespace
 
 double solid_error(Stack stack, const NamedArguments& named,
-                   const SolidContact& contact) {
+                   SolidContact& contact) {
   const double start = CPUtime();
   require_parameters_of_solids(named);
   const SolidRelaxationSettings settings = solid_settings(stack, named);
@@ -115,13 +118,18 @@ double solid_error(Stack stack, const NamedArguments& named,
   const double oscillation =
       read_material_and_loads(stack, named, problem, body);
 
-  const SolidEstimate estimate =
+  SolidEstimate estimate =
       estimate_error(topology_of(problem.mesh), problem.surface,
                      *contact.solved->system, body, settings);
   put(stack, named, problem, estimate);
   named.put(stack, "oscillation", oscillation);
   report(stack, named, estimate, CPUtime() - start);
-  return estimate.relative;
+  const double relative = estimate.relative;
+  contact.solved->estimate =
+      std::make_shared<const SolidEstimate>(std::move(estimate));
+  contact.solved->judged =
+      std::make_shared<const ffcontact::SolvedSolid>(std::move(body));
+  return relative;
 }
 
 }  // namespace ffcontact::plugin

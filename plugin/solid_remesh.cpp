@@ -2,12 +2,12 @@
 #include "solid_remesh.hpp"
 
 #include <cmath>
-#include <set>
 #include <vector>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/near_origin.hpp"
+#include "ffcontact/mesh/surface_curvature.hpp"
 //
 #include "gmsh_model.hpp"
 #include "gmsh_run.hpp"
@@ -30,6 +30,14 @@ void require_sizes(const SolidMesh& mesh, const Ref<const VectorXd>& size) {
   require_finite("size", size);
   if (size.minCoeff() <= 0)
     refuse("sizes must be positive, but one is ", size.minCoeff());
+}
+
+/// Sizes with which smooth surfaces turn by less than they may.
+VectorXd followed_size(const Ref<const VectorXd>& size,
+                       const VectorXd& curvature) {
+  constexpr double largest_turn = 0.4;  // of an edge, 23 degrees
+  return (curvature.array() > 0)
+      .select(size.array().min(largest_turn / curvature.array()), size.array());
 }
 
 ModelMesh made_by_gmsh(const SolidMesh& mesh, const Facets<3>& faces,
@@ -73,7 +81,9 @@ Solid remeshed(Solid solid, const Ref<const VectorXd>& size, double corner) {
   take_from_near_origin(mesh);
   const Facets<3> faces = facets_of(mesh);
   const SurfaceModel model = surface_model(mesh, faces, solid.regions, corner);
-  const ModelMesh fine = made_by_gmsh(mesh, faces, model, size);
+  const ModelMesh fine =
+      made_by_gmsh(mesh, faces, model,
+                   followed_size(size, surface_curvature(mesh, faces, model)));
   Solid result;
   result.mesh = moved_onto_surfaces(fine, mesh, faces, model);
   put_labels(fine, mesh, model, result.mesh);

@@ -7,7 +7,7 @@ namespace ffcontact::plugin {
 
 namespace {
 
-constexpr int triangle_type = 5;  // of VTK
+constexpr int triangle_type = 5, tetrahedron_type = 10;  // of VTK
 
 template <class Values>
 void write_array(TextFile& file, const char* type, const std::string& name,
@@ -33,29 +33,28 @@ void write_fields(TextFile& file, const char* place,
 
 }  // namespace
 
-void write_vtu(const std::filesystem::path& path,
-               const VtuTriangles& triangles) {
+void write_vtu(const std::filesystem::path& path, const VtuCells& cells) {
   using Numbers = Eigen::RowVectorXi;
-  const Index points = triangles.points.cols(),
-              count = triangles.corners.cols();
-  MatrixXd places = MatrixXd::Zero(3, points);
-  places.topRows<2>() = triangles.points;
+  const Index count = cells.corners.cols();
+  const int corners = static_cast<int>(cells.corners.rows());
   TextFile file(path);
   file << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
           "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
           "<Piece NumberOfPoints=\""
-       << points << "\" NumberOfCells=\"" << count << "\">\n<Points>\n";
-  write_array(file, "Float64", "points", places);
+       << cells.points.cols() << "\" NumberOfCells=\"" << count
+       << "\">\n<Points>\n";
+  write_array(file, "Float64", "points", cells.points);
   file << "</Points>\n<Cells>\n";
-  write_array(file, "Int32", "connectivity", triangles.corners);
-  write_array(
-      file, "Int32", "offsets",
-      Numbers(Numbers::LinSpaced(count, 3, 3 * static_cast<int>(count))));
+  write_array(file, "Int32", "connectivity", cells.corners);
+  write_array(file, "Int32", "offsets",
+              Numbers(Numbers::LinSpaced(count, corners,
+                                         corners * static_cast<int>(count))));
   write_array(file, "Int32", "types",
-              Numbers(Numbers::Constant(count, triangle_type)));
+              Numbers(Numbers::Constant(
+                  count, corners == 3 ? triangle_type : tetrahedron_type)));
   file << "</Cells>\n";
-  write_fields(file, "PointData", triangles.on_points);
-  write_fields(file, "CellData", triangles.on_triangles);
+  write_fields(file, "PointData", cells.on_points);
+  write_fields(file, "CellData", cells.on_cells);
   file << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   file.close();
 }

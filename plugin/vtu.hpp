@@ -9,23 +9,22 @@
 
 namespace ffcontact::plugin {
 
-/// Values at points or on triangles, one column each: one row is a number, three are a
+/// Values at points or on cells, one column each: one row is a number, three are a
 /// vector.
 struct VtuField {
   std::string name;
   MatrixXd values;
 };
 
-/// Triangles in the plane for ParaView.
-struct VtuTriangles {
-  Matrix2Xd points;                        ///< [mm]
-  Eigen::Matrix<int, 3, Dynamic> corners;  ///< points of each triangle
-  std::vector<VtuField> on_points, on_triangles;
+/// Triangles or tetrahedra for ParaView.
+struct VtuCells {
+  Matrix3Xd points;  ///< [mm]
+  MatrixXi corners;  ///< points of each cell, three or four
+  std::vector<VtuField> on_points, on_cells;
 };
 
 /// Writes a VTK XML file (UnstructuredGrid, ascii, all digits).
 /// @throws std::invalid_argument  if the file cannot be written
-void write_vtu(const std::filesystem::path& file,
-               const VtuTriangles& triangles);
+void write_vtu(const std::filesystem::path& file, const VtuCells& cells);
 
 }  // namespace ffcontact::plugin

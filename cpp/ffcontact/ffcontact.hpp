@@ -11,7 +11,7 @@
 /// Modules, each using only those before it:
 ///   base         refusals, small dense problems
 ///   mesh         triangles and tetrahedra, their facets (edges, faces) and hinges, stars, several bodies as one joined mesh,
-///                boundary parts and curves
+///                boundary parts and curves; the planes, smooth surfaces and curves of a solid
 ///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
 ///                few dofs; as meshes and facets for plane bodies and solids
 ///   interface    the contact line, facing traces, their common refinement; the contact surface of a solid
@@ -19,7 +19,7 @@
 ///                and the coefficient at which solutions branch; the law and the solver on a surface
 ///   equilibrium  edge tractions in equilibrium, stresses linear on triangles, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
-///   sizing       optimal sizes for a wanted error
+///   sizing       optimal sizes for a wanted error, of plane bodies and solids
 ///
 /// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1)
 /// (of solids ContactSurface::frame), compression negative, u_n <= 0 does not penetrate.

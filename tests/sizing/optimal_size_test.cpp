@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "ffcontact/sizing/cell_shape.hpp"
+#include "ffcontact/sizing/graded_size.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"

@@ -41,7 +41,8 @@ DividingFaces dividing_faces(const SolidMesh& mesh, const Facets<3>& faces,
     if (sides.back()[0] == sides.back()[1])
       refuse("a face inside the body has the label ",
              mesh.boundary_label[faces.boundary_index[f]],
-             " and does not part it in two: such faces cannot be meshed anew");
+             " and does not part it in two: such faces cannot be meshed anew, "
+             "remove them from the boundary");
     result.face.push_back(f);
     result.boundary.push_back(faces.boundary_index[f]);
   }

@@ -17,7 +17,7 @@ namespace {
 
 /// The smooth curve that a part is on, nothing if it is straight.
 std::optional<SmoothCurve<2>> curve_of(const Mesh& mesh,
-                                    const BoundaryPart& part) {
+                                       const BoundaryPart& part) {
   if (part.straight()) return std::nullopt;
   const Matrix2Xd points = mesh.vertices(Eigen::all, part.curve);
   const bool closed = part.curve.front() == part.curve.back();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/moved_onto_surfaces.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -35,6 +38,7 @@ class OldSurface {
       add_normals(v, corners_.back());
     }
     for (auto& [v, normal] : normal_) normal.normalize();
+    correct_rim();
   }
 
   /// The point of the surface over the point of its facets that is nearest to x.
@@ -65,6 +69,50 @@ class OldSurface {
       normal_.emplace(v[i], Vector3d::Zero()).first->second +=
           a.cross(b) / (a.squaredNorm() * b.squaredNorm());
     }
+  }
+
+  /// Edges with one face of the surface.
+  std::vector<std::array<int, 2>> rim_edges() const {
+    std::map<std::array<int, 2>, int> uses;
+    for (const Vector3i& v : vertices_)
+      for (int i = 0; i < 3; ++i) {
+        const auto [low, high] = std::minmax(v[i], v[(i + 1) % 3]);
+        ++uses[{low, high}];
+      }
+    std::vector<std::array<int, 2>> rim;
+    for (const auto& [edge, count] : uses)
+      if (count == 1) rim.push_back(edge);
+    return rim;
+  }
+
+  /// On a rim faces are on one side. Along an edge of a sphere or of a cylinder the
+  /// normals at both ends are the mirror image of each other, n_v . e = -n_w . e, in
+  /// which normals at rims are brought nearest to it over all their edges.
+  void correct_rim() {
+    constexpr int passes = 8;
+    constexpr double own_weight = 1e-3;
+    std::map<int, std::map<int, Vector3d>> edges_at;
+    for (const auto& edge : rim_edges())
+      for (const int v : edge) edges_at[v];
+    for (int k = 0; k < count_of(vertices_); ++k)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          if (const auto at = edges_at.find(vertices_[k][i]);
+              at != edges_at.end() && i != j)
+            at->second[vertices_[k][j]] =
+                (corners_[k].col(j) - corners_[k].col(i)).normalized();
+    const std::map<int, Vector3d> first = normal_;
+    for (int pass = 0; pass < passes; ++pass)
+      for (const auto& [v, edges] : edges_at) {
+        Matrix3d matrix = own_weight * Matrix3d::Identity();
+        Vector3d wanted = own_weight * first.at(v);
+        for (const auto& [w, e] : edges) {
+          if (pass == 0 && edges_at.count(w) > 0) continue;
+          matrix += e * e.transpose();
+          wanted -= e.dot(normal_.at(w)) * e;
+        }
+        normal_.at(v) = matrix.ldlt().solve(wanted).normalized();
+      }
   }
 
   std::vector<Vector3i> vertices_;

@@ -15,6 +15,15 @@ double nearest_part(const Vector3d& a, const Vector3d& b, const Vector3d& x) {
   return std::clamp(along.dot(x - a) / along.squaredNorm(), 0.0, 1.0);
 }
 
+/// In the plane of the side and the normal, across the normal; of the length that makes
+/// Hermite's cubic a circle (SmoothCurve), chord/cos^2(theta/4), theta/2 the angle to the
+/// side.
+Vector3d tangent_vector(const Vector3d& side, const Vector3d& normal) {
+  const Vector3d across = side - side.dot(normal) * normal;
+  const double cosine = across.norm() / side.norm();
+  return 2 / (cosine * (1 + cosine)) * across;
+}
+
 }  // namespace
 
 Vector3d point_on_cubic_triangle(const Matrix3d& corners,
@@ -27,8 +36,8 @@ Vector3d point_on_cubic_triangle(const Matrix3d& corners,
     for (int j = 0; j < 3; ++j) {
       if (i == j) continue;
       const Vector3d side = corners.col(j) - corners.col(i);
-      const Vector3d b = corners.col(i) +
-                         (side - side.dot(normals.col(i)) * normals.col(i)) / 3;
+      const Vector3d b =
+          corners.col(i) + tangent_vector(side, normals.col(i)) / 3;
       sum += 3 * place[i] * place[i] * place[j] * b;
       of_sides += b / 6;
     }

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws what contactpicture wrote of solids: surface meshes coloured by eps_E, a cut, the deformed bodies, contact pressures and cone."""
+import xml.etree.ElementTree
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.ticker import FuncFormatter
+
+from pictures import BLUE, GREY, INK, RED, WIDTH, new_axes, read_nodes, round_down, save, steps_in
+
+FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])  # of a tetrahedron, outward
+MAP = plt.get_cmap("YlOrRd")
+
+
+def read_cells(path):
+    """The arrays of a .vtu file by name, a row each point or cell; connectivity as corners of cells."""
+    arrays = {}
+    for node in xml.etree.ElementTree.parse(path).iter("DataArray"):
+        values = np.array(node.text.split(), int if node.get("type").startswith("Int") else float)
+        components = int(node.get("NumberOfComponents"))
+        arrays[node.get("Name")] = values.reshape(-1, components) if components > 1 else values
+    return arrays
+
+
+class SolidStep:
+    """What one call of contactpicture wrote of solids."""
+
+    def __init__(self, folder, number):
+        bodies = [read_cells(file) for file in sorted(folder.glob(f"step{number}*.vtu"))]
+        first = np.cumsum([0] + [len(body["points"]) for body in bodies])
+        self.points = np.vstack([body["points"] for body in bodies])
+        self.cells = np.vstack([body["connectivity"] + start for body, start in zip(bodies, first)])
+        self.displacement = np.vstack([body["displacement"] for body in bodies])
+        head, self.nodes = read_nodes(folder / f"contact{number}.txt")
+        self.surface = read_cells(folder / f"surface{number}.vtu")
+        self.is_coulomb = head["law"] == "coulomb"
+        self.is_judged = "eps" in head
+        if self.is_judged:
+            self.eps = float(head["eps"])
+            self.error = np.hstack([body["eps_E"] for body in bodies])
+        largest = np.linalg.norm(self.displacement, axis=1).max()
+        self.scale = round_down(0.08 * np.ptp(self.points, axis=0).max() / largest) if largest > 0 else 1
+        self.moved = self.points + self.scale * self.displacement
+
+    def normal(self):
+        """Of the contact surface in the mean."""
+        normal = np.array([self.nodes[name].mean() for name in ("nx", "ny", "nz")])
+        return normal / np.linalg.norm(normal)
+
+    def centre(self):
+        """Of the contact forces; of the contact nodes where there are none."""
+        places = np.column_stack([self.nodes[name] for name in "xyz"])
+        forces = -self.nodes["fn"]
+        return places.T @ forces / forces.sum() if forces.sum() > 0 else places.mean(axis=0)
+
+
+class Camera:
+    """Parallel projection towards a place, with the contact surface in view at the lower side."""
+
+    def __init__(self, normal):
+        axes = [axis for axis in np.eye(3) if abs(axis @ normal) < 0.8]
+        side = axes[-1] - (axes[-1] @ normal) * normal
+        self.side = -side / np.linalg.norm(side)
+        self.along = np.cross(normal, self.side)
+        self.towards = self.side + 0.45 * normal - 0.5 * self.along  # the eye
+        self.towards /= np.linalg.norm(self.towards)
+        up = -normal - (-normal @ self.towards) * self.towards
+        self.up = up / np.linalg.norm(up)
+        self.right = np.cross(self.up, self.towards)
+
+    def flat(self, points):
+        return np.stack([points @ self.right, points @ self.up], -1)
+
+
+def outer_faces(cells):
+    """Faces of one tetrahedron only, outward, and these tetrahedra."""
+    faces = cells[:, FACES].reshape(-1, 3)
+    _, first, count = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    own = first[count == 1]
+    return faces[own], own // 4
+
+
+def draw_faces(axes, camera, points, faces, colours):
+    """Faces towards the eye, the nearest last."""
+    corners = points[faces]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = np.maximum(np.linalg.norm(normals, axis=1), 1e-300) / 2
+    normals /= 2 * areas[:, None]
+    cosine = normals @ camera.towards
+    order = np.argsort(corners.mean(axis=1) @ camera.towards)
+    order = order[cosine[order] > 0]
+    shade = 0.62 + 0.38 * np.clip(normals @ (camera.towards + 0.4 * camera.right + 0.3 * camera.up), 0, 1)
+    colours = np.clip(colours[:, :3] * shade[:, None], 0, 1)
+    sizes = np.sqrt(np.abs(normals[order] @ camera.towards) * areas[order])
+    # edges of small faces would hide them
+    dark = np.clip(30 * sizes / np.ptp(points, axis=0).max(), 0, 1)[:, None]
+    axes.add_collection(PolyCollection(camera.flat(corners[order]), facecolors=colours[order], linewidths=0.3,
+                                       edgecolors=(1 - 0.85 * dark) * colours[order]))
+    axes.set_aspect("equal")
+    axes.axis("off")
+    axes.autoscale_view()
+
+
+def scale_of(step):
+    percent = 100 * step.error
+    return LogNorm(max(percent.max() / 300, 1e-12), max(percent.max(), 1e-11), clip=True)
+
+
+def colours_of(step):
+    """Of each tetrahedron: its error where it is known."""
+    return MAP(scale_of(step)(100 * step.error)) if step.is_judged else np.tile([0.9, 0.93, 0.95, 1], (len(step.cells), 1))
+
+
+def draw_bar(axes, step):
+    scalar = plt.cm.ScalarMappable(norm=scale_of(step), cmap=MAP)
+    bar = axes.figure.colorbar(scalar, cax=axes.inset_axes([1.0, 0.1, 0.025, 0.75]))
+    bar.set_label(r"$\epsilon_E$  [%]", labelpad=1)
+    bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    bar.outline.set_linewidth(0.6)
+    bar.ax.tick_params(which="both", length=2, labelsize=9)
+
+
+def draw_surface(axes, step, camera, name):
+    faces, cells = outer_faces(step.cells)
+    draw_faces(axes, camera, step.points, faces, colours_of(step)[cells])
+    error = f", $\\epsilon$ = {100 * step.eps:.2f} %" if step.is_judged else ""
+    axes.set_title(f"{name}: {len(step.cells)} tetrahedra{error}", pad=2)
+    if step.is_judged:
+        draw_bar(axes, step)
+
+
+def draw_cut(axes, step, camera, name):
+    """Tetrahedra beyond the plane through the centre of the contact forces."""
+    beyond = (step.points[step.cells].mean(axis=1) - step.centre()) @ camera.side <= 0
+    faces, cells = outer_faces(step.cells[beyond])
+    draw_faces(axes, camera, step.points, faces, colours_of(step)[beyond][cells])
+    axes.set_title(f"{name}, cut", pad=2)
+
+
+def draw_deformed(axes, step, camera):
+    faces, _ = outer_faces(step.cells)
+    draw_faces(axes, camera, step.moved, faces, np.tile([0.9, 0.93, 0.95, 1], (len(faces), 1)))
+    axes.set_title(f"Deformed, displacement × {step.scale:g}", pad=2)
+
+
+def draw_pressure_map(axes, step, camera):
+    """-r_n, or -p_n where nothing is judged, on the contact surface."""
+    right, up = (sign * axis for sign, axis in ((np.sign(camera.along @ camera.right), camera.along), (-1, camera.side)))
+    points, triangles = step.surface["points"], step.surface["connectivity"]
+    pressure = -step.surface["rn" if step.is_judged else "pn"]
+    flat = np.column_stack([points @ right, points @ up])
+    colours = axes.tripcolor(*flat.T, triangles, pressure, shading="gouraud", cmap="Blues",
+                             norm=Normalize(0, max(pressure.max(), 1e-300)))
+    axes.add_collection(PolyCollection(flat[triangles], facecolors="none", edgecolors=INK, linewidths=0.12))
+    axes.set_aspect("equal")
+    axes.axis("off")
+    axes.set_title("Pressure " + ("$-r_n$" if step.is_judged else "$-\\lambda_{hn}$") + " on the contact surface  [MPa]", pad=4)
+    bar = axes.figure.colorbar(colours, cax=axes.inset_axes([0.1, -0.16, 0.8, 0.05]), orientation="horizontal")
+    bar.outline.set_linewidth(0.6)
+    bar.ax.tick_params(length=2, labelsize=9)
+
+
+def draw_cone(axes, step):
+    """Tangential against normal pressure at the nodes, with what the law allows."""
+    nodes = step.nodes
+    pairs = [("computed $\\lambda_h$", "p", INK)] + ([("admissible $r$", "r", RED)] if step.is_judged else [])
+    most = max(max(-nodes["pn"].min(), -nodes["rn"].min() if step.is_judged else 0), 1e-300)
+    normal = np.linspace(0, 1.05 * most, 50)
+    bound = np.minimum(nodes["friction"].max() * normal, nodes["limit"].max()) if step.is_coulomb else np.full(50, nodes["limit"].max())
+    axes.fill_between(normal, 0, bound, color="#e2e2e2", linewidth=0, label=r"$\mu|p_n|$" if step.is_coulomb else "$k$")
+    for (name, letter, colour), marker in zip(pairs, "ox"):
+        axes.plot(-nodes[letter + "n"], np.hypot(nodes[letter + "t1"], nodes[letter + "t2"]), linestyle="none", marker=marker,
+                  markersize=3 if marker == "o" else 4, markerfacecolor="none", markeredgewidth=0.7, color=colour, label=name)
+    axes.set(xlim=(0, 1.05 * most), xlabel="normal pressure  [MPa]", ylabel="tangential  [MPa]")
+    axes.set_ylim(bottom=0)
+    if bound.max() == 0:
+        axes.set_ylim(top=max(1e-300, 0.1 * most))
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, handlelength=1.4, columnspacing=1.2, borderaxespad=0.2)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def draw_pressures(figure, top, step, camera):
+    draw_pressure_map(new_axes(figure, 0.1, top, 3.2, 2.0), step, camera)
+    draw_cone(new_axes(figure, 4.05, top, WIDTH - 4.25, 1.95), step)
+
+
+def aspect_of(step, camera):
+    flat = camera.flat(np.vstack([step.points, step.moved]))
+    width, height = np.ptp(flat, axis=0)
+    return height / width
+
+
+def draw(folder):
+    numbers = steps_in(folder)
+    first, last = SolidStep(folder, numbers[0]), SolidStep(folder, numbers[-1])
+    camera = Camera(first.normal())
+    aspect = aspect_of(first, camera)
+    is_adapted = len(last.cells) != len(first.cells)
+    panels = {"surface_first": lambda axes: draw_surface(axes, first, camera, "First mesh")}
+    if is_adapted:
+        panels["surface_last"] = lambda axes: draw_surface(axes, last, camera, "Optimised mesh")
+    panels["deformed"] = lambda axes: draw_deformed(axes, last, camera)
+    panels["cut"] = lambda axes: draw_cut(axes, last, camera, "Optimised mesh" if is_adapted else "Mesh")
+    title, bar, gap = 0.32, 0.7, 0.1  # inches
+
+    width = min(WIDTH - bar - gap, 4.2 / aspect)
+    for name, paint in panels.items():
+        figure = plt.figure(figsize=(width + bar + gap, width * aspect + title + gap))
+        paint(new_axes(figure, gap, title, width, width * aspect))
+        save(figure, folder / f"{name}.png", 200)
+    figure = plt.figure(figsize=(WIDTH, 3.1))
+    draw_pressures(figure, 0.45, last, camera)
+    save(figure, folder / "pressures.png", 200)
+
+    width = (WIDTH - 2 * bar - gap) / 2
+    height = width * aspect + title
+    rows = (len(panels) + 1) // 2
+    figure = plt.figure(figsize=(WIDTH, rows * height + 3.2))
+    for k, paint in enumerate(panels.values()):
+        paint(new_axes(figure, gap + k % 2 * (width + bar), title + k // 2 * height, width, width * aspect))
+    draw_pressures(figure, rows * height + 0.5, last, camera)
+    save(figure, folder / "overview.png", 150)
