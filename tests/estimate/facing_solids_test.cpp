@@ -65,6 +65,55 @@ RC_GTEST_PROP(FacingSolids, mirror_images_have_twice_the_square,
   RC_ASSERT(std::abs(both.relative / alone.relative - 1) < 1e-6);
 }
 
+/// Of tractions and jumps that are linear in x, which meshes of either body do not change.
+RC_GTEST_PROP(FacingError, of_linear_fields_is_that_on_a_foundation,
+              (Random random)) {
+  SolidStack stack = random_stack(2, 2, random);
+  SolidProblem& problem = stack.problem;
+  const int first = stack.joined.first_vertex[1],
+            nodes = problem.surface.node_count();
+  problem.law.gap = VectorXd::Ones(nodes);
+  problem.law.previous = Matrix2Xd::Constant(2, nodes, 0.25);
+  Matrix3Xd r(3, nodes);
+  VectorXd u = VectorXd::Zero(problem.b.size());
+  for (int i = 0; i < nodes; ++i) {
+    const Vector3d x = problem.mesh.vertices.col(problem.surface.vertex[i]) +
+                       problem.mesh.origin;
+    r.col(i) << -1 - x.x(), 0.5, 0;
+  }
+  for (int v = 0; v < first; ++v) {
+    const Vector3d x = problem.mesh.place(v);
+    u.segment<3>(3 * v) << 0.25, -2.75, x.y() - 1;
+  }
+  // 2 int over (0, 3) x (0, 2) of 2 (1 + x) 3 + (1 + x) y, w_t = (0, -3), w_n = -y
+  const double found = contact_error(problem.mesh, problem.faces,
+                                     problem.surface, problem.law, r, u)
+                           .sum();
+  RC_ASSERT(std::abs(found - 2 * (7.5 * 2 * 6 + 7.5 * 2)) < 1e-9);
+}
+
+/// Whatever the fields, also where own vertices are prescribed.
+RC_GTEST_PROP(FacingError, admissible_displacement_clears_every_corner,
+              (Random random)) {
+  SolidStack stack = random_stack(2, 0, random);
+  const SolidProblem& problem = stack.problem;
+  const VectorXd u = random_vector(problem.b.size(), random);
+  std::vector<char> prescribed(u.size(), 0);
+  const int held = problem.surface.vertex[0];
+  prescribed[3 * held + 2] = 1;
+  const VectorXd clear = admissible_displacement(problem.faces, problem.surface,
+                                                 problem.law, u, prescribed);
+  const DeepestNode deepest =
+      deepest_node(problem.faces, problem.surface, problem.law, clear);
+  RC_ASSERT(deepest.depth < 1e-14);
+  RC_ASSERT(clear[3 * held + 2] == u[3 * held + 2]);
+  for (Index dof = 0; dof < u.size(); ++dof)
+    if (dof % 3 != 2) RC_ASSERT(clear[dof] == u[dof]);
+  // the jump at a node is as deep as it was above
+  RC_ASSERT(deepest_node(problem.faces, problem.surface, problem.law, u).depth >
+            0);
+}
+
 /// One body of 3 x 2 x 1 pressed on another one, or a smaller one on a larger one, under
 /// loads at random.
 struct LoadedPair {

@@ -71,8 +71,10 @@ class LeastStress {
                    free = -inner.solve(H.topRightCorner(n, m) * d),
                    reach = inner.solve(A.transpose());
     const MatrixXd off = A * free + balance_.rightCols(m) * d;
-    const MatrixXd multipliers =
-        (A * reach).completeOrthogonalDecomposition().solve(off);
+    // rigid motions of the whole make six rows of the balance redundant
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> balance;
+    balance.setThreshold(1e-9);
+    const MatrixXd multipliers = balance.compute(A * reach).solve(off);
     MatrixXd x(n + m, d.cols());
     x << free - reach * multipliers, d;
     const MatrixXd E = x.transpose() * energy_ * x,
