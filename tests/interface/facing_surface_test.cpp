@@ -61,6 +61,9 @@ RC_GTEST_PROP(FacingSurface, polygons_lie_on_both_faces, (Random random)) {
     RC_ASSERT(polygon.own.minCoeff() > -1e-12);
     RC_ASSERT(polygon.opposite.minCoeff() > -1e-12);
     RC_ASSERT(polygon.distance.norm() < 1e-12);
+    RC_ASSERT(
+        (polygon.own_of_opposite * polygon.opposite - polygon.own).norm() <
+        1e-11);
   }
 }
 
@@ -92,6 +95,16 @@ RC_GTEST_PROP(FacingSurface, carries_forces_moments_and_linear_fields,
   double area = 0;
   for (const FacingPolygon& polygon : pair.polygons) area += polygon.area;
   RC_ASSERT(std::abs(surface.area.sum() - area) < 1e-6 * area);
+  for (const FacingPolygon& polygon : surface.polygons) {
+    const Matrix3d x = mesh.vertices(
+        Eigen::all,
+        pair.faces.vertices.col(surface.face[polygon.contact_face]));
+    const Matrix3d y = mesh.vertices(
+        Eigen::all, pair.faces.vertices.col(polygon.opposite_face));
+    RC_ASSERT((x * polygon.own - y * polygon.opposite).norm() < 1e-11);
+    area -= polygon.area;
+  }
+  RC_ASSERT(area < 1e-5);
   for (int i = 0; i < surface.node_count(); ++i)
     visit_opposite(surface, i,
                    [](int, double weight) { RC_ASSERT(std::abs(weight) < 4); });

@@ -33,6 +33,10 @@ inline SolidMesh divided_tetrahedron(int k) {
       mesh.cells.col(next++) = cube.cells.col(t);
   }
   add_boundary(mesh);
+  for (Index f = 0; f < mesh.boundary.cols(); ++f) {
+    const Matrix3d corners = mesh.vertices(Eigen::all, mesh.boundary.col(f));
+    mesh.boundary_label[f] = corners.row(0).minCoeff() == 1 ? high_x : 0;
+  }
   Matrix3d path, edges;
   path << 1, 1, 1, 0, 1, 1, 0, 0, 1;
   edges << 1, 0.5, 0.5,                         //
@@ -71,8 +75,10 @@ class LeastStress {
                    free = -inner.solve(H.topRightCorner(n, m) * d),
                    reach = inner.solve(A.transpose());
     const MatrixXd off = A * free + balance_.rightCols(m) * d;
-    const MatrixXd multipliers =
-        (A * reach).completeOrthogonalDecomposition().solve(off);
+    // rigid motions of the whole make six rows of the balance redundant
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> balance;
+    balance.setThreshold(1e-9);
+    const MatrixXd multipliers = balance.compute(A * reach).solve(off);
     MatrixXd x(n + m, d.cols());
     x << free - reach * multipliers, d;
     const MatrixXd E = x.transpose() * energy_ * x,

@@ -208,7 +208,10 @@ SolidEstimate estimate_error(const SolidTopology& topology,
                           estimate.displacement)};
   const std::vector<double> falls =
       relax_faces(setting, settings, estimate.moments);
-  estimate.face_tractions = tractions_of(setting.contact, estimate.moments);
+  estimate.face_tractions =
+      surface.against_a_body()
+          ? tractions_by_face(surface, estimate.tractions)
+          : tractions_of(setting.contact, estimate.moments);
   put_moments(setting.contact, estimate.face_tractions, first.boundary.moments);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].

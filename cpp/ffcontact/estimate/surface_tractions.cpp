@@ -143,6 +143,18 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
   return traction;
 }
 
+MatrixXd tractions_by_face(const ContactSurface& surface,
+                           const Ref<const Matrix3Xd>& traction) {
+  MatrixXd by_face(9, surface.face_count());
+  for (int m = 0; m < surface.face_count(); ++m) {
+    const FaceHats hats = face_hats(surface, m);
+    const Matrix3d at_vertices =
+        traction(Eigen::all, hats.node) * hats.hat.transpose();
+    by_face.col(m) = at_vertices.reshaped();
+  }
+  return by_face;
+}
+
 VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
                        const ContactSurface& surface,
                        const Ref<const Matrix3Xd>& traction,

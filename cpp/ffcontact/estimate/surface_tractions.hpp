@@ -21,6 +21,10 @@ std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
 Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force);
 
+/// The same at the three vertices of each face, one column a face [MPa, 9 x faces].
+MatrixXd tractions_by_face(const ContactSurface& surface,
+                           const Ref<const Matrix3Xd>& traction);
+
 /// int [z_k] . r over what the surface faces, r linear between the nodes (FaceHats) [k].
 /// @param motions  vertex fields z_k, linear on the faces [3 * vertices x k]
 VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
