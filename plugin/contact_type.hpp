@@ -28,6 +28,8 @@ struct SolvedContact {
   std::shared_ptr<const ElasticSystem> system;
   ContactLaw law;  ///< with the multiplier, and u_t of the load step before
   ContactSolution solution;
+  /// of a tool: its motion (x, y, turn), and t . z at the nodes [mm]; empty: none
+  VectorXd motion, tool;
   NodalResults nodes;
   /// what contacterror made of it last; null before
   std::shared_ptr<const Estimate> estimate;

@@ -9,6 +9,7 @@
 #include "coulomb.hpp"
 #include "result_names.hpp"
 #include "solve_report.hpp"
+#include "stated_tool.hpp"
 
 namespace ffcontact::plugin {
 
@@ -36,14 +37,38 @@ NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
   return results;
 }
 
+/// u_t against the foundation, which is where its tool has left it.
+VectorXd slid(const ContactProblem& problem, const SolvedContact& solved) {
+  const VectorXd along =
+      contact_components(problem.line, solved.solution.displacement).row(1);
+  return solved.tool.size() > 0 ? VectorXd(along - solved.tool) : along;
+}
+
+/// Against a foundation that stays, or that its tool moves.
+void solve(const SolveCall& call, const ContactProblem& problem,
+           const ContactSettings& settings, SolvedContact& solved) {
+  const ContactLine& line = problem.line;
+  const auto tool = stated_tool(call, problem.mesh.origin);
+  if (!tool) {
+    solved.solution =
+        solve_contact(problem.mesh, line, solved.law, *solved.system, settings);
+    return;
+  }
+  ToolSolution with_tool = solve_contact_with_tool(
+      problem.mesh, line, solved.law, *solved.system, *tool, settings);
+  solved.law = std::move(with_tool.law);
+  solved.solution = std::move(with_tool.solution);
+  solved.tool =
+      tool_components(problem.mesh, line, *tool, with_tool.motion).row(1);
+  solved.motion = with_tool.motion;
+}
+
 ContactLaw law_of(const SolveCall& call, const Contact& contact) {
   ContactLaw law = contact.problem->law;
   law.multiplier = multiplier_of(call.stack, call.named);
   if (!call.named.flag(call.stack, "loadstep")) return law;
   if (contact.solved)
-    law.previous = contact_components(contact.problem->line,
-                                      contact.solved->solution.displacement)
-                       .row(1);
+    law.previous = slid(*contact.problem, *contact.solved);
   else if (!contact.last_states.empty() && law.previous.size() == 0)
     refuse_load_step();
   return law;
@@ -88,8 +113,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   solved.law = law_of(call, contact);
   const ContactSettings settings = settings_of(call, contact, system);
   try {
-    solved.solution =
-        solve_contact(problem.mesh, problem.line, solved.law, system, settings);
+    solve(call, problem, settings, solved);
   } catch (const NoEquilibrium& none) {
     answer_no_equilibrium(call, problem.joined.first_vertex, none);
     return 0;
@@ -102,6 +126,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   solved.nodes =
       nodal_results(problem.line, solved.law, system.prescribed, solution);
   put(call, problem, solved.nodes);
+  call.named.put(call.stack, "tool", solved.motion);
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));
   report_friction(call.verbosity(), problem, solved);

@@ -8,6 +8,7 @@
 #include "contact_type.hpp"
 #include "result_names.hpp"
 #include "solve_report.hpp"
+#include "stated_tool.hpp"
 
 namespace ffcontact::plugin {
 
@@ -106,6 +107,7 @@ void put(const SolveCall& call, const SolidProblem& problem,
 
 long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_solid_results(call.named);
+  require_no_tool(call.named);
   SolidProblem& problem = *contact.problem;
   SolvedSolid solved;
   solved.system = std::make_shared<const ElasticSystem>(

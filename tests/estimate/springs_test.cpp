@@ -267,6 +267,36 @@ TEST(Springs, that_are_stiff_are_judged_as_supports) {
   EXPECT_NEAR(sprung.relative, clamped.relative, 1e-3 * clamped.relative);
 }
 
+/// What a support prescribes on their edge is none of theirs, and those inclined to it
+/// are judged as they are.
+TEST(Springs, share_an_edge_with_a_support) {
+  Random random(12);
+  const Mesh mesh = irregular(6, 4, 6, 4, random);
+  const auto judged = [&](const Matrix2d& K) {
+    Problem problem = body(mesh, soft);
+    add_traction(problem, top, {-1, -2});
+    BoundarySprings springs;
+    put_springs(
+        mesh, right,
+        [&](const Vector2d&, const Vector2d&) {
+          return Spring{K, Vector2d(0, 0)};
+        },
+        springs);
+    assemble(springs, problem);
+    prescribe(problem, right, 0);
+    return estimated(problem, solved(problem), springs);
+  };
+  const Estimate both = judged(Vector2d(300, 40).asDiagonal()),
+                 one = judged(Vector2d(0, 40).asDiagonal());
+  EXPECT_TRUE(both.admissible && one.admissible);
+  EXPECT_NEAR(both.e, one.e, 1e-9 * one.e);
+  Matrix2d inclined;
+  inclined << 300, 50, 50, 40;
+  const Estimate fixed = judged(inclined);
+  EXPECT_TRUE(fixed.admissible) << fixed.reason;
+  EXPECT_GE(fixed.e, one.e);
+}
+
 /// Springs along a normal that is no axis, and units.
 RC_GTEST_PROP(Springs, know_no_direction_and_no_unit, (Random random)) {
   const Mesh mesh = irregular(4, 3, 6, 4, random);

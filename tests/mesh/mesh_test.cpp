@@ -54,6 +54,14 @@ TEST(Mesh, refuses_a_coordinate_that_is_not_finite) {
             "the mesh has a vertex whose coordinates are not finite");
 }
 
+TEST(Mesh, refuses_a_coordinate_whose_square_overflows) {
+  Mesh mesh = rectangle(2, 2, 1, 1);
+  mesh.vertices *= 1e70;
+  require_valid(mesh);
+  mesh.vertices *= 1e10;
+  EXPECT_THROW(require_valid(mesh), std::invalid_argument);
+}
+
 TEST(Mesh, refuses_a_triangle_that_turns_clockwise) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   std::swap(mesh.cells(0, 1), mesh.cells(1, 1));

@@ -130,7 +130,7 @@ void require_balance(const SimplexMesh<dim>& mesh, const Line& line,
   };
   refuse_unbalanced(
       mesh, unbalanced_motion(mesh, {motions, system.load, extreme, along_n},
-                              motions * left));
+                              motions * (left / max_norm(left))));
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ VectorXd plus(const VectorXd& values, const VectorXd& more) {
   return values.size() > 0 ? VectorXd(values + more) : more;
 }
 
-ContactLaw moved(ContactLaw law, const Matrix2Xd& z) {
+ContactLaw against_moved(ContactLaw law, const Matrix2Xd& z) {
   law.gap = plus(law.gap, z.row(0));
   law.previous = plus(law.previous, z.row(1));
   return law;
@@ -98,7 +98,8 @@ ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
   // 2. The body against the moved foundation.
   ToolSolution result;
   result.motion = tool.free * opposite_components(contact, answer);
-  result.law = moved(law, tool_components(mesh, line, tool, result.motion));
+  result.law =
+      against_moved(law, tool_components(mesh, line, tool, result.motion));
   next.initial_state = answer.state;
   result.solution = solve_contact(mesh, line, result.law, system, next);
   ContactSolution& solution = result.solution;

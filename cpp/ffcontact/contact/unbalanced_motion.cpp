@@ -244,6 +244,9 @@ template <int dim>
 void refuse_unbalanced(const SimplexMesh<dim>& mesh,
                        const UnbalancedMotion& motion) {
   const std::vector<Vertices> parts = moved_parts(mesh, motion.field);
+  if (parts.empty())
+    throw NoEquilibrium("no equilibrium: no contact forces balance the loads",
+                        "the body", mesh.cells(0, 0));
   const std::string who = body_in_words(mesh, parts.front());
   throw NoEquilibrium("no equilibrium: the loads push " + who + " in a " +
                           motion_in_words(mesh, motion.field) +

@@ -143,9 +143,9 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
   return traction;
 }
 
-MatrixXd tractions_by_face(const ContactSurface& surface,
-                           const Ref<const Matrix3Xd>& traction) {
-  MatrixXd by_face(9, surface.face_count());
+Matrix<double, 9, Dynamic> tractions_by_face(
+    const ContactSurface& surface, const Ref<const Matrix3Xd>& traction) {
+  Matrix<double, 9, Dynamic> by_face(9, surface.face_count());
   for (int m = 0; m < surface.face_count(); ++m) {
     const FaceHats hats = face_hats(surface, m);
     const Matrix3d at_vertices =

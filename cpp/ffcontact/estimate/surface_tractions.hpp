@@ -22,8 +22,8 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force);
 
 /// The same at the three vertices of each face, one column a face [MPa, 9 x faces].
-MatrixXd tractions_by_face(const ContactSurface& surface,
-                           const Ref<const Matrix3Xd>& traction);
+Matrix<double, 9, Dynamic> tractions_by_face(
+    const ContactSurface& surface, const Ref<const Matrix3Xd>& traction);
 
 /// int [z_k] . r over what the surface faces, r linear between the nodes (FaceHats) [k].
 /// @param motions  vertex fields z_k, linear on the faces [3 * vertices x k]

@@ -9,6 +9,9 @@ namespace ffcontact {
 
 namespace {
 
+/// Volumes of larger meshes overflow.
+constexpr double largest_coordinate = 1e75;
+
 /// The facet opposite to local vertex k of a cell; outward.
 template <int dim>
 Matrix<double, dim, 1> outward_vector(const SimplexMesh<dim>& mesh, int cell,
@@ -82,6 +85,10 @@ void require_valid(const SimplexMesh<dim>& mesh) {
   if (mesh.cell_count() == 0) refuse("the mesh has no ", MeshWords<dim>::cells);
   if (!mesh.vertices.allFinite())
     refuse("the mesh has a vertex whose coordinates are not finite");
+  const double largest = mesh.vertices.cwiseAbs().maxCoeff();
+  if (largest > largest_coordinate)
+    refuse("the mesh has a vertex with the coordinate ", largest,
+           ", whose square is no number any more");
   require_size("boundary_label", mesh.boundary_label.size(),
                mesh.boundary.cols());
   require_vertices(mesh);

@@ -82,8 +82,8 @@ Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh,
                                            int cell);
 
 /// @throws std::invalid_argument  if the mesh is empty, an index is out of range, a
-///                                coordinate is not finite, or a cell has no positive
-///                                volume
+///                                coordinate is not finite or above 1e75, or a cell has no
+///                                positive volume
 template <int dim>
 void require_valid(const SimplexMesh<dim>& mesh);
 
