@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of a solid, all of solve_contact on an ElasticSystem, beside one linear solve of
-// the same matrix: a block 80 x 40 x 40 of 8 n x 4 n x 4 n bricks on a rigid plane,
+// Contact of a solid, all of solve_contact on an ElasticSystem, and the estimate of its
+// error with the default steps, beside one linear solve of the same matrix: a block 80 x 40 x 40 of 8 n x 4 n x 4 n bricks on a rigid plane,
 // friction 0.5, its top held, pressed from two sides (all nodes slip) or from one (some
 // lift off).
 #include "comparison.hpp"
 #include "linear_solve.hpp"
-#include "support/solid_problems.hpp"
+#include "support/solid_estimates.hpp"
 
 namespace ffcontact::bench {
 
@@ -51,6 +51,24 @@ Case contact(test::BlockCase loads) {
   };
 }
 
+/// The contact problem is solved beforehand, which does not count.
+Case estimate(test::BlockCase loads) {
+  return [loads](int n) {
+    const auto body = case_of(n, loads);
+    const test::SolidProblem& problem = body->problem;
+    const auto topology =
+        std::make_shared<const SolidTopology>(topology_of(problem.mesh));
+    const auto solved = std::make_shared<const SolvedSolid>(
+        test::solved_solid(problem, solve_contact(problem.mesh, problem.surface,
+                                                  problem.law, body->system)));
+    return [body, topology, solved] {
+      const SolidEstimate result = estimate_error(
+          *topology, body->problem.surface, body->system, *solved);
+      if (!result.admissible) throw std::runtime_error(result.reason);
+    };
+  };
+}
+
 int solid_dofs(int n) { return 3 * (8 * n + 1) * (4 * n + 1) * (4 * n + 1); }
 
 }  // namespace ffcontact::bench
@@ -61,6 +79,7 @@ int main(int argc, char** argv) {
   return compare(argc, argv,
                  {{"solid, linear solve", linear_solve},
                   {"solid, pressed", contact(BlockCase::press)},
-                  {"solid, lifted", contact(BlockCase::press_x)}},
+                  {"solid, lifted", contact(BlockCase::press_x)},
+                  {"solid, estimate", estimate(BlockCase::press)}},
                  {5, 7, 8}, solid_dofs);
 }
