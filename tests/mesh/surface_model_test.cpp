@@ -6,15 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/mesh/cell_quality.hpp"
-#include "ffcontact/mesh/moved_onto_surfaces.hpp"
-#include "ffcontact/mesh/smooth_surface.hpp"
-#include "ffcontact/mesh/surface_curvature.hpp"
-#include "support/nested_solids.hpp"
 #include "support/pi.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
@@ -120,176 +113,42 @@ TEST(SurfaceModel, of_a_ball_of_six_labels_has_their_curves) {
   }
 }
 
-TEST(SurfaceCurvature, is_that_of_cylinders_and_none_of_planes) {
-  constexpr int n = 8;
-  constexpr double radius = 3;
-  SolidMesh mesh = brick({n, 2, 2}, {pi / 2, 1, 2});  // a quarter of a tube
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const Vector3d x = mesh.vertices.col(v);
-    const double r = radius + x.y();
-    mesh.vertices.col(v) << r * std::sin(x.x()), r * std::cos(x.x()), -x.z();
+TEST(SurfaceModel, has_edges_between_planes_whatever_their_angle) {
+  SolidMesh roof = brick({4, 4, 2}, {4, 4, 2});
+  for (auto x : roof.vertices.colwise())
+    x.z() *= 1 - 0.02 * std::abs(x.x() - 2);
+  roof.boundary_label.setConstant(1);
+  const SurfaceModel model = model_of(roof);
+  EXPECT_EQ(model.patches.surface_count(), 7);
+  EXPECT_EQ(model.curves.curves.size(), 15);
+}
+
+TEST(SurfaceModel, cuts_handles) {
+  // a frame of eight cubes, two of whose upper sides have their own label
+  SolidMesh frame = brick({3, 3, 1}, {3, 3, 1});
+  std::vector<Vector4i> kept;
+  for (const auto& cell : frame.cells.colwise()) {
+    const Vector3d x =
+        frame.vertices(Eigen::all, Vector4i(cell)).rowwise().mean();
+    if (x.x() < 1 || x.x() > 2 || x.y() < 1 || x.y() > 2)
+      kept.emplace_back(cell);
   }
-  mesh.cells.row(2).swap(mesh.cells.row(3));
-  if (signed_volume(mesh, 0) < 0) mesh.cells.row(2).swap(mesh.cells.row(3));
-  const Facets<3> faces = facets_of(mesh);
-  const SurfaceModel model =
-      surface_model(mesh, faces, VectorXi::Zero(mesh.cell_count()), pi / 6);
-  const VectorXd curvature = surface_curvature(mesh, faces, model);
-  const double turn = pi / 2 / n, chord = 2 * std::sin(turn / 2);
-  int inner = 0, outer = 0;
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const Vector3d x = mesh.vertices.col(v);
-    const double r = x.head<2>().norm();
-    if (x.x() < 1e-9 || x.y() < 1e-9) continue;  // the ends
-    if (std::abs(r - radius) < 1e-9) {
-      EXPECT_NEAR(curvature[v], turn / (radius * chord), 1e-12);
-      ++inner;
-    } else if (std::abs(r - radius - 1) < 1e-9) {
-      EXPECT_NEAR(curvature[v], turn / ((radius + 1) * chord), 1e-12);
-      ++outer;
-    } else {
-      EXPECT_EQ(curvature[v], 0);
-    }
+  frame.cells = packed(kept);
+  add_boundary(frame);
+  for (Index f = 0; f < frame.boundary.cols(); ++f) {
+    const Vector3d x =
+        frame.vertices(Eigen::all, Vector3i(frame.boundary.col(f)))
+            .rowwise()
+            .mean();
+    const bool of_a_corner =
+        x.z() == 1 && x.y() < 1 && (x.x() < 1 || x.x() > 2);
+    frame.boundary_label[f] = of_a_corner ? 2 : 1;
   }
-  EXPECT_EQ(inner, 3 * (n - 1));
-  EXPECT_EQ(outer, 3 * (n - 1));
-}
-
-/// The mesh whose vertices are on the faces of a bent brick of n^3 cells, twice as fine.
-ModelMesh finer_mesh(int n, const SolidMesh& coarse,
-                     const SurfaceModel& model) {
-  ModelMesh fine;
-  fine.mesh = brick({2 * n, 2 * n, 2 * n}, {2, 2, 2});
-  fine.mesh.vertices = on_finer_brick(coarse.vertices.reshaped(), {n, n, n}, 2)
-                           .reshaped(3, fine.mesh.vertex_count());
-  std::map<int, int> patch;  // of each label
-  for (int k = 0; k < model.dividing.count(); ++k)
-    patch[coarse.boundary_label[model.dividing.boundary[k]]] =
-        model.patches.patch[k];
-  for (const int label : fine.mesh.boundary_label)
-    fine.patch.push_back(patch[label]);
-  fine.lines.resize(2, 0);
-  return fine;
-}
-
-TEST(MovedOntoSurfaces, has_a_dome_on_its_sphere_and_the_rest_in_place) {
-  constexpr int n = 4;
-  constexpr double radius = 4;
-  SolidMesh coarse = brick({n, n, n}, {2, 2, 2});
-  for (auto x : coarse.vertices.colwise())
-    x.z() *= std::sqrt(radius * radius - std::pow(x.x() - 1, 2) -
-                       std::pow(x.y() - 1, 2)) /
-             2;
-  const Facets<3> faces = facets_of(coarse);
-  const SurfaceModel model =
-      surface_model(coarse, faces, VectorXi::Zero(coarse.cell_count()), pi / 6);
-  const ModelMesh fine = finer_mesh(n, coarse, model);
-  const SolidMesh moved = moved_onto_surfaces(fine, coarse, faces, model);
-  std::set<int> dome;
-  for (Index e = 0; e < moved.boundary.cols(); ++e)
-    if (moved.boundary_label[e] == high_z)
-      for (const int v : moved.boundary.col(e)) dome.insert(v);
-  const auto off = [&](const SolidMesh& mesh, int v) {
-    return std::abs((mesh.vertices.col(v) - Vector3d(1, 1, 0)).norm() - radius);
-  };
-  double before = 0, after = 0;
-  for (int v = 0; v < moved.vertex_count(); ++v) {
-    if (dome.count(v) > 0) {
-      before = std::max(before, off(fine.mesh, v));
-      after = std::max(after, off(moved, v));
-    } else {
-      EXPECT_EQ(moved.vertices.col(v), fine.mesh.vertices.col(v));
-    }
-  }
-  EXPECT_GT(before, 0.01);
-  EXPECT_LT(after, 0.05 * before);
-  for (int t = 0; t < moved.cell_count(); ++t)
-    EXPECT_GT(signed_volume(moved, t), 0);
-}
-
-TEST(MovedOntoSurfaces, puts_lines_on_curves_and_leaves_planes) {
-  // an eighth of a tube: its rims are circles between planes and cylinders
-  constexpr int n = 4;
-  SolidMesh coarse = brick({n, n, n}, {pi / 4, 1, 2});
-  const auto bent = [](const Vector3d& x) {
-    return Vector3d((3 + x.y()) * std::cos(x.x()),
-                    (3 + x.y()) * std::sin(x.x()), -x.z());
-  };
-  for (auto x : coarse.vertices.colwise()) x = bent(x);
-  const Facets<3> faces = facets_of(coarse);
-  const SurfaceModel model =
-      surface_model(coarse, faces, VectorXi::Zero(coarse.cell_count()), pi / 6);
-  ModelMesh fine = finer_mesh(n, coarse, model);
-  std::vector<Vector2i> lines;
-  for (int c = 0; c < static_cast<int>(model.curves.curves.size()); ++c)
-    for (int v = 0; v < fine.mesh.vertex_count(); ++v) {
-      const auto& chain = model.curves.curves[c].vertices;
-      for (std::size_t k = 1; k < chain.size(); ++k) {
-        const Vector3d a = coarse.vertices.col(chain[k - 1]),
-                       b = coarse.vertices.col(chain[k]),
-                       x = fine.mesh.vertices.col(v);
-        if ((x - (a + b) / 2).norm() > 1e-12) continue;
-        lines.emplace_back(v, v);
-        fine.curve.push_back(c);
-      }
-    }
-  fine.lines = packed(lines);
-  const SolidMesh moved = moved_onto_surfaces(fine, coarse, faces, model);
-  for (Index e = 0; e < moved.boundary.cols(); ++e)
-    for (const int v : moved.boundary.col(e)) {
-      const Vector3d x = moved.vertices.col(v);
-      const int label = moved.boundary_label[e];
-      if (label == low_y || label == high_y) {
-        EXPECT_NEAR(x.head<2>().norm(), label == low_y ? 3 : 4, 2e-3);
-      } else if (label == low_z || label == high_z) {
-        EXPECT_NEAR(x.z(), label == low_z ? 0 : -2, 1e-14);
-      } else if (label == low_x) {
-        EXPECT_NEAR(x.y(), 0, 1e-14);
-      }
-    }
-}
-
-RC_GTEST_PROP(CubicTriangle, is_a_sphere_to_fourth_order, (Random random)) {
-  const double h = *real(0.05, 0.5);
-  Matrix3d corners;
-  for (int i = 0; i < 3; ++i)
-    corners.col(i) =
-        (Vector3d::Ones() + h * 0.5 * random_vector(3, random)).normalized();
-  Vector3d place = random_vector(3, random).cwiseAbs();
-  place /= place.sum();
-  const Vector3d x = point_on_cubic_triangle(corners, corners, place);
-  const double longest = std::max({(corners.col(0) - corners.col(1)).norm(),
-                                   (corners.col(1) - corners.col(2)).norm(),
-                                   (corners.col(2) - corners.col(0)).norm()});
-  RC_ASSERT(std::abs(x.norm() - 1) < 0.02 * std::pow(longest, 4) + 1e-14);
-}
-
-RC_GTEST_PROP(NearestPlace, is_nearer_than_any_other, (Random random)) {
-  Matrix3d corners;
-  for (int i = 0; i < 3; ++i) corners.col(i) = random_vector(3, random);
-  const Vector3d x = 2 * random_vector(3, random);
-  const Vector3d place = nearest_place(corners, x);
-  RC_ASSERT(place.minCoeff() >= 0);
-  RC_ASSERT(std::abs(place.sum() - 1) < 1e-14);
-  const double distance = (corners * place - x).norm();
-  for (int k = 0; k < 50; ++k) {
-    Vector3d other = random_vector(3, random).cwiseAbs();
-    other /= other.sum();
-    RC_ASSERT((corners * other - x).norm() >= distance * (1 - 1e-12));
-  }
-}
-
-TEST(CellQuality, is_one_for_regular_cells) {
-  SolidMesh mesh;
-  mesh.vertices =
-      3 * (Matrix<double, 3, 4>() << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1)
-              .finished();
-  mesh.cells = (Matrix<int, 4, 1>() << 0, 1, 2, 3).finished();
-  if (signed_volume(mesh, 0) < 0) std::swap(mesh.cells(2, 0), mesh.cells(3, 0));
-  EXPECT_NEAR(cell_quality(mesh)[0], 1, 1e-14);
-  Mesh plane = rectangle(1, 1, 1, 1);
-  EXPECT_NEAR(cell_quality(plane)[0],
-              std::sqrt(12) * (1 - std::sqrt(0.5)) / std::sqrt(2), 1e-14);
+  constexpr double corner = 2;  // right angles are smooth
+  const SurfaceModel model = surface_model(
+      frame, facets_of(frame), VectorXi::Zero(frame.cell_count()), corner);
+  EXPECT_EQ(model.patches.surface_count(), 3);
+  EXPECT_GT(model.patches.patch_count(), 3);
 }
 
 }  // namespace

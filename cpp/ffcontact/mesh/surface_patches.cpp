@@ -179,7 +179,7 @@ class PatchCutter {
     for (int i = 0; i < count_of(number); ++i) roots.insert(loops.root(i));
     const int rims = count_of(roots),
               euler = count_of(all_vertices) - count_of(uses) + count_of(piece);
-    if (rims == 0 || euler != 2 - rims) return false;
+    if (euler != 2 - rims) return false;
     return rims > 1 || !is_nearly_closed(piece);
   }
 
