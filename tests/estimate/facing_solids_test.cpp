@@ -58,7 +58,8 @@ RC_GTEST_PROP(FacingSolids, mirror_images_have_twice_the_square,
   SolidStack two({upper, lower}, 0.5);
   press(two.problem, two.label(0, high_z), 1);
   press(two.problem, two.label(1, low_z), -1);
-  const SolidEstimate alone = estimate(one), both = estimate(two.problem);
+  const SolidEstimate alone = estimate(one, {0, 0}),
+                      both = estimate(two.problem, {0, 0});
   RC_ASSERT(both.reason == "");
   RC_ASSERT(both.oscillation < 1e-9 * both.e);
   RC_ASSERT(std::abs(both.e / (std::sqrt(2) * alone.e) - 1) < 1e-6);
@@ -86,8 +87,8 @@ RC_GTEST_PROP(FacingError, of_linear_fields_is_that_on_a_foundation,
     u.segment<3>(3 * v) << 0.25, -2.75, x.y() - 1;
   }
   // 2 int over (0, 3) x (0, 2) of 2 (1 + x) 3 + (1 + x) y, w_t = (0, -3), w_n = -y
-  const double found = contact_error(problem.mesh, problem.faces,
-                                     problem.surface, problem.law, r, u)
+  const double found = facing_contact_error(problem.mesh, problem.faces,
+                                            problem.surface, problem.law, r, u)
                            .sum();
   RC_ASSERT(std::abs(found - 2 * (7.5 * 2 * 6 + 7.5 * 2)) < 1e-9);
 }
