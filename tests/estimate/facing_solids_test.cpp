@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/estimate/facing_error.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
 #include "support/nested_solids.hpp"
 #include "support/solid_estimates.hpp"
 #include "support/solid_stacks.hpp"
@@ -195,6 +196,10 @@ RC_GTEST_PROP(FacingSolids, that_hold_each_other_keep_force_and_moment,
   problem.load(stack.label(0, high_z), {0.5, 0.2, -10});
   problem.move(stack.label(1, low_z),
                [](const Vector3d&) { return Vector3d::Zero(); });
+  for (int m = 0; m < problem.surface.face_count(); ++m)
+    RC_ASSERT(
+        (face_hats(problem.surface, m).hat.rowwise().sum() - Vector3d::Ones())
+            .norm() < 1e-15);
   const SolidEstimate found = estimate(problem);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
