@@ -29,6 +29,14 @@ TEST(TractionOscillation, constant_is_that_of_a_divided_face) {
   EXPECT_GT(bound_of_subdivision(4), traction_constant - 0.01);
 }
 
+/// A block with a side that is tilted against that of another one.
+inline SolidMesh tilted_brick(Random& random) {
+  SolidMesh mesh =
+      random_brick(random_cells(1, 3, random), {0, 0, -1}, {3, 2, 1}, random);
+  for (auto x : mesh.vertices.colwise()) x.z() -= 0.5 * x.x() + 0.3 * x.y();
+  return mesh;
+}
+
 /// Two blocks that face each other in part, at random, with tractions at random.
 struct FacingTractions {
   SolidStack stack;
@@ -38,8 +46,7 @@ struct FacingTractions {
   explicit FacingTractions(Random& random)
       : stack({random_brick(random_cells(1, 3, random), {0.3, -0.4, 0},
                             {3, 2, 1}, random),
-               random_brick(random_cells(1, 3, random), {0, 0, -1}, {3, 2, 1},
-                            random)},
+               tilted_brick(random)},
               0),
         traction(random_matrix(3, stack.problem.surface.node_count(), random)),
         hooke(stack.problem.mesh.cell_count(), isotropic<3>(2, 1)) {}

@@ -20,6 +20,8 @@ namespace {
 
 /// Polygons below this part of a face are rounding.
 constexpr double no_part = 1e-12;
+/// Areas that differ by less are the same.
+constexpr double same_area = 1e-10;
 /// Corners that are closer to each other, in parts of the face's sides, are one: the
 /// direction of a side that is cut at rounding would not say where it goes.
 constexpr double no_side = 1e-8;
@@ -62,6 +64,16 @@ ConvexPolygon whole_face() {
   ConvexPolygon triangle(2, 3);
   triangle << 0, 1, 0, 0, 0, 1;
   return triangle;
+}
+
+/// The whole triangle that is seen of the other face, where it is the polygon but for what
+/// lies beyond this face: its sides are none that were cut.
+/// @param seen  its corners on this face
+ConvexPolygon with_whole_sides(ConvexPolygon polygon, const Matrix3d& seen) {
+  ConvexPolygon triangle = seen_from_outside(seen);
+  const double area = polygon_area(intersection(whole_face(), triangle));
+  return std::abs(area - polygon_area(polygon)) < same_area ? triangle
+                                                            : polygon;
 }
 
 /// Adds the traction on one polygon to those on parts that do not overlap.
@@ -122,9 +134,11 @@ std::map<int, FaceContact> contact_of_faces(
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face, face = surface.face[m];
     const Matrix3d own = traction_at_corners(surface, m, traction);
-    contact[face].pieces.push_back({seen_from_outside(polygon.own), own});
+    const Matrix3d& place = polygon.own_of_opposite;
+    contact[face].pieces.push_back(
+        {with_whole_sides(seen_from_outside(polygon.own), place), own});
     contact[polygon.opposite_face].pieces.push_back(
-        {seen_from_outside(polygon.opposite),
+        {with_whole_sides(seen_from_outside(polygon.opposite), place.inverse()),
          opposite_density(polygon, own, facet_measure(mesh, faces, face),
                           facet_measure(mesh, faces, polygon.opposite_face))});
   }
