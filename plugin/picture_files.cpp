@@ -89,10 +89,6 @@ void write_stress(const fs::path& folder, long step,
   write_vtu(folder / picture_file("stress", step, body), parts);
 }
 
-double value_or(const VectorXd& values, Index i, double otherwise) {
-  return values.size() > 0 ? values[i] : otherwise;
-}
-
 void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
                  const SolvedContact& solved) {
   constexpr double none = std::numeric_limits<double>::infinity();

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "ffcontact/base/eigen.hpp"
+
 namespace ffcontact::plugin {
 
 /// Name with the number of the step and the letter of the body: none, b, c, ...
@@ -14,5 +16,10 @@ std::string picture_file(const char* name, long step, int body,
 /// later steps, so that its last steps are not taken for these.
 /// @throws std::invalid_argument  if that fails
 void make_picture_folder(const std::filesystem::path& folder, long step);
+
+/// A nodal value, or another one where none are given.
+inline double value_or(const VectorXd& values, Index i, double otherwise) {
+  return values.size() > 0 ? values[i] : otherwise;
+}
 
 }  // namespace ffcontact::plugin

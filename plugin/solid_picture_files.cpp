@@ -66,10 +66,6 @@ void write_stress(const fs::path& file, const SolidProblem& problem,
   write_vtu(file, parts);
 }
 
-double value_or(const VectorXd& values, Index i, double otherwise) {
-  return values.size() > 0 ? values[i] : otherwise;
-}
-
 /// What the nodes have, by name.
 std::vector<VtuField> nodal_fields(const SolidProblem& problem,
                                    const SolvedSolid& solved) {
