@@ -45,7 +45,7 @@ RC_GTEST_PROP(ConvexContact, ends_where_newton_ends, (Random random)) {
 /// The fixed point would try Newton once more.
 TEST(ConvexContact, takes_over_where_newton_ends_without_an_answer) {
   int without_answer = 0;
-  for (unsigned seed = 0; seed < 130; ++seed) {
+  for (unsigned seed = 0; seed < 400; ++seed) {
     Random random(seed);
     const Condensed c(odd_problem(random, 0));
     if (active_set_newton(c.contact, c.law, c.sticking).status ==
