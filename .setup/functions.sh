@@ -10,6 +10,8 @@ packages_to_cover=("${packages_to_test[@]}" gcovr)
 packages_to_check=("${packages_to_test[@]}" clang-tidy)
 packages_to_measure=("${packages_to_run[@]}" libbenchmark-dev)
 
+export OMP_WAIT_POLICY="${OMP_WAIT_POLICY-passive}"  # threads that wait leave the processor to others
+
 say() { echo "ffcontact: $*" >&2; }
 fail() { say "$@"; exit 1; }
 

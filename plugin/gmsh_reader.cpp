@@ -7,11 +7,12 @@
 #include <iomanip>
 #include <map>
 #include <set>
-#include <unordered_map>
 #include <vector>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+//
+#include "msh_file.hpp"
 
 namespace ffcontact::plugin {
 
@@ -19,41 +20,40 @@ namespace {
 
 using std::filesystem::path;
 
-/// Reads MSH 2.2 in text, section by section.
-class Version2Reader {
+/// Makes a plane mesh of a file.
+class PlaneMesh {
  public:
-  Version2Reader(const path& file, const std::string& shown)
-      : shown_(shown), stream_(file) {
-    std::string word;
-    while (stream_ >> word) {
-      if (word == "$Nodes") read_nodes();
-      if (word == "$Elements") read_elements();
-    }
-    if (triangles_.empty())
+  PlaneMesh(const path& file, const std::string& shown)
+      : shown_(shown), file_(read_msh(file, shown, 2)) {
+    if (file_.triangles.empty())
       refuse(shown_, " has no triangles",
-             lines_.empty() ? ""
-                            : ": does the geometry have physical curves but no "
-                              "physical surface?");
+             file_.lines.empty()
+                 ? ""
+                 : ": does the geometry have physical curves but no "
+                   "physical surface?");
+    drop_repeated_triangles();
+    used_ = used_nodes(file_, file_.triangles, 3);
   }
 
   GmshMesh mesh() {
-    number_used_nodes();
+    require_plane();
     GmshMesh result;
     Mesh& mesh = result.mesh;
-    mesh.vertices.resize(2, count_of(used_));
-    for (std::size_t v = 0; v < used_.size(); ++v)
-      mesh.vertices.col(v) = nodes_[used_[v]].head<2>();
-    require_plane();
+    mesh.vertices.resize(2, count_of(used_.node));
+    for (int v = 0; v < count_of(used_.node); ++v)
+      mesh.vertices.col(v) = file_.nodes[used_.node[v]].head<2>();
 
-    const int surface_tag = tag_to_use(triangles_);
-    mesh.cells.resize(3, count_of(triangles_));
-    result.regions.resize(count_of(triangles_));
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const int surface_tag = tag_to_use(file_.triangles),
+              count = count_of(file_.triangles);
+    mesh.cells.resize(3, count);
+    result.regions.resize(count);
+    for (int t = 0; t < count; ++t) {
+      const MshElement& triangle = file_.triangles[t];
       for (int k = 0; k < 3; ++k)
-        mesh.cells(k, t) = vertex_[triangles_[t].nodes[k]];
-      if (signed_area(mesh, static_cast<int>(t)) < 0)
+        mesh.cells(k, t) = used_.vertex[triangle.nodes[k]];
+      if (signed_area(mesh, t) < 0)
         std::swap(mesh.cells(1, t), mesh.cells(2, t));
-      result.regions[t] = triangles_[t].tags[surface_tag];
+      result.regions[t] = triangle.tags[surface_tag];
     }
     set_boundary(mesh);
     require_valid(mesh);
@@ -61,106 +61,36 @@ class Version2Reader {
   }
 
  private:
-  template <int nodes_per_element>
-  struct Element {
-    std::array<int, 2> tags;  ///< physical, elementary
-    std::array<int, nodes_per_element> nodes;
-  };
-
-  void require_read(const char* what) const {
-    if (!stream_) refuse(shown_, " ends or is spoilt among its ", what);
-  }
-
-  void read_nodes() {
-    std::size_t count = 0;
-    stream_ >> count;
-    for (std::size_t i = 0; i < count && stream_; ++i) {
-      long number;
-      Vector3d x;
-      stream_ >> number >> x[0] >> x[1] >> x[2];
-      index_[number] = count_of(nodes_);
-      nodes_.push_back(x);
-    }
-    require_read("nodes");
-  }
-
-  void read_elements() {
-    constexpr int line = 1, triangle = 2, point = 15;
-    // an element of several physical groups is written once for each
-    std::set<std::array<int, 3>> seen_triangles;
-    std::size_t count = 0;
-    stream_ >> count;
-    for (std::size_t i = 0; i < count && stream_; ++i) {
-      long number;
-      int type, tag_count;
-      stream_ >> number >> type >> tag_count;
-      std::array<int, 2> tags{0, 0};
-      for (int k = 0, ignored; k < tag_count; ++k)
-        stream_ >> (k < 2 ? tags[k] : ignored);
-      if (type == point) {
-        read_element_nodes<1>(number);
-      } else if (type == line) {
-        lines_.push_back({tags, read_element_nodes<2>(number)});
-      } else if (type == triangle) {
-        const std::array<int, 3> nodes = read_element_nodes<3>(number);
-        std::array<int, 3> sorted = nodes;
-        std::sort(sorted.begin(), sorted.end());
-        if (seen_triangles.insert(sorted).second)
-          triangles_.push_back({tags, nodes});
-      } else {
-        refuse(
-            "element ", number, " of ", shown_, " has gmsh's type ", type,
-            "; only lines of two and triangles of three nodes are understood");
-      }
-    }
-    require_read("elements");
-  }
-
-  template <int count>
-  std::array<int, count> read_element_nodes(long element) {
-    std::array<int, count> nodes{};
-    for (int& node : nodes) {
-      long number = 0;
-      stream_ >> number;
-      const auto found = index_.find(number);
-      if (found == index_.end())
-        refuse("element ", element, " of ", shown_, " names the node ", number,
-               ", which is not there");
-      node = found->second;
-    }
-    return nodes;
+  /// gmsh writes an element of several physical groups once for each.
+  void drop_repeated_triangles() {
+    std::set<std::array<int, 4>> seen;
+    const auto is_repeated = [&seen](const MshElement& triangle) {
+      std::array<int, 4> sorted = triangle.nodes;
+      std::sort(sorted.begin(), sorted.end());
+      return !seen.insert(sorted).second;
+    };
+    std::vector<MshElement>& all = file_.triangles;
+    all.erase(std::remove_if(all.begin(), all.end(), is_repeated), all.end());
   }
 
   /// 0, physical tags, if one element has one; otherwise 1, elementary tags.
-  template <class Elements>
-  static int tag_to_use(const Elements& elements) {
+  static int tag_to_use(const std::vector<MshElement>& elements) {
     return std::any_of(elements.begin(), elements.end(),
                        [](const auto& e) { return e.tags[0] != 0; })
                ? 0
                : 1;
   }
 
-  /// Vertices are the nodes of triangles, in the order of the file.
-  void number_used_nodes() {
-    vertex_.assign(nodes_.size(), -1);
-    for (const auto& triangle : triangles_)
-      for (const int node : triangle.nodes) vertex_[node] = 0;
-    for (std::size_t node = 0; node < nodes_.size(); ++node)
-      if (vertex_[node] == 0) {
-        vertex_[node] = count_of(used_);
-        used_.push_back(static_cast<int>(node));
-      }
-  }
-
   void require_plane() const {
     double extent = 0;
-    for (const int node : used_)
-      extent =
-          std::max(extent, nodes_[node].head<2>().lpNorm<Eigen::Infinity>());
-    for (const int node : used_)
-      if (std::abs(nodes_[node].z() - nodes_[used_[0]].z()) > 1e-9 * extent)
-        refuse(shown_, " is not plane: z is ", nodes_[used_[0]].z(), " and ",
-               nodes_[node].z(), " at two of its nodes");
+    for (const int node : used_.node)
+      extent = std::max(extent,
+                        file_.nodes[node].head<2>().lpNorm<Eigen::Infinity>());
+    const double z = file_.nodes[used_.node[0]].z();
+    for (const int node : used_.node)
+      if (std::abs(file_.nodes[node].z() - z) > 1e-9 * extent)
+        refuse(shown_, " is not plane: z is ", z, " and ",
+               file_.nodes[node].z(), " at two of its nodes");
   }
 
   /// Labelled lines that are edges of triangles, then the boundary edges that no line
@@ -179,10 +109,10 @@ class Version2Reader {
       }
 
     std::vector<std::array<int, 3>> boundary;
-    const int curve_tag = tag_to_use(lines_);
-    for (const auto& line : lines_) {
-      const auto edge = edges.find(
-          std::minmax(vertex_[line.nodes[0]], vertex_[line.nodes[1]]));
+    const int curve_tag = tag_to_use(file_.lines);
+    for (const MshElement& line : file_.lines) {
+      const auto edge = edges.find(std::minmax(used_.vertex[line.nodes[0]],
+                                               used_.vertex[line.nodes[1]]));
       if (edge == edges.end() || edge->second.labelled) continue;
       edge->second.labelled = true;
       boundary.push_back(
@@ -201,19 +131,14 @@ class Version2Reader {
   }
 
   std::string shown_;  ///< what the user calls the file
-  std::ifstream stream_;
-  std::vector<Vector3d> nodes_;
-  std::unordered_map<long, int> index_;  ///< of a node's number
-  std::vector<Element<2>> lines_;
-  std::vector<Element<3>> triangles_;
-  std::vector<int> used_,
-      vertex_;  ///< nodes that triangles use; the vertex of a node
+  MshFile file_;
+  UsedNodes used_;  ///< by triangles
 };
 
 }  // namespace
 
 GmshMesh read_gmsh_mesh(const path& file, const std::string& shown) {
-  return Version2Reader(file, shown).mesh();
+  return PlaneMesh(file, shown).mesh();
 }
 
 bool is_readable_format(const path& file) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "ffcontact/elastic/subtrees.hpp"
@@ -36,7 +37,7 @@ RC_GTEST_PROP(PartialCholesky, is_that_of_the_dense_matrix, (Random random)) {
   const int size = *rc::gen::inRange(1, 90),
             kept = *rc::gen::inRange(0, size + 1), eliminated = size - kept;
   const MatrixXd A = random_matrix(size, random);
-  PartialCholesky factor(lower_triangle(A), kept);
+  PartialCholesky<double> factor(lower_triangle(A), kept);
   const MatrixXd A_ic = A.topRightCorner(eliminated, kept);
   MatrixXd S = A.bottomRightCorner(kept, kept);
   if (eliminated > 0 && kept > 0)
@@ -54,15 +55,37 @@ RC_GTEST_PROP(PartialCholesky, is_that_of_the_dense_matrix, (Random random)) {
   RC_ASSERT((A * x - b).cwiseAbs().maxCoeff() < 1e-12);
 }
 
+/// At any scale of the right-hand side, beside the factor in double precision.
+RC_GTEST_PROP(PartialCholesky, in_single_precision_is_near, (Random random)) {
+  const int size = *rc::gen::inRange(2, 90), kept = *rc::gen::inRange(1, size);
+  const MatrixXd A = random_matrix(size, random);
+  PartialCholesky<double> exact(lower_triangle(A), kept);
+  PartialCholesky<float> factor(lower_triangle(A), kept);
+  const MatrixXd S = exact.take_schur();
+  const Eigen::MatrixXf rough = factor.take_schur();
+  RC_ASSERT(rough == rough.transpose());
+  RC_ASSERT((rough.cast<double>() - S).cwiseAbs().maxCoeff() <
+            1e-5 * S.cwiseAbs().maxCoeff());
+  const double scale = std::pow(10, *rc::gen::inRange(-200, 200));
+  const VectorXd b = scale * random_vector(size, random),
+                 y = exact.half_solve(b), x = exact.other_half_solve(y);
+  RC_ASSERT((factor.half_solve(b) - y).norm() < 1e-5 * y.norm());
+  RC_ASSERT((factor.other_half_solve(y) - x).norm() < 1e-5 * x.norm());
+}
+
 TEST(PartialCholesky, tells_matrices_that_are_not_positive_definite) {
   Random random(3);
   MatrixXd A = random_matrix(40, random);
-  EXPECT_GT(PartialCholesky(lower_triangle(A), 5).reciprocal_condition(), 1e-3);
+  EXPECT_GT(
+      PartialCholesky<double>(lower_triangle(A), 5).reciprocal_condition(),
+      1e-3);
   A(20, 20) = -1;
-  EXPECT_EQ(PartialCholesky(lower_triangle(A), 5).reciprocal_condition(), 0);
+  EXPECT_EQ(
+      PartialCholesky<double>(lower_triangle(A), 5).reciprocal_condition(), 0);
   // what stays may be anything
-  EXPECT_GT(PartialCholesky(lower_triangle(A), 20).reciprocal_condition(),
-            1e-3);
+  EXPECT_GT(
+      PartialCholesky<double>(lower_triangle(A), 20).reciprocal_condition(),
+      1e-3);
 }
 
 /// The stiffness of a brick of four layers of vertices that nothing holds. Eliminated
@@ -87,7 +110,7 @@ TEST(PartialCholesky, of_a_brick_has_blocks_of_several_panels) {
   for (int s = 0; s < nodes.count(); ++s)
     widest = std::max(widest, nodes.column_count(s));
   EXPECT_EQ(widest, widest_supernode);
-  PartialCholesky factor(lower, kept);
+  PartialCholesky<double> factor(lower, kept);
   const MatrixXd S = factor.take_schur();
   // translations do no work
   for (int c = 0; c < 3; ++c) {

@@ -6,6 +6,7 @@
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "support/cases.hpp"
+#include "support/solid_problems.hpp"
 
 namespace ffcontact {
 namespace {
@@ -39,6 +40,28 @@ RC_GTEST_PROP(Rebalancing, balances_the_change_of_forces, (Random random)) {
   for (int dof = 0; dof < system.dof_count(); ++dof)
     RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof])
                                       : std::abs(residual[dof])) < 1e-9);
+}
+
+/// The residuals of K correct it.
+RC_GTEST_PROP(Rebalancing, by_a_factor_in_single_precision_is_as_good,
+              (Random random)) {
+  SolidProblem problem(brick({4, 3, 2}, {4, 3, 2}), 0.5);
+  problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, -1e-3); });
+  const ElasticSystem system = problem.system();
+  const std::vector<int> kept = free_dofs_at(
+      {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+  const MatrixXd no_motions(system.dof_count(), 0);
+  VectorXd forces = random_vector(system.dof_count(), random);
+  for (int dof = 0; dof < forces.size(); ++dof)
+    if (system.prescribed[dof]) forces[dof] = 0;
+  const VectorXd u = Rebalancing(system, kept, no_motions,
+                                 std::make_shared<const CondensedStiffness>(
+                                     system, kept, Precision::single))
+                         .displacement(forces);
+  const VectorXd residual = system.stiffness * u - forces;
+  for (int dof = 0; dof < system.dof_count(); ++dof)
+    RC_ASSERT((system.prescribed[dof] ? std::abs(u[dof])
+                                      : std::abs(residual[dof])) < 1e-12);
 }
 
 }  // namespace

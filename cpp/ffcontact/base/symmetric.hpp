@@ -9,7 +9,8 @@ namespace ffcontact {
 
 /// Makes a matrix symmetric by its lower triangle, block by block: some thousand columns
 /// do not fit into the cache.
-inline void mirror_lower(MatrixXd& M) {
+template <class Scalar>
+void mirror_lower(Matrix<Scalar, Dynamic, Dynamic>& M) {
   constexpr Index block = 64;
   const Index n = M.rows();
   for (Index j = 0; j < n; j += block) {

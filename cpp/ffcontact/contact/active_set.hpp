@@ -44,6 +44,8 @@ struct NewtonSettings {
   int max_iterations = 200;  ///< linear systems in all
   double tolerance = 1e-10;  ///< law_violation that is accepted
   ProgressReport report{};   ///< of every step, with its violation
+  /// violation from which on no step is made (surface_newton)
+  double enough = 1e-13;
 
   NewtonSettings with_at_most(int systems) const {
     return {systems, tolerance, report};

@@ -31,11 +31,12 @@ FixedPointResult safeguarded_newton(const CondensedContact& contact,
 
 std::shared_ptr<const CondensedStiffness> prepared_stiffness(
     const std::vector<int>& contact_dofs, const ElasticSystem& system,
-    const ContactSettings& settings) {
+    const ContactSettings& settings, Precision precision) {
   if (settings.stiffness) return settings.stiffness;
   tell(settings.report,
        {"factorisation", 0, "dofs", static_cast<double>(system.dof_count())});
-  return std::make_shared<const CondensedStiffness>(system, contact_dofs);
+  return std::make_shared<const CondensedStiffness>(system, contact_dofs,
+                                                    precision);
 }
 
 /// By the chosen solver, from the chosen states.

@@ -11,7 +11,7 @@ namespace ffcontact {
 /// The factor that the settings bring, or that of the system.
 std::shared_ptr<const CondensedStiffness> prepared_stiffness(
     const std::vector<int>& contact_dofs, const ElasticSystem& system,
-    const ContactSettings& settings);
+    const ContactSettings& settings, Precision precision = Precision::full);
 
 /// The condensed problem by the chosen solver, from the chosen states. Newton; where it
 /// does not converge, the convex minimum, or with Coulomb's law the fixed point helped by

@@ -291,13 +291,18 @@ CondensedContact with_loads(CondensedContact contact,
   return contact;
 }
 
+VectorXd opposite_displacement(const CondensedContact& contact,
+                               const VectorXd& v, const VectorXd& q) {
+  return contact.opposite_offset + contact.opposite_of_v * v +
+         contact.opposite_of_q * q;
+}
+
 VectorXd kept_displacement(const CondensedContact& contact, const VectorXd& v,
                            const VectorXd& q) {
   VectorXd w(contact.A.cols());
-  auto w_o = w.tail(contact.A.cols() - v.size());
-  w_o = contact.opposite_offset + contact.opposite_of_v * v +
-        contact.opposite_of_q * q;
-  const VectorXd from_opposite = opposite_A(contact) * w_o;
+  w.tail(contact.A.cols() - v.size()) = opposite_displacement(contact, v, q);
+  const VectorXd from_opposite =
+      opposite_A(contact) * w.tail(contact.A.cols() - v.size());
   w.head(v.size()) = primary_factor(contact).solve(
       v - contact.v_prescribed(contact.primary) - from_opposite);
   return contact.to_kept * w;

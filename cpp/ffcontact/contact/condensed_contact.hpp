@@ -112,6 +112,11 @@ CondensedContact with_loads(CondensedContact contact,
                             const CondensedStiffness& stiffness,
                             const VectorXd& load, const VectorXd& v_prescribed);
 
+/// w_o of the opposite components for v on the primary rows and multipliers q of the
+/// dependent ones.
+VectorXd opposite_displacement(const CondensedContact& contact,
+                               const VectorXd& v, const VectorXd& q);
+
 /// Displacement of the kept dofs that has the given v on the primary rows under the
 /// multipliers q of the dependent rows [kept].
 VectorXd kept_displacement(const CondensedContact& contact, const VectorXd& v,

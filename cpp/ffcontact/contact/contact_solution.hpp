@@ -28,6 +28,9 @@ struct ContactSettings {
   std::vector<ContactState> initial_state;
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
+  /// free dofs from which on a solid that prescribed displacements hold is factored in
+  /// single precision, and its answer corrected
+  int single_precision_from = 30000;
   /// told of the factorisation and of every step, with its violation; of a solid of none
   ProgressReport report{};
 };

@@ -21,16 +21,6 @@ VectorXd contact_load(const ContactLine& line, const ContactLaw& law,
       answer.displacement.size());
 }
 
-/// b + contact forces - K u on the free dofs.
-VectorXd residual(const ElasticSystem& system, const VectorXd& u,
-                  const VectorXd& contact) {
-  VectorXd residual =
-      system.load + contact - system.stiffness * (u - system.prescribed_value);
-  for (Index dof = 0; dof < residual.size(); ++dof)
-    if (system.prescribed[dof]) residual[dof] = 0;
-  return residual;
-}
-
 /// Of the loads and contact forces on a free dof.
 double largest_force(const ElasticSystem& system, const VectorXd& contact) {
   double largest = 0;
@@ -76,10 +66,19 @@ Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
       .reshaped(2, line.node_count());
 }
 
+VectorXd force_residual(const ElasticSystem& system, const VectorXd& u,
+                        const VectorXd& contact) {
+  VectorXd residual =
+      system.load + contact - system.stiffness * (u - system.prescribed_value);
+  for (Index dof = 0; dof < residual.size(); ++dof)
+    if (system.prescribed[dof]) residual[dof] = 0;
+  return residual;
+}
+
 double equilibrium_defect(const ElasticSystem& system,
                           const VectorXd& displacement,
                           const VectorXd& contact_load, double apart) {
-  const VectorXd r = residual(system, displacement, contact_load);
+  const VectorXd r = force_residual(system, displacement, contact_load);
   const double forces = largest_force(system, contact_load);
   double defect = 0;
   for (Index dof = 0; dof < r.size(); ++dof) {
@@ -106,7 +105,7 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
                    const std::vector<ContactState>& state,
                    const BodyAnswer& answer) {
   const VectorXd forces = contact_load(line, law, contact.held, answer);
-  const VectorXd load = residual(system, answer.displacement, forces);
+  const VectorXd load = force_residual(system, answer.displacement, forces);
   const VectorXd v =
       held_displacement(line, law, contact.held, state, answer.displacement);
   const CondensedContact correction = with_loads(contact, stiffness, load, v);

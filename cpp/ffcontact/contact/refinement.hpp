@@ -17,6 +17,11 @@ struct BodyAnswer {
 Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
                           const VectorXd& P);
 
+/// b + contact forces - K u on the free dofs, 0 on the others.
+VectorXd force_residual(const ElasticSystem& system,
+                        const VectorXd& displacement,
+                        const VectorXd& contact_load);
+
 /// |K u - b - contact forces| on the free dofs, relative to the largest load or force,
 /// or, dof by dof, to 1e-4 of the terms that its row adds up, sum_j |K_ij| (|u_j| + d),
 /// with d (apart) the largest gap or previous displacement. The latter is what rounding asks for:

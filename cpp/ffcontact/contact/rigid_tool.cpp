@@ -49,14 +49,6 @@ ContactLaw against_moved(ContactLaw law, const Matrix2Xd& z) {
   return law;
 }
 
-/// w_o of an answer.
-VectorXd opposite_components(const CondensedContact& contact,
-                             const ActiveSetResult& answer) {
-  return contact.opposite_offset +
-         contact.opposite_of_v * answer.v(contact.primary) +
-         contact.opposite_of_q * answer.P(contact.dependent);
-}
-
 }  // namespace
 
 Matrix2Xd tool_components(const Mesh& mesh, const ContactLine& line,
@@ -97,7 +89,9 @@ ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
 
   // 2. The body against the moved foundation.
   ToolSolution result;
-  result.motion = tool.free * opposite_components(contact, answer);
+  result.motion =
+      tool.free * opposite_displacement(contact, answer.v(contact.primary),
+                                        answer.P(contact.dependent));
   result.law =
       against_moved(law, tool_components(mesh, line, tool, result.motion));
   next.initial_state = answer.state;

@@ -12,8 +12,6 @@ namespace ffcontact {
 
 namespace {
 
-/// Violations below this are rounding.
-constexpr double least_violation = 1e-13;
 /// Full steps that may fail to, before steps are shortened.
 constexpr int most_full_steps = 5;
 constexpr double smallest_step = 1e-3;
@@ -37,13 +35,15 @@ void put_into_law(const NodalLaw& law, const std::vector<char>& held,
 class Newton {
  public:
   Newton(const CondensedContact& contact, const NodalLaw& law,
-         const std::vector<char>& held, const NewtonSettings& settings)
+         const std::vector<char>& held, RefinedSolver& solver,
+         const NewtonSettings& settings)
       : contact_(contact),
         law_(law),
         held_(held),
         settings_(settings),
         map_(contact, held),
-        states_(law.node_count()) {
+        states_(law.node_count()),
+        solver_(solver) {
     rows_.P = rows_.v = VectorXd::Zero(contact.position.size());
     result_.violation = infinity;
   }
@@ -51,6 +51,17 @@ class Newton {
   ActiveSetResult result(const std::vector<ContactState>& start) && {
     for (std::size_t i = 0; i < states_.size(); ++i)
       states_[i] = node_state(law_.cone[i], start[i]);
+    return run();
+  }
+
+  ActiveSetResult result(const ContactRows& near) && {
+    rows_ = near;
+    put_states();
+    return run();
+  }
+
+ private:
+  ActiveSetResult run() {
     while (!ends()) {
     }
     if (result_.violation <= settings_.tolerance)
@@ -60,7 +71,13 @@ class Newton {
     return std::move(result_);
   }
 
- private:
+  /// Those of the last rows.
+  void put_states() {
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      states_[i] =
+          node_state(law_.cone[i], map_.tau(rows_, static_cast<int>(i)));
+  }
+
   bool ends() {
     if (result_.iterations >= settings_.max_iterations) return true;
     ++result_.iterations;
@@ -75,11 +92,9 @@ class Newton {
                gains = violation < wanted_violation();
     if (better || result_.iterations == 1) keep(violation);
     failures_ = gains ? 0 : failures_ + 1;
-    if (violation <= least_violation) return true;
+    if (violation <= settings_.enough) return true;
     result_.status = loose ? ContactStatus::singular : ContactStatus::cycled;
-    for (std::size_t i = 0; i < states_.size(); ++i)
-      states_[i] =
-          node_state(law_.cone[i], map_.tau(rows_, static_cast<int>(i)));
+    put_states();
     return failures_ > (result_.violation <= settings_.tolerance
                             ? patience_with_rounding
                             : patience);
@@ -123,8 +138,8 @@ class Newton {
   const NewtonSettings settings_;
   const NaturalMap map_;
   std::vector<NodeState> states_;
+  RefinedSolver& solver_;
   ContactRows rows_;
-  RefinedSolver solver_;
   ActiveSetResult result_;
   int failures_ = 0;
 };
@@ -145,7 +160,16 @@ ActiveSetResult surface_newton(const CondensedContact& contact,
                                const std::vector<char>& held,
                                const std::vector<ContactState>& state,
                                const NewtonSettings& settings) {
-  return Newton(contact, law, held, settings).result(state);
+  RefinedSolver solver;
+  return Newton(contact, law, held, solver, settings).result(state);
+}
+
+ActiveSetResult surface_newton(const CondensedContact& contact,
+                               const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const ContactRows& near, RefinedSolver& solver,
+                               const NewtonSettings& settings) {
+  return Newton(contact, law, held, solver, settings).result(near);
 }
 
 }  // namespace ffcontact

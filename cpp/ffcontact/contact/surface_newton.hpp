@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/refined_solver.hpp"
 #include "ffcontact/contact/active_set.hpp"
 
 namespace ffcontact {
@@ -19,7 +20,7 @@ namespace ffcontact {
 /// where v that are known leave the system, so that sticking bodies cost nothing. Rows
 /// that are held have no force and no condition.
 ///
-/// Ends when the violation is no more than rounding, or no longer falls below the
+/// Ends when the violation is enough, by default no more than rounding, or no longer falls below the
 /// tolerance; as cycled when thirty steps have not lowered it.
 /// @param held   of surface_trace [3 p]
 /// @param state  first guess, a slip without direction sticks [p]
@@ -28,6 +29,14 @@ ActiveSetResult surface_newton(const CondensedContact& contact,
                                const NodalLaw& law,
                                const std::vector<char>& held,
                                const std::vector<ContactState>& state,
+                               const NewtonSettings& settings = {});
+
+/// The same from P and v of a problem nearby.
+/// @param solver  of its steps
+ActiveSetResult surface_newton(const CondensedContact& contact,
+                               const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const ContactRows& near, RefinedSolver& solver,
                                const NewtonSettings& settings = {});
 
 /// surface_violation of an answer, relative to law_scales.

@@ -2,20 +2,26 @@
 #include "ffcontact/contact/surface_solution.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_fixed_point.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 #include "ffcontact/contact/surface_trace.hpp"
+#include "ffcontact/elastic/rigid_motions.hpp"
 
 namespace ffcontact {
 
 namespace {
 
+/// Violation of an answer by a factor in single precision before it is corrected.
+constexpr double tolerance_to_be_corrected = 1e-6;
 /// Newton is given this many linear systems before the fixed point goes on.
 constexpr int most_newton_systems = 100;
 /// Penetrations of prescribed vertices below this part of the displacements are rounding.
@@ -56,28 +62,37 @@ ActiveSetResult newton_answer(const CondensedContact& contact,
                               const std::vector<ContactState>& start,
                               const NewtonSettings& limits) {
   const std::vector<ContactState> stick(law.node_count(), ContactState::stick);
-  ActiveSetResult best = surface_newton(
-      contact, law, held, start,
-      {std::min(most_newton_systems, limits.max_iterations), limits.tolerance});
+  ActiveSetResult best =
+      surface_newton(contact, law, held, start,
+                     {std::min(most_newton_systems, limits.max_iterations),
+                      limits.tolerance,
+                      {},
+                      limits.enough});
   const int left = limits.max_iterations - best.iterations;
   if (best.status == ContactStatus::converged || left <= 0 || start == stick)
     return best;
-  ActiveSetResult again =
-      surface_newton(contact, law, held, stick,
-                     {std::min(most_newton_systems, left), limits.tolerance});
+  ActiveSetResult again = surface_newton(contact, law, held, stick,
+                                         {std::min(most_newton_systems, left),
+                                          limits.tolerance,
+                                          {},
+                                          limits.enough});
   const int systems = best.iterations + again.iterations;
   if (again.is_better_than(best)) best = std::move(again);
   best.iterations = systems;
   return best;
 }
 
-FixedPointResult condensed_answer(const CondensedContact& contact,
-                                  const NodalLaw& law,
-                                  const std::vector<char>& held,
-                                  const ContactSettings& settings) {
+FixedPointResult surface_answer(const CondensedContact& contact,
+                                const NodalLaw& law,
+                                const std::vector<char>& held,
+                                const ContactSettings& settings,
+                                Precision precision) {
   std::vector<ContactState> start = settings.initial_state;
   if (start.empty()) start.assign(law.node_count(), ContactState::stick);
-  const NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  if (precision == Precision::single)
+    limits.tolerance = limits.enough =
+        std::max(settings.tolerance, tolerance_to_be_corrected);
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);
   FixedPointResult newton{newton_answer(contact, law, held, start, limits), {}};
@@ -108,6 +123,147 @@ void put_multipliers(const ContactSurface& surface, const SurfaceLaw& law,
                                       surface.area.cwiseInverse().asDiagonal());
 }
 
+/// The problem as it was stated, and how its surface moves.
+struct StatedSurface {
+  const ContactSurface& surface;
+  const SurfaceLaw& law;
+  const ElasticSystem& system;
+  const ContactSettings& settings;
+  const SurfaceTrace& trace;
+  const NodalLaw cones = nodal_law(law, surface);
+
+  /// Forces of the nodes on all dofs.
+  VectorXd load_of(const Matrix3Xd& force) const {
+    return nodal_load(surface, force, system.dof_count());
+  }
+  /// v of a displacement on all dofs.
+  VectorXd v_of(const VectorXd& displacement) const {
+    return trace.weight *
+           displacement_against_foundation(surface, law, displacement)
+               .reshaped();
+  }
+};
+
+/// An answer on the condensed relation, and what the whole body makes of it.
+class Answer {
+ public:
+  Answer(const StatedSurface& stated,
+         std::shared_ptr<const CondensedStiffness> stiffness)
+      : stated_(stated),
+        contact_(condensed_contact(stated.trace.trace, stated.trace.primary,
+                                   stated.system.load, *stiffness)) {
+    solution_.stiffness = std::move(stiffness);
+    solution_.displacement = stated.system.prescribed_value;
+    FixedPointResult condensed =
+        surface_answer(contact_, stated.cones, stated.trace.held,
+                       stated.settings, solution_.stiffness->precision());
+    solution_.history = std::move(condensed.history);
+    take(std::move(condensed.answer));
+  }
+
+  /// Corrects the answer of an inexact factor K~: with u the last displacement
+  ///     K~ (u' - u) = b - K u + B' P',   (P', v(u')) in the law,
+  /// so that u' = u solves the problem itself, as long as that lowers the residual.
+  void correct() {
+    constexpr int most_corrections = 20;
+    RefinedSolver solver;
+    for (int k = 0; k < most_corrections && is_inaccurate(); ++k) {
+      const SurfaceSolution last = solution_;
+      const ContactRows rows{condensed_.P, condensed_.v};
+      contact_ = with_loads(
+          std::move(contact_), *solution_.stiffness,
+          force_residual(stated_.system, solution_.displacement, no_forces()),
+          stated_.v_of(solution_.displacement));
+      take(surface_newton(contact_, stated_.cones, stated_.trace.held, rows,
+                          solver, limits()));
+      solution_.iterations += last.iterations;
+      if (solution_.residual < last.residual / least_gain) continue;
+      solution_ = last;
+      return;
+    }
+  }
+
+  SurfaceSolution solution() && { return std::move(solution_); }
+
+ private:
+  /// Of a residual by a correction.
+  static constexpr double least_gain = 2;
+
+  VectorXd no_forces() const {
+    return VectorXd::Zero(stated_.system.dof_count());
+  }
+  NewtonSettings limits() const {
+    return {most_newton_systems,
+            stated_.settings.tolerance,
+            {},
+            beside_tolerance()};
+  }
+  /// Nothing beside what is asked for.
+  double beside_tolerance() const { return 1e-2 * stated_.settings.tolerance; }
+  bool is_inaccurate() const { return solution_.residual > beside_tolerance(); }
+
+  void take(ActiveSetResult answer) {
+    condensed_ = std::move(answer);
+    solution_.iterations = condensed_.iterations;
+    solution_.state = condensed_.state;
+    const VectorXd kept =
+        kept_displacement(contact_, condensed_.v(contact_.primary),
+                          condensed_.P(contact_.dependent));
+    solution_.displacement +=
+        solution_.stiffness->extended(contact_.load, kept);
+    put_multipliers(stated_.surface, stated_.law, stated_.trace, condensed_.P,
+                    solution_);
+    judge();
+  }
+
+  /// What the theory promises, measured.
+  void judge() {
+    const auto& [surface, law, system, settings, trace, cones] = stated_;
+    const VectorXd& u = solution_.displacement;
+    solution_.residual =
+        equilibrium_defect(system, u, stated_.load_of(solution_.force),
+                           largest_displacement(law, VectorXd::Zero(1)));
+    LawScales scales = law_scales(contact_, condensed_.v);
+    scales.v = std::max(
+        scales.v, largest_weight(law, surface) * largest_displacement(law, u));
+    solution_.complementarity =
+        surface_violation(cones, condensed_.P, stated_.v_of(u), scales);
+    solution_.status =
+        judged_status(condensed_.status, solution_.complementarity,
+                      solution_.residual, settings.tolerance);
+  }
+
+  const StatedSurface& stated_;
+  CondensedContact contact_;
+  ActiveSetResult condensed_;
+  SurfaceSolution solution_;
+};
+
+/// Single precision where it pays and prescribed displacements hold the body.
+bool takes_single_precision(const SolidMesh& mesh, const ElasticSystem& system,
+                            const ContactSettings& settings) {
+  const auto free_dofs =
+      std::count(system.prescribed.begin(), system.prescribed.end(), 0);
+  return settings.solver == ContactSolver::newton &&
+         free_dofs >= settings.single_precision_from &&
+         free_rigid_motions(mesh, system.prescribed).cols() == 0;
+}
+
+/// Nothing where single precision is not enough.
+std::optional<SurfaceSolution> roughly_factored_solution(
+    const StatedSurface& stated) {
+  try {
+    Answer answer(
+        stated, prepared_stiffness(stated.trace.trace.kept_dofs, stated.system,
+                                   stated.settings, Precision::single));
+    answer.correct();
+    SurfaceSolution solution = std::move(answer).solution();
+    if (solution.accepted(stated.settings)) return solution;
+  } catch (const std::runtime_error&) {
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 SurfaceSolution solve_contact(const SolidMesh& mesh,
@@ -116,50 +272,22 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
                               const ElasticSystem& system,
                               const ContactSettings& settings) {
   require_sound(mesh, surface, law, system, settings);
-  SurfaceTrace trace = surface_trace(surface, law, system);
+  const SurfaceTrace trace = surface_trace(surface, law, system);
   require_clear(mesh, surface, law, system, trace.held);
-
-  // 1. The body as the surface sees it, P = S v - g.
-  SurfaceSolution solution;
-  solution.stiffness = settings.stiffness;
-  if (!solution.stiffness)
-    solution.stiffness = std::make_shared<const CondensedStiffness>(
-        system, trace.trace.kept_dofs);
-  const CondensedStiffness& stiffness = *solution.stiffness;
-  const CondensedContact contact = condensed_contact(
-      std::move(trace.trace), trace.primary, system.load, stiffness);
-
-  // 2. The law.
-  const NodalLaw cones = nodal_law(law, surface);
-  FixedPointResult condensed =
-      condensed_answer(contact, cones, trace.held, settings);
-  const ActiveSetResult& answer = condensed.answer;
-  solution.iterations = answer.iterations;
-  solution.history = std::move(condensed.history);
-  solution.state = answer.state;
-
-  // 3. Back to the whole body.
-  const VectorXd kept = kept_displacement(contact, answer.v(contact.primary),
-                                          answer.P(contact.dependent));
-  solution.displacement =
-      stiffness.extended(contact.load, kept) + system.prescribed_value;
-  put_multipliers(surface, law, trace, answer.P, solution);
-
-  // 4. What the theory promises, measured.
-  const VectorXd& u = solution.displacement;
-  solution.residual = equilibrium_defect(
-      system, u, nodal_load(surface, solution.force, u.size()),
-      largest_displacement(law, VectorXd::Zero(1)));
-  const VectorXd v =
-      trace.weight *
-      displacement_against_foundation(surface, law, u).reshaped();
-  LawScales scales = law_scales(contact, answer.v);
-  scales.v = std::max(
-      scales.v, largest_weight(law, surface) * largest_displacement(law, u));
-  solution.complementarity = surface_violation(cones, answer.P, v, scales);
-  solution.status = judged_status(answer.status, solution.complementarity,
-                                  solution.residual, settings.tolerance);
-  return solution;
+  const StatedSurface stated{surface, law, system, settings, trace};
+  const bool is_rough =
+      settings.stiffness ? settings.stiffness->precision() == Precision::single
+                         : takes_single_precision(mesh, system, settings);
+  if (is_rough)
+    if (std::optional<SurfaceSolution> solution =
+            roughly_factored_solution(stated))
+      return *std::move(solution);
+  ContactSettings full = settings;
+  if (is_rough) full.stiffness = nullptr;
+  const StatedSurface exactly{surface, law, system, full, trace};
+  return Answer(exactly,
+                prepared_stiffness(trace.trace.kept_dofs, system, full))
+      .solution();
 }
 
 }  // namespace ffcontact

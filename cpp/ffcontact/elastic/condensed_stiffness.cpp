@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/elimination_order.hpp"
@@ -100,13 +103,37 @@ struct Eliminated {
   }
 };
 
-PartialCholesky factorised(const SparseMatrix& lower, int kept) {
-  PartialCholesky factor(lower, kept);
-  if (factor.reciprocal_condition() < 1e-15)
+using AnyCholesky =
+    std::variant<PartialCholesky<double>, PartialCholesky<float>>;
+
+template <class Scalar>
+PartialCholesky<Scalar> regular_factor(const SparseMatrix& lower, int kept) {
+  PartialCholesky<Scalar> factor(lower, kept);
+  constexpr double least = std::is_same_v<Scalar, double> ? 1e-15 : 1e-6;
+  if (factor.reciprocal_condition() < least)
     throw std::runtime_error(
         "the stiffness matrix is singular: a part of the body is held neither "
         "by prescribed displacements nor by contact");
   return factor;
+}
+
+AnyCholesky factorised(const SparseMatrix& lower, int kept,
+                       Precision precision) {
+  if (precision == Precision::full) return regular_factor<double>(lower, kept);
+  return regular_factor<float>(lower, kept);
+}
+
+/// S, taken out of the factor.
+MatrixXd schur_of(AnyCholesky& factor) {
+  return std::visit(
+      [](auto& own) -> MatrixXd {
+        auto S = own.take_schur();
+        if constexpr (std::is_same_v<decltype(S), MatrixXd>)
+          return S;
+        else
+          return S.template cast<double>();
+      },
+      factor);
 }
 
 }  // namespace
@@ -128,18 +155,19 @@ struct CondensedStiffness::Factor {
   std::vector<int>
       order;  ///< the free dofs as they are eliminated, the kept ones last
   std::vector<int> place;  ///< of each dof in it; -1 where prescribed
-  PartialCholesky cholesky;
+  AnyCholesky cholesky;
   MatrixXd schur;
 
-  Factor(const ElasticSystem& system, const std::vector<int>& kept_dofs)
+  Factor(const ElasticSystem& system, const std::vector<int>& kept_dofs,
+         Precision precision)
       : kept(kept_dofs),
         scale(inverse_roots(system)),
         order(elimination_order(system, kept)),
         place(places(order, system.prescribed.size())),
         cholesky(factorised(
             Eliminated{system.stiffness, order, place, scale}.lower_triangle(),
-            static_cast<int>(kept.size()))),
-        schur(cholesky.take_schur()) {
+            static_cast<int>(kept.size()), precision)),
+        schur(schur_of(cholesky)) {
     const VectorXd R = scale(kept);
     for (Index j = 0; j < kept_count(); ++j)
       schur.col(j).array() /= R.array() * R[j];
@@ -155,13 +183,17 @@ struct CondensedStiffness::Factor {
   /// L^-1 R b on the free dofs in elimination order; R g on the kept ones.
   VectorXd forward(const Ref<const VectorXd>& load) const {
     require_size("load", load.size(), scale.size());
-    return cholesky.half_solve(scale(order).cwiseProduct(load(order)));
+    const VectorXd b = scale(order).cwiseProduct(load(order));
+    return std::visit([&b](const auto& L) { return L.half_solve(b); },
+                      cholesky);
   }
 
   /// R L'^-1 y on all dofs, 0 on prescribed ones.
   VectorXd backward(const VectorXd& y) const {
     VectorXd u = VectorXd::Zero(scale.size());
-    u(order) = scale(order).cwiseProduct(cholesky.other_half_solve(y));
+    const VectorXd x = std::visit(
+        [&y](const auto& L) { return L.other_half_solve(y); }, cholesky);
+    u(order) = scale(order).cwiseProduct(x);
     return u;
   }
 };
@@ -177,13 +209,21 @@ const std::vector<int>& checked(const ElasticSystem& system,
 }  // namespace
 
 CondensedStiffness::CondensedStiffness(const ElasticSystem& system,
-                                       const std::vector<int>& kept)
-    : factor_(std::make_unique<Factor>(system, checked(system, kept))) {}
+                                       const std::vector<int>& kept,
+                                       Precision precision)
+    : factor_(
+          std::make_unique<Factor>(system, checked(system, kept), precision)) {}
 
 CondensedStiffness::~CondensedStiffness() = default;
 CondensedStiffness::CondensedStiffness(CondensedStiffness&&) noexcept = default;
 CondensedStiffness& CondensedStiffness::operator=(
     CondensedStiffness&&) noexcept = default;
+
+Precision CondensedStiffness::precision() const {
+  return std::holds_alternative<PartialCholesky<double>>(factor_->cholesky)
+             ? Precision::full
+             : Precision::single;
+}
 
 const MatrixXd& CondensedStiffness::schur() const { return factor_->schur; }
 

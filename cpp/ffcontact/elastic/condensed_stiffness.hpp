@@ -14,6 +14,9 @@ namespace ffcontact {
 ///                                copies that contact works with, takes more than half
 void require_room_for_schur(int kept, double memory);
 
+/// What a factor is computed and kept in.
+enum class Precision { full, single };
+
 /// The stiffness of a body seen from a few kept dofs c (those of the contact line), by
 /// one sparse factorisation.
 ///
@@ -24,6 +27,10 @@ void require_room_for_schur(int kept, double memory);
 /// motions. What is factored is R K R with R = diag(K)^-1/2: units, and materials or
 /// triangles that differ by any factor, do not count as singular. The interior is ordered
 /// by METIS on the graph of vertices, not of dofs.
+///
+/// In single precision it takes half the time and half the memory, and is that of a matrix
+/// that differs from K by rounding: what it gives is corrected by the residuals of K
+/// itself (inexact_contact, Rebalancing).
 class CondensedStiffness {
  public:
   /// A load after elimination of the interior, for one use of the factor's first half.
@@ -37,11 +44,14 @@ class CondensedStiffness {
   /// @throws std::invalid_argument  if a kept dof is prescribed or out of range, or by
   ///                                require_room_for_schur
   /// @throws std::runtime_error     if K_ii is not positive definite: a part of the body
-  ///                                is held by nothing
-  CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept);
+  ///                                is held by nothing, or, in single precision, nearly
+  CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept,
+                     Precision precision = Precision::full);
   ~CondensedStiffness();
   CondensedStiffness(CondensedStiffness&&) noexcept;
   CondensedStiffness& operator=(CondensedStiffness&&) noexcept;
+
+  Precision precision() const;
 
   /// S [kept x kept].
   const MatrixXd& schur() const;

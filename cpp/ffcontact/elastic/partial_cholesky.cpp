@@ -4,22 +4,15 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "ffcontact/base/blas.hpp"
 #include "ffcontact/base/serial_blas.hpp"
 #include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/elastic/panel.hpp"
 #include "ffcontact/elastic/subtrees.hpp"
-
-extern "C" {
-void dpotrf_(const char* triangle, const int* n, double* a, const int* stride,
-             int* info);
-void dtrsm_(const char* side, const char* triangle, const char* transpose,
-            const char* diagonal, const int* rows, const int* columns,
-            const double* alpha, const double* a, const int* stride_of_a,
-            double* b, const int* stride_of_b);
-}
 
 namespace ffcontact {
 
@@ -34,22 +27,26 @@ constexpr double subtree_share = 0.125;
 constexpr double least_shared_work = 1e8;
 
 /// What a thread needs for itself.
+template <class Scalar>
 struct Workspace {
-  VectorXd product;
+  Matrix<Scalar, Dynamic, 1> product;
   std::vector<int> place;
 };
 
 }  // namespace
 
-struct PartialCholesky::Factor {
+template <class Scalar>
+struct PartialCholesky<Scalar>::Factor {
+  using Work = std::vector<Workspace<Scalar>>;
+
   int eliminated, kept;
   Supernodes nodes;
   std::vector<std::size_t> start;  ///< of the values of each supernode
   /// of the supernodes, each [rows x columns]
-  std::unique_ptr<double[]> values;
+  std::unique_ptr<Scalar[]> values;
   /// those that have rows among the columns of each, ascending; of S the last
   std::vector<std::vector<int>> descendants;
-  MatrixXd schur;
+  Square schur;
 
   Factor(const SparseMatrix& lower, int kept_columns)
       : eliminated(static_cast<int>(lower.cols()) - kept_columns),
@@ -62,7 +59,7 @@ struct PartialCholesky::Factor {
   }
 
   int size() const { return eliminated + kept; }
-  double* values_of(int s) const { return values.get() + start[s]; }
+  Scalar* values_of(int s) const { return values.get() + start[s]; }
 
   /// Each page is first touched by the thread that fills it.
   void allocate() {
@@ -71,7 +68,7 @@ struct PartialCholesky::Factor {
       start.push_back(start.back() +
                       static_cast<std::size_t>(nodes.row_count(s)) *
                           nodes.column_count(s));
-    values.reset(new double[start.back()]);
+    values.reset(new Scalar[start.back()]);
   }
 
   void find_descendants() {
@@ -100,8 +97,8 @@ struct PartialCholesky::Factor {
   void factorise(const SparseMatrix& lower) {
     const int threads = thread_count();
     const Subtrees tree = subtrees(nodes, subtree_share / threads);
-    std::vector<Workspace> work(threads);
-    for (Workspace& own : work) {
+    Work work(threads);
+    for (Workspace<Scalar>& own : work) {
       own.product.resize(largest_product());
       own.place.resize(size());
     }
@@ -124,12 +121,12 @@ struct PartialCholesky::Factor {
   }
 
   void factorise_subtrees(const SparseMatrix& lower, const Subtrees& tree,
-                          std::vector<Workspace>& work) {
+                          Work& work) {
     const SerialBlas serial;
     const int count = static_cast<int>(tree.supernodes.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
     for (int k = 0; k < count; ++k) {
-      Workspace& own = work[omp_get_thread_num()];
+      Workspace<Scalar>& own = work[omp_get_thread_num()];
       for (int s : tree.supernodes[k]) {
         assemble(lower, s);
         put_places(s, own.place);
@@ -141,8 +138,7 @@ struct PartialCholesky::Factor {
   }
 
   /// The columns are shared.
-  void factorise_above(const SparseMatrix& lower, int s,
-                       std::vector<Workspace>& work) {
+  void factorise_above(const SparseMatrix& lower, int s, Work& work) {
     assemble(lower, s);
     put_places(s, work[0].place);
     {
@@ -155,11 +151,11 @@ struct PartialCholesky::Factor {
     factorise_block(s);
   }
 
-  void compute_schur(const SparseMatrix& lower, std::vector<Workspace>& work) {
-    schur = MatrixXd::Zero(kept, kept);
+  void compute_schur(const SparseMatrix& lower, Work& work) {
+    schur = Square::Zero(kept, kept);
     for (int j = 0; j < kept; ++j)
       for (SparseMatrix::InnerIterator e(lower, eliminated + j); e; ++e)
-        schur(e.row() - eliminated, j) = e.value();
+        schur(e.row() - eliminated, j) = static_cast<Scalar>(e.value());
     for (int row = eliminated; row < size(); ++row)
       work[0].place[row] = row - eliminated;
     {
@@ -175,12 +171,13 @@ struct PartialCholesky::Factor {
   /// The columns of A.
   void assemble(const SparseMatrix& lower, int s) {
     const int *rows = nodes.begin_of_rows(s), *end = nodes.end_of_rows(s);
-    double* column = values_of(s);
-    std::fill(column, values_of(s + 1), 0.0);
+    Scalar* column = values_of(s);
+    std::fill(column, values_of(s + 1), Scalar(0));
     for (int j = 0; j < nodes.column_count(s); ++j, column += end - rows)
       for (SparseMatrix::InnerIterator e(lower, nodes.first_column[s] + j); e;
            ++e)
-        column[std::lower_bound(rows, end, e.row()) - rows] = e.value();
+        column[std::lower_bound(rows, end, e.row()) - rows] =
+            static_cast<Scalar>(e.value());
   }
 
   void put_places(int s, std::vector<int>& place) const {
@@ -190,8 +187,8 @@ struct PartialCholesky::Factor {
       place[*row] = next++;
   }
 
-  Panel panel_of(int s, int first, int most,
-                 const std::vector<int>& place) const {
+  Panel<Scalar> panel_of(int s, int first, int most,
+                         const std::vector<int>& place) const {
     const int stride = nodes.row_count(s),
               width = std::min(most, nodes.column_count(s) - first),
               column = nodes.first_column[s] + first;
@@ -200,25 +197,27 @@ struct PartialCholesky::Factor {
             place.data()};
   }
 
-  Panel schur_panel(int first, const std::vector<int>& place) {
+  Panel<Scalar> schur_panel(int first, const std::vector<int>& place) {
     const int width = std::min(schur_width, kept - first),
               column = eliminated + first;
     return {column, column + width, &schur(0, first), kept, place.data()};
   }
 
   /// - L_d L_d' of all descendants d; above the diagonal it leaves what nothing reads.
-  void subtract_products(int s, const Panel& panel, VectorXd& product) const {
+  void subtract_products(int s, const Panel<Scalar>& panel,
+                         Matrix<Scalar, Dynamic, 1>& product) const {
     for (int d : descendants[s]) {
       const int *rows = nodes.rows_below(d), *end = nodes.end_of_rows(d),
                 *first = std::lower_bound(rows, end, panel.first),
                 *last = std::lower_bound(first, end, panel.end);
       if (first == last) continue;
-      const FactorRows L{values_of(d) + (first - nodes.begin_of_rows(d)),
-                         nodes.row_count(d),
-                         nodes.column_count(d),
-                         first,
-                         static_cast<int>(end - first),
-                         static_cast<int>(last - first)};
+      const FactorRows<Scalar> L{
+          values_of(d) + (first - nodes.begin_of_rows(d)),
+          nodes.row_count(d),
+          nodes.column_count(d),
+          first,
+          static_cast<int>(end - first),
+          static_cast<int>(last - first)};
       subtract_product(L, panel, product);
     }
   }
@@ -227,71 +226,107 @@ struct PartialCholesky::Factor {
   void factorise_block(int s) {
     const int n = nodes.column_count(s), stride = nodes.row_count(s),
               rows = stride - n;
-    double* L = values_of(s);
+    Scalar* L = values_of(s);
     int info = 0;
-    dpotrf_("L", &n, L, &stride, &info);
-    const double one = 1;
+    Blas<Scalar>::potrf("L", &n, L, &stride, &info);
+    const Scalar one = 1;
     if (info != 0)
       L[0] = 0;
     else if (rows > 0)
-      dtrsm_("R", "L", "T", "N", &rows, &n, &one, L, &stride, L + n, &stride);
+      Blas<Scalar>::trsm("R", "L", "T", "N", &rows, &n, &one, L, &stride, L + n,
+                         &stride);
   }
 
-  using Block = Map<const MatrixXd>;
+  using Block = Map<const Square>;
   Block block(int s) const {
     return {values_of(s), nodes.row_count(s), nodes.column_count(s)};
   }
 };
 
-PartialCholesky::PartialCholesky(const SparseMatrix& lower, int kept)
+template <class Scalar>
+PartialCholesky<Scalar>::PartialCholesky(const SparseMatrix& lower, int kept)
     : factor_(std::make_unique<Factor>(lower, kept)) {}
 
-PartialCholesky::~PartialCholesky() = default;
-PartialCholesky::PartialCholesky(PartialCholesky&&) noexcept = default;
-PartialCholesky& PartialCholesky::operator=(PartialCholesky&&) noexcept =
-    default;
+template <class Scalar>
+PartialCholesky<Scalar>::~PartialCholesky() = default;
+template <class Scalar>
+PartialCholesky<Scalar>::PartialCholesky(PartialCholesky&&) noexcept = default;
+template <class Scalar>
+PartialCholesky<Scalar>& PartialCholesky<Scalar>::operator=(
+    PartialCholesky&&) noexcept = default;
 
-double PartialCholesky::reciprocal_condition() const {
+template <class Scalar>
+double PartialCholesky<Scalar>::reciprocal_condition() const {
   double least = 1, largest = 1;
   for (int s = 0; s < factor_->nodes.count(); ++s) {
     const auto diagonal = factor_->block(s).diagonal();
     if (!diagonal.allFinite()) return 0;
-    least = s == 0 ? diagonal.minCoeff() : std::min(least, diagonal.minCoeff());
-    largest =
-        s == 0 ? diagonal.maxCoeff() : std::max(largest, diagonal.maxCoeff());
+    const double low = diagonal.minCoeff(), high = diagonal.maxCoeff();
+    least = s == 0 ? low : std::min(least, low);
+    largest = s == 0 ? high : std::max(largest, high);
   }
   const double ratio = std::max(least, 0.0) / largest;
   return ratio * ratio;
 }
 
-MatrixXd PartialCholesky::take_schur() { return std::move(factor_->schur); }
+template <class Scalar>
+typename PartialCholesky<Scalar>::Square PartialCholesky<Scalar>::take_schur() {
+  return std::move(factor_->schur);
+}
 
-VectorXd PartialCholesky::half_solve(VectorXd b) const {
+namespace {
+
+/// A power of 2 by which numbers of any size become such as single precision has.
+double scale_of(const VectorXd& x) {
+  const double largest = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
+  return largest > 0 && std::isfinite(largest)
+             ? std::exp2(std::floor(std::log2(largest)))
+             : 1;
+}
+
+}  // namespace
+
+template <class Scalar>
+VectorXd PartialCholesky<Scalar>::half_solve(const VectorXd& right) const {
   const Supernodes& nodes = factor_->nodes;
+  const double scale = scale_of(right);
+  VectorXd b = right / scale;
   for (int s = 0; s < nodes.count(); ++s) {
     const auto L = factor_->block(s);
     const Index n = L.cols(), below = L.rows() - n;
-    auto x = b.segment(nodes.first_column[s], n);
-    L.topRows(n).triangularView<Eigen::Lower>().solveInPlace(x);
-    const VectorXd product = L.bottomRows(below) * x;
+    auto own = b.segment(nodes.first_column[s], n);
+    Column x = own.template cast<Scalar>();
+    L.topRows(n).template triangularView<Eigen::Lower>().solveInPlace(x);
+    own = x.template cast<double>();
+    const Column product = L.bottomRows(below) * x;
     const int* row = nodes.rows_below(s);
     for (Index i = 0; i < below; ++i) b[row[i]] -= product[i];
   }
-  return b;
+  return scale * b;
 }
 
-VectorXd PartialCholesky::other_half_solve(VectorXd y) const {
+template <class Scalar>
+VectorXd PartialCholesky<Scalar>::other_half_solve(
+    const VectorXd& right) const {
   const Supernodes& nodes = factor_->nodes;
+  const double scale = scale_of(right);
+  Column y = (right / scale).template cast<Scalar>();
   for (int s = nodes.count() - 1; s >= 0; --s) {
     const auto L = factor_->block(s);
     const Index n = L.cols(), below = L.rows() - n;
     const Map<const VectorXi> rows(nodes.rows_below(s), below);
     auto x = y.segment(nodes.first_column[s], n);
-    const VectorXd known = y(rows);
+    const Column known = y(rows);
     x.noalias() -= L.bottomRows(below).transpose() * known;
-    L.topRows(n).transpose().triangularView<Eigen::Upper>().solveInPlace(x);
+    L.topRows(n)
+        .transpose()
+        .template triangularView<Eigen::Upper>()
+        .solveInPlace(x);
   }
-  return y;
+  return scale * y.template cast<double>();
 }
+
+template class PartialCholesky<double>;
+template class PartialCholesky<float>;
 
 }  // namespace ffcontact

@@ -15,8 +15,13 @@ namespace ffcontact {
 /// Supernodal and left-looking, as CHOLMOD's, in dense blocks by BLAS. Every entry is
 /// computed in the same order whatever the number of threads. The threads of OpenMP share
 /// the subtrees of the elimination tree; above them, and in S, the columns.
+/// @tparam Scalar  double, or float: half the time and the memory, for what is refined
+template <class Scalar>
 class PartialCholesky {
  public:
+  using Square = Matrix<Scalar, Dynamic, Dynamic>;
+  using Column = Matrix<Scalar, Dynamic, 1>;
+
   /// @param lower  the lower triangle of A, rows of a column in any order
   /// @param kept   size of S
   PartialCholesky(const SparseMatrix& lower, int kept);
@@ -27,10 +32,11 @@ class PartialCholesky {
   /// (min L_jj / max L_jj)^2 of L_ii, 0 where A_ii is not positive definite.
   double reciprocal_condition() const;
   /// S, which is handed over [kept x kept].
-  MatrixXd take_schur();
+  Square take_schur();
 
-  VectorXd half_solve(VectorXd b) const;        ///< L^-1 b
-  VectorXd other_half_solve(VectorXd y) const;  ///< L'^-1 y
+  /// L^-1 b; sums are in double precision, so that what stays of b_c has its own rounding
+  VectorXd half_solve(const VectorXd& right) const;
+  VectorXd other_half_solve(const VectorXd& right) const;  ///< L'^-1 y
 
  private:
   struct Factor;

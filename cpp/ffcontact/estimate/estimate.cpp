@@ -7,9 +7,9 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/estimate/compared.hpp"
-#include "ffcontact/estimate/data_defect.hpp"
 #include "ffcontact/estimate/error_history.hpp"
 #include "ffcontact/estimate/first_tractions.hpp"
+#include "ffcontact/estimate/law_of_matrix.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
 

@@ -81,7 +81,7 @@ struct Estimate {
 /// nowhere against Tresca's friction, have none: sigma_hat = 0, r_hat = 0, and e is that
 /// of u_hat - u, which is 0 but where u penetrates.
 /// @param system  the stiffness and the prescribed dofs u_h was computed with
-/// @throws std::invalid_argument  for input that does not fit (see data_defect.hpp), or
+/// @throws std::invalid_argument  for input that does not fit (see law_of_matrix.hpp), or
 ///                                where no tractions in the cone hold the body
 /// @throws std::runtime_error     if a part of the body is held by nothing
 Estimate estimate_error(const Topology& topology, const ContactLine& line,

@@ -12,7 +12,7 @@
 #include "ffcontact/equilibrium/edge_moments.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
 #include "ffcontact/estimate/balanced_stresses.hpp"
-#include "ffcontact/estimate/data_defect.hpp"
+#include "ffcontact/estimate/imbalance_cause.hpp"
 #include "ffcontact/estimate/nearest_in_cone.hpp"
 #include "ffcontact/estimate/published_tractions.hpp"
 #include "ffcontact/interface/nodal_force.hpp"

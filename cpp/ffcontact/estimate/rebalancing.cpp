@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/rebalancing.hpp"
 
+#include <utility>
+
+#include "ffcontact/base/norms.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -12,13 +16,22 @@ MatrixXd with_motions(const MatrixXd& S, const MatrixXd& Z) {
   return regular;
 }
 
+VectorXd free_part(const ElasticSystem& system, VectorXd forces) {
+  for (Index dof = 0; dof < forces.size(); ++dof)
+    if (system.prescribed[dof]) forces[dof] = 0;
+  return forces;
+}
+
 }  // namespace
 
 Rebalancing::Rebalancing(const ElasticSystem& system,
                          const std::vector<int>& contact_dofs,
                          const MatrixXd& motions,
                          std::shared_ptr<const CondensedStiffness> stiffness)
-    : stiffness_(std::move(stiffness)) {
+    : system_(system),
+      contact_dofs_(contact_dofs),
+      motions_(motions),
+      stiffness_(std::move(stiffness)) {
   if (!stiffness_)
     stiffness_ =
         std::make_shared<const CondensedStiffness>(system, contact_dofs);
@@ -26,10 +39,31 @@ Rebalancing::Rebalancing(const ElasticSystem& system,
   schur_ = DenseCholesky(with_motions(stiffness_->schur(), Z));
 }
 
-VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
+VectorXd Rebalancing::solved(const VectorXd& force_change) const {
   CondensedStiffness::Load load = stiffness_->condensed(force_change);
   const VectorXd kept = schur_.solve(load.on_kept);
   return stiffness_->extended(std::move(load), kept);
+}
+
+VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
+  constexpr int most_corrections = 10;
+  constexpr double of_rounding = 1e-14, least_gain = 4;
+  VectorXd u = solved(force_change);
+  if (stiffness_->precision() == Precision::full) return u;
+  double last = max_norm(force_change);
+  const double wanted = of_rounding * last;
+  for (int k = 0; k < most_corrections; ++k) {
+    const VectorXd left =
+        free_part(system_, force_change - system_.stiffness * u);
+    const double size = max_norm(left);
+    if (size <= wanted) return u;
+    if (!(size * least_gain <= last)) break;
+    u += solved(left);
+    last = size;
+  }
+  if (last <= 1e3 * wanted) return u;
+  return Rebalancing(system_, contact_dofs_, motions_)
+      .displacement(force_change);
 }
 
 }  // namespace ffcontact

@@ -15,7 +15,8 @@ namespace ffcontact {
 /// Where K is singular (rigid motions Z that contact alone holds) the change of forces
 /// does no work on Z, and the solution without rigid motion on the contact dofs is taken:
 /// S + Z_c Z_c' in place of S, factored once. The same balances any other small change of
-/// the nodal forces, as the rounding of u_h leaves.
+/// the nodal forces, as the rounding of u_h leaves. A factor in single precision is
+/// corrected by the residuals of K itself, and made anew in full where that fails.
 class Rebalancing {
  public:
   /// @param contact_dofs  the free dofs of the contact line or surface
@@ -26,11 +27,16 @@ class Rebalancing {
               const MatrixXd& motions,
               std::shared_ptr<const CondensedStiffness> stiffness = nullptr);
 
-  /// u* - u_h on all dofs [mm], by one back-substitution.
+  /// u* - u_h on all dofs [mm], by one back-substitution, or some in single precision.
   /// @param force_change  on all dofs [N/mm]
   VectorXd displacement(const VectorXd& force_change) const;
 
  private:
+  VectorXd solved(const VectorXd& force_change) const;
+
+  const ElasticSystem& system_;  ///< of the caller
+  std::vector<int> contact_dofs_;
+  MatrixXd motions_;
   std::shared_ptr<const CondensedStiffness> stiffness_;
   DenseCholesky schur_;  ///< S + Z_c Z_c'
 };

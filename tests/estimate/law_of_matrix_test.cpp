@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/estimate/data_defect.hpp"
+#include "ffcontact/estimate/law_of_matrix.hpp"
 
 #include <gtest/gtest.h>
 

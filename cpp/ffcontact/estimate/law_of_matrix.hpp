@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-
 #include "ffcontact/elastic/elastic_system.hpp"
-#include "ffcontact/equilibrium/nodal_residual.hpp"
-#include "ffcontact/estimate/solved_body.hpp"
+#include "ffcontact/equilibrium/boundary_springs.hpp"
 
 namespace ffcontact {
 
@@ -22,12 +19,5 @@ void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                            const BoundarySprings& springs = {});
 void require_law_of_matrix(const SolidMesh& mesh, const ElasticSystem& system,
                            const HookeTensors<3>& hooke);
-
-/// Why the stresses of u_h are not in equilibrium with the loads at a vertex, as the end
-/// of a sentence: a point support, pressures of the other multiplier, or loads that are
-/// not those of u_h.
-std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
-                     const ContactLine& line, const ElasticSystem& system,
-                     const SolvedBody& body);
 
 }  // namespace ffcontact

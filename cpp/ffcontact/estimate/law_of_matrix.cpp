@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/estimate/data_defect.hpp"
+#include "ffcontact/estimate/law_of_matrix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,8 @@
 #include <sstream>
 
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/nodal_pressures.hpp"
-#include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/elastic/inner_forces.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
-#include "ffcontact/estimate/nodal_forces.hpp"
 
 namespace ffcontact {
 
@@ -29,38 +27,11 @@ VectorXd probe(const std::vector<char>& prescribed) {
   return z;
 }
 
-/// Adds int sigma : eps(phi) over one cell.
-template <int dim>
-void add_forces(const SimplexMesh<dim>& mesh, int t,
-                const VoigtVector<dim>& stress, VectorXd& forces) {
-  const auto gradients = hat_gradients(mesh, t);
-  const double volume = signed_volume(mesh, t);
-  for (int k = 0; k <= dim; ++k) {
-    const Matrix<double, dim, 1> gradient = gradients.col(k);
-    vector_at<dim>(forces, mesh.cells(k, t)) +=
-        volume * traction(stress, gradient);
-  }
-}
-
-/// int sigma : eps(phi) for all phi, sigma constant on each cell [N/mm, N].
-template <int dim, class Stresses>
-VectorXd inner_forces(const SimplexMesh<dim>& mesh, const Stresses& stress) {
-  VectorXd forces = VectorXd::Zero(dim * mesh.vertices.cols());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    add_forces<dim>(mesh, t, stress.col(t), forces);
-  return forces;
-}
-
 /// int C eps(u) : eps(phi).
 template <int dim>
-VectorXd inner_forces(const SimplexMesh<dim>& mesh,
-                      const HookeTensors<dim>& hooke, const VectorXd& u) {
-  return inner_forces(mesh, stresses<dim>(mesh, hooke, u));
-}
-
-/// int (C eps(u_h) + tau0) : eps(phi).
-VectorXd inner_forces(const Mesh& mesh, const SolvedBody& body) {
-  return inner_forces(mesh, total_stresses(mesh, body, body.displacement).mean);
+VectorXd forces_of_law(const SimplexMesh<dim>& mesh,
+                       const HookeTensors<dim>& hooke, const VectorXd& u) {
+  return inner_forces<dim>(mesh, stresses<dim>(mesh, hooke, u));
 }
 
 /// K u of what the script says of a body: its law, and springs if there are any.
@@ -94,47 +65,6 @@ Row row_of(const RowMatrix& A, const VectorXd& z, Index dof) {
     row.terms += std::abs(term);
   }
   return row;
-}
-
-/// Nodal pressures [2 x p] of the other multiplier.
-Matrix2Xd pressures_of_other_multiplier(const ContactLine& line,
-                                        const ElasticSystem& system,
-                                        const SolvedBody& body) {
-  if (body.law.multiplier == Multiplier::force)
-    return lumped_pressures(line, forces_of(line, body.pressure));
-  return multiplier_density(line, Multiplier::force, system.prescribed,
-                            body.pressure);
-}
-
-/// Takes the given loads off.
-/// @param vertices  one column for each column of loads, which has two rows per vertex
-template <class Vertices, class Loads>
-void subtract_loads(const Vertices& vertices, const Loads& loads,
-                    VectorXd& forces) {
-  for (Index column = 0; column < vertices.cols(); ++column)
-    for (Index k = 0; k < vertices.rows(); ++k)
-      forces.segment<2>(2 * vertices(k, column)) -=
-          loads.template block<2, 1>(2 * k, column);
-}
-
-/// Forces on all dofs that the loads leave over for contact pressures of the other
-/// multiplier.
-VectorXd left_over_with_other_multiplier(const Mesh& mesh,
-                                         const ContactLine& line,
-                                         const ElasticSystem& system,
-                                         const SolvedBody& body) {
-  const Matrix2Xd other = pressures_of_other_multiplier(line, system, body);
-  VectorXd left = inner_forces(mesh, body) -
-                  nodal_forces(mesh, line, edge_densities(line, other));
-  subtract_loads(mesh.cells, body.body_loads, left);
-  subtract_loads(mesh.boundary, boundary_moments(mesh, body), left);
-  for (Index dof = 0; dof < left.size(); ++dof)
-    if (system.prescribed[dof]) left[dof] = 0;
-  return left;
-}
-
-const char* name_of(Multiplier multiplier) {
-  return multiplier == Multiplier::force ? "\"force\"" : "\"pressure\"";
 }
 
 /// A z beside K z on all dofs, 0 on prescribed ones.
@@ -232,7 +162,7 @@ bool is_axisymmetric(const Mesh& mesh, const ElasticSystem& system,
   const Hooke by_radius = weighted(mesh, hooke, radial);
   const Comparison axial(
       system.stiffness,
-      [&](const VectorXd& u) { return inner_forces(mesh, by_radius, u); },
+      [&](const VectorXd& u) { return forces_of_law<2>(mesh, by_radius, u); },
       left_out);
   return axial.of_matrix.norm() > 0 && axial.is_multiple();
 }
@@ -245,36 +175,6 @@ void require_plane(const Mesh& mesh, const ElasticSystem& system,
       refuse("A is the stiffness of an axisymmetric body about ", axis[radial],
              ": contactsolve solves it, but contacterror judges plane bodies "
              "alone");
-}
-
-/// Are the given pressures those of the other multiplier?
-bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
-                           const ContactLine& line, const ElasticSystem& system,
-                           const SolvedBody& body) {
-  const VectorXd left =
-      left_over_with_other_multiplier(mesh, line, system, body);
-  const double scale = inner_forces(mesh, body).cwiseAbs().maxCoeff();
-  return std::abs(left[2 * imbalance.vertex + imbalance.component]) <=
-         tolerance * scale;
-}
-
-std::string other_multiplier_in_words(Multiplier own) {
-  const Multiplier other =
-      own == Multiplier::force ? Multiplier::pressure : Multiplier::force;
-  return std::string("pn and pt fit u with multiplier=") + name_of(other) +
-         ", not with " + name_of(own);
-}
-
-/// What else may be missing at a vertex.
-std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
-  if (!(mesh.boundary.array() == vertex).any())
-    return "inside the body: give the bodyforce=, initialstrain= and "
-           "initialstress= u was computed with";
-  if (on_line)
-    return "on the contact line: give pn and pt of the solution u, and the "
-           "same label=, normal= and traction=";
-  return "on the boundary: give the traction=, initialstrain= and "
-         "initialstress= u was computed with";
 }
 
 /// The dof at which A is off the most, or -1.
@@ -303,52 +203,46 @@ template <int dim>
          dim == 2 ? " that spring= does not name" : "");
 }
 
+/// @param other  (comparison, dof): refuses what else may explain the difference at a dof
+template <int dim, class Other>
+void require_forces_of_matrix(const SimplexMesh<dim>& mesh,
+                              const ElasticSystem& system,
+                              const StatedForces& forces, const Other& other) {
+  const Comparison comparison(system.stiffness, forces, system.prescribed);
+  const Index worst = worst_dof(comparison);
+  if (worst < 0) return;
+  require_no_penalty(mesh, system, forces, comparison, worst);
+  require_no_factor(mesh, comparison, worst);
+  other(comparison, worst);
+  refuse_row(mesh, comparison, worst);
+}
+
 }  // namespace
 
 void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                            const Hooke& hooke, const BoundarySprings& springs) {
   const StatedForces forces = [&](const VectorXd& u) -> VectorXd {
-    const VectorXd of_law = inner_forces(mesh, hooke, u);
+    const VectorXd of_law = forces_of_law<2>(mesh, hooke, u);
     if (springs.empty()) return of_law;
     return of_law -
            boundary_forces(mesh, spring_moment_changes(mesh, springs, u));
   };
-  const Comparison comparison(system.stiffness, forces, system.prescribed);
-  const Index worst = worst_dof(comparison);
-  if (worst < 0) return;
-
-  require_no_penalty(mesh, system, forces, comparison, worst);
-  require_no_factor(mesh, comparison, worst);
-  require_plane(mesh, system, hooke);
-  require_springs_of_matrix(mesh, system, forces, comparison, !springs.empty(),
-                            worst);
-  refuse_row(mesh, comparison, worst);
+  const auto require_plane_body = [&](const Comparison& comparison,
+                                      Index worst) {
+    require_plane(mesh, system, hooke);
+    require_springs_of_matrix(mesh, system, forces, comparison,
+                              !springs.empty(), worst);
+  };
+  require_forces_of_matrix(mesh, system, forces, require_plane_body);
 }
 
 void require_law_of_matrix(const SolidMesh& mesh, const ElasticSystem& system,
                            const HookeTensors<3>& hooke) {
-  const StatedForces forces = [&](const VectorXd& u) {
-    return inner_forces(mesh, hooke, u);
-  };
-  const Comparison comparison(system.stiffness, forces, system.prescribed);
-  const Index worst = worst_dof(comparison);
-  if (worst < 0) return;
-
-  require_no_penalty(mesh, system, forces, comparison, worst);
-  require_no_factor(mesh, comparison, worst);
-  refuse_row(mesh, comparison, worst);
-}
-
-std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
-                     const ContactLine& line, const ElasticSystem& system,
-                     const SolvedBody& body) {
-  if (system.prescribed[2 * imbalance.vertex + imbalance.component])
-    return "it is the reaction of a point support, which no admissible stress "
-           "has: prescribe displacements on whole edges";
-  const bool on_line = (line.vertex.array() == imbalance.vertex).any();
-  if (on_line && fits_other_multiplier(imbalance, mesh, line, system, body))
-    return other_multiplier_in_words(body.law.multiplier);
-  return missing_loads(mesh, imbalance.vertex, on_line);
+  const auto nothing_else = [](const Comparison&, Index) {};
+  require_forces_of_matrix(
+      mesh, system,
+      [&](const VectorXd& u) { return forces_of_law<3>(mesh, hooke, u); },
+      nothing_else);
 }
 
 }  // namespace ffcontact
