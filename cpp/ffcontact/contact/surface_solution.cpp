@@ -11,7 +11,7 @@
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/refinement.hpp"
-#include "ffcontact/contact/surface_fixed_point.hpp"
+#include "ffcontact/contact/surface_answer.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 #include "ffcontact/contact/surface_trace.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
@@ -20,10 +20,6 @@ namespace ffcontact {
 
 namespace {
 
-/// Violation of an answer by a factor in single precision before it is corrected.
-constexpr double tolerance_to_be_corrected = 1e-6;
-/// Newton is given this many linear systems before the fixed point goes on.
-constexpr int most_newton_systems = 100;
 /// Penetrations of prescribed vertices below this part of the displacements are rounding.
 constexpr double penetration_of_rounding = 1e-10;
 
@@ -53,58 +49,6 @@ void require_sound(const SolidMesh& mesh, const ContactSurface& surface,
   require_size("A", system.dof_count(), 3 * mesh.vertices.cols());
   require_valid(settings, surface.node_count());
   require_balance(mesh, surface, law, system);
-}
-
-/// Newton from the given states, and where these lead nowhere from sticking nodes.
-ActiveSetResult newton_answer(const CondensedContact& contact,
-                              const NodalLaw& law,
-                              const std::vector<char>& held,
-                              const std::vector<ContactState>& start,
-                              const NewtonSettings& limits) {
-  const std::vector<ContactState> stick(law.node_count(), ContactState::stick);
-  ActiveSetResult best =
-      surface_newton(contact, law, held, start,
-                     {std::min(most_newton_systems, limits.max_iterations),
-                      limits.tolerance,
-                      {},
-                      limits.enough});
-  const int left = limits.max_iterations - best.iterations;
-  if (best.status == ContactStatus::converged || left <= 0 || start == stick)
-    return best;
-  ActiveSetResult again = surface_newton(contact, law, held, stick,
-                                         {std::min(most_newton_systems, left),
-                                          limits.tolerance,
-                                          {},
-                                          limits.enough});
-  const int systems = best.iterations + again.iterations;
-  if (again.is_better_than(best)) best = std::move(again);
-  best.iterations = systems;
-  return best;
-}
-
-FixedPointResult surface_answer(const CondensedContact& contact,
-                                const NodalLaw& law,
-                                const std::vector<char>& held,
-                                const ContactSettings& settings,
-                                Precision precision) {
-  std::vector<ContactState> start = settings.initial_state;
-  if (start.empty()) start.assign(law.node_count(), ContactState::stick);
-  NewtonSettings limits{settings.max_iterations, settings.tolerance};
-  if (precision == Precision::single)
-    limits.tolerance = limits.enough =
-        std::max(settings.tolerance, tolerance_to_be_corrected);
-  if (settings.solver == ContactSolver::fixed_point)
-    return surface_fixed_point(contact, law, held, start, limits);
-  FixedPointResult newton{newton_answer(contact, law, held, start, limits), {}};
-  const int left = limits.max_iterations - newton.answer.iterations;
-  if (newton.answer.status == ContactStatus::converged || left <= 0)
-    return newton;
-  FixedPointResult path =
-      surface_fixed_point(contact, law, held, start, {left, limits.tolerance});
-  const int systems = newton.answer.iterations + path.answer.iterations;
-  if (path.answer.is_better_than(newton.answer)) newton = std::move(path);
-  newton.answer.iterations = systems;
-  return newton;
 }
 
 /// What W multiplies displacements by at most.
@@ -154,11 +98,15 @@ class Answer {
                                    stated.system.load, *stiffness)) {
     solution_.stiffness = std::move(stiffness);
     solution_.displacement = stated.system.prescribed_value;
-    FixedPointResult condensed =
-        surface_answer(contact_, stated.cones, stated.trace.held,
-                       stated.settings, solution_.stiffness->precision());
-    solution_.history = std::move(condensed.history);
-    take(std::move(condensed.answer));
+    const auto& held = stated.trace.held;
+    if (solution_.stiffness->precision() == Precision::single) {
+      take(rough_answer(contact_, stated.cones, held, stated.settings));
+    } else {
+      FixedPointResult condensed =
+          surface_answer(contact_, stated.cones, held, stated.settings);
+      solution_.history = std::move(condensed.history);
+      take(std::move(condensed.answer));
+    }
   }
 
   /// Corrects the answer of an inexact factor K~: with u the last displacement
@@ -167,7 +115,7 @@ class Answer {
   void correct() {
     constexpr int most_corrections = 20;
     RefinedSolver solver;
-    for (int k = 0; k < most_corrections && is_inaccurate(); ++k) {
+    for (int k = 0; k < most_corrections && can_gain(); ++k) {
       const SurfaceSolution last = solution_;
       const ContactRows rows{condensed_.P, condensed_.v};
       contact_ = with_loads(
@@ -186,6 +134,7 @@ class Answer {
   SurfaceSolution solution() && { return std::move(solution_); }
 
  private:
+  static constexpr int most_systems = 30;  ///< of a correction
   /// Of a residual by a correction.
   static constexpr double least_gain = 2;
 
@@ -193,14 +142,14 @@ class Answer {
     return VectorXd::Zero(stated_.system.dof_count());
   }
   NewtonSettings limits() const {
-    return {most_newton_systems,
-            stated_.settings.tolerance,
-            {},
-            beside_tolerance()};
+    return {most_systems, stated_.settings.tolerance, {}, beside_tolerance()};
   }
   /// Nothing beside what is asked for.
   double beside_tolerance() const { return 1e-2 * stated_.settings.tolerance; }
-  bool is_inaccurate() const { return solution_.residual > beside_tolerance(); }
+  bool can_gain() const {
+    return condensed_.status == ContactStatus::converged &&
+           solution_.residual > beside_tolerance();
+  }
 
   void take(ActiveSetResult answer) {
     condensed_ = std::move(answer);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/fixed_point.hpp"
+
+namespace ffcontact {
+
+/// The law of a surface on its condensed relation: surface_newton from the chosen states,
+/// where these lead nowhere from sticking nodes, and then surface_fixed_point.
+/// @param held  of surface_trace [3 p]
+FixedPointResult surface_answer(const CondensedContact& contact,
+                                const NodalLaw& law,
+                                const std::vector<char>& held,
+                                const ContactSettings& settings);
+
+/// By surface_newton alone, to 1e-6: what a factor in single precision gives, before it is
+/// corrected.
+ActiveSetResult rough_answer(const CondensedContact& contact,
+                             const NodalLaw& law, const std::vector<char>& held,
+                             const ContactSettings& settings);
+
+}  // namespace ffcontact
