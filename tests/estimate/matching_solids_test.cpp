@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ffcontact/estimate/facing_error.hpp"
 #include "ffcontact/estimate/first_surface_tractions.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 #include "ffcontact/estimate/unstressed.hpp"
+#include "ffcontact/interface/matching_faces.hpp"
 #include "support/cut_solids.hpp"
 #include "support/solid_estimates.hpp"
 #include "support/solid_stacks.hpp"
@@ -17,33 +19,68 @@ namespace {
 
 using namespace test;
 
-/// The upper half of a solid pressed on its lower one, and moved sideways.
-struct Halves {
-  CutSolid cut;
-  SolidStack stack;
+/// A side moved down a little more at one end, another one held.
+void press(SolidProblem& problem, int top, int ground, const Vector3d& shift) {
+  problem.move(top, [&](const Vector3d& x) {
+    return Vector3d(shift + 1e-4 * Vector3d(0, 0, x.x()));
+  });
+  problem.move(ground, [](const Vector3d&) { return Vector3d::Zero(); });
+}
 
-  Halves(const Vector3i& half_cells, double friction, const Vector3d& shift,
-         std::mt19937& random)
-      : cut(half_cells, false, 0.12, random),
-        stack(cut.pieces(random), friction) {
-    press(stack.problem, stack.label(0, high_z), stack.label(1, low_z), shift);
-  }
+/// The halves of a solid, one a little above the other, pressed together.
+SolidStack halves(const Vector3i& half_cells, double friction, double apart,
+                  const Vector3d& shift, std::mt19937& random) {
+  std::vector<SolidMesh> pieces =
+      CutSolid(half_cells, false, 0.12, random).pieces(random);
+  pieces[1].vertices.row(2).array() -= apart;
+  SolidStack stack(pieces, friction);
+  press(stack.problem, stack.label(0, high_z), stack.label(1, low_z), shift);
+  return stack;
+}
 
-  static void press(SolidProblem& problem, int top, int ground,
-                    const Vector3d& shift) {
-    problem.move(top, [&](const Vector3d& x) {
-      return Vector3d(shift + 1e-4 * Vector3d(0, 0, x.x()));
-    });
-    problem.move(ground, [](const Vector3d&) { return Vector3d::Zero(); });
+SolidStack random_halves(double friction, Random& random) {
+  const Vector3d by = random_vector(3, random);
+  const Vector3i cells(1 + random() % 2, 1 + random() % 2, 1 + random() % 2);
+  SolidStack stack =
+      halves(cells, friction, random() % 2 ? 1e-4 : 0,
+             {1e-3 * by.x(), 1e-3 * by.y(), -1.6e-3 + 1e-3 * by.z()}, random);
+  for (int body = 0; body < 2; ++body)
+    if (random() % 3 == 0) stack.guide(body);
+  return stack;
+}
+
+/// Three bodies around an edge, all of whose faces match: one on two others that touch.
+struct ThreeAround {
+  JoinedSolids joined;
+  SolidProblem problem;
+
+  explicit ThreeAround(double friction, std::mt19937& random)
+      : joined(joined_mesh(
+            CutSolid({1, 2, 1}, true, 0.12, random).pieces(random))),
+        problem(joined.mesh, friction, {joined.label(0, low_z)}) {
+    const auto pair = [&](int body, int side, int other, int other_side) {
+      return facing(problem.mesh, problem.faces, joined.label(body, side),
+                    joined.label(other, other_side))
+          .surface;
+    };
+    problem.surface =
+        joined_surfaces({pair(0, low_z, 1, high_z), pair(0, low_z, 2, high_z),
+                         pair(1, cut_label, 2, cut_label)});
+    problem.law.friction =
+        VectorXd::Constant(problem.surface.node_count(), friction);
+    press(problem, joined.label(0, high_z), joined.label(1, low_z),
+          {5e-4, 0, -1.5e-3});
+    problem.move(joined.label(2, low_z),
+                 [](const Vector3d&) { return Vector3d::Zero(); });
+    problem.load(joined.label(2, high_x), {-3, 0.5, 0});
   }
 };
 
-Halves random_halves(double friction, Random& random) {
-  const Vector3d by = random_vector(3, random);
-  return {Vector3i(1 + random() % 2, 1 + random() % 2, 1 + random() % 2),
-          friction,
-          {1e-3 * by.x(), 1e-3 * by.y(), -1.2e-3 + 1e-3 * by.z()},
-          random};
+bool all_match(const SolidProblem& problem) {
+  const std::vector<MatchingFace> matches =
+      matching_faces(problem.mesh, problem.faces, problem.surface);
+  return std::all_of(matches.begin(), matches.end(),
+                     [](const MatchingFace& match) { return match.face >= 0; });
 }
 
 void require_sound(const SolidEstimate& found) {
@@ -61,10 +98,11 @@ void require_sound(const SolidEstimate& found) {
 
 RC_GTEST_PROP(MatchingSolids, are_admissible_and_nearer_with_every_step,
               (Random random)) {
-  const Halves halves = random_halves(*real(0, 2), random);
-  const SurfaceSolution solution = halves.stack.problem.solve();
-  const SolidEstimate first = estimate(halves.stack.problem, solution, {0, 0}),
-                      found = estimate(halves.stack.problem, solution, {7, 0});
+  const SolidProblem problem = random_halves(*real(0, 2), random).problem;
+  RC_ASSERT(all_match(problem));
+  const SurfaceSolution solution = problem.solve();
+  const SolidEstimate first = estimate(problem, solution, {0, 0}),
+                      found = estimate(problem, solution, {7, 0});
   require_sound(found);
   RC_ASSERT(found.history.size() == 8u);
   RC_ASSERT(std::abs(found.history[0] - first.e) < 1e-6 * first.e);
@@ -72,12 +110,23 @@ RC_GTEST_PROP(MatchingSolids, are_admissible_and_nearer_with_every_step,
     RC_ASSERT(found.history[k] < found.history[k - 1]);
 }
 
+RC_GTEST_PROP(MatchingSolids, three_around_an_edge_are_admissible,
+              (Random random)) {
+  const SolidProblem problem = ThreeAround(*real(0, 1), random).problem;
+  RC_ASSERT(all_match(problem));
+  const SurfaceSolution solution = problem.solve();
+  RC_PRE(solution.status == ContactStatus::converged);
+  const SolidEstimate found = estimate(problem, solution, {4, 0});
+  require_sound(found);
+}
+
 TEST(MatchingSolids, have_their_tractions_relaxed) {
   Random random(1);
-  const Halves halves({2, 2, 2}, 0.7, {4e-4, 2e-4, -1.5e-3}, random);
-  const SolidEstimate found = estimate(halves.stack.problem);
+  const SolidProblem problem =
+      halves({2, 2, 2}, 0.7, 0, {4e-4, 2e-4, -1.5e-3}, random).problem;
+  const SolidEstimate found = estimate(problem);
   const SurfaceTractions first =
-      tractions_by_face(halves.stack.problem.surface, found.tractions);
+      tractions_by_face(problem.surface, found.tractions);
   EXPECT_GT((found.face_tractions - first).cwiseAbs().maxCoeff(),
             0.01 * first.cwiseAbs().maxCoeff());
 }
@@ -141,22 +190,25 @@ TEST(MatchingSolids, that_stick_have_the_error_of_one_body) {
 
 TEST(MatchingSolids, have_the_same_digits_on_two_threads) {
   Random random(2);
-  const Halves halves({2, 2, 2}, 0.5, {1e-3, 5e-4, -1.5e-3}, random);
-  const SurfaceSolution solution = halves.stack.problem.solve();
-  const SolidEstimate one = estimate(halves.stack.problem, solution);
-  omp_set_num_threads(2);
-  const SolidEstimate two = estimate(halves.stack.problem, solution);
-  omp_set_num_threads(1);
-  EXPECT_EQ(one.history, two.history);
-  EXPECT_EQ(one.moments, two.moments);
-  EXPECT_EQ(one.local, two.local);
-  EXPECT_EQ(one.face_tractions, two.face_tractions);
+  for (const SolidProblem& problem :
+       {halves({2, 2, 2}, 0.5, 0, {1e-3, 5e-4, -1.5e-3}, random).problem,
+        ThreeAround(0.5, random).problem}) {
+    const SurfaceSolution solution = problem.solve();
+    const SolidEstimate one = estimate(problem, solution);
+    omp_set_num_threads(2);
+    const SolidEstimate two = estimate(problem, solution);
+    omp_set_num_threads(1);
+    EXPECT_EQ(one.history, two.history);
+    EXPECT_EQ(one.moments, two.moments);
+    EXPECT_EQ(one.local, two.local);
+    EXPECT_EQ(one.face_tractions, two.face_tractions);
+  }
 }
 
 /// Tractions linear between the nodes give on faces that match what they give on polygons.
 RC_GTEST_PROP(MatchingSolids, have_the_contact_part_of_facing_ones,
               (Random random)) {
-  SolidStack stack = random_halves(*real(0, 2), random).stack;
+  SolidStack stack = random_halves(*real(0, 2), random);
   const auto& [mesh, faces, surface, law, A, b, neumann] = stack.problem;
   SurfaceLaw other = law;
   other.gap = random_vector(surface.node_count(), random);
@@ -179,8 +231,8 @@ RC_GTEST_PROP(MatchingSolids, beside_others_are_admissible, (Random random)) {
   bodies.push_back(
       random_brick(random_cells(1, 4, random), {0, 0, -2}, {4, 2, 1}, random));
   SolidStack stack(bodies, *real(0.3, 1));
-  Halves::press(stack.problem, stack.label(0, high_z), stack.label(2, low_z),
-                {4e-4, -2e-4, -2e-3});
+  press(stack.problem, stack.label(0, high_z), stack.label(2, low_z),
+        {4e-4, -2e-4, -2e-3});
   const bool is_loaded = random() % 2;
   if (is_loaded) stack.problem.load(stack.label(0, low_z), {0.5, 0, -1});
   if (random() % 2) stack.problem.load(stack.label(1, high_z), {0, 0.3, 0.2});

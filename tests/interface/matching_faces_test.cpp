@@ -70,6 +70,38 @@ TEST(MatchingFaces, are_none_of_other_meshes) {
   }
 }
 
+/// Faces that face two bodies, as one behind another, or one body twice.
+TEST(MatchingFaces, face_one_body_alone) {
+  Random random(1);
+  const SolidProblem problem = halves(0, random).problem;
+  const ContactSurface twice =
+      joined_surfaces({problem.surface, problem.surface});
+  for (const MatchingFace& match :
+       matching_faces(problem.mesh, problem.faces, twice))
+    EXPECT_EQ(match.face, -1);
+}
+
+/// A face on one of its size, but aside of it.
+TEST(MatchingFaces, lie_straight_before_each_other) {
+  SolidMesh upper;
+  upper.vertices = MatrixXd::Zero(3, 4);
+  upper.vertices.rightCols<3>().setIdentity();
+  upper.cells = Vector4i(0, 1, 2, 3);
+  upper = piece_of(upper, {0}, 0);
+  for (double aside : {0.0, 0.1, 1e-6}) {
+    SolidMesh lower = upper;
+    lower.vertices.row(0).array() += aside;
+    lower.vertices(2, 3) = -1;
+    lower.cells = Vector4i(1, 0, 2, 3);
+    for (int& label : lower.boundary_label)
+      if (label == low_z) label = high_z;
+    const SolidProblem problem = SolidStack({upper, lower}, 0).problem;
+    const int found =
+        matching_faces(problem.mesh, problem.faces, problem.surface)[0].face;
+    EXPECT_EQ(found >= 0, aside == 0);
+  }
+}
+
 TEST(MatchingFaces, are_none_on_a_rigid_foundation) {
   const SolidProblem problem(brick({1, 1, 1}, {1, 1, 1}));
   for (const MatchingFace& match :

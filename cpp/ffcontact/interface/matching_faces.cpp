@@ -7,7 +7,7 @@ namespace ffcontact {
 
 namespace {
 
-/// Corners that are off by less than this part of the longest side are not.
+/// Corners that are off by less than this part of the triangle's height are not.
 constexpr double off_by_rounding = 1e-11;
 /// Corners this near to each other, in barycentric coordinates, may match.
 constexpr double same_corner = 1e-9;
@@ -30,7 +30,8 @@ bool is_moved(const Matrix3d& from, const Matrix3d& to) {
   double longest = 0;
   for (int k = 0; k < 3; ++k)
     longest = std::max(longest, (from.col(k) - from.col((k + 1) % 3)).norm());
-  return off.colwise().norm().maxCoeff() <= off_by_rounding * longest;
+  const double height = 2 * facet_vector(from).norm() / longest;
+  return off.colwise().norm().maxCoeff() <= off_by_rounding * height;
 }
 
 MatchingFace match_of(const SolidMesh& mesh, const Facets<3>& faces, int face,

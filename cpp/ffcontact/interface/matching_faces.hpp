@@ -16,7 +16,7 @@ struct MatchingFace {
 };
 
 /// For each contact face. Faces match that face nothing but each other, and whose corners
-/// are all nodes; d is the same at all corners to 1e-11 of the longest side.
+/// are all nodes; d is the same at all corners to 1e-11 of the triangle's height.
 std::vector<MatchingFace> matching_faces(const SolidMesh& mesh,
                                          const Facets<3>& faces,
                                          const ContactSurface& surface);
