@@ -172,6 +172,7 @@ struct LoadedPair {
   }
 };
 
+/// As many pairs as --cases asks for, and as many single bodies (SolidEstimate).
 RC_GTEST_PROP(FacingSolids, bounds_the_error_without_friction_and_with_trescas,
               (Random random)) {
   const LoadedPair loads(random);

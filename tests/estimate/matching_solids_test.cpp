@@ -205,22 +205,25 @@ TEST(MatchingSolids, have_the_same_digits_on_two_threads) {
   }
 }
 
-/// Tractions linear between the nodes give on faces that match what they give on polygons.
+/// Tractions linear between the nodes give on faces that match what they give on polygons,
+/// whatever the directions at the nodes.
 RC_GTEST_PROP(MatchingSolids, have_the_contact_part_of_facing_ones,
               (Random random)) {
-  SolidStack stack = random_halves(*real(0, 2), random);
-  const auto& [mesh, faces, surface, law, A, b, neumann] = stack.problem;
-  SurfaceLaw other = law;
-  other.gap = random_vector(surface.node_count(), random);
-  other.previous = random_matrix(2, surface.node_count(), random);
-  const VectorXd u = random_vector(b.size(), random);
+  const SolidProblem problem = random() % 2 ? random_halves(0.5, random).problem
+                                            : ThreeAround(0.5, random).problem;
+  const SolidMesh& mesh = problem.mesh;
+  const ContactSurface& surface = problem.surface;
+  SurfaceLaw law = problem.law;
+  law.gap = random_vector(surface.node_count(), random);
+  law.previous = random_matrix(2, surface.node_count(), random);
+  const VectorXd u = random_vector(problem.b.size(), random);
   const Matrix3Xd r = random_matrix(3, surface.node_count(), random);
   const std::vector<ContactFace> contact =
-      contact_faces(mesh, faces, surface, other, u);
+      contact_faces(mesh, problem.faces, surface, law, u);
   RC_ASSERT(static_cast<int>(contact.size()) == surface.face_count());
   const VectorXd found = contact_error(contact, tractions_by_face(surface, r)),
-                 expected =
-                     facing_contact_error(mesh, faces, surface, other, r, u);
+                 expected = facing_contact_error(mesh, problem.faces, surface,
+                                                 law, r, u);
   RC_ASSERT((found - expected).norm() < 1e-13 * expected.norm());
 }
 

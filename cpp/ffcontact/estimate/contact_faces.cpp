@@ -32,9 +32,10 @@ SeenMotions motions_at(const Vector3i& nodes, const Matrix3Xd& w) {
 }
 
 /// Against a face that matches.
-SeenMotions jumps_at(const Facets<3>& faces, const ContactSurface& surface,
-                     const SurfaceLaw& law, int m, const MatchingFace& match,
-                     const Ref<const VectorXd>& u) {
+SeenMotions jumps_between(const Facets<3>& faces, const ContactSurface& surface,
+                          const SurfaceLaw& law, int m,
+                          const MatchingFace& match,
+                          const Ref<const VectorXd>& u) {
   const Vector3i nodes = surface.face_node.col(m);
   Matrix3d jump, previous = Matrix3d::Zero();
   Vector3d gap = Vector3d::Zero();
@@ -97,9 +98,9 @@ std::vector<ContactFace> contact_faces(
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
     }
-    put_motions(between_bodies
-                    ? jumps_at(faces, surface, law, m, matches[m], displacement)
-                    : motions_at(nodes, w),
+    put_motions(between_bodies ? jumps_between(faces, surface, law, m,
+                                               matches[m], displacement)
+                               : motions_at(nodes, w),
                 least, face);
     contact.push_back(face);
   }
