@@ -2,16 +2,22 @@
 #include "ffcontact/equilibrium/contact_star.hpp"
 
 #include "ffcontact/equilibrium/edge_form.hpp"
-#include "support/random.hpp"
-#include "support/solids.hpp"
+#include "support/cut_solids.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
 
-/// A solid whose side low_z is in contact, its other sides free or held, with tractions
-/// in the cone, motions and residuals at random.
+/// A solid on its side low_z, or the two halves of one.
+JointSolid one_or_two(std::mt19937& random) {
+  if (random() % 2) return {{irregular_solid(random)}, Matrix3Xd::Zero(3, 1)};
+  const CutSolid cut({1, 2, 1}, false, 0.15, random);
+  return {cut.pieces(random), Matrix3Xd::Zero(3, 2)};
+}
+
+/// One or two solids whose side low_z is in contact, or matches, their other sides free or
+/// held, with tractions in the cone, motions and residuals at random.
 struct AnyContact {
   SolidTopology topology;
   FaceForms forms;
@@ -24,7 +30,10 @@ struct AnyContact {
   Matrix9Xd residual;
 
   explicit AnyContact(std::mt19937& random)
-      : topology(topology_of(irregular_solid(random))),
+      : AnyContact(one_or_two(random), random) {}
+
+  AnyContact(const JointSolid& solid, std::mt19937& random)
+      : topology(solid.topology),
         forms(topology, HookeTensors<3>(topology.mesh.cell_count(),
                                         isotropic<3>(0.5, 0.4))),
         index(topology.faces.count(), -1),
@@ -34,19 +43,21 @@ struct AnyContact {
     known.setConstant(3, faces.count(), false);
     const bool free[] = {false, random() % 2 == 0, random() % 2 == 0};
     const int law = static_cast<int>(random() % 4);
+    const bool alone = solid.contact.empty();
     for (int f = 0; f < faces.count(); ++f) {
       if (!faces.on_boundary(f)) continue;
       const int side = topology.mesh.boundary_label[faces.boundary_index[f]];
-      for (int c = 0; c < 3; ++c)
-        known(c, f) = side != low_z && !(side == high_x && free[c]);
-      if (side == low_z) add(f, law, random);
+      const bool is_high_x = side == solid.joined.label(0, high_x) ||
+                             side == solid.joined.label(1, high_x);
+      for (int c = 0; c < 3; ++c) known(c, f) = !(is_high_x && free[c]);
+      if (alone && side == low_z) add(face_at_rest(topology, f), law, random);
     }
+    for (const ContactFace& face : solid.contact) add(face, law, random);
   }
 
-  void add(int f, int law, std::mt19937& random) {
-    ContactFace face;
-    face.face = f;
-    face.area = facet_measure(topology.mesh, topology.faces, f);
+  void add(ContactFace face, int law, std::mt19937& random) {
+    for (int f : {face.face, face.opposite})
+      if (f >= 0) known.col(f).setConstant(false);
     Matrix3d traction;
     for (int i = 0; i < 3; ++i) {
       face.frame[i] << 0, 1, 0, 0, 0, 1, -1, 0, 0;
@@ -67,7 +78,7 @@ struct AnyContact {
     slip.row(0) = w.bottomRows<2>().colwise().norm();
     face.slip = face_moments_of(slip, face.area).row(0);
     face.direction = w.bottomRows<2>().colwise().normalized();
-    index[f] = static_cast<int>(contact.size());
+    index[face.face] = static_cast<int>(contact.size());
     contact.push_back(face);
     tractions.push_back(traction);
   }
@@ -85,15 +96,11 @@ RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
   AnyContact any(random);
   const Hinges<3>& edges = any.topology.edges;
   int changed = 0;
-  for (int e = 0; e < edges.count(); ++e) {
-    bool in_contact = false;
-    for (int k = edges.facet_start[e]; k < edges.facet_start[e + 1]; ++k)
-      in_contact = in_contact || any.index[edges.facet[k]] >= 0;
-    if (!in_contact) continue;
-    const ContactStar star(any.topology, e, any.known, any.forms, any.contact,
-                           any.index);
+  for (const JointEdge& joint : joint_edges(any.topology, any.contact)) {
+    const ContactStar star(any.topology, joint, any.known, any.forms,
+                           any.contact, any.index);
     if (!star.is_free()) continue;
-    const VectorXd g = -restricted(any.topology, e, any.residual);
+    const VectorXd g = -joint_restricted(any.topology, joint, any.residual);
     const std::vector<Matrix3d> before = any.tractions;
     const double term = any.term();
     const auto change = star.change(g, {0, 1}, any.tractions);
@@ -104,25 +111,27 @@ RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
     ++changed;
     // e^2 = 2 g'x + x'A x + 2 terms
     const VectorXd& x = change.x;
-    const MatrixXd A = edge_form(any.topology, e, any.forms);
+    const MatrixXd A = joint_form(any.topology, joint, any.forms);
     const double fall = -2 * g.dot(x) - x.dot(A * x) - 2 * (any.term() - term);
     RC_ASSERT(std::abs(fall - change.fall) < 1e-9 * (1 + fall));
     RC_ASSERT(change.fall > 0);
     // what is known stays
-    RC_ASSERT((edge_conditions(any.topology, e, any.known) * x).norm() <
+    RC_ASSERT((joint_conditions(any.topology, joint, any.known) * x).norm() <
               1e-9 * (1 + x.norm()));
     for (std::size_t m = 0; m < any.contact.size(); ++m) {
       RC_ASSERT(cone_violation(any.contact[m], any.tractions[m]) < 1e-13);
       Matrix3d moved = before[m];
-      for (int k = 0; k < edges.facet_count(e); ++k) {
-        const int f = edges.facet[edges.facet_start[e] + k];
-        if (f != any.contact[m].face) continue;
-        const Matrix3d corners = any.topology.mesh.vertices(
-            Eigen::all, any.topology.faces.vertices.col(f));
-        const Vector9d moments =
-            wrench_basis(corners) * at_place(any.topology, e, k, x);
-        moved += traction_of(any.contact[m], moments.reshaped(3, 3));
-      }
+      for (const JointEdge::Part& part : joint.parts)
+        for (int k = 0; k < edges.facet_count(part.edge); ++k) {
+          const int f = edges.facet[edges.facet_start[part.edge] + k];
+          if (f != any.contact[m].face) continue;
+          const Matrix3d corners = any.topology.mesh.vertices(
+              Eigen::all, any.topology.faces.vertices.col(f));
+          const Vector9d moments =
+              wrench_basis(corners) *
+              at_place(any.topology, part.edge, k, part.of(x));
+          moved += traction_of(any.contact[m], moments.reshaped(3, 3));
+        }
       RC_ASSERT((moved - any.tractions[m]).norm() < 1e-9);
     }
     // nothing is left for the same star, but for what chords cut off a cone

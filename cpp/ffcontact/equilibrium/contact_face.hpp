@@ -8,10 +8,14 @@
 
 namespace ffcontact {
 
-/// A contact face, its law and its displacement w against the foundation, for tractions
+/// A contact face, its law and its displacement w against what it faces, for tractions
 /// r_hat that are linear on it: (r_n, r_t1, r_t2) at its vertices, one column each [MPa].
 struct ContactFace {
-  int face;                          ///< of the mesh
+  int face;               ///< of the mesh
+  int surface_face = -1;  ///< of the contact surface
+  /// the mesh face of another body that matches it and feels the opposite traction, or -1
+  int opposite = -1;
+  Vector3i opposite_corner;          ///< which its corners face
   double area;                       ///< [mm^2]
   std::array<Matrix3d, 3> frame;     ///< columns n, t1, t2 at its vertices
   std::array<FrictionCone, 3> cone;  ///< of tractions there

@@ -8,7 +8,8 @@
 namespace ffcontact {
 
 /// Relaxes contact tractions inside the cone: one after the other, the stars of the edges
-/// with contact faces take what lowers e^2 most (ContactStar).
+/// with contact faces take what lowers e^2 most (ContactStar). Where faces of two bodies
+/// match (ContactFace::opposite) a star goes through both.
 ///
 /// The order is that of the middles of the edges, whatever their numbers.
 /// Stars that have no tetrahedron's face in common are of one colour and change together:
@@ -36,6 +37,8 @@ class ContactPass {
   void colour();
   double relax(const ContactStar& star, const ContactStar::Scales& scales,
                Matrix9Xd& corrections, Matrix9Xd& residual);
+  void add(int edge, const VectorXd& x, Matrix9Xd& corrections,
+           Matrix9Xd& residual) const;
 
   const SolidTopology& topology_;
   const FaceForms& forms_;

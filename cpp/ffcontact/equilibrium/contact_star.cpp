@@ -2,6 +2,7 @@
 #include "ffcontact/equilibrium/contact_star.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
@@ -28,6 +29,20 @@ Matrix9d tractions_of_unknowns(const SolidTopology& topology,
   for (int k = 0; k < 9; ++k)
     tractions.col(k) =
         traction_of(face, tractions.col(k).reshaped(3, 3)).reshaped();
+  return tractions;
+}
+
+/// The same of the face at one place around an edge from the outside unknowns of a joint.
+MatrixXd tractions_of_joint(const SolidTopology& topology,
+                            const ContactFace& face,
+                            const JointEdge::Part& part, int place,
+                            const std::vector<int>& outside, int size) {
+  const Matrix9d of_face = tractions_of_unknowns(topology, face);
+  MatrixXd tractions(9, outside.size());
+  for (Index j = 0; j < tractions.cols(); ++j)
+    tractions.col(j) =
+        of_face * at_place(topology, part.edge, place,
+                           part.of(VectorXd::Unit(size, outside[j])));
   return tractions;
 }
 
@@ -60,38 +75,46 @@ MatrixXd free_basis(const MatrixXd& conditions, const std::vector<MatrixXd>& P,
 
 }  // namespace
 
-ContactStar::ContactStar(const SolidTopology& topology, int edge,
+ContactStar::ContactStar(const SolidTopology& topology, JointEdge joint,
                          const KnownComponents& known, const FaceForms& forms,
                          const std::vector<ContactFace>& contact,
                          const std::vector<int>& contact_index)
-    : edge_(edge) {
-  const auto& [mesh, faces, edges, stars] = topology;
-  outside_ = {0, 1, 2, 3, 4, 5};
-  for (int i = 0; i < edges.facet_count(edge); ++i) {
-    const int face = edges.facet[edges.facet_start[edge] + i];
-    auto& places = faces.on_boundary(face) ? outside_ : inside_;
-    for (int bar = 0; bar < 3; ++bar) places.push_back(6 + 3 * i + bar);
-    if (contact_index[face] < 0) continue;
-    faces_.push_back(&contact[contact_index[face]]);
-    index_.push_back(contact_index[face]);
-    place_.push_back(i);
+    : joint_(std::move(joint)) {
+  find_places(topology);
+  find_basis(topology, known, contact, contact_index);
+  if (is_free()) reduce(joint_form(topology, joint_, forms));
+}
+
+void ContactStar::find_places(const SolidTopology& topology) {
+  std::vector<char> is_outside(joint_.size, 0);
+  std::fill_n(is_outside.begin(), 6, 1);
+  for (const auto& [edge, place, sign] : joint_.parts) {
+    const std::vector<int> faces = faces_around(topology.edges, edge);
+    for (int i = 0; i < count_of(faces); ++i)
+      for (int bar = 0; bar < 3; ++bar)
+        if (topology.faces.on_boundary(faces[i]))
+          is_outside[place[6 + 3 * i + bar]] = 1;
   }
-  find_basis(topology, known);
-  if (is_free()) reduce(edge_form(topology, edge, forms));
+  for (int i = 0; i < joint_.size; ++i)
+    (is_outside[i] ? outside_ : inside_).push_back(i);
 }
 
 void ContactStar::find_basis(const SolidTopology& topology,
-                             const KnownComponents& known) {
-  const int size = unknowns_around(topology.edges, edge_);
-  for (std::size_t k = 0; k < faces_.size(); ++k) {
-    const Matrix9d of_face = tractions_of_unknowns(topology, *faces_[k]);
-    MatrixXd of_edge(9, count_of(outside_));
-    for (Index j = 0; j < of_edge.cols(); ++j)
-      of_edge.col(j) = of_face * at_place(topology, edge_, place_[k],
-                                          VectorXd::Unit(size, outside_[j]));
-    P_.push_back(of_edge);
+                             const KnownComponents& known,
+                             const std::vector<ContactFace>& contact,
+                             const std::vector<int>& contact_index) {
+  for (const JointEdge::Part& part : joint_.parts) {
+    const std::vector<int> faces = faces_around(topology.edges, part.edge);
+    for (int i = 0; i < count_of(faces); ++i) {
+      const int index = contact_index[faces[i]];
+      if (index < 0) continue;
+      faces_.push_back(&contact[index]);
+      index_.push_back(index);
+      P_.push_back(tractions_of_joint(topology, contact[index], part, i,
+                                      outside_, joint_.size));
+    }
   }
-  const MatrixXd conditions = edge_conditions(topology, edge_, known);
+  const MatrixXd conditions = joint_conditions(topology, joint_, known);
   basis_ = free_basis(conditions(Eigen::all, outside_), P_, faces_);
   for (MatrixXd& P : P_) P = (P * basis_).eval();
 }
@@ -137,7 +160,8 @@ double ContactStar::term(const Tractions& tractions) const {
 std::optional<VectorXd> ContactStar::least_in_cones(const VectorXd& slope,
                                                     const Tractions& from,
                                                     double largest) const {
-  MatrixXd C(6 * InnerCone::most_rows, slope.size());
+  const auto vertices = static_cast<Index>(3 * from.size());
+  MatrixXd C(vertices * InnerCone::most_rows, slope.size());
   VectorXd d(C.rows());
   Index rows = 0;
   for (std::size_t k = 0; k < from.size(); ++k)

@@ -5,20 +5,19 @@
 #include <vector>
 
 #include "ffcontact/base/cholesky.hpp"
-#include "ffcontact/equilibrium/contact_face.hpp"
-#include "ffcontact/equilibrium/face_forms.hpp"
+#include "ffcontact/equilibrium/joint_edge.hpp"
 
 namespace ffcontact {
 
-/// The corrections of the faces around an edge beside the contact surface, those of
-/// contact tractions among them: x = (w, y_1, .., y_m) as in edge_form, lowering
+/// The corrections of the faces around an edge of the contact surface, those of contact
+/// tractions among them: x = (w, y_1, .., y_M) of a JointEdge, lowering
 ///     e^2 = e_0^2 + 2 g'x + x'A x + 2 sum of contact_term(r_hat + P x)
 /// where r_hat + P x is in the cone at the vertices of the contact faces.
 ///
 /// P leaves the bars of the faces inside the body out; these are eliminated. With x = N t
-/// on the wrench and the bars of the two boundary faces, N what leaves other known
+/// on the wrench and the bars of the boundary faces, N what leaves other known
 /// tractions alone and r_t = 0 where there is no friction,
-///     S = N'(A_oo - A_oi A_ii^-1 A_io) N,   at most 12 x 12.
+///     S = N'(A_oo - A_oi A_ii^-1 A_io) N,   at most 12 x 12 for one or two bodies.
 /// The unconstrained minimum if it is in the cone, or else that in the inner cones.
 class ContactStar {
  public:
@@ -26,12 +25,12 @@ class ContactStar {
   ///                       faces
   /// @param contact        stays where it is
   /// @param contact_index  of the contact face of each mesh face, or -1
-  ContactStar(const SolidTopology& topology, int edge,
+  ContactStar(const SolidTopology& topology, JointEdge joint,
               const KnownComponents& known, const FaceForms& forms,
               const std::vector<ContactFace>& contact,
               const std::vector<int>& contact_index);
 
-  int edge() const { return edge_; }
+  const JointEdge& joint() const { return joint_; }
   /// Is there anything that changes contact tractions?
   bool is_free() const { return basis_.cols() > 0; }
 
@@ -42,7 +41,7 @@ class ContactStar {
 
   /// What lowers e^2 and keeps the cone.
   struct Change {
-    VectorXd x;       ///< [6 + 3 m]
+    VectorXd x;       ///< [6 + 3 M]
     double fall = 0;  ///< of e^2; 0: nothing does, no x
   };
 
@@ -55,7 +54,10 @@ class ContactStar {
  private:
   using Tractions = std::vector<Matrix3d>;
 
-  void find_basis(const SolidTopology& topology, const KnownComponents& known);
+  void find_places(const SolidTopology& topology);
+  void find_basis(const SolidTopology& topology, const KnownComponents& known,
+                  const std::vector<ContactFace>& contact,
+                  const std::vector<int>& contact_index);
   void reduce(const MatrixXd& A);
   VectorXd solve_inside(const VectorXd& b) const;
   Tractions moved(const Tractions& from, const VectorXd& t) const;
@@ -67,10 +69,10 @@ class ContactStar {
                                          const Tractions& from,
                                          double largest) const;
 
-  int edge_;
+  JointEdge joint_;
   std::vector<int> inside_, outside_;      ///< places in x
   std::vector<const ContactFace*> faces_;  ///< the contact faces of the edge,
-  std::vector<int> index_, place_;         ///< their indices and places
+  std::vector<int> index_;                 ///< their indices
   MatrixXd basis_;                         ///< N
   std::vector<MatrixXd> P_;                ///< P N of each of them [9 x k]
   MatrixXd coupling_;                      ///< A_io N

@@ -36,6 +36,12 @@ int unknowns_around(const Hinges<3>& edges, int edge) {
   return 6 + 3 * edges.facet_count(edge);
 }
 
+std::vector<int> faces_around(const Hinges<3>& edges, int edge) {
+  const auto facets = edges.facet.begin();
+  return {facets + edges.facet_start[edge],
+          facets + edges.facet_start[edge + 1]};
+}
+
 std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
   const auto& [mesh, faces, edges, stars] = topology;
   const int first = edges.facet_start[edge], count = edges.facet_count(edge);

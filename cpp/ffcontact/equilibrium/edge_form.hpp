@@ -13,6 +13,9 @@ namespace ffcontact {
 /// makes the unknowns of the faces, Z x.
 int unknowns_around(const Hinges<3>& edges, int edge);
 
+/// The m faces.
+std::vector<int> faces_around(const Hinges<3>& edges, int edge);
+
 /// A tetrahedron at an edge with its two faces there.
 struct Wedge {
   int cell;

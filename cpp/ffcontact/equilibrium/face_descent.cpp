@@ -120,8 +120,10 @@ FaceMoments FaceDescent::correction() const {
   const SolidMesh& mesh = setting_.topology.mesh;
   const Facets<3>& faces = setting_.topology.faces;
   KnownComponents known = setting_.boundary.known;
-  for (const ContactFace& face : setting_.contact)
+  for (const ContactFace& face : setting_.contact) {
     known.col(face.face).setConstant(false);
+    if (face.opposite >= 0) known.col(face.opposite).setConstant(false);
+  }
   FaceMoments moments(9, faces.count());
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/contact_faces.hpp"
 
+#include <array>
+
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/cone_projection.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
+#include "ffcontact/interface/matching_faces.hpp"
 
 namespace ffcontact {
 
@@ -15,12 +19,66 @@ constexpr double traction_rounding = 1e-12;
 /// Motions below this part of the largest displacement have no direction.
 constexpr double least_motion = 1e-9;
 
+/// w at the corners of a contact face, less the gap and the load step before, along n, t1,
+/// t2 of each of its corners.
+using SeenMotions = std::array<Matrix3d, 3>;
+
+/// Against a rigid foundation, at each corner along its own directions.
+/// @param w  displacement_against_foundation
+SeenMotions motions_at(const Vector3i& nodes, const Matrix3Xd& w) {
+  SeenMotions seen;
+  seen.fill(w(Eigen::all, nodes));
+  return seen;
+}
+
+/// Against a face that matches.
+SeenMotions jumps_between(const Facets<3>& faces, const ContactSurface& surface,
+                          const SurfaceLaw& law, int m,
+                          const MatchingFace& match,
+                          const Ref<const VectorXd>& u) {
+  const Vector3i nodes = surface.face_node.col(m);
+  Matrix3d jump, previous = Matrix3d::Zero();
+  Vector3d gap = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const int i = nodes[k], own = faces.vertices(k, surface.face[m]),
+              opposite = faces.vertices(match.corner[k], match.face);
+    jump.col(k) = vector_at<3>(u, own) - vector_at<3>(u, opposite);
+    if (law.gap.size() > 0) gap[k] = law.gap[i];
+    if (law.previous.size() > 0)
+      previous.col(k) = surface.frame(i).rightCols<2>() * law.previous.col(i);
+  }
+  SeenMotions seen;
+  for (int a = 0; a < 3; ++a) {
+    const Matrix3d frame = surface.frame(nodes[a]);
+    seen[a] = frame.transpose() * jump;
+    seen[a].row(0) -= gap.transpose();
+    seen[a].bottomRows<2>() -= frame.rightCols<2>().transpose() * previous;
+  }
+  return seen;
+}
+
+/// @param least  |w_t| without direction [mm]
+void put_motions(const SeenMotions& seen, double least, ContactFace& face) {
+  for (int i = 0; i < 3; ++i) {
+    Matrix3d slip = Matrix3d::Zero();
+    slip.row(0) = seen[i].bottomRows<2>().colwise().norm();
+    face.work.col(i) = face_moments_of(seen[i], face.area).col(i);
+    face.slip[i] = face_moments_of(slip, face.area)(0, i);
+    face.direction.col(i).setZero();
+    if (slip(0, i) > least)
+      face.direction.col(i) = seen[i].col(i).tail<2>() / slip(0, i);
+  }
+}
+
 }  // namespace
 
 std::vector<ContactFace> contact_faces(
     const SolidMesh& mesh, const Facets<3>& faces,
     const ContactSurface& surface, const SurfaceLaw& law,
     const Ref<const VectorXd>& displacement) {
+  const bool between_bodies = surface.against_a_body();
+  const std::vector<MatchingFace> matches =
+      matching_faces(mesh, faces, surface);
   const Matrix3Xd w =
       displacement_against_foundation(surface, law, displacement);
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
@@ -28,31 +86,37 @@ std::vector<ContactFace> contact_faces(
   std::vector<ContactFace> contact;
   for (int m = 0; m < surface.face_count(); ++m) {
     const Vector3i nodes = surface.face_node.col(m);
-    if (nodes.minCoeff() < 0) continue;
+    if (nodes.minCoeff() < 0 || (between_bodies && matches[m].face < 0))
+      continue;
     ContactFace face;
     face.face = surface.face[m];
+    face.surface_face = m;
+    face.opposite = matches[m].face;
+    face.opposite_corner = matches[m].corner;
     face.area = facet_measure(mesh, faces, face.face);
-    Matrix3d slip = Matrix3d::Zero();
-    Matrix3d at_vertices;
     for (int i = 0; i < 3; ++i) {
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
-      at_vertices.col(i) = w.col(nodes[i]);
-      const Vector2d tangential = at_vertices.col(i).tail<2>();
-      slip(0, i) = tangential.norm();
-      face.direction.col(i).setZero();
-      if (slip(0, i) > least) face.direction.col(i) = tangential / slip(0, i);
     }
-    face.work = face_moments_of(at_vertices, face.area);
-    face.slip = face_moments_of(slip, face.area).row(0);
+    put_motions(between_bodies ? jumps_between(faces, surface, law, m,
+                                               matches[m], displacement)
+                               : motions_at(nodes, w),
+                least, face);
     contact.push_back(face);
   }
   return contact;
 }
 
+std::vector<int> surface_faces(const std::vector<ContactFace>& contact) {
+  std::vector<int> places;
+  for (const ContactFace& face : contact) places.push_back(face.surface_face);
+  return places;
+}
+
 SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
                               const FaceMoments& moments) {
   SurfaceTractions tractions(9, contact.size());
+  if (contact.empty()) return tractions;
   for (std::size_t m = 0; m < contact.size(); ++m) {
     const Matrix3d of_face = moments.col(contact[m].face).reshaped(3, 3);
     tractions.col(m) = traction_of(contact[m], of_face).reshaped();
@@ -70,8 +134,14 @@ SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
 void put_moments(const std::vector<ContactFace>& contact,
                  const SurfaceTractions& tractions, FaceMoments& moments) {
   for (std::size_t m = 0; m < contact.size(); ++m) {
-    const Matrix3d of_face = tractions.col(m).reshaped(3, 3);
-    moments.col(contact[m].face) = moments_of(contact[m], of_face).reshaped();
+    const ContactFace& face = contact[m];
+    const Matrix3d of_face = tractions.col(m).reshaped(3, 3),
+                   own = moments_of(face, of_face),
+                   change = own - moments.col(face.face).reshaped(3, 3);
+    moments.col(face.face) = own.reshaped();
+    for (int k = 0; k < 3 && face.opposite >= 0; ++k)
+      moments.col(face.opposite).segment<3>(3 * face.opposite_corner[k]) -=
+          change.col(k);
   }
 }
 

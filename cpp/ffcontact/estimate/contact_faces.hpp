@@ -11,7 +11,9 @@ namespace ffcontact {
 /// (r_n, r_t1, r_t2) at the three vertices of each contact face, one column a face [MPa].
 using SurfaceTractions = Matrix<double, 9, Dynamic>;
 
-/// The faces of a surface whose corners are all nodes of it.
+/// The faces of a surface whose tractions may be relaxed: those whose corners are all
+/// nodes of it, against another body those that match a face of it (MatchingFace), with
+/// the jump of the displacement from face to face.
 /// @param displacement  u_hat on all dofs [mm]
 std::vector<ContactFace> contact_faces(const SolidMesh& mesh,
                                        const Facets<3>& faces,
@@ -19,12 +21,16 @@ std::vector<ContactFace> contact_faces(const SolidMesh& mesh,
                                        const SurfaceLaw& law,
                                        const Ref<const VectorXd>& displacement);
 
+/// Their places on the surface.
+std::vector<int> surface_faces(const std::vector<ContactFace>& contact);
+
 /// Tractions of given moments on all faces of the mesh, in the cone where they are but for
-/// rounding.
+/// rounding, one column a contact face.
 SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
                               const FaceMoments& moments);
 
-/// Moments of given tractions take the place of those on the contact faces.
+/// Moments of given tractions take the place of those on the contact faces; faces that
+/// match them feel the opposite change.
 void put_moments(const std::vector<ContactFace>& contact,
                  const SurfaceTractions& tractions, FaceMoments& moments);
 

@@ -103,15 +103,46 @@ SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
   return norms;
 }
 
-/// The contact part of e^2 on each contact face.
+/// The contact faces whose tractions are relaxed: those that carry nothing beside.
+std::vector<ContactFace> relaxed_faces(const SolvedSolidProblem& solved,
+                                       const SolidEstimate& estimate) {
+  const auto& [topology, surface, system, body] = solved;
+  std::vector<ContactFace> relaxed;
+  for (const ContactFace& face :
+       contact_faces(topology.mesh, topology.faces, surface, body.law,
+                     estimate.displacement)) {
+    const auto given =
+        body.neumann.col(topology.faces.boundary_index[face.face]);
+    if (face.opposite < 0 || given.isZero(0)) relaxed.push_back(face);
+  }
+  return relaxed;
+}
+
+/// r_hat on all faces of the surface and on the boundary, relaxed where it may be.
+void put_relaxed(const SolvedSolidProblem& solved,
+                 const std::vector<ContactFace>& contact,
+                 FaceMoments& on_boundary, SolidEstimate& estimate) {
+  const SurfaceTractions relaxed = tractions_of(contact, estimate.moments);
+  estimate.face_tractions =
+      tractions_by_face(solved.surface, estimate.tractions);
+  estimate.face_tractions(Eigen::all, surface_faces(contact)) = relaxed;
+  put_moments(contact, relaxed, on_boundary);
+}
+
+/// The contact part of e^2 on each face of the surface.
 VectorXd contact_part_of(const SolvedSolidProblem& solved,
                          const std::vector<ContactFace>& contact,
                          const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
-  if (!surface.against_a_body())
-    return contact_error(contact, estimate.face_tractions);
-  return facing_contact_error(topology.mesh, topology.faces, surface, body.law,
-                              estimate.tractions, estimate.displacement);
+  const std::vector<int> relaxed = surface_faces(contact);
+  VectorXd part = surface.against_a_body()
+                      ? facing_contact_error(
+                            topology.mesh, topology.faces, surface, body.law,
+                            estimate.tractions, estimate.displacement)
+                      : VectorXd::Zero(surface.face_count());
+  part(relaxed) =
+      contact_error(contact, estimate.face_tractions(Eigen::all, relaxed));
+  return part;
 }
 
 /// (2.11) to (2.13).
@@ -147,10 +178,12 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
   estimate.equilibrium = {norms.defect.divergence / scale,
                           norms.defect.jump / scale,
                           norms.defect.boundary / scale};
-  estimate.cone = (surface.against_a_body()
-                       ? cone_violation(body.law, surface, estimate.tractions)
-                       : cone_violation(contact, estimate.face_tractions)) /
-                  scale;
+  estimate.cone =
+      std::max(
+          cone_violation(body.law, surface, estimate.tractions),
+          cone_violation(contact, estimate.face_tractions(
+                                      Eigen::all, surface_faces(contact)))) /
+      scale;
   const DeepestNode deepest =
       deepest_node(topology.faces, surface, body.law, estimate.displacement);
   if (deepest.depth > 0)
@@ -196,23 +229,12 @@ SolidEstimate estimate_error(const SolidTopology& topology,
   estimate.moments = std::move(first.moments);
 
   // 4. Relaxation of sigma_hat - C eps(u_hat), contact tractions in the cone.
-  const FaceSetting setting{
-      topology,
-      body.hooke,
-      first.boundary,
-      body.body_loads,
-      of_displacement,
-      surface.against_a_body()
-          ? std::vector<ContactFace>()  // r_hat stays as it is
-          : contact_faces(topology.mesh, topology.faces, surface, body.law,
-                          estimate.displacement)};
+  const FaceSetting setting{topology,        body.hooke,
+                            first.boundary,  body.body_loads,
+                            of_displacement, relaxed_faces(solved, estimate)};
   const std::vector<double> falls =
       relax_faces(setting, settings, estimate.moments);
-  estimate.face_tractions =
-      surface.against_a_body()
-          ? tractions_by_face(surface, estimate.tractions)
-          : tractions_of(setting.contact, estimate.moments);
-  put_moments(setting.contact, estimate.face_tractions, first.boundary.moments);
+  put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const SolidNorms norms = solid_norms(setting, estimate.moments);

@@ -61,7 +61,8 @@ struct SolidEstimate {
 /// r_hat begins with the nodal forces over the nodal areas, which are in the cone
 /// everywhere; where contact alone holds the body they are moved inside the cone as little
 /// as keeps force and moment. Relaxation then changes it face by face inside the cone, and
-/// keeps force and moment of what contact alone holds.
+/// keeps force and moment of what contact alone holds; between bodies it stays as it is on
+/// faces that do not match (matching_faces).
 ///
 /// A body without loads whose stresses and tractions are below 1e-12 of the terms |C|
 /// |grad phi| |u| that stresses are summed from has none.

@@ -5,10 +5,10 @@
 
 namespace ffcontact {
 
-/// Of a solid on a rigid foundation; against another body these are those of
-/// facing_error.hpp.
+/// Of a solid on a rigid foundation, and of faces that match; against another body
+/// otherwise these are those of facing_error.hpp.
 
-/// The contact part of e^2 on each contact face [N mm]:
+/// The contact part of e^2 on each of given contact faces [N mm]:
 ///     2 int (c |w_t| + r_t . w_t + r_n (w_n - gap)),   c = mu |r_n|, Tresca's bound, or the shear limit if that is less   [CHH01, (2.11), (2.19)]
 /// where c at the nodes and |w_t| at the nodes are taken linear between these: |w_t| is
 /// convex, so that this is a bound, without quadrature. Components are those along n, t1
