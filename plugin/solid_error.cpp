@@ -9,6 +9,7 @@
 //
 #include "contact_type.hpp"
 #include "solid_loads.hpp"
+#include "solid_stress.hpp"
 
 namespace ffcontact::plugin {
 
@@ -31,8 +32,8 @@ void require_parameters_of_solids(const NamedArguments& named) {
         "rt", "springpart", "rabscissa", "corrected", "unmended",
         "strainoscillation"})
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
-  for (const char* of_bodies : {"rate", "sxx", "syy", "sxy", "initialstrain",
-                                "initialstress", "spring", "rest"})
+  for (const char* of_bodies :
+       {"rate", "initialstrain", "initialstress", "spring", "rest"})
     if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
       refuse_of_plane_bodies(of_bodies);
 }
@@ -118,10 +119,11 @@ double solid_error(Stack stack, const NamedArguments& named,
   const double oscillation =
       read_material_and_loads(stack, named, problem, body);
 
-  SolidEstimate estimate =
-      estimate_error(topology_of(problem.mesh), problem.surface,
-                     *contact.solved->system, body, settings);
+  const SolidTopology topology = topology_of(problem.mesh);
+  SolidEstimate estimate = estimate_error(
+      topology, problem.surface, *contact.solved->system, body, settings);
   put(stack, named, problem, estimate);
+  put_solid_stress(stack, named, problem, topology, estimate, body);
   named.put(stack, "oscillation", oscillation);
   report(stack, named, estimate, CPUtime() - start);
   const double relative = estimate.relative;
