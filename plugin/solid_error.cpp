@@ -6,8 +6,10 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/estimate/solid_coulomb.hpp"
 //
 #include "contact_type.hpp"
+#include "coulomb.hpp"
 #include "solid_loads.hpp"
 #include "solid_stress.hpp"
 
@@ -28,9 +30,8 @@ constexpr int most_sweeps_in_space = 20;
 /// What plane bodies have, and a solid has not.
 void require_parameters_of_solids(const NamedArguments& named) {
   for (const char* parameter :
-       {"multiplier", "tractions", "construction", "stick", "coulomb", "bound",
-        "rt", "springpart", "rabscissa", "corrected", "unmended",
-        "strainoscillation"})
+       {"multiplier", "tractions", "construction", "rt", "springpart",
+        "rabscissa", "corrected", "unmended", "strainoscillation"})
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
   for (const char* of_bodies :
        {"rate", "initialstrain", "initialstress", "spring", "rest"})
@@ -100,6 +101,33 @@ void report(Stack stack, const NamedArguments& named,
          << estimate.penetration << endl;
 }
 
+/// The nodes that slip nowhere, as stick= says.
+std::vector<char> held_nodes(const SurfaceSolution& solution,
+                             StuckNodes stuck) {
+  std::vector<char> held(solution.state.size(), 0);
+  if (stuck == StuckNodes::stick)
+    for (std::size_t i = 0; i < held.size(); ++i)
+      held[i] = solution.state[i] == ContactState::stick;
+  return held;
+}
+
+/// coulomb= and bound=, where one of them is given.
+void put_bound(Stack stack, const NamedArguments& named,
+               const SolidTopology& topology, const SolidProblem& problem,
+               const SolvedSolid& solved, const ffcontact::SolvedSolid& body,
+               const SolidEstimate& estimate, StuckNodes stuck) {
+  if (!named.given("coulomb") && !named.given("bound")) return;
+  const SolidCoulomb found =
+      solid_coulomb(topology, problem.surface, *solved.system, body, estimate,
+                    held_nodes(solved.solution, stuck));
+  named.put(stack, "coulomb", found.kappa);
+  named.put(stack, "bound", found.bound);
+  if (named.verbosity_level(stack) < 1 || mpirank != 0) return;
+  cout << "contacterror: mu kappa " << found.friction * found.kappa
+       << ", delta " << found.missed << ", bound " << found.bound << ", "
+       << in_words(stuck) << endl;
+}
+
 }  // namespace
 
 double solid_error(Stack stack, const NamedArguments& named,
@@ -107,6 +135,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   const double start = CPUtime();
   require_parameters_of_solids(named);
   const SolidRelaxationSettings settings = solid_settings(stack, named);
+  const StuckNodes stuck = stuck_nodes_of(stack, named);
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;
   const SurfaceSolution& solution = contact.solved->solution;
@@ -126,6 +155,8 @@ double solid_error(Stack stack, const NamedArguments& named,
   put_solid_stress(stack, named, problem, topology, estimate, body);
   named.put(stack, "oscillation", oscillation);
   report(stack, named, estimate, CPUtime() - start);
+  put_bound(stack, named, topology, problem, *contact.solved, body, estimate,
+            stuck);
   const double relative = estimate.relative;
   contact.solved->estimate =
       std::make_shared<const SolidEstimate>(std::move(estimate));

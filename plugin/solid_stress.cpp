@@ -12,17 +12,17 @@ namespace ffcontact::plugin {
 
 namespace {
 
-constexpr std::array components = {"sxx", "syy", "szz", "syz", "sxz", "sxy"};
+constexpr std::array stress_names = {"sxx", "syy", "szz", "syz", "sxz", "sxy"};
 
 /// Values at the corners of a tetrahedron as those at its shrunk vertices.
-Matrix<double, 6, 4> shrunk(const Matrix<double, 6, 4>& corners) {
+Matrix<double, 6, 4> at_shrunk_vertices(const Matrix<double, 6, 4>& corners) {
   constexpr double shrink = 1e-4;
   return (1 - shrink) * corners +
          shrink * corners.rowwise().mean().replicate<1, 4>();
 }
 
 bool is_wanted(const NamedArguments& named, int body, int bodies) {
-  return std::any_of(components.begin(), components.end(),
+  return std::any_of(stress_names.begin(), stress_names.end(),
                      [&](const char* name) {
                        return named.given(name_of_body(name, body, bodies));
                      });
@@ -36,7 +36,8 @@ Matrix6Xd p1dc_arrays(const std::vector<SolidStress>& stress) {
   for (const SolidStress& of_tetrahedron : stress)
     for (int k = 0; k < 4; ++k, first += 4) {
       // k+1, k+2, k+3, barycentre
-      const auto corners = shrunk(of_tetrahedron.middleCols<4>(4 * k));
+      const auto corners =
+          at_shrunk_vertices(of_tetrahedron.middleCols<4>(4 * k));
       for (int c = 0; c < 4; ++c)
         values.col(first + (k + 1 + c) % 4) = corners.col(c);
     }
@@ -57,7 +58,7 @@ void put_solid_stress(Stack stack, const NamedArguments& named,
       stress.push_back(stress_of(topology, estimate, body, t));
     const Matrix6Xd values = p1dc_arrays(stress);
     for (int c = 0; c < 6; ++c)
-      named.put(stack, name_of_body(components[c], k, bodies),
+      named.put(stack, name_of_body(stress_names[c], k, bodies),
                 values.row(c).transpose());
   }
 }
