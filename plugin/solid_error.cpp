@@ -7,6 +7,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/solid_coulomb.hpp"
+#include "ffcontact/sizing/edge_rates.hpp"
 //
 #include "contact_type.hpp"
 #include "coulomb.hpp"
@@ -34,7 +35,7 @@ void require_parameters_of_solids(const NamedArguments& named) {
         "rabscissa", "corrected", "unmended", "strainoscillation"})
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
   for (const char* of_bodies :
-       {"rate", "initialstrain", "initialstress", "spring", "rest"})
+       {"initialstrain", "initialstress", "spring", "rest"})
     if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
       refuse_of_plane_bodies(of_bodies);
 }
@@ -51,19 +52,43 @@ SolidRelaxationSettings solid_settings(Stack stack,
   return settings;
 }
 
-/// eps= of one body, eps1=, eps2=, ... of several.
-void put_eps(Stack stack, const NamedArguments& named,
-             const SolidProblem& problem, const VectorXd& local) {
+/// eps= of one body, eps1=, eps2=, ... of several, and so on.
+void put_by_solids(Stack stack, const NamedArguments& named,
+                   const SolidProblem& problem, const char* parameter,
+                   const VectorXd& local) {
   const std::vector<int>& first = problem.joined.first_cell;
   const int bodies = problem.body_count();
   for (int k = 0; k < bodies; ++k)
-    named.put(stack, name_of_body("eps", k, bodies),
+    named.put(stack, name_of_body(parameter, k, bodies),
               local.segment(first[k], first[k + 1] - first[k]));
+}
+
+/// rate=, where it is given.
+void put_solid_rates(Stack stack, const NamedArguments& named,
+                     const SolidTopology& topology, const SolidProblem& problem,
+                     const SolvedSolid& solved,
+                     const ffcontact::SolvedSolid& body) {
+  if (!named.given("rate") && named.numbers_after("rate").empty()) return;
+  const std::vector<char>& prescribed = solved.system->prescribed;
+  KnownComponents known =
+      given_tractions(topology.mesh, topology.faces, prescribed, body.neumann)
+          .known;
+  std::vector<char> is_contact(topology.faces.count(), 0);
+  for (int face : problem.surface.face) {
+    known.col(face).setConstant(true);
+    is_contact[face] = 1;
+  }
+  const Matrix6Xd stress =
+      stresses(topology.mesh, body.hooke, body.displacement);
+  put_by_solids(
+      stack, named, problem, "rate",
+      local_rates(topology, singular_lines(topology, body.hooke, stress, known,
+                                           is_contact)));
 }
 
 void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
          const SolidEstimate& estimate) {
-  put_eps(stack, named, problem, estimate.local);
+  put_by_solids(stack, named, problem, "eps", estimate.local);
   named.put(stack, "e", estimate.e);
   named.put(stack, "elasticpart", estimate.elastic);
   named.put(stack, "contactpart", estimate.contact);
@@ -153,6 +178,7 @@ double solid_error(Stack stack, const NamedArguments& named,
       topology, problem.surface, *contact.solved->system, body, settings);
   put(stack, named, problem, estimate);
   put_solid_stress(stack, named, problem, topology, estimate, body);
+  put_solid_rates(stack, named, topology, problem, *contact.solved, body);
   named.put(stack, "oscillation", oscillation);
   report(stack, named, estimate, CPUtime() - start);
   put_bound(stack, named, topology, problem, *contact.solved, body, estimate,
