@@ -157,8 +157,8 @@ bool touch(const SolidTopology& topology, const std::vector<int>& line,
 }
 
 /// Half the way from the middle half to the next line that does not touch this one.
-double reach(const SolidTopology& topology, const MeasuredLine& line,
-             const std::vector<std::vector<int>>& lines) {
+double room_beside(const SolidTopology& topology, const MeasuredLine& line,
+                   const std::vector<std::vector<int>>& lines) {
   double nearest = infinity;
   for (const std::vector<int>& other : lines) {
     if (touch(topology, line.edges, other)) continue;
@@ -246,7 +246,7 @@ double exponent_about(const SolidTopology& topology, const MeasuredLine& line,
                smallest = nearest_in_space * size;
   double largest = std::min(line.length / 4, farthest_in_space * size);
   if (largest < smallest) return 1;
-  largest = std::min(largest, reach(topology, line, lines));
+  largest = std::min(largest, room_beside(topology, line, lines));
   return fitted_exponent(near(topology, line, tetrahedra, largest), smallest,
                          largest);
 }
