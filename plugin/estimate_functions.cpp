@@ -33,7 +33,19 @@ const NamedArguments::Table estimates_of_bodies = {
     {"initialstress", &typeid(E_Array)}, {"spring", &typeid(E_Array)},
     {"rest", &typeid(E_Array)},          {"eps", &typeid(KN<double>*)},
     {"rate", &typeid(KN<double>*)},      {"sxx", &typeid(KN<double>*)},
-    {"syy", &typeid(KN<double>*)},       {"sxy", &typeid(KN<double>*)}};
+    {"syy", &typeid(KN<double>*)},       {"szz", &typeid(KN<double>*)},
+    {"syz", &typeid(KN<double>*)},       {"sxz", &typeid(KN<double>*)},
+    {"sxy", &typeid(KN<double>*)}};
+
+/// What a solid has, and plane bodies have not.
+void require_parameters_of_plane_bodies(const NamedArguments& named) {
+  for (const char* parameter : {"rt1", "rt2"})
+    if (named.given(parameter))
+      refuse(parameter, "= is for a mesh3; plane bodies have rt=");
+  for (const char* of_bodies : {"szz", "syz", "sxz", "tractionoscillation"})
+    if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
+      refuse(of_bodies, "= is for a mesh3");
+}
 
 /// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve
 /// found, or eps = contacterror(C, A, u, pn, pt, ...) with matrix and displacement of
@@ -117,12 +129,7 @@ class ContactErrorFunction : public E_F0mps {
       return solid_error(stack, named_, contact.solid);
     }
     const ContactProblem& problem = *contact.problem;
-    for (const char* parameter : {"rt1", "rt2", "tractionoscillation"})
-      if (named_.given(parameter))
-        refuse(parameter, "= is for a mesh3",
-               std::string(parameter) == "tractionoscillation"
-                   ? ""
-                   : "; plane bodies have rt=");
+    require_parameters_of_plane_bodies(named_);
     require_names_of_bodies(named_, estimates_of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
     const StuckNodes stuck = stuck_nodes_of(stack, named_);

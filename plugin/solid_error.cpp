@@ -6,9 +6,13 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/estimate/solid_coulomb.hpp"
+#include "ffcontact/sizing/edge_rates.hpp"
 //
 #include "contact_type.hpp"
+#include "coulomb.hpp"
 #include "solid_loads.hpp"
+#include "solid_stress.hpp"
 
 namespace ffcontact::plugin {
 
@@ -27,12 +31,11 @@ constexpr int most_sweeps_in_space = 20;
 /// What plane bodies have, and a solid has not.
 void require_parameters_of_solids(const NamedArguments& named) {
   for (const char* parameter :
-       {"multiplier", "tractions", "construction", "stick", "coulomb", "bound",
-        "rt", "springpart", "rabscissa", "corrected", "unmended",
-        "strainoscillation"})
+       {"multiplier", "tractions", "construction", "rt", "springpart",
+        "rabscissa", "corrected", "unmended", "strainoscillation"})
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
-  for (const char* of_bodies : {"rate", "sxx", "syy", "sxy", "initialstrain",
-                                "initialstress", "spring", "rest"})
+  for (const char* of_bodies :
+       {"initialstrain", "initialstress", "spring", "rest"})
     if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
       refuse_of_plane_bodies(of_bodies);
 }
@@ -49,19 +52,43 @@ SolidRelaxationSettings solid_settings(Stack stack,
   return settings;
 }
 
-/// eps= of one body, eps1=, eps2=, ... of several.
-void put_eps(Stack stack, const NamedArguments& named,
-             const SolidProblem& problem, const VectorXd& local) {
+/// eps= of one body, eps1=, eps2=, ... of several, and so on.
+void put_by_solids(Stack stack, const NamedArguments& named,
+                   const SolidProblem& problem, const char* parameter,
+                   const VectorXd& local) {
   const std::vector<int>& first = problem.joined.first_cell;
   const int bodies = problem.body_count();
   for (int k = 0; k < bodies; ++k)
-    named.put(stack, name_of_body("eps", k, bodies),
+    named.put(stack, name_of_body(parameter, k, bodies),
               local.segment(first[k], first[k + 1] - first[k]));
+}
+
+/// rate=, where it is given.
+void put_solid_rates(Stack stack, const NamedArguments& named,
+                     const SolidTopology& topology, const SolidProblem& problem,
+                     const SolvedSolid& solved,
+                     const ffcontact::SolvedSolid& body) {
+  if (!named.given("rate") && named.numbers_after("rate").empty()) return;
+  const std::vector<char>& prescribed = solved.system->prescribed;
+  KnownComponents known =
+      given_tractions(topology.mesh, topology.faces, prescribed, body.neumann)
+          .known;
+  std::vector<char> is_contact(topology.faces.count(), 0);
+  for (int face : problem.surface.face) {
+    known.col(face).setConstant(true);
+    is_contact[face] = 1;
+  }
+  const Matrix6Xd stress =
+      stresses(topology.mesh, body.hooke, body.displacement);
+  put_by_solids(
+      stack, named, problem, "rate",
+      local_rates(topology, singular_lines(topology, body.hooke, stress, known,
+                                           is_contact)));
 }
 
 void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
          const SolidEstimate& estimate) {
-  put_eps(stack, named, problem, estimate.local);
+  put_by_solids(stack, named, problem, "eps", estimate.local);
   named.put(stack, "e", estimate.e);
   named.put(stack, "elasticpart", estimate.elastic);
   named.put(stack, "contactpart", estimate.contact);
@@ -99,6 +126,33 @@ void report(Stack stack, const NamedArguments& named,
          << estimate.penetration << endl;
 }
 
+/// The nodes that slip nowhere, as stick= says.
+std::vector<char> held_nodes(const SurfaceSolution& solution,
+                             StuckNodes stuck) {
+  std::vector<char> held(solution.state.size(), 0);
+  if (stuck == StuckNodes::stick)
+    for (std::size_t i = 0; i < held.size(); ++i)
+      held[i] = solution.state[i] == ContactState::stick;
+  return held;
+}
+
+/// coulomb= and bound=, where one of them is given.
+void put_bound(Stack stack, const NamedArguments& named,
+               const SolidTopology& topology, const SolidProblem& problem,
+               const SolvedSolid& solved, const ffcontact::SolvedSolid& body,
+               const SolidEstimate& estimate, StuckNodes stuck) {
+  if (!named.given("coulomb") && !named.given("bound")) return;
+  const SolidCoulomb found =
+      solid_coulomb(topology, problem.surface, *solved.system, body, estimate,
+                    held_nodes(solved.solution, stuck));
+  named.put(stack, "coulomb", found.kappa);
+  named.put(stack, "bound", found.bound);
+  if (named.verbosity_level(stack) < 1 || mpirank != 0) return;
+  cout << "contacterror: mu kappa " << found.friction * found.kappa
+       << ", delta " << found.missed << ", bound " << found.bound << ", "
+       << in_words(stuck) << endl;
+}
+
 }  // namespace
 
 double solid_error(Stack stack, const NamedArguments& named,
@@ -106,6 +160,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   const double start = CPUtime();
   require_parameters_of_solids(named);
   const SolidRelaxationSettings settings = solid_settings(stack, named);
+  const StuckNodes stuck = stuck_nodes_of(stack, named);
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;
   const SurfaceSolution& solution = contact.solved->solution;
@@ -118,12 +173,16 @@ double solid_error(Stack stack, const NamedArguments& named,
   const double oscillation =
       read_material_and_loads(stack, named, problem, body);
 
-  SolidEstimate estimate =
-      estimate_error(topology_of(problem.mesh), problem.surface,
-                     *contact.solved->system, body, settings);
+  const SolidTopology topology = topology_of(problem.mesh);
+  SolidEstimate estimate = estimate_error(
+      topology, problem.surface, *contact.solved->system, body, settings);
   put(stack, named, problem, estimate);
+  put_solid_stress(stack, named, problem, topology, estimate, body);
+  put_solid_rates(stack, named, topology, problem, *contact.solved, body);
   named.put(stack, "oscillation", oscillation);
   report(stack, named, estimate, CPUtime() - start);
+  put_bound(stack, named, topology, problem, *contact.solved, body, estimate,
+            stuck);
   const double relative = estimate.relative;
   contact.solved->estimate =
       std::make_shared<const SolidEstimate>(std::move(estimate));

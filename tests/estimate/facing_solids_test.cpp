@@ -7,7 +7,7 @@
 #include "ffcontact/interface/traction_parts.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"
-#include "support/solid_estimates.hpp"
+#include "support/solid_coulomb.hpp"
 #include "support/solid_stacks.hpp"
 
 namespace ffcontact {
@@ -189,6 +189,28 @@ RC_GTEST_PROP(FacingSolids, bounds_the_error_without_friction_and_with_trescas,
   RC_ASSERT(bound * bound > (1 - 1e-9) * both);
   RC_ASSERT(found.e < 1.3 * std::sqrt(both));
   RC_ASSERT(found.e > 0.95 * std::sqrt(both));
+}
+
+RC_GTEST_PROP(FacingSolids, bounds_the_error_with_coulombs, (Random random)) {
+  LoadedPair loads(random);
+  loads.slip_bound = 0;
+  SolidStack coarse = loads.on(1), fine = loads.on(2);
+  const double mu = *real(0.05, 0.7);
+  coarse.problem.law.friction.setConstant(mu);
+  fine.problem.law.friction.setConstant(mu);
+  const SurfaceSolution solution = coarse.problem.solve();
+  RC_PRE(solution.status == ContactStatus::converged);
+  const VectorXd off = fine.problem.solve().displacement -
+                       loads.refined(coarse, solution.displacement);
+  const RowMatrix K =
+      stiffness(fine.problem.mesh, solved_solid(fine.problem, {}).hooke);
+  const SolidEstimate found = estimate(coarse.problem, solution);
+  RC_ASSERT(found.reason == "");
+  const SolidCoulomb coulomb = coulomb_of(coarse.problem, solution, found);
+  RC_CLASSIFY(std::isfinite(coulomb.bound), "bound");
+  RC_ASSERT(coulomb.bound > std::sqrt(off.dot(K * off)));
+  RC_ASSERT(coulomb.bound >= found.e + found.oscillation);
+  RC_ASSERT(coulomb.missed < 0.05 * found.e);
 }
 
 /// A block that nothing but another one holds along z, a part of it beyond the other's edge.

@@ -195,5 +195,15 @@ TEST(TractionOscillation, is_none_where_faces_match) {
             1e-14);
 }
 
+TEST(TractionOscillation, is_none_on_a_rigid_foundation) {
+  std::mt19937 random(3);
+  const SolidProblem problem(brick({3, 2, 1}, {3, 2, 1}));
+  EXPECT_EQ(traction_oscillation(
+                problem.mesh, problem.faces, problem.surface,
+                HookeTensors<3>(problem.mesh.cell_count(), isotropic<3>(2, 1)),
+                random_matrix(3, problem.surface.node_count(), random)),
+            0);
+}
+
 }  // namespace
 }  // namespace ffcontact

@@ -22,10 +22,7 @@ enum class StuckNodes {
 /// sigma_hat) : eps(v), and |u - u_hat|^2 is at least the energy of phi with u_n left free:
 ///     kappa^2 = max over phi of (m phi)' S_nn (m phi) / phi' (S_tt - S_tn S_nn^-1 S_nt) phi,
 /// with m = s where mu is the same all along, and generally s / mu times the slope of the
-/// friction bound (SlipPattern::weight), mu the largest coefficient. With the factor of S,
-/// normal rows first, S = L L', it is a matrix norm:
-///     kappa = |L_nn' m L_tt'^-1|.
-/// Bodies that only contact holds make S singular; 1e-10 of its diagonal is added.
+/// friction bound (SlipPattern::weight), mu the largest coefficient (SlipForms).
 ///
 /// Infinite where no v of finite energy exists: at a slipping node whose normal dof is
 /// prescribed, or at a corner of the line (two nodes on one vertex); and where a motion
@@ -39,7 +36,11 @@ double coulomb_constant(const CondensedContact& contact,
                         const SlipPattern& pattern, double largest_friction,
                         StuckNodes stuck);
 
-/// e / sqrt(1 - mu kappa), infinite where mu kappa >= 1.
-double coulomb_bound(double e, double largest_friction, double kappa);
+/// The B of (1 - mu kappa) B^2 = e^2 + 2 missed B: e / sqrt(1 - mu kappa) where nothing is
+/// missed; infinite where mu kappa >= 1.
+/// @param missed  the dual norm of directed_constant, 0 where slip has one sign [the unit
+///                of e]
+double coulomb_bound(double e, double largest_friction, double kappa,
+                     double missed = 0);
 
 }  // namespace ffcontact

@@ -25,7 +25,7 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
     if (known.rows() > 0) {
       const MatrixXd basis = kernel_basis(known, dependent_conditions);
       A = (basis.transpose() * A * basis).eval();
-      star.basis = basis.cast<float>();
+      star.basis = basis;
     }
   }
   star.size = static_cast<int>(A.rows());
@@ -34,7 +34,7 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
   if (cholesky.info() == Eigen::Success)
     put_tiles(A, factor);
   else
-    star.size = 0;
+    star = {MatrixXd(), 0};
   return star;
 }
 
@@ -81,34 +81,46 @@ void EdgeStars::restrict_to(int edge, const Matrix9Xd& g, float* x) const {
   Map<Matrix<float, 6, 1>>{x} = wrench.cast<float>();
 }
 
-/// x <- A^-1 x
+/// x <- A^-1 basis' x
 void EdgeStars::solve(int edge, float* x) const {
   const auto& [basis, size] = stars_[edge];
-  const float* factor = factors_.get() + first_of_factor_[edge];
   Map<Eigen::VectorXf> all(x, unknowns_around(topology_.edges, edge));
   if (size == 0) {
     all.setZero();
-  } else if (basis.size() == 0) {
-    solve_tiles(factor, size, x);
-  } else {
-    Eigen::VectorXf inside = Eigen::VectorXf::Zero(tiled(size));
-    inside.head(size) = basis.transpose() * all;
-    solve_tiles(factor, size, inside.data());
-    all = basis * inside.head(size);
+    return;
   }
+  if (basis.size() > 0) {
+    const VectorXd inside = basis.transpose() * all.cast<double>();
+    all.setZero();
+    all.head(size) = inside.cast<float>();
+  }
+  solve_tiles(factors_.get() + first_of_factor_[edge], size, x);
+}
+
+/// What an edge has for one of its faces: Z basis x.
+Vector9d EdgeStars::of_face(int edge, int place) const {
+  const auto& [basis, size] = stars_[edge];
+  const float* x = x_.data() + first_[edge];
+  Vector6d wrench;
+  Vector3d bars;
+  if (basis.size() > 0) {
+    const VectorXd inside = Map<const Eigen::VectorXf>(x, size).cast<double>();
+    wrench = basis.topRows<6>() * inside;
+    bars = basis.middleRows<3>(6 + 3 * place) * inside;
+  } else {
+    wrench = Map<const Matrix<float, 6, 1>>(x).cast<double>();
+    bars = Map<const Eigen::Vector3f>(x + 6 + 3 * place).cast<double>();
+  }
+  Vector9d unknowns;
+  unknowns << shift(edge, place).times(wrench), bars;
+  return unknowns;
 }
 
 /// What the edges of a face have for it.
 Vector9d EdgeStars::gathered(int face) const {
   Vector9d sum = Vector9d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    const int edge = topology_.edges.of_facet(k, face), place = place_(k, face);
-    const float* x = x_.data() + first_[edge];
-    const Vector6d wrench = Map<const Matrix<float, 6, 1>>(x).cast<double>();
-    sum.head<6>() += shift(edge, place).times(wrench);
-    sum.tail<3>() +=
-        Map<const Eigen::Vector3f>(x + 6 + 3 * place).cast<double>();
-  }
+  for (int k = 0; k < 3; ++k)
+    sum += of_face(topology_.edges.of_facet(k, face), place_(k, face));
   return sum;
 }
 

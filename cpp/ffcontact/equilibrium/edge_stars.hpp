@@ -16,8 +16,10 @@ namespace ffcontact {
 /// with Z of wrench_shift. At a boundary edge only those x count that leave known
 /// tractions of its two boundary faces alone; where nothing is left the edge has no part.
 ///
-/// Factors (tiled_factor) are kept in single precision: they only steer. Each loop writes what is its
-/// own: the result does not depend on the number of threads.
+/// Factors (tiled_factor) and x are kept in single precision: they only steer. The basis of
+/// what leaves known tractions alone is not, with which they are left alone but for
+/// rounding. Each loop writes what is its own: the result does not depend on the number
+/// of threads.
 class EdgeStars {
  public:
   EdgeStars(const SolidTopology& topology, const FaceTractions& boundary,
@@ -28,9 +30,9 @@ class EdgeStars {
   void operator()(const Matrix9Xd& g, Matrix9Xd& z);
 
  private:
-  /// What an edge adds: x = basis A^-1 basis' (Z' g), basis the identity if empty.
+  /// What an edge adds: basis x with x = A^-1 basis' (Z' g), basis the identity if empty.
   struct Star {
-    Eigen::MatrixXf basis;
+    MatrixXd basis;
     int size;  ///< of A; 0: nothing is free
   };
 
@@ -39,6 +41,7 @@ class EdgeStars {
   const WrenchShift& shift(int edge, int place) const;
   void restrict_to(int edge, const Matrix9Xd& g, float* x) const;
   void solve(int edge, float* x) const;
+  Vector9d of_face(int edge, int place) const;
   Vector9d gathered(int face) const;
 
   const SolidTopology& topology_;

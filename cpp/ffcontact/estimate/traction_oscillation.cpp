@@ -187,6 +187,7 @@ double traction_oscillation(const SolidMesh& mesh, const Facets<3>& faces,
   std::map<int, double> of_cell;
   for (const auto& [face, contact] :
        contact_of_faces(mesh, faces, surface, traction)) {
+    if (contact.pieces.empty()) continue;  // a rigid foundation
     const int cell = faces.cells(0, face);
     const double area = facet_measure(mesh, faces, face);
     of_cell[cell] += std::sqrt(

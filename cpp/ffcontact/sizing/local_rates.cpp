@@ -8,15 +8,13 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
+#include "ffcontact/sizing/energy_exponent.hpp"
 
 namespace ffcontact {
 
 namespace {
 
 constexpr double turning = 0.0175;  ///< sine of one degree
-/// a bound on what a fit on a coarse mesh can say
-constexpr double weakest_exponent = 0.1;
-constexpr int least_radii = 4;
 /// of the fit, in element sizes
 constexpr double nearest_radius = 2, farthest_radius = 8;
 
@@ -63,41 +61,6 @@ double reach(const Mesh& mesh, const std::vector<int>& others, int v) {
   return std::isfinite(nearest) ? 0.5 * nearest : 0;
 }
 
-/// The triangles about a vertex.
-struct EnergyAtDistance {
-  double distance, energy;
-};
-using Neighbourhood = std::vector<EnergyAtDistance>;
-
-double energy_within(double r, const Neighbourhood& near) {
-  double W = 0;
-  for (const auto& [distance, energy] : near)
-    if (distance <= r) W += energy;
-  return W;
-}
-
-/// Of the line nearest to some points, halved.
-double half_slope(const std::vector<double>& x, const std::vector<double>& y) {
-  const auto n = static_cast<Index>(x.size());
-  const Map<const Eigen::ArrayXd> X(x.data(), n), Y(y.data(), n);
-  const Eigen::ArrayXd dx = X - X.mean();
-  return 0.5 * (dx * (Y - Y.mean())).sum() / dx.square().sum();
-}
-
-/// Slope of log W against log r over geometrically spaced radii, halved.
-double fitted_exponent(const Neighbourhood& near, double smallest,
-                       double largest) {
-  constexpr double spacing = 1.25;
-  std::vector<double> x, y;
-  for (double r = smallest; r <= largest; r *= spacing) {
-    const double W = energy_within(r, near);
-    if (!(W > 0)) continue;
-    x.push_back(std::log(r));
-    y.push_back(std::log(W));
-  }
-  return x.size() < least_radii ? 1 : half_slope(x, y);
-}
-
 /// int sigma : C^-1 sigma and the place of each triangle.
 struct TriangleEnergies {
   VectorXd energy;
@@ -139,9 +102,8 @@ std::vector<SingularVertex> singular_vertices(
     const double largest =
         std::min(reach(mesh, vertices, v), farthest_radius * size);
     const Neighbourhood near = triangles.within(largest, mesh.vertices.col(v));
-    const double exponent =
-        fitted_exponent(near, nearest_radius * size, largest);
-    result.push_back({v, std::clamp(exponent, weakest_exponent, 1.0)});
+    result.push_back(
+        {v, fitted_exponent(near, nearest_radius * size, largest)});
   }
   return result;
 }

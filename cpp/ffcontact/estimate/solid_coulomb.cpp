@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/solid_coulomb.hpp"
+
+#include <algorithm>
+
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/coulomb_constant.hpp"
+#include "ffcontact/contact/slip_pattern.hpp"
+#include "ffcontact/estimate/surface_tractions.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Motions below this part of the largest displacement have no direction.
+constexpr double least_slip = 1e-9;
+
+/// The faces of a surface that carry tractions on their own: their nodes and areas, and
+/// (r_n, r_t1, r_t2) at the corners in the frames of these.
+struct FaceOfNodes {
+  Vector3i node;
+  double area;
+  Matrix3d traction;
+};
+
+std::vector<FaceOfNodes> faces_of_nodes(const SolidTopology& topology,
+                                        const ContactSurface& surface,
+                                        const SurfaceTractions& tractions) {
+  std::vector<FaceOfNodes> faces;
+  for (int m = 0; m < surface.face_count(); ++m)
+    if (surface.face_node.col(m).minCoeff() >= 0)
+      faces.push_back(
+          {surface.face_node.col(m),
+           facet_measure(topology.mesh, topology.faces, surface.face[m]),
+           tractions.col(count_of(faces)).reshaped(3, 3)});
+  return faces;
+}
+
+/// r_hat_t and its bound, as means around the nodes times an area.
+struct NodalFriction {
+  Matrix2Xd traction;
+  VectorXd bound;
+
+  explicit NodalFriction(Index nodes)
+      : traction(Matrix2Xd::Zero(2, nodes)), bound(VectorXd::Zero(nodes)) {}
+  void add(int node, const FrictionCone& cone, const Vector3d& r, double area) {
+    traction.col(node) += area * r.tail<2>();
+    bound[node] += area * cone.bound(r[0]);
+  }
+};
+
+/// What a solution says of the friction at its nodes.
+class PairOnSurface {
+ public:
+  PairOnSurface(const SolidTopology& topology, const ContactSurface& surface,
+                const SurfaceLaw& law, const SolidEstimate& estimate)
+      : surface_(surface),
+        cones_(traction_cones(law, surface)),
+        nodal_(estimate.tractions),
+        friction_(surface.node_count()) {
+    if (!surface.against_a_body())
+      faces_ = faces_of_nodes(topology, surface, estimate.face_tractions);
+    visit([&](int node, const Vector3d& r, double area) {
+      friction_.add(node, cones_[node], r, area);
+    });
+    put_directions(
+        displacement_against_foundation(surface, law, estimate.displacement),
+        least_slip * largest_displacement(law, estimate.displacement));
+  }
+
+  const Matrix2Xd& directions() const { return s_; }
+
+  bool reaches_limit() const {
+    bool reached = false;
+    visit([&](int node, const Vector3d& r, double) {
+      reached = reached || cones_[node].at_limit(r[0]);
+    });
+    return reached;
+  }
+
+  /// int phi_i d
+  Matrix2Xd missed_moments() const {
+    return surface_.against_a_body() ? moments_of_nodes() : moments_of_faces();
+  }
+
+ private:
+  /// All (node, traction, area that belongs to it).
+  template <class Visitor>
+  void visit(const Visitor& visitor) const {
+    if (surface_.against_a_body())
+      for (int i = 0; i < surface_.node_count(); ++i)
+        visitor(i, nodal_.col(i), surface_.area[i]);
+    for (const FaceOfNodes& face : faces_)
+      for (int k = 0; k < 3; ++k)
+        visitor(face.node[k], face.traction.col(k), face.area / 3);
+  }
+
+  void put_directions(const Matrix3Xd& w, double least) {
+    s_ = Matrix2Xd::Zero(2, w.cols());
+    for (Index i = 0; i < w.cols(); ++i) {
+      const Vector2d slip = w.col(i).tail<2>();
+      if (slip.norm() > least)
+        s_.col(i) = slip.normalized();
+      else if (friction_.bound[i] > 0)
+        s_.col(i) = -friction_.traction.col(i) / friction_.bound[i];
+    }
+  }
+
+  /// (0, d) in the frame of the node.
+  Vector3d missed(int node, const Vector3d& r) const {
+    Vector3d d = Vector3d::Zero();
+    d.tail<2>() = r.tail<2>() + cones_[node].bound(r[0]) * s_.col(node);
+    return d;
+  }
+
+  Matrix2Xd moments_of_nodes() const {
+    SurfaceLaw pressures;
+    pressures.multiplier = Multiplier::pressure;
+    Matrix3Xd d(3, nodal_.cols());
+    for (int i = 0; i < surface_.node_count(); ++i)
+      d.col(i) = missed(i, nodal_.col(i));
+    const VectorXd moments = weight_of_rows(pressures, surface_) * d.reshaped();
+    return moments.reshaped(3, d.cols()).bottomRows<2>();
+  }
+
+  Matrix2Xd moments_of_faces() const {
+    Matrix2Xd moments = Matrix2Xd::Zero(2, surface_.node_count());
+    for (const FaceOfNodes& face : faces_) {
+      Matrix3d d;
+      for (int k = 0; k < 3; ++k)
+        d.col(k) = surface_.frame(face.node[k]) *
+                   missed(face.node[k], face.traction.col(k));
+      const Matrix3d of_face = face_moments_of(d, face.area);
+      for (int k = 0; k < 3; ++k)
+        moments.col(face.node[k]) +=
+            surface_.frame(face.node[k]).rightCols<2>().transpose() *
+            of_face.col(k);
+    }
+    return moments;
+  }
+
+  const ContactSurface& surface_;
+  std::vector<FrictionCone> cones_;
+  const Matrix3Xd& nodal_;
+  std::vector<FaceOfNodes> faces_;  ///< on a rigid foundation
+  NodalFriction friction_;
+  Matrix2Xd s_;
+};
+
+/// s times the slope of the bound over the largest coefficient.
+Matrix2Xd weight_of(const Matrix2Xd& s, const NodalLaw& law) {
+  const double largest = largest_friction(law);
+  Matrix2Xd weight = s;
+  for (Index i = 0; i < s.cols(); ++i)
+    weight.col(i) *= largest > 0 ? law.cone[i].friction / largest : 0;
+  return weight;
+}
+
+}  // namespace
+
+DirectedSlip directed_slip(const SolidTopology& topology,
+                           const ContactSurface& surface,
+                           const SolvedSolid& body,
+                           const SolidEstimate& estimate) {
+  const PairOnSurface pair(topology, surface, body.law, estimate);
+  return {weight_of(pair.directions(), nodal_law(body.law, surface)),
+          pair.missed_moments(), std::vector<char>(surface.node_count(), 0)};
+}
+
+SolidCoulomb solid_coulomb(const SolidTopology& topology,
+                           const ContactSurface& surface,
+                           const ElasticSystem& system, const SolvedSolid& body,
+                           const SolidEstimate& estimate,
+                           const std::vector<char>& held) {
+  const double e =
+      estimate.admissible ? estimate.e + estimate.oscillation : infinity;
+  const double friction = largest_friction(nodal_law(body.law, surface));
+  if (friction == 0) return {0, 0, 0, e};
+  if (PairOnSurface(topology, surface, body.law, estimate).reaches_limit())
+    return {friction, infinity, infinity, infinity};
+  DirectedSlip slip = directed_slip(topology, surface, body, estimate);
+  slip.left_out = held;
+  const auto constant = directed_constant(
+      forces_relation(surface, body.law, system, *body.stiffness), slip);
+  return {friction, constant.kappa, constant.missed,
+          coulomb_bound(e, friction, constant.kappa, constant.missed)};
+}
+
+}  // namespace ffcontact
