@@ -9,6 +9,7 @@
 
 #include "ffcontact/equilibrium/face_moments.hpp"
 #include "support/random.hpp"
+#include "support/slivers.hpp"
 #include "support/smooth_solid.hpp"
 #include "support/tetrahedra.hpp"
 
@@ -182,6 +183,23 @@ TEST(SolidRelaxation, effectivity_on_moved_bricks) {
   EXPECT_LT(e[4], 1.25);
   EXPECT_LT(e[10], 1.09);
   EXPECT_GT(e[16], 1);
+}
+
+TEST(SolidRelaxation, effectivity_on_slivers) {
+  // six of the 27 inner vertices are in tetrahedra with an angle of 1 degree
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    std::mt19937 random(seed);
+    const SolidMesh mesh = shuffled(
+        with_slivers(moved(brick({4, 4, 4}, {1, 1, 1}), 0.25, 0.1, random), 6,
+                     1, random),
+        random);
+    const std::vector<double> e = effectivities(mesh, true);
+    EXPECT_LT(e[16], 0.05 * e[0]);
+    EXPECT_GT(e[16], 1);
+    RelaxedSolid solid(smooth_body({}, mesh, true));
+    solid.relax(16);
+    EXPECT_LT(solid.imbalance(), 1e-10);
+  }
 }
 
 /// Steps without a number, and e / |u - u_h| after them.

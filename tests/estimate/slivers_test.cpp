@@ -45,6 +45,18 @@ RC_GTEST_PROP(Slivers, keep_equilibrium_and_cone, (Random random)) {
   RC_ASSERT(found.cone < 1e-12);
 }
 
+/// But for the order in which contact stars are relaxed, and single precision in flat ones:
+/// up to 1.6 % of e in sixty cases.
+RC_GTEST_PROP(Slivers, do_not_depend_on_numbers, (Random random)) {
+  const SolidMesh mesh = slivers(random);
+  const SolidEstimate first =
+                          estimate(block_problem(mesh, BlockCase::shear, 0.5)),
+                      second = estimate(block_problem(shuffled(mesh, random),
+                                                      BlockCase::shear, 0.5));
+  RC_ASSERT(std::abs(first.history[0] / second.history[0] - 1) < 1e-4);
+  RC_ASSERT(std::abs(first.e / second.e - 1) < 0.1);
+}
+
 /// Held by friction and contact alone but for one side that is guided.
 SolidProblem standing(const SolidMesh& mesh, double friction, bool guided) {
   SolidProblem problem(mesh, friction);
