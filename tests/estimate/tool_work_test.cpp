@@ -16,7 +16,7 @@ using namespace test;
 /// below it.
 struct PushedBlock {
   Mesh mesh;
-  bool guided;
+  int guided;  ///< its label, or 0
   double friction, slip_bound;
   Multiplier multiplier;
   RigidTool tool;
@@ -24,7 +24,7 @@ struct PushedBlock {
   Problem on(const Mesh& body_mesh) const {
     Problem problem = body(body_mesh, material(1000, 0.3));
     clamp(problem, top);
-    if (guided) prescribe(problem, left, 0);
+    if (guided != 0) prescribe(problem, guided, 0);
     set_friction(problem, friction);
     if (slip_bound > 0)
       problem.law.slip_bound = everywhere(problem.line, slip_bound);
@@ -62,7 +62,7 @@ struct Pushed {
 PushedBlock random_pushed(Random& random) {
   PushedBlock block{
       irregular(*rc::gen::inRange(3, 7), *rc::gen::inRange(2, 5), 6, 4, random),
-      *rc::gen::arbitrary<bool>(),
+      *rc::gen::element<int>(0, left, right),
       *rc::gen::element(0.0, 0.4),
       0,
       *rc::gen::element(Multiplier::force, Multiplier::pressure),
@@ -120,7 +120,7 @@ double part_of_bound(const PushedBlock& block, int finer) {
 
 PushedBlock closed_block(Random& random) {
   return {irregular(4, 3, 6, 4, random),
-          false,
+          0,
           0,
           0,
           Multiplier::force,
@@ -131,7 +131,7 @@ TEST(ToolWork, makes_an_equality_of_the_bound_where_all_is_closed) {
   // The motions differ by 2 %; without the work of the tool there is 1 % between both sides.
   Random random(4);
   PushedBlock block = closed_block(random);
-  for (const bool guided : {false, true}) {
+  for (const int guided : {0, int{left}, int{right}}) {
     block.guided = guided;
     EXPECT_NEAR(part_of_bound(block, 2), 1, 1e-8);
   }
