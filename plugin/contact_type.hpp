@@ -30,6 +30,7 @@ struct SolvedContact {
   ContactSolution solution;
   /// of a tool: its motion (x, y, turn), and t . z at the nodes [mm]; empty: none
   VectorXd motion, tool;
+  std::optional<RigidTool> driven{};  ///< it, as it was pushed
   NodalResults nodes;
   /// what contacterror made of it last; null before
   std::shared_ptr<const Estimate> estimate;

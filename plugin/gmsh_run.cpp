@@ -45,7 +45,8 @@ std::string first_line(const path& file) {
 }
 
 void run_gmsh(const std::string& dimension, const path& input,
-              const path& output, const std::string& what, const path& log) {
+              const path& output, const std::string& what, const path& log,
+              const std::string& otherwise) {
   constexpr int shell_found_nothing = 127;
   const std::string command =
       "gmsh " + dimension + " -v 1 " + quoted_for_shell(input.string()) +
@@ -56,7 +57,8 @@ void run_gmsh(const std::string& dimension, const path& input,
   if (WIFEXITED(status) && WEXITSTATUS(status) == shell_found_nothing)
     refuse(
         "the program gmsh was not found; install it (Debian: apt-get install "
-        "gmsh) or add its folder to PATH");
+        "gmsh) or add its folder to PATH",
+        otherwise);
   if (status != 0 || !std::filesystem::exists(output))
     refuse("gmsh could not use ", what, ": ", first_line(log));
 }

@@ -31,9 +31,11 @@ std::string first_line(const std::filesystem::path& file);
 /// errors to `log`.
 /// @param dimension  "-0" to "-3"
 /// @param what       what the user calls the input
+/// @param otherwise  what else the user can do without gmsh, or nothing
 /// @throws std::invalid_argument  if gmsh is missing, or makes no mesh
 void run_gmsh(const std::string& dimension, const std::filesystem::path& input,
               const std::filesystem::path& output, const std::string& what,
-              const std::filesystem::path& log);
+              const std::filesystem::path& log,
+              const std::string& otherwise = {});
 
 }  // namespace ffcontact::plugin

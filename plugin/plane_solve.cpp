@@ -61,6 +61,7 @@ void solve(const SolveCall& call, const ContactProblem& problem,
   solved.tool =
       tool_components(problem.mesh, line, *tool, with_tool.motion).row(1);
   solved.motion = with_tool.motion;
+  solved.driven = tool;
 }
 
 ContactLaw law_of(const SolveCall& call, const Contact& contact) {

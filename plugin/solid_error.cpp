@@ -44,9 +44,8 @@ SolidRelaxationSettings solid_settings(Stack stack,
                                        const NamedArguments& named) {
   SolidRelaxationSettings settings;
   settings.tightness = named.number(stack, "tightness", settings.tightness);
-  const int sweeps = settings.tightness > 0 ? most_sweeps_in_space
-                                            : settings.steps / steps_of_a_sweep;
-  const long wanted = named.integer(stack, "sweeps", sweeps);
+  if (!named.given("sweeps") && settings.tightness == 0) return settings;
+  const long wanted = named.integer(stack, "sweeps", most_sweeps_in_space);
   if (wanted < 0) refuse("sweeps must not be negative, got ", wanted);
   settings.steps = steps_of_a_sweep * static_cast<int>(wanted);
   return settings;

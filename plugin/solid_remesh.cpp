@@ -49,7 +49,10 @@ ModelMesh made_by_gmsh(const SolidMesh& mesh, const Facets<3>& faces,
   write_gmsh_sizes(folder / "sizes.pos", mesh, size, scale);
   write_gmsh_volumes(folder / "model.geo", model);
   run_gmsh("-3", folder / "model.geo", folder / "new.msh",
-           "the surface of this mesh", folder / "log");
+           "the surface of this mesh", folder / "log",
+           "; or include \"ffcontact_tetgen.idp\" and take "
+           "contactmeshtetgen(Th, h[]), which divides the mesh by FreeFEM's "
+           "tetgen");
   if (const std::string error = first_line(folder / "log"); !error.empty())
     refuse("gmsh cannot mesh this body anew: ", error);
   return read_gmsh_model(folder / "new.msh", 1 / scale);

@@ -11,7 +11,7 @@
 /// Modules, each using only those before it:
 ///   base         refusals, small dense problems
 ///   mesh         triangles and tetrahedra, their facets (edges, faces) and hinges, stars, several bodies as one joined mesh,
-///                boundary parts and curves; the planes, smooth surfaces and curves of a solid
+///                boundary parts and curves; the planes, smooth surfaces and curves of a solid; a rectangle
 ///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
 ///                few dofs; as meshes and facets for plane bodies and solids
 ///   interface    the contact line, facing traces, their common refinement; the contact surface of a solid
@@ -28,11 +28,13 @@
 #include "ffcontact/contact/critical_friction.hpp"
 #include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/elastic/loads_and_supports.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/interface/facing_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
+#include "ffcontact/mesh/rectangle.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"

@@ -5,9 +5,11 @@
 #include <omp.h>
 
 #include <Eigen/LU>
+#include <set>
 
 #include "ffcontact/equilibrium/face_moments.hpp"
 #include "support/random.hpp"
+#include "support/slivers.hpp"
 #include "support/smooth_solid.hpp"
 #include "support/tetrahedra.hpp"
 
@@ -181,6 +183,71 @@ TEST(SolidRelaxation, effectivity_on_moved_bricks) {
   EXPECT_LT(e[4], 1.25);
   EXPECT_LT(e[10], 1.09);
   EXPECT_GT(e[16], 1);
+}
+
+TEST(SolidRelaxation, effectivity_on_slivers) {
+  // six of the 27 inner vertices are in tetrahedra with an angle of 1 degree
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    std::mt19937 random(seed);
+    const SolidMesh mesh = shuffled(
+        with_slivers(moved(brick({4, 4, 4}, {1, 1, 1}), 0.25, 0.1, random), 6,
+                     1, random),
+        random);
+    const std::vector<double> e = effectivities(mesh, true);
+    EXPECT_LT(e[16], 0.05 * e[0]);
+    EXPECT_GT(e[16], 1);
+    RelaxedSolid solid(smooth_body({}, mesh, true));
+    solid.relax(16);
+    EXPECT_LT(solid.imbalance(), 1e-10);
+  }
+}
+
+/// Steps without a number, and e / |u - u_h| after them.
+struct AutomaticSteps {
+  std::size_t steps;
+  double effectivity;
+
+  AutomaticSteps(const SolidMesh& mesh, double nu) {
+    SmoothSolid exact;
+    exact.nu = nu;
+    RelaxedSolid solid(smooth_body(exact, mesh, true));
+    const double error = error_of(exact, solid.body, solid.stress);
+    steps = relax_faces(solid.setting, {}, solid.moments).size();
+    effectivity = std::sqrt(solid.square()) / error;
+  }
+};
+
+TEST(SolidRelaxation, goes_on_where_bodies_are_nearly_incompressible) {
+  // 16 steps leave 1.57 and 1.37 at nu 0.49
+  for (const int n : {4, 8}) {
+    const SolidMesh mesh = brick({n, n, n}, {1, 1, 1});
+    const AutomaticSteps usual(mesh, 0.3), more(mesh, 0.49);
+    EXPECT_EQ(usual.steps, 16u);
+    EXPECT_GT(usual.effectivity, 1);
+    EXPECT_LT(usual.effectivity, 1.05);
+    EXPECT_GE(more.steps, 24u);
+    EXPECT_LE(more.steps, 32u);
+    EXPECT_GT(more.effectivity, 1);
+    EXPECT_LT(more.effectivity, n == 4 ? 1.5 : 1.3);
+  }
+}
+
+TEST(SolidRelaxation, without_a_number_goes_on_while_four_steps_lower_e) {
+  const SolidMesh mesh = brick({3, 3, 3}, {1, 1, 1});
+  std::set<std::size_t> counts;
+  for (double nu : {0.2, 0.4, 0.45, 0.47, 0.49, 0.499}) {
+    SmoothSolid exact;
+    exact.nu = nu;
+    RelaxedSolid all(smooth_body(exact, mesh, true)), some(all.body);
+    std::vector<double> e{std::sqrt(all.square())};
+    for (double fall : all.relax(40))
+      e.push_back(std::sqrt(e.back() * e.back() - fall));
+    std::size_t last = 16;
+    while (last < 32 && e[last] < 0.97 * e[last - 4]) last += 4;
+    EXPECT_EQ(relax_faces(some.setting, {}, some.moments).size(), last);
+    counts.insert(last);
+  }
+  EXPECT_GT(counts.size(), 2u);
 }
 
 TEST(SolidRelaxation, has_the_same_digits_on_two_threads) {

@@ -360,6 +360,21 @@ RC_GTEST_PROP(SolidEstimate, constant_pressure_has_no_error, (Random random)) {
       RC_ASSERT((r.col(i) - Vector3d(-10, 0, 0)).norm() < 1e-9);
 }
 
+/// Uniaxial compression whose sides and top are prescribed, up to the contact.
+RC_GTEST_PROP(SolidEstimate, tractions_go_on_to_clamped_edges,
+              (Random random)) {
+  SolidProblem problem(irregular_solid(random), 0.5);
+  for (const int side : {low_x, high_x, low_y, high_y, high_z})
+    problem.move(
+        side, [](const Vector3d& x) { return Vector3d(0, 0, -1e-3 * x.z()); });
+  const SolidEstimate found = estimate(problem);
+  RC_ASSERT(elastic_part(found) < 1e-12);
+  RC_ASSERT(found.reason == "");
+  const double pressure = 1e-3 * 13e3 * 0.8 / 0.72;
+  for (const auto& r : found.tractions.colwise())
+    RC_ASSERT((r - Vector3d(-pressure, 0, 0)).norm() < 1e-9);
+}
+
 RC_GTEST_PROP(SolidEstimate, homogeneous_slip_has_no_error, (Random random)) {
   // u = (U + g z, 0, -eps z) slides with G g = mu (lambda + 2 G) eps
   const double lambda = 13e3 * 0.2 / 0.72, G = 13e3 / 2.4, mu = 0.3, eps = 1e-3,

@@ -96,6 +96,29 @@ TEST(SurfaceTractions, have_the_same_cones_with_either_multiplier) {
   }
 }
 
+TEST(SurfaceTractions, go_on_where_held_nodes_touch) {
+  SolidProblem problem(brick({3, 3, 1}, {3, 3, 1}), 0.2);
+  problem.move(low_x, [](const Vector3d&) { return Vector3d::Zero(); });
+  const int nodes = problem.surface.node_count();
+  const VectorXd u = VectorXd::Zero(problem.b.size());
+  Matrix3Xd r(3, nodes), expected(3, nodes);
+  for (int i = 0; i < nodes; ++i) {
+    const bool held = problem.mesh.vertices(0, problem.surface.vertex[i]) == 0;
+    r.col(i) = held ? Vector3d::Zero() : Vector3d(-2, 0.4, 0);
+    expected.col(i) = Vector3d(-2, 0.4, 0);
+  }
+  const auto continued = [&] {
+    return continued_tractions(problem.law, problem.surface, u,
+                               problem.system().prescribed, r);
+  };
+  EXPECT_LT((continued() - expected).norm(), 1e-14);
+  problem.law.friction *= 0.5;  // in the cone of the held node
+  EXPECT_LT((continued() - expected).norm(), 1);
+  EXPECT_LT(cone_violation(problem.law, problem.surface, continued()), 0.3);
+  problem.law.gap = VectorXd::Ones(nodes);
+  EXPECT_EQ(continued(), r);
+}
+
 TEST(SurfaceTractions, none_pull) {
   std::mt19937 random(2);
   SolidProblem problem(irregular_solid(random), 0.6);

@@ -43,6 +43,33 @@ TEST(Mesh, accepts_a_rectangle) {
   EXPECT_EQ(refusal_of(rectangle(3, 2, 3, 2)), "accepted");
 }
 
+TEST(Mesh, of_a_rectangle_has_its_sides) {
+  const Mesh mesh = rectangle(3, 2, 6, 4);
+  const Vector2d middle[] = {{3, 0}, {6, 2}, {3, 4}, {0, 2}};
+  for (int side = 0; side < 4; ++side) {
+    Vector2d sum(0, 0);
+    int count = 0;
+    for (Index e = 0; e < mesh.boundary.cols(); ++e)
+      if (mesh.boundary_label[e] == 1 + side) {
+        sum += mesh.vertices(Eigen::all, mesh.boundary.col(e)).rowwise().mean();
+        ++count;
+      }
+    EXPECT_EQ(count, side % 2 == 0 ? 3 : 2);
+    EXPECT_LT((sum / count - middle[side]).norm(), 1e-14);
+  }
+}
+
+TEST(Mesh, refuses_a_rectangle_without_extent) {
+  const auto said = [](const Vector2i& cells, const Vector2d& size) {
+    return refusal([&] { ffcontact::rectangle(cells, size); });
+  };
+  EXPECT_EQ(said({3, 0}, {1, 1}),
+            "a rectangle has at least one cell each way, got 3 x 0");
+  EXPECT_EQ(said({1, 1}, {1, -2}),
+            "the sides of a rectangle are positive, got 1 and -2");
+  EXPECT_TRUE(says(said({1, 1}, {INFINITY, 1}), "positive, got inf"));
+}
+
 TEST(Mesh, refuses_a_mesh_without_triangles) {
   EXPECT_EQ(refusal_of(Mesh{}), "the mesh has no triangles");
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/mesh/rectangle.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
 /// Meshes that the tests share.
@@ -20,35 +21,8 @@ namespace ffcontact::test {
 /// Labels of a rectangle's sides, those of FreeFEM's square().
 enum Side : int { bottom = 1, right = 2, top = 3, left = 4 };
 
-/// nx x ny cells on (0, width) x (0, height), each cut by the diagonal from lower left to
-/// upper right.
 inline Mesh rectangle(int nx, int ny, double width, double height) {
-  Mesh mesh;
-  const auto id = [nx](int i, int j) { return j * (nx + 1) + i; };
-  mesh.vertices.resize(2, (nx + 1) * (ny + 1));
-  for (int j = 0; j <= ny; ++j)
-    for (int i = 0; i <= nx; ++i)
-      mesh.vertices.col(id(i, j)) << width * i / nx, height * j / ny;
-  mesh.cells.resize(3, 2 * nx * ny);
-  for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) {
-      mesh.cells.col(2 * (j * nx + i)) << id(i, j), id(i + 1, j),
-          id(i + 1, j + 1);
-      mesh.cells.col(2 * (j * nx + i) + 1) << id(i, j), id(i + 1, j + 1),
-          id(i, j + 1);
-    }
-  mesh.boundary.resize(2, 2 * (nx + ny));
-  mesh.boundary_label.resize(2 * (nx + ny));
-  int next = 0;
-  const auto add = [&](int a, int b, Side side) {
-    mesh.boundary.col(next) << a, b;
-    mesh.boundary_label[next++] = side;
-  };
-  for (int i = 0; i < nx; ++i) add(id(i, 0), id(i + 1, 0), bottom);
-  for (int j = 0; j < ny; ++j) add(id(nx, j), id(nx, j + 1), right);
-  for (int i = nx; i > 0; --i) add(id(i, ny), id(i - 1, ny), top);
-  for (int j = ny; j > 0; --j) add(id(0, j), id(0, j - 1), left);
-  return mesh;
+  return ffcontact::rectangle({nx, ny}, {width, height});
 }
 
 /// A rectangle whose vertices are moved at random, by less than `fraction` of the cell in

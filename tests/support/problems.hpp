@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/elastic/loads_and_supports.hpp"
 #include "support/meshes.hpp"
 
 /// Contact problems that the tests share.
@@ -66,17 +67,7 @@ inline Problem body(const Mesh& mesh, const Material& material,
 /// Adds a constant traction [MPa] on the edges of a label.
 inline void add_traction(Problem& problem, int label,
                          const Vector2d& traction) {
-  const Mesh& mesh = problem.mesh;
-  for (Index e = 0; e < mesh.boundary.cols(); ++e) {
-    if (mesh.boundary_label[e] != label) continue;
-    const double length = (mesh.vertices.col(mesh.boundary(1, e)) -
-                           mesh.vertices.col(mesh.boundary(0, e)))
-                              .norm();
-    for (int end = 0; end < 2; ++end) {
-      problem.neumann.block<2, 1>(2 * end, e) += length / 2 * traction;
-      problem.b.segment<2>(2 * mesh.boundary(end, e)) += length / 2 * traction;
-    }
-  }
+  add_traction(problem.mesh, label, traction, problem.b, problem.neumann);
 }
 
 /// Adds a constant body force [N/mm^3].

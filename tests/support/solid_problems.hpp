@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/elastic/loads_and_supports.hpp"
 #include "ffcontact/equilibrium/face_tractions.hpp"
 #include "ffcontact/mesh/facets.hpp"
 #include "support/solids.hpp"
@@ -57,14 +58,7 @@ struct SolidProblem {
   }
   /// A traction [MPa], constant on a side.
   void load(int side, const Vector3d& traction) {
-    for (int f = 0; f < faces.count(); ++f) {
-      if (!faces.on_boundary(f) ||
-          mesh.boundary_label[faces.boundary_index[f]] != side)
-        continue;
-      const Vector3d share = facet_measure(mesh, faces, f) / 3 * traction;
-      for (int v : faces.vertices.col(f)) b.segment<3>(3 * v) += share;
-      neumann.col(faces.boundary_index[f]) += share.replicate<3, 1>();
-    }
+    add_traction(mesh, side, traction, b, neumann);
   }
 };
 

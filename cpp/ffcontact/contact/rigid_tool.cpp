@@ -8,6 +8,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
+#include "ffcontact/contact/held_rows.hpp"
 
 namespace ffcontact {
 
@@ -18,16 +19,6 @@ Vector2d place_moves(const RigidTool& tool, const Vector3d& motion,
                      const Vector2d& x) {
   const Vector2d r = x - tool.about;
   return motion.head<2>() + motion[2] * Vector2d(-r.y(), r.x());
-}
-
-/// The free motions at all vertices of the mesh [dofs x m].
-MatrixXd free_fields(const Mesh& mesh, const RigidTool& tool) {
-  MatrixXd fields(2 * mesh.vertices.cols(), tool.free.cols());
-  for (Index k = 0; k < fields.cols(); ++k)
-    for (Index v = 0; v < mesh.vertices.cols(); ++v)
-      fields.col(k).segment<2>(2 * v) =
-          place_moves(tool, tool.free.col(k), mesh.vertices.col(v));
-  return fields;
 }
 
 void require_valid(const ContactLine& line, const RigidTool& tool) {
@@ -49,6 +40,17 @@ ContactLaw against_moved(ContactLaw law, const Matrix2Xd& z) {
   return law;
 }
 
+/// tool_components as the solver takes them.
+Matrix2Xd felt_components(const Mesh& mesh, const ContactLine& line,
+                          const ElasticSystem& system, const RigidTool& tool,
+                          const Vector3d& motion) {
+  Matrix2Xd components = tool_components(mesh, line, tool, motion);
+  const std::vector<char> held = held_rows(line, system.prescribed);
+  for (int i = 0; i < line.node_count(); ++i)
+    if (held[2 * i + 1]) components(1, i) = 0;
+  return components;
+}
+
 }  // namespace
 
 Matrix2Xd tool_components(const Mesh& mesh, const ContactLine& line,
@@ -62,6 +64,15 @@ Matrix2Xd tool_components(const Mesh& mesh, const ContactLine& line,
   return components;
 }
 
+MatrixXd tool_fields(const Mesh& mesh, const RigidTool& tool) {
+  MatrixXd fields(2 * mesh.vertices.cols(), tool.free.cols());
+  for (Index k = 0; k < fields.cols(); ++k)
+    for (Index v = 0; v < mesh.vertices.cols(); ++v)
+      fields.col(k).segment<2>(2 * v) =
+          place_moves(tool, tool.free.col(k), mesh.vertices.col(v));
+  return fields;
+}
+
 ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
                                      const ContactLaw& law,
                                      const ElasticSystem& system,
@@ -71,14 +82,14 @@ ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
   require_valid(law, line);
   require_valid(settings, line.node_count());
   const VectorXd push = tool.free.transpose() * tool.push;
-  require_balance(mesh, line, law, system, free_fields(mesh, tool), push);
+  require_balance(mesh, line, law, system, tool_fields(mesh, tool), push);
 
   // 1. The motion, with the condensed contact line.
   FoundationMotions foundation{
       MatrixXd(2 * line.node_count(), tool.free.cols()), push};
   for (Index k = 0; k < tool.free.cols(); ++k)
     foundation.trace.col(k) =
-        tool_components(mesh, line, tool, tool.free.col(k)).reshaped();
+        felt_components(mesh, line, system, tool, tool.free.col(k)).reshaped();
   ContactSettings next = settings;
   next.stiffness =
       prepared_stiffness(contact_dofs(line, system), system, settings);
@@ -95,7 +106,11 @@ ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
   result.law =
       against_moved(law, tool_components(mesh, line, tool, result.motion));
   next.initial_state = answer.state;
-  result.solution = solve_contact(mesh, line, result.law, system, next);
+  result.solution = solve_contact(
+      mesh, line,
+      against_moved(law,
+                    felt_components(mesh, line, system, tool, result.motion)),
+      system, next);
   ContactSolution& solution = result.solution;
   solution.iterations += answer.iterations;
   if (answer.status != ContactStatus::converged)

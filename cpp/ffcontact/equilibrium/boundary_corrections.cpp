@@ -11,8 +11,10 @@ namespace {
 /// Homogeneous linear conditions on the corrections of a group.
 class Conditions {
  public:
-  Conditions(const StarGroup& group)
-      : rows_(MatrixXd::Zero(16 * group.stars.size(), group.unknowns())) {}
+  Conditions(const StarGroup& group, const FreeContact* contact)
+      : rows_(MatrixXd::Zero(
+            16 * group.stars.size() + (contact ? contact->kept_work.cols() : 0),
+            group.unknowns())) {}
 
   /// component . moment does not change at either end: psi_i and psi_m vanish exactly
   /// when b_i and b_j do.
@@ -27,6 +29,10 @@ class Conditions {
     one.spread(one.moments(), rows_.middleRows<4>(count_));
     other.spread(other.moments(), rows_.middleRows<4>(count_));
     count_ += 4;
+  }
+  /// row . corrections = 0, unless that is rounding of what it is summed from.
+  void add(const Eigen::RowVectorXd& row, double terms) {
+    if (row.norm() > negligible_change * terms) rows_.row(count_++) = row;
   }
   MatrixXd kernel() const {
     if (count_ == 0) return MatrixXd::Identity(rows_.cols(), rows_.cols());
@@ -64,6 +70,36 @@ void balance_bodies(const BoundarySpoke& spoke,
       conditions.balance(spoke, other);
 }
 
+/// z at the vertex of a spoke on a contact edge, then at the other end.
+Vector4d along_spoke(const BoundarySpoke& spoke, int e, const ContactLine& line,
+                     const Ref<const VectorXd>& z) {
+  Vector4d values;
+  for (int end = 0; end < 2; ++end) {
+    const int place = spoke.runs_along_edge() ? end : 1 - end,
+              vertex = line.vertex[line.edge_node(end, e)];
+    values.segment<2>(2 * place) = z.segment<2>(2 * vertex);
+  }
+  return values;
+}
+
+/// int r_hat . z does not change. But where a support takes part it does not anyway, as the
+/// corrections of a star have no resultant.
+void keep_work(const std::vector<BoundarySpoke>& spokes,
+               const FreeContact& contact, const Ref<const VectorXd>& z,
+               Index unknowns, Conditions& conditions) {
+  Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns);
+  double terms = 0;
+  for (const BoundarySpoke& spoke : spokes) {
+    const int e = free_edge(spoke, &contact);
+    if (e < 0 || !carries_multipliers(spoke, e, contact)) continue;
+    const Eigen::RowVector4d work =
+        along_spoke(spoke, e, contact.line, z).transpose() * spoke.moments();
+    terms += work.norm();
+    spoke.spread(work, row);
+  }
+  conditions.add(row, terms);
+}
+
 }  // namespace
 
 std::vector<BoundarySpoke> boundary_spokes(const StarGroup& group) {
@@ -86,7 +122,7 @@ bool carries_multipliers(const BoundarySpoke& spoke, int contact_edge,
 MatrixXd admissible_corrections(const StarGroup& group,
                                 const BoundaryTractions& boundary,
                                 const FreeContact* contact) {
-  Conditions conditions(group);
+  Conditions conditions(group, contact);
   const std::vector<BoundarySpoke> spokes = boundary_spokes(group);
   for (const BoundarySpoke& spoke : spokes) {
     const int e = free_edge(spoke, contact);
@@ -98,6 +134,9 @@ MatrixXd admissible_corrections(const StarGroup& group,
       balance_bodies(spoke, spokes, e, *contact, conditions);
     }
   }
+  for (Index k = 0; contact && k < contact->kept_work.cols(); ++k)
+    keep_work(spokes, *contact, contact->kept_work.col(k), group.unknowns(),
+              conditions);
   return conditions.kernel();
 }
 

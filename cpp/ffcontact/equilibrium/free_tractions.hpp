@@ -30,6 +30,9 @@ struct FreeContact {
   const ContactLine& line;
   const ContactLaw& law;
   FreeTractions& tractions;
+  /// vertex fields z_k, linear on the edges, whose int r_hat . z_k stay as they are [2 *
+  /// vertices x k]
+  MatrixXd kept_work = MatrixXd();
 };
 
 /// Number on the contact line of each mesh edge, that of an opposite body which a contact

@@ -12,6 +12,21 @@ namespace {
 /// slips there is little to be had.
 constexpr double tightness_of_passes = 2e-3;
 
+/// Steps where no number is given, and how many of them must lower e by what part for
+/// there to be further ones.
+constexpr int usual_steps = 16, most_steps = 32, steps_judged = 4;
+constexpr double worth_further_steps = 0.03;
+
+/// @param e  before the first and after every step
+bool more_steps(const SolidRelaxationSettings& settings,
+                const std::vector<double>& e) {
+  const int steps = count_of(e) - 1;
+  if (settings.steps) return steps < *settings.steps;
+  if (steps < usual_steps || steps % steps_judged != 0) return true;
+  return steps < most_steps &&
+         e[steps] < (1 - worth_further_steps) * e[steps - steps_judged];
+}
+
 }  // namespace
 
 std::vector<double> relax_faces(const FaceSetting& setting,
@@ -21,7 +36,7 @@ std::vector<double> relax_faces(const FaceSetting& setting,
   FaceDescent descent(setting, moments);
   RelaxationProgress progress(descent.first_square(),
                               descent.first_contact_part());
-  std::vector<double> falls;
+  std::vector<double> falls, e{progress.e()};
   bool goes_on = true, passes = !setting.contact.empty();
   const auto pass = [&] {
     const double of_pass = descent.contact_pass(),
@@ -33,8 +48,9 @@ std::vector<double> relax_faces(const FaceSetting& setting,
     falls.push_back(descent.step());
     const int steps = count_of(falls);
     if (passes && steps % steps_of_a_round == 0) pass();
-    goes_on = progress.goes_on(falls.back(), settings.tightness) &&
-              steps < settings.steps;
+    goes_on = progress.goes_on(falls.back(), settings.tightness);
+    e.push_back(progress.e());
+    goes_on = goes_on && more_steps(settings, e);
   }
   if (passes && falls.size() % steps_of_a_round != 0) pass();
   moments += descent.correction();

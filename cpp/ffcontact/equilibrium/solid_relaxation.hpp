@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ffcontact/equilibrium/face_descent.hpp"
@@ -8,7 +9,9 @@
 namespace ffcontact {
 
 struct SolidRelaxationSettings {
-  int steps = 16;  ///< at most; fewer where one no longer lowers e
+  /// at most; fewer where one no longer lowers e. Without a number 16, and, as nearly
+  /// incompressible bodies need, further ones while four of them lower e by 3 %, up to 32
+  std::optional<int> steps{};
   /// stop when the last step lowered e by less than this fraction; 0: do all steps
   double tightness = 0;
 };

@@ -12,6 +12,7 @@
 #include "ffcontact/estimate/law_of_matrix.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
+#include "ffcontact/estimate/tool_work.hpp"
 
 namespace ffcontact {
 
@@ -63,6 +64,8 @@ void require_valid(const SolvedProblem& solved) {
   require_valid(mesh, body.springs);
   require_no_springs_in_contact(topology.edges, line, body.springs);
   require_valid(body.law, line);
+  if (body.tool && line.against_a_body())
+    refuse("a tool is a rigid foundation, but the contact line faces a body");
 }
 
 double largest_value(const std::vector<CompositeStress>& stress) {
@@ -115,7 +118,8 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
       difference_loads(mesh, edges, first.moments, compared.stress), {}, {}};
   FreeTractions tractions =
       free_tractions(line, compared, densities, contact_edge);
-  FreeContact contact{line, body.law, tractions};
+  FreeContact contact{line, body.law, tractions,
+                      tool_work(mesh, line, body).fields};
   result.falls = relax_stars(bodies.topology(), body.hooke, without_springs,
                              compared.body_loads(body), settings.relaxation,
                              result.difference,
@@ -229,10 +233,15 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
   const VectorXd& u_hat = estimate.displacement;
+  const double scale = stress_scale(bodies, compared, estimate);
   estimate.equilibrium =
       equilibrium_defect(mesh, edges, estimate.stress, body.body_loads,
-                         bodies.boundary_with(estimate.tractions),
-                         stress_scale(bodies, compared, estimate));
+                         bodies.boundary_with(estimate.tractions), scale);
+  const double of_tool =
+      tool_defect(line, tool_work(mesh, line, body), estimate.tractions);
+  if (of_tool > 0)
+    estimate.equilibrium.boundary =
+        std::max(estimate.equilibrium.boundary, of_tool / scale);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) *
                   share_of_contact(estimate.tractions, compared.stress);
   const PenetrationDefect penetration =

@@ -88,12 +88,15 @@ void require_loads_of_solution(const SolvedSolidProblem& solved,
       "it otherwise, or let the surface go on there");
 }
 
-/// r_hat: F_i / A_i, moved inside the cone where contact alone holds rigid motions.
+/// r_hat: F_i / A_i, continued to nodes that a support holds on a rigid foundation, moved inside the cone where contact alone holds rigid motions.
 Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
                             const FaceTractions& without_contact,
                             const MatrixXd& motions) {
   const auto& [topology, surface, system, body] = solved;
-  const Matrix3Xd lumped = lumped_tractions(body.law, surface, body.force);
+  Matrix3Xd lumped = lumped_tractions(body.law, surface, body.force);
+  if (!surface.against_a_body())
+    lumped = continued_tractions(body.law, surface, body.displacement,
+                                 system.prescribed, std::move(lumped));
   if (motions.cols() == 0) return lumped;
   const Matrix6Xd no_stress = Matrix6Xd::Zero(6, topology.mesh.cell_count());
   const SolidResidual loads =

@@ -15,6 +15,7 @@
 #include "ffcontact/estimate/imbalance_cause.hpp"
 #include "ffcontact/estimate/nearest_in_cone.hpp"
 #include "ffcontact/estimate/published_tractions.hpp"
+#include "ffcontact/estimate/tool_work.hpp"
 #include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
@@ -112,12 +113,30 @@ VectorXd resultants_of_loads(const SolvedProblem& solved,
   return -motions.transpose() * loads.missing.reshaped();
 }
 
-/// The rigid motions that contact alone holds, and what it must do along them [k].
+/// The rigid motions that contact alone holds, or moves a tool by, and what it must do
+/// along them [k].
 struct HeldMotions {
   MatrixXd fields;     ///< on the matched bodies
-  VectorXd of_loads;   ///< that balances the loads
+  VectorXd of_loads;   ///< that balances the loads, or pushes the tool
   VectorXd of_forces;  ///< that the contact forces of u_h do
+
+  void append(const HeldMotions& more) {
+    const Index k = of_loads.size(), n = more.of_loads.size();
+    fields.conservativeResize(Eigen::NoChange, k + n);
+    of_loads.conservativeResize(k + n);
+    of_forces.conservativeResize(k + n);
+    fields.rightCols(n) = more.fields;
+    of_loads.tail(n) = more.of_loads;
+    of_forces.tail(n) = more.of_forces;
+  }
 };
+
+HeldMotions motions_of_tool(const SolvedProblem& solved) {
+  const ToolWork tool =
+      tool_work(solved.topology.mesh, solved.line, solved.body);
+  return {tool.fields, tool.work,
+          tool.fields.transpose() * computed_forces(solved)};
+}
 
 HeldMotions held_motions(const SolvedProblem& solved,
                          const MatchedBodies& bodies, const MatrixXd& motions) {
@@ -168,7 +187,8 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
   const SolvedBody& body = solved.body;
   const Matrix2Xd p = lumped_pressures(solved.line, solved.system.prescribed,
                                        forces_of(solved.line, body.pressure));
-  const HeldMotions held = held_motions(solved, bodies, motions);
+  HeldMotions held = held_motions(solved, bodies, motions);
+  if (body.tool) held.append(motions_of_tool(solved));
   const auto near = [&](const Matrix2Xd& nodal) {
     return candidate(bodies.line(), bodies.body().law, held,
                      edge_densities(bodies.line(), bodies.nodal_values(nodal)));

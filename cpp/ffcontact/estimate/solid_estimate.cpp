@@ -36,8 +36,8 @@ void require_sound(const SolvedSolidProblem& solved,
   require_size("body loads", body.body_loads.cols(), mesh.cell_count());
   require_finite("body load", body.body_loads.reshaped());
   require_valid(body.law, surface);
-  if (settings.steps < 0)
-    refuse("steps must not be negative, got ", settings.steps);
+  if (settings.steps && *settings.steps < 0)
+    refuse("steps must not be negative, got ", *settings.steps);
   if (!(settings.tightness >= 0 && settings.tightness < 1))
     refuse("tightness must be in [0, 1), got ", settings.tightness);
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/rigid_tool.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/boundary_springs.hpp"
@@ -29,6 +31,9 @@ struct SolvedBody {
   LinearStresses initial{};
   /// of which A has the stiffness, and the loads what K u_0 makes of them
   BoundarySprings springs{};
+  /// the foundation, if forces move it: the law is against where they have moved it, and
+  /// what pushes it is a part of the data
+  std::optional<RigidTool> tool{};
 };
 
 /// Moments of the given tractions and of those that the springs answer u_h with [4 x

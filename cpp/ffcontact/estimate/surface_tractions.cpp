@@ -2,10 +2,12 @@
 #include "ffcontact/estimate/surface_tractions.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/estimate/clearing.hpp"
 #include "ffcontact/estimate/cone_projection.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 
@@ -124,6 +126,36 @@ class SurfaceDual {
   VectorXd resultants_;
 };
 
+/// Nodes that touch the foundation and that supports hold along their normals.
+std::vector<char> held_in_contact(const SurfaceLaw& law,
+                                  const ContactSurface& surface,
+                                  const VectorXd& displacement,
+                                  const std::vector<char>& prescribed) {
+  constexpr double rounding = 1e-10;
+  const double touching = -rounding * largest_displacement(law, displacement);
+  const Matrix3Xd v =
+      displacement_against_foundation(surface, law, displacement);
+  std::vector<char> held(surface.node_count());
+  for (int i = 0; i < surface.node_count(); ++i)
+    held[i] =
+        v(0, i) >= touching &&
+        !is_free_along(surface.vertex[i], surface.frame(i).col(0), prescribed);
+  return held;
+}
+
+/// At each held node the sum of the tractions at the nodes of its faces that are not, and
+/// how many they are.
+Matrix4Xd sums_beside(const ContactSurface& surface,
+                      const std::vector<char>& held,
+                      const Matrix3Xd& traction) {
+  Matrix4Xd sums = Matrix4Xd::Zero(4, traction.cols());
+  for (int m = 0; m < surface.face_count(); ++m)
+    for (const int i : surface.face_node.col(m))
+      for (const int j : surface.face_node.col(m))
+        if (held[i] && !held[j]) sums.col(i) += traction.col(j).homogeneous();
+  return sums;
+}
+
 }  // namespace
 
 std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
@@ -140,6 +172,28 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
   for (Index i = 0; i < force.cols(); ++i)
     traction.col(i) =
         cone_projection(cones[i], force.col(i) / surface.area[i]).point;
+  return traction;
+}
+
+Matrix3Xd continued_tractions(const SurfaceLaw& law,
+                              const ContactSurface& surface,
+                              const VectorXd& displacement,
+                              const std::vector<char>& prescribed,
+                              Matrix3Xd traction) {
+  std::vector<char> held =
+      held_in_contact(law, surface, displacement, prescribed);
+  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  for (bool goes_on = true; goes_on;) {  // from ring to ring
+    const Matrix4Xd beside = sums_beside(surface, held, traction);
+    goes_on = false;
+    for (int i = 0; i < surface.node_count(); ++i) {
+      if (!held[i] || beside(3, i) == 0) continue;
+      const Vector3d mean = beside.col(i).head<3>() / beside(3, i);
+      traction.col(i) = cone_projection(cones[i], mean).point;
+      held[i] = 0;
+      goes_on = true;
+    }
+  }
   return traction;
 }
 

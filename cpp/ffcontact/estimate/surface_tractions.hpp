@@ -21,6 +21,18 @@ std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
 Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force);
 
+/// Where supports hold a node that touches the foundation along its normal, the forces on
+/// it load nothing and are 0: there the mean of the tractions at the nodes of its faces
+/// that are not held, in its own cone, as pressures go on up to a clamped edge; where all of
+/// them are held, that of those which have one by now.
+/// @param displacement  on all dofs [mm]
+/// @param prescribed    1 where the dof is prescribed
+Matrix3Xd continued_tractions(const SurfaceLaw& law,
+                              const ContactSurface& surface,
+                              const VectorXd& displacement,
+                              const std::vector<char>& prescribed,
+                              Matrix3Xd traction);
+
 /// The same at the three vertices of each face, one column a face [MPa, 9 x faces].
 Matrix<double, 9, Dynamic> tractions_by_face(
     const ContactSurface& surface, const Ref<const Matrix3Xd>& traction);
