@@ -106,8 +106,9 @@ double ContactPass::operator()(double least_fall, Matrix9Xd& corrections,
   for (const Matrix3d& traction : tractions_)
     scales.traction = std::max(scales.traction, max_norm(traction));
   VectorXd falls = VectorXd::Zero(count_of(stars_));
+  constexpr std::size_t worth_threads = 64;  // fewer stars than a wait takes
   for (const std::vector<int>& colour : colours_) {
-#pragma omp parallel for
+#pragma omp parallel for if (colour.size() >= worth_threads)
     for (std::size_t k = 0; k < colour.size(); ++k)
       falls[colour[k]] =
           relax(stars_[colour[k]], scales, corrections, residual);
