@@ -64,13 +64,13 @@ RC_GTEST_PROP(PartialCholesky, in_single_precision_is_near, (Random random)) {
   const MatrixXd S = exact.take_schur();
   const Eigen::MatrixXf rough = factor.take_schur();
   RC_ASSERT(rough == rough.transpose());
-  RC_ASSERT((rough.cast<double>() - S).cwiseAbs().maxCoeff() <
+  RC_ASSERT((rough.cast<double>() - S).cwiseAbs().maxCoeff() <=
             1e-5 * S.cwiseAbs().maxCoeff());
-  const double scale = std::pow(10, *rc::gen::inRange(-200, 200));
+  const double scale = std::pow(10, *rc::gen::inRange(-120, 120));
   const VectorXd b = scale * random_vector(size, random),
                  y = exact.half_solve(b), x = exact.other_half_solve(y);
-  RC_ASSERT((factor.half_solve(b) - y).norm() < 1e-5 * y.norm());
-  RC_ASSERT((factor.other_half_solve(y) - x).norm() < 1e-5 * x.norm());
+  RC_ASSERT((factor.half_solve(b) - y).norm() <= 1e-5 * y.norm());
+  RC_ASSERT((factor.other_half_solve(y) - x).norm() <= 1e-5 * x.norm());
 }
 
 TEST(PartialCholesky, tells_matrices_that_are_not_positive_definite) {
