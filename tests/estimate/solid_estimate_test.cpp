@@ -311,6 +311,35 @@ TEST(SolidEstimate, scales_with_lengths_and_moduli) {
     }
 }
 
+/// The contact part of a curved plate on a foundation of its shape, clamped at one end and
+/// pressed, as it stands turned about y, before tractions are relaxed.
+double contact_of_turned_plate(double angle, double gap) {
+  const Matrix3d R =
+      Eigen::AngleAxisd(angle, Vector3d::UnitY()).toRotationMatrix();
+  SolidMesh mesh = brick({8, 3, 2}, {1, 1, 0.2});
+  for (auto x : mesh.vertices.colwise()) {
+    const double turn = x.x() - 0.5, radius = 1 + x.z();
+    x = R * Vector3d(radius * std::sin(turn), x.y(), radius * std::cos(turn));
+  }
+  SolidProblem problem(mesh, 0.3);
+  problem.move(low_x, [](const Vector3d&) { return Vector3d(0, 0, 0); });
+  problem.load(high_z, R * Vector3d(0.5, 0.3, -5));
+  problem.law.gap = VectorXd::Constant(problem.surface.node_count(), gap);
+  SolidRelaxationSettings settings;
+  settings.steps = 0;
+  return estimate(problem, settings).contact;
+}
+
+/// Tangents of some normals are taken from another axis than those of others.
+TEST(SolidEstimate, of_a_curved_surface_does_not_depend_on_its_tangents) {
+  for (const double gap : {0.0, 1e-4}) {
+    const double straight = contact_of_turned_plate(0, gap);
+    EXPECT_GT(straight, 0);
+    for (const double angle : {0.5, 1.0, 1.3, 1.5, 2.0})
+      EXPECT_NEAR(contact_of_turned_plate(angle, gap) / straight, 1, 1e-7);
+  }
+}
+
 RC_GTEST_PROP(SolidEstimate, does_not_depend_on_numbers, (Random random)) {
   const SolidMesh mesh = moved(block(4), 20, 0.15, random);
   const SolidProblem first = block_problem(mesh, BlockCase::shear, 0.5),

@@ -1,50 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-extern "C" {
-#define FFCONTACT_BLAS(letter, Scalar)                                         \
-  void letter##gemm_(const char* transpose_a, const char* transpose_b,         \
-                     const int* rows, const int* columns, const int* depth,    \
-                     const Scalar* alpha, const Scalar* a,                     \
-                     const int* stride_a, const Scalar* b,                     \
-                     const int* stride_b, const Scalar* beta, Scalar* c,       \
-                     const int* stride_c);                                     \
-  void letter##syrk_(const char* triangle, const char* transpose,              \
-                     const int* n, const int* depth, const Scalar* alpha,      \
-                     const Scalar* a, const int* stride_a, const Scalar* beta, \
-                     Scalar* c, const int* stride_c);                          \
-  void letter##potrf_(const char* triangle, const int* n, Scalar* a,           \
-                      const int* stride, int* info);                           \
-  void letter##trsm_(const char* side, const char* triangle,                   \
-                     const char* transpose, const char* diagonal,              \
-                     const int* rows, const int* columns, const Scalar* alpha, \
-                     const Scalar* a, const int* stride_a, Scalar* b,          \
-                     const int* stride_b);
-FFCONTACT_BLAS(d, double)
-FFCONTACT_BLAS(s, float)
-#undef FFCONTACT_BLAS
-}
-
 namespace ffcontact {
 
-/// The routines of BLAS and LAPACK for a scalar, double or float.
+/// The routines of BLAS and LAPACK for a scalar, double or float, as Fortran has them.
 template <class Scalar>
 struct Blas;
 
-template <>
-struct Blas<double> {
-  static constexpr auto gemm = dgemm_;
-  static constexpr auto syrk = dsyrk_;
-  static constexpr auto potrf = dpotrf_;
-  static constexpr auto trsm = dtrsm_;
-};
-
-template <>
-struct Blas<float> {
-  static constexpr auto gemm = sgemm_;
-  static constexpr auto syrk = ssyrk_;
-  static constexpr auto potrf = spotrf_;
-  static constexpr auto trsm = strsm_;
-};
-
 }  // namespace ffcontact
+
+// clang-format off
+#define FFCONTACT_BLAS(Scalar, letter)                                                           \
+  extern "C" {                                                                                   \
+  void letter##gemm_(const char* transpose_a, const char* transpose_b, const int* rows,          \
+                     const int* columns, const int* depth, const Scalar* alpha, const Scalar* a, \
+                     const int* stride_a, const Scalar* b, const int* stride_b,                  \
+                     const Scalar* beta, Scalar* c, const int* stride_c);                        \
+  void letter##syrk_(const char* triangle, const char* transpose, const int* n,                  \
+                     const int* depth, const Scalar* alpha, const Scalar* a,                     \
+                     const int* stride_a, const Scalar* beta, Scalar* c, const int* stride_c);   \
+  void letter##trsm_(const char* side, const char* triangle, const char* transpose,              \
+                     const char* diagonal, const int* rows, const int* columns,                  \
+                     const Scalar* alpha, const Scalar* a, const int* stride_a, Scalar* b,       \
+                     const int* stride_b);                                                       \
+  void letter##potrf_(const char* triangle, const int* n, Scalar* a, const int* stride,          \
+                      int* info);                                                                \
+  void letter##potrs_(const char* triangle, const int* n, const int* columns,                    \
+                      const Scalar* factor, const int* stride, Scalar* b, const int* stride_b,   \
+                      int* info);                                                                \
+  void letter##getrf_(const int* rows, const int* columns, Scalar* a, const int* stride,         \
+                      int* pivots, int* info);                                                   \
+  void letter##gecon_(const char* norm, const int* n, const Scalar* lu, const int* stride,       \
+                      const Scalar* norm_of_a, Scalar* rcond, Scalar* work, int* iwork,          \
+                      int* info);                                                                \
+  void letter##getrs_(const char* transpose, const int* n, const int* columns,                   \
+                      const Scalar* lu, const int* stride, const int* pivots, Scalar* b,         \
+                      const int* stride_b, int* info);                                           \
+  }                                                                                              \
+  namespace ffcontact {                                                                          \
+  template <>                                                                                    \
+  struct Blas<Scalar> {                                                                          \
+    static constexpr auto gemm = letter##gemm_;                                                  \
+    static constexpr auto syrk = letter##syrk_;                                                  \
+    static constexpr auto trsm = letter##trsm_;                                                  \
+    static constexpr auto potrf = letter##potrf_;                                                \
+    static constexpr auto potrs = letter##potrs_;                                                \
+    static constexpr auto getrf = letter##getrf_;                                                \
+    static constexpr auto gecon = letter##gecon_;                                                \
+    static constexpr auto getrs = letter##getrs_;                                                \
+  };                                                                                             \
+  }
+// clang-format on
+
+FFCONTACT_BLAS(double, d)
+FFCONTACT_BLAS(float, s)
+#undef FFCONTACT_BLAS

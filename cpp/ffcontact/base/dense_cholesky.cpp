@@ -4,13 +4,7 @@
 #include <cassert>
 #include <utility>
 
-extern "C" {
-void dpotrf_(const char* triangle, const int* n, double* a, const int* stride,
-             int* info);
-void dpotrs_(const char* triangle, const int* n, const int* columns,
-             const double* factor, const int* stride, double* b,
-             const int* stride_of_b, int* info);
-}
+#include "ffcontact/base/blas.hpp"
 
 namespace ffcontact {
 
@@ -19,7 +13,7 @@ DenseCholesky::DenseCholesky(MatrixXd H) : factor_(std::move(H)) {
   const int n = static_cast<int>(factor_.rows());
   int info = 0;
   // LAPACK asks for a stride of 1 at least
-  if (n > 0) dpotrf_("L", &n, factor_.data(), &n, &info);
+  if (n > 0) Blas<double>::potrf("L", &n, factor_.data(), &n, &info);
   is_positive_definite_ = info == 0;
 }
 
@@ -28,7 +22,8 @@ VectorXd DenseCholesky::solve(VectorXd right) const {
   const int n = static_cast<int>(factor_.rows()), one = 1;
   int info = 0;
   if (n > 0)
-    dpotrs_("L", &n, &one, factor_.data(), &n, right.data(), &n, &info);
+    Blas<double>::potrs("L", &n, &one, factor_.data(), &n, right.data(), &n,
+                        &info);
   return right;
 }
 

@@ -20,29 +20,23 @@ constexpr double traction_rounding = 1e-12;
 constexpr double least_motion = 1e-9;
 
 /// w at the corners of a contact face, less the gap and the load step before, along n, t1,
-/// t2 of each of its corners.
+/// t2 of each of its corners, whose frames differ on curved surfaces.
 using SeenMotions = std::array<Matrix3d, 3>;
 
-/// Against a rigid foundation, at each corner along its own directions.
-/// @param w  displacement_against_foundation
-SeenMotions motions_at(const Vector3i& nodes, const Matrix3Xd& w) {
-  SeenMotions seen;
-  seen.fill(w(Eigen::all, nodes));
-  return seen;
-}
-
-/// Against a face that matches.
-SeenMotions jumps_between(const Facets<3>& faces, const ContactSurface& surface,
-                          const SurfaceLaw& law, int m,
-                          const MatchingFace& match,
-                          const Ref<const VectorXd>& u) {
+/// Against a rigid foundation, or a face that matches.
+SeenMotions seen_motions(const Facets<3>& faces, const ContactSurface& surface,
+                         const SurfaceLaw& law, int m,
+                         const MatchingFace& match,
+                         const Ref<const VectorXd>& u) {
   const Vector3i nodes = surface.face_node.col(m);
   Matrix3d jump, previous = Matrix3d::Zero();
   Vector3d gap = Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
-    const int i = nodes[k], own = faces.vertices(k, surface.face[m]),
-              opposite = faces.vertices(match.corner[k], match.face);
-    jump.col(k) = vector_at<3>(u, own) - vector_at<3>(u, opposite);
+    const int i = nodes[k];
+    jump.col(k) = vector_at<3>(u, faces.vertices(k, surface.face[m]));
+    if (match.face >= 0)
+      jump.col(k) -=
+          vector_at<3>(u, faces.vertices(match.corner[k], match.face));
     if (law.gap.size() > 0) gap[k] = law.gap[i];
     if (law.previous.size() > 0)
       previous.col(k) = surface.frame(i).rightCols<2>() * law.previous.col(i);
@@ -79,8 +73,6 @@ std::vector<ContactFace> contact_faces(
   const bool between_bodies = surface.against_a_body();
   const std::vector<MatchingFace> matches =
       matching_faces(mesh, faces, surface);
-  const Matrix3Xd w =
-      displacement_against_foundation(surface, law, displacement);
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
   const double least = least_motion * largest_displacement(law, displacement);
   std::vector<ContactFace> contact;
@@ -98,9 +90,7 @@ std::vector<ContactFace> contact_faces(
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
     }
-    put_motions(between_bodies ? jumps_between(faces, surface, law, m,
-                                               matches[m], displacement)
-                               : motions_at(nodes, w),
+    put_motions(seen_motions(faces, surface, law, m, matches[m], displacement),
                 least, face);
     contact.push_back(face);
   }
