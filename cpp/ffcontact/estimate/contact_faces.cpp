@@ -4,6 +4,7 @@
 #include <array>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/cone_projection.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
@@ -97,9 +98,9 @@ std::vector<ContactFace> contact_faces(
   return contact;
 }
 
-std::vector<int> surface_faces(const std::vector<ContactFace>& contact) {
-  std::vector<int> places;
-  for (const ContactFace& face : contact) places.push_back(face.surface_face);
+VectorXi surface_faces(const std::vector<ContactFace>& contact) {
+  VectorXi places(count_of(contact));
+  for (int m = 0; m < places.size(); ++m) places[m] = contact[m].surface_face;
   return places;
 }
 

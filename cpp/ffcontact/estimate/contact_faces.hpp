@@ -22,7 +22,7 @@ std::vector<ContactFace> contact_faces(const SolidMesh& mesh,
                                        const Ref<const VectorXd>& displacement);
 
 /// Their places on the surface.
-std::vector<int> surface_faces(const std::vector<ContactFace>& contact);
+VectorXi surface_faces(const std::vector<ContactFace>& contact);
 
 /// Tractions of given moments on all faces of the mesh, in the cone where they are but for
 /// rounding, one column a contact face.

@@ -134,7 +134,7 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
                          const std::vector<ContactFace>& contact,
                          const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
-  const std::vector<int> relaxed = surface_faces(contact);
+  const VectorXi relaxed = surface_faces(contact);
   VectorXd part = surface.against_a_body()
                       ? facing_contact_error(
                             topology.mesh, topology.faces, surface, body.law,
