@@ -10,6 +10,7 @@ struct Blas;
 }  // namespace ffcontact
 
 // clang-format off
+// NOLINTBEGIN(bugprone-macro-parentheses): types need none
 #define FFCONTACT_BLAS(Scalar, letter)                                                           \
   extern "C" {                                                                                   \
   void letter##gemm_(const char* transpose_a, const char* transpose_b, const int* rows,          \
@@ -50,6 +51,7 @@ struct Blas;
     static constexpr auto getrs = letter##getrs_;                                                \
   };                                                                                             \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 // clang-format on
 
 FFCONTACT_BLAS(double, d)

@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/condensed_rows.hpp"
 #include "ffcontact/contact/convex_contact.hpp"
 #include "ffcontact/contact/normal_iterate.hpp"
 
@@ -42,12 +43,14 @@ void follow_slip(const NodalLaw& law, const NodalLaw& given,
 
 /// A node that slips in P(g) without moving, where multipliers have more than one value,
 /// sticks with Coulomb's law when its bound is above that of P(g).
-void stick_below_bound(const NodalLaw& law, double tolerance,
-                       ActiveSetResult& answer) {
-  const double rounding = tolerance * max_norm(answer.P);
+void stick_below_bound(const CondensedContact& contact, const NodalLaw& law,
+                       double tolerance, ActiveSetResult& answer) {
+  const double rounding = tolerance * max_norm(answer.P),
+               still = tolerance * motion_scale(contact, answer.v);
   for (Index i = 0; i < count_of(answer.state); ++i) {
     const double bound = law.cone[i].bound(answer.P[2 * i]);
     if (!is_open(answer.state[i]) && slip_sign(answer.state[i]) != 0 &&
+        std::abs(answer.v[2 * i + 1]) <= still &&
         std::abs(answer.P[2 * i + 1]) < bound - rounding)
       answer.state[i] = ContactState::stick;
   }
@@ -96,7 +99,7 @@ class Iteration {
       // the law at g is Coulomb's but for the last digits, or nothing slides
       follow_slip(law_, given, result_.answer);
       if (!law_.is_convex())
-        stick_below_bound(law_, settings_.tolerance, result_.answer);
+        stick_below_bound(contact_, law_, settings_.tolerance, result_.answer);
       put_into_law(law_, result_.answer.state, result_.answer.P);
       return true;
     }
