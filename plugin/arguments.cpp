@@ -192,6 +192,17 @@ void NamedArguments::put(Stack stack, const std::string& name,
     *GetAny<bool*>((*target)(stack)) = value;
 }
 
+void put_by_bodies(Stack stack, const NamedArguments& named,
+                   const std::vector<int>& first_cell, const char* name,
+                   const VectorXd& values) {
+  const Index each = values.size() / first_cell.back();
+  const int bodies = count_of(first_cell) - 1;
+  for (int k = 0; k < bodies; ++k)
+    named.put(stack, name_of_body(name, k, bodies),
+              values.segment(each * first_cell[k],
+                             each * (first_cell[k + 1] - first_cell[k])));
+}
+
 std::string name_of_body(const char* name, int body, int bodies) {
   return bodies == 1 ? name : name + std::to_string(body + 1);
 }

@@ -52,6 +52,10 @@ class NamedArguments {
 
   /// The k of the given parameters that are called name followed by k.
   std::vector<int> numbers_after(const char* name) const;
+  /// Is a parameter given that there may be one of for each body?
+  bool given_of_bodies(const char* name) const {
+    return given(name) || !numbers_after(name).empty();
+  }
 
   double number(Stack stack, const std::string& name, double otherwise) const;
   long integer(Stack stack, const std::string& name, long otherwise) const;
@@ -99,6 +103,14 @@ class NamedArguments {
 /// The name of a parameter that each body has: itself where there is one body, otherwise
 /// followed by the body's number from 1.
 std::string name_of_body(const char* name, int body, int bodies);
+
+/// Puts what is one array for the joined bodies into name= of one body, name1=, name2=,
+/// ... of several.
+/// @param first_cell  of each body, and the end (JoinedMesh)
+/// @param values      the same number of each cell
+void put_by_bodies(Stack stack, const NamedArguments& named,
+                   const std::vector<int>& first_cell, const char* name,
+                   const VectorXd& values);
 
 /// Rows for parameters that each body has, for one body and for as many as the call
 /// names: the number of bodies is not known yet when the script is parsed.

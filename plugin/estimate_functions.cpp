@@ -43,8 +43,7 @@ void require_parameters_of_plane_bodies(const NamedArguments& named) {
     if (named.given(parameter))
       refuse(parameter, "= is for a mesh3; plane bodies have rt=");
   for (const char* of_bodies : {"szz", "syz", "sxz", "tractionoscillation"})
-    if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
-      refuse(of_bodies, "= is for a mesh3");
+    if (named.given_of_bodies(of_bodies)) refuse(of_bodies, "= is for a mesh3");
 }
 
 /// eps = contacterror(C, lambda=, G=, traction=[Fx, Fy], eps=, ...) for what contactsolve
@@ -213,15 +212,9 @@ class ContactErrorFunction : public E_F0mps {
     return settings;
   }
 
-  bool is_wanted(const char* parameter, int bodies) const {
-    for (int k = 0; k < bodies; ++k)
-      if (named_.given(name_of_body(parameter, k, bodies))) return true;
-    return false;
-  }
-
   void put_rates(Stack stack, const ContactProblem& problem,
                  const ElasticSystem& system, const SolvedBody& body) const {
-    if (!is_wanted("rate", problem.body_count())) return;
+    if (!named_.given_of_bodies("rate")) return;
     const Topology& topology = problem.topology();
     const BoundaryTractions boundary =
         boundary_tractions(topology.mesh, topology.edges, system.prescribed,
@@ -231,38 +224,28 @@ class ContactErrorFunction : public E_F0mps {
         topology, body.hooke,
         total_stresses(topology.mesh, body, body.displacement).mean, boundary,
         contact_edge_numbers(problem.line, topology.edges));
-    put_by_triangles(stack, problem, "rate", local_rates(topology, singular));
-  }
-
-  /// @param values  the same number of each triangle
-  void put_by_triangles(Stack stack, const ContactProblem& problem,
-                        const char* parameter, const VectorXd& values) const {
-    const std::vector<int>& first = problem.joined.first_cell;
-    const Index each = values.size() / first.back();
-    const int bodies = problem.body_count();
-    for (int k = 0; k < bodies; ++k)
-      named_.put(
-          stack, name_of_body(parameter, k, bodies),
-          values.segment(each * first[k], each * (first[k + 1] - first[k])));
+    put_by_bodies(stack, named_, problem.joined.first_cell, "rate",
+                  local_rates(topology, singular));
   }
 
   void put_stress(Stack stack, const ContactProblem& problem,
                   const Estimate& estimate) const {
     constexpr std::array parameter = {"sxx", "syy", "sxy"};
     const auto wanted = [&](const char* name) {
-      return is_wanted(name, problem.body_count());
+      return named_.given_of_bodies(name);
     };
     if (std::none_of(parameter.begin(), parameter.end(), wanted)) return;
     const std::vector<CompositeStress> stress =
         stress_on_triangles(problem.mesh, estimate);
     for (int c = 0; c < 3; ++c)
-      put_by_triangles(stack, problem, parameter[c],
-                       stress_component(stress, c));
+      put_by_bodies(stack, named_, problem.joined.first_cell, parameter[c],
+                    stress_component(stress, c));
   }
 
   void put(Stack stack, const ContactProblem& problem,
            const Estimate& estimate) const {
-    put_by_triangles(stack, problem, "eps", estimate.local);
+    put_by_bodies(stack, named_, problem.joined.first_cell, "eps",
+                  estimate.local);
     put_stress(stack, problem, estimate);
     named_.put(stack, "rabscissa", abscissae(problem, estimate));
     named_.put(stack, "e", estimate.e);

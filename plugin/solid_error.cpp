@@ -36,8 +36,7 @@ void require_parameters_of_solids(const NamedArguments& named) {
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
   for (const char* of_bodies :
        {"initialstrain", "initialstress", "spring", "rest"})
-    if (named.given(of_bodies) || !named.numbers_after(of_bodies).empty())
-      refuse_of_plane_bodies(of_bodies);
+    if (named.given_of_bodies(of_bodies)) refuse_of_plane_bodies(of_bodies);
 }
 
 SolidRelaxationSettings solid_settings(Stack stack,
@@ -51,23 +50,12 @@ SolidRelaxationSettings solid_settings(Stack stack,
   return settings;
 }
 
-/// eps= of one body, eps1=, eps2=, ... of several, and so on.
-void put_by_solids(Stack stack, const NamedArguments& named,
-                   const SolidProblem& problem, const char* parameter,
-                   const VectorXd& local) {
-  const std::vector<int>& first = problem.joined.first_cell;
-  const int bodies = problem.body_count();
-  for (int k = 0; k < bodies; ++k)
-    named.put(stack, name_of_body(parameter, k, bodies),
-              local.segment(first[k], first[k + 1] - first[k]));
-}
-
 /// rate=, where it is given.
 void put_solid_rates(Stack stack, const NamedArguments& named,
                      const SolidTopology& topology, const SolidProblem& problem,
                      const SolvedSolid& solved,
                      const ffcontact::SolvedSolid& body) {
-  if (!named.given("rate") && named.numbers_after("rate").empty()) return;
+  if (!named.given_of_bodies("rate")) return;
   const std::vector<char>& prescribed = solved.system->prescribed;
   KnownComponents known =
       given_tractions(topology.mesh, topology.faces, prescribed, body.neumann)
@@ -79,15 +67,15 @@ void put_solid_rates(Stack stack, const NamedArguments& named,
   }
   const Matrix6Xd stress =
       stresses(topology.mesh, body.hooke, body.displacement);
-  put_by_solids(
-      stack, named, problem, "rate",
+  put_by_bodies(
+      stack, named, problem.joined.first_cell, "rate",
       local_rates(topology, singular_lines(topology, body.hooke, stress, known,
                                            is_contact)));
 }
 
 void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
          const SolidEstimate& estimate) {
-  put_by_solids(stack, named, problem, "eps", estimate.local);
+  put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   named.put(stack, "e", estimate.e);
   named.put(stack, "elasticpart", estimate.elastic);
   named.put(stack, "contactpart", estimate.contact);

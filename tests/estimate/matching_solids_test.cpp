@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "ffcontact/estimate/unstressed.hpp"
 #include "ffcontact/interface/matching_faces.hpp"
 #include "support/cut_solids.hpp"
+#include "support/same_digits.hpp"
 #include "support/solid_estimates.hpp"
 #include "support/solid_stacks.hpp"
 
@@ -192,17 +192,8 @@ TEST(MatchingSolids, have_the_same_digits_on_two_threads) {
   Random random(2);
   for (const SolidProblem& problem :
        {halves({2, 2, 2}, 0.5, 0, {1e-3, 5e-4, -1.5e-3}, random).problem,
-        ThreeAround(0.5, random).problem}) {
-    const SurfaceSolution solution = problem.solve();
-    const SolidEstimate one = estimate(problem, solution);
-    omp_set_num_threads(2);
-    const SolidEstimate two = estimate(problem, solution);
-    omp_set_num_threads(1);
-    EXPECT_EQ(one.history, two.history);
-    EXPECT_EQ(one.moments, two.moments);
-    EXPECT_EQ(one.local, two.local);
-    EXPECT_EQ(one.face_tractions, two.face_tractions);
-  }
+        ThreeAround(0.5, random).problem})
+    expect_same_digits_on_two_threads(problem);
 }
 
 /// Tractions linear between the nodes give on faces that match what they give on polygons,

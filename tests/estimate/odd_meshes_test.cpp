@@ -29,37 +29,11 @@ Mesh thin(bool along) {
 /// A quarter of a ring whose cells grow with the radius from 1e-4 to 1; its lower side is
 /// the contact line.
 Mesh graded() {
-  constexpr int rings = 36, sectors = 6;
-  Mesh mesh;
-  const auto id = [](int k, int a) { return k * (sectors + 1) + a; };
-  mesh.vertices.resize(2, (rings + 1) * (sectors + 1));
-  for (int k = 0; k <= rings; ++k)
-    for (int a = 0; a <= sectors; ++a) {
-      const double r = std::pow(1e-4, 1 - k / double(rings)),
-                   angle = a * std::acos(0) / sectors;
-      mesh.vertices.col(id(k, a)) << (a == sectors ? 0 : r * std::cos(angle)),
-          r * std::sin(angle);
-    }
-  mesh.cells.resize(3, 2 * rings * sectors);
-  for (int k = 0; k < rings; ++k)
-    for (int a = 0; a < sectors; ++a) {
-      const int t = 2 * (k * sectors + a);
-      mesh.cells.col(t) << id(k, a), id(k + 1, a), id(k + 1, a + 1);
-      mesh.cells.col(t + 1) << id(k, a), id(k + 1, a + 1), id(k, a + 1);
-    }
-  mesh.boundary.resize(2, 2 * (rings + sectors));
-  mesh.boundary_label.resize(2 * (rings + sectors));
-  int next = 0;
-  const auto add = [&](int a, int b, Side side) {
-    mesh.boundary.col(next) << a, b;
-    mesh.boundary_label[next++] = side;
-  };
-  for (int k = 0; k < rings; ++k)
-    add(id(k, 0), id(k + 1, 0), bottom),
-        add(id(k + 1, sectors), id(k, sectors), top);
-  for (int a = 0; a < sectors; ++a)
-    add(id(rings, a), id(rings, a + 1), right),
-        add(id(0, a + 1), id(0, a), left);
+  Mesh mesh = rectangle(36, 6, 1, 1);
+  for (auto x : mesh.vertices.colwise()) {
+    const double r = std::pow(1e-4, 1 - x.x()), angle = x.y() * std::acos(0);
+    x << (x.y() == 1 ? 0 : r * std::cos(angle)), r * std::sin(angle);
+  }
   return mesh;
 }
 

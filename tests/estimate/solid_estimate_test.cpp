@@ -2,7 +2,6 @@
 #include "ffcontact/estimate/solid_estimate.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <Eigen/Geometry>
 
@@ -11,6 +10,7 @@
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
+#include "support/same_digits.hpp"
 #include "support/solid_estimates.hpp"
 
 namespace ffcontact {
@@ -355,17 +355,8 @@ double elastic_part(const SolidEstimate& found) {
 }
 
 TEST(SolidEstimate, has_the_same_digits_on_two_threads) {
-  const SolidProblem problem = block_problem(block(8), BlockCase::shear, 0.5);
-  const SurfaceSolution solution = problem.solve();
-  const SolidEstimate one = estimate(problem, solution);
-  omp_set_num_threads(2);
-  const SolidEstimate two = estimate(problem, solution);
-  omp_set_num_threads(1);
-  EXPECT_EQ(one.e, two.e);
-  EXPECT_EQ(one.history, two.history);
-  EXPECT_EQ(one.moments, two.moments);
-  EXPECT_EQ(one.local, two.local);
-  EXPECT_EQ(one.face_tractions, two.face_tractions);
+  expect_same_digits_on_two_threads(
+      block_problem(block(8), BlockCase::shear, 0.5));
 }
 
 /// A body of one stress, held by contact alone along z.

@@ -48,7 +48,7 @@ struct NewtonSettings {
   double enough = 1e-13;
 
   NewtonSettings with_at_most(int systems) const {
-    return {systems, tolerance, report};
+    return {systems, tolerance, report, enough};
   }
 };
 

@@ -205,35 +205,6 @@ void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
   condense_opposite(opposite, contact);
 }
 
-/// [A, B]
-SparseMatrix beside(const SparseMatrix& A, const SparseMatrix& B) {
-  SparseMatrix both(A.rows(), A.cols() + B.cols());
-  both.leftCols(A.cols()) = A;
-  both.rightCols(B.cols()) = B;
-  return both;
-}
-
-/// Forces on held rows load no body, and none of the foundation's then.
-MatrixXd felt(MatrixXd trace, const ContactLaw& law,
-              const std::vector<char>& held) {
-  if (law.multiplier == Multiplier::pressure) return trace;
-  for (Index row = 0; row < trace.rows(); ++row)
-    if (held[row]) trace.row(row).setZero();
-  return trace;
-}
-
-/// The foundation's motions as further opposite components.
-void add_foundation(const FoundationMotions& foundation, const ContactLaw& law,
-                    const std::vector<char>& held, const SparseMatrix& W,
-                    ContactTrace& trace) {
-  if (foundation.trace.cols() == 0) return;
-  const MatrixXd moved = -(W * felt(foundation.trace, law, held));
-  trace.A = beside(trace.A, moved.sparseView());
-  trace.to_kept =
-      beside(trace.to_kept, SparseMatrix(trace.to_kept.rows(), moved.cols()));
-  trace.opposite_load = foundation.load;
-}
-
 }  // namespace
 
 std::vector<int> contact_dofs(const ContactLine& line,
@@ -274,7 +245,7 @@ CondensedContact condensed_contact(const ContactLine& line,
   trace.to_kept = kept_operator(motions, trace.kept_dofs);
   trace.A = W * trace_operator(line, held.row, motions);
   trace.v_prescribed = W * v.reshaped();
-  add_foundation(foundation, law, held.row, W, trace);
+  add_motions(foundation, law, held.row, W, trace);
   CondensedContact contact =
       condensed_contact(std::move(trace), motions.rows, system.load, stiffness);
   contact.held = std::move(held);

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/contact/foundation_motions.hpp"
 #include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
@@ -87,16 +88,6 @@ CondensedContact condensed_contact(ContactTrace trace,
                                    const std::vector<int>& primary,
                                    const VectorXd& load,
                                    const CondensedStiffness& stiffness);
-
-/// Motions of a rigid foundation that forces move: they are opposite components without
-/// stiffness, v = W (trace of u - trace z), which
-///     (W trace)' P = load
-/// holds.
-struct FoundationMotions {
-  MatrixXd
-      trace;  ///< (n . z, t . z) at the nodes, one motion a column [2 p x m]
-  VectorXd load;  ///< what contact does to the body along each of them [m]
-};
 
 /// @throws std::invalid_argument  if the contact line has no free dof
 /// @throws std::runtime_error     if foundation and body are not held by each other

@@ -68,11 +68,9 @@ Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
 
 VectorXd force_residual(const ElasticSystem& system, const VectorXd& u,
                         const VectorXd& contact) {
-  VectorXd residual =
-      system.load + contact - system.stiffness * (u - system.prescribed_value);
-  for (Index dof = 0; dof < residual.size(); ++dof)
-    if (system.prescribed[dof]) residual[dof] = 0;
-  return residual;
+  return on_free_dofs(
+      system,
+      system.load + contact - system.stiffness * (u - system.prescribed_value));
 }
 
 double equilibrium_defect(const ElasticSystem& system,

@@ -12,8 +12,8 @@ namespace ffcontact {
 ///     u_n - n . z <= gap,   friction acts on u_t - t . z - previous,
 /// and contact passes on to the body what pushes the tool: for each free motion
 ///     sum of F_i . z(x_i) = push . z.
-/// Friction at nodes that supports hold along the line cannot be told from what these do: it
-/// is left out of both.
+/// Friction at nodes that supports hold along the line cannot be told from what these do:
+/// it is left out of both.
 /// Along motions that contact does not feel (a smooth plane that slides) nothing moves
 /// it, or it is returned as it happens to be.
 struct RigidTool {

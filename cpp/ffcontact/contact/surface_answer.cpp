@@ -15,6 +15,7 @@ namespace {
 constexpr double tolerance_to_be_corrected = 1e-6;
 /// Newton is given this many linear systems before the fixed point goes on.
 constexpr int most_newton_systems = 100;
+
 /// Newton from the given states, and where these lead nowhere from sticking nodes.
 ActiveSetResult newton_answer(const CondensedContact& contact,
                               const NodalLaw& law,
@@ -22,15 +23,16 @@ ActiveSetResult newton_answer(const CondensedContact& contact,
                               const std::vector<ContactState>& start,
                               const NewtonSettings& limits) {
   const std::vector<ContactState> stick(law.node_count(), ContactState::stick);
-  ActiveSetResult best = surface_newton(
-      contact, law, held, start,
-      {std::min(most_newton_systems, limits.max_iterations), limits.tolerance});
+  const auto first_of = [&limits](int left) {
+    return limits.with_at_most(std::min(most_newton_systems, left));
+  };
+  ActiveSetResult best = surface_newton(contact, law, held, start,
+                                        first_of(limits.max_iterations));
   const int left = limits.max_iterations - best.iterations;
   if (best.status == ContactStatus::converged || left <= 0 || start == stick)
     return best;
   ActiveSetResult again =
-      surface_newton(contact, law, held, stick,
-                     {std::min(most_newton_systems, left), limits.tolerance});
+      surface_newton(contact, law, held, stick, first_of(left));
   const int systems = best.iterations + again.iterations;
   if (again.is_better_than(best)) best = std::move(again);
   best.iterations = systems;
@@ -69,7 +71,7 @@ FixedPointResult surface_answer(const CondensedContact& contact,
   if (newton.answer.status == ContactStatus::converged || left <= 0)
     return newton;
   FixedPointResult path =
-      surface_fixed_point(contact, law, held, start, {left, limits.tolerance});
+      surface_fixed_point(contact, law, held, start, limits.with_at_most(left));
   const int systems = newton.answer.iterations + path.answer.iterations;
   if (path.answer.is_better_than(newton.answer)) newton = std::move(path);
   newton.answer.iterations = systems;

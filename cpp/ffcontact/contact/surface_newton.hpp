@@ -20,8 +20,8 @@ namespace ffcontact {
 /// where v that are known leave the system, so that sticking bodies cost nothing. Rows
 /// that are held have no force and no condition.
 ///
-/// Ends when the violation is enough, by default no more than rounding, or no longer falls below the
-/// tolerance; as cycled when thirty steps have not lowered it.
+/// Ends when the violation is enough, by default no more than rounding, or no longer falls
+/// below the tolerance; as cycled when thirty steps have not lowered it.
 /// @param held   of surface_trace [3 p]
 /// @param state  first guess, a slip without direction sticks [p]
 /// @return states open, stick and slip_forward, which stands for any direction

@@ -231,11 +231,10 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
     if (std::optional<SurfaceSolution> solution =
             roughly_factored_solution(stated))
       return *std::move(solution);
-  ContactSettings full = settings;
-  if (is_rough) full.stiffness = nullptr;
-  const StatedSurface exactly{surface, law, system, full, trace};
-  return Answer(exactly,
-                prepared_stiffness(trace.trace.kept_dofs, system, full))
+  ContactSettings in_full = settings;
+  if (is_rough) in_full.stiffness = nullptr;
+  return Answer(stated,
+                prepared_stiffness(trace.trace.kept_dofs, system, in_full))
       .solution();
 }
 

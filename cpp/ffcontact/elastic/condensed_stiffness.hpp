@@ -30,7 +30,7 @@ enum class Precision { full, single };
 ///
 /// In single precision it takes half the time and half the memory, and is that of a matrix
 /// that differs from K by rounding: what it gives is corrected by the residuals of K
-/// itself (inexact_contact, Rebalancing).
+/// itself (solve_contact of surfaces, Rebalancing).
 class CondensedStiffness {
  public:
   /// A load after elimination of the interior, for one use of the factor's first half.

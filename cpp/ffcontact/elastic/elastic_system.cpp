@@ -171,9 +171,14 @@ ElasticSystem elastic_system(const RowMatrixView& A,
     require_columns(A, system.prescribed, system.prescribed_value);
     system.load -= A * system.prescribed_value;
   }
-  for (Index dof = 0; dof < A.rows(); ++dof)
-    if (system.prescribed[dof]) system.load[dof] = 0;
+  system.load = on_free_dofs(system, std::move(system.load));
   return system;
+}
+
+VectorXd on_free_dofs(const ElasticSystem& system, VectorXd forces) {
+  for (Index dof = 0; dof < forces.size(); ++dof)
+    if (system.prescribed[dof]) forces[dof] = 0;
+  return forces;
 }
 
 template <int dim>

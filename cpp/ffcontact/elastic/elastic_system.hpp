@@ -33,6 +33,9 @@ struct ElasticSystem {
 ElasticSystem elastic_system(const RowMatrixView& A,
                              const Ref<const VectorXd>& b, int dimension = 2);
 
+/// Forces on all dofs, 0 on the prescribed ones.
+VectorXd on_free_dofs(const ElasticSystem& system, VectorXd forces);
+
 /// The free dofs of vertices, each once, in the order of these.
 std::vector<int> free_dofs_at(const std::vector<int>& vertices,
                               const ElasticSystem& system);

@@ -4,13 +4,13 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "ffcontact/base/blas.hpp"
 #include "ffcontact/base/serial_blas.hpp"
 #include "ffcontact/base/symmetric.hpp"
+#include "ffcontact/elastic/factor_blocks.hpp"
 #include "ffcontact/elastic/panel.hpp"
 #include "ffcontact/elastic/subtrees.hpp"
 
@@ -36,40 +36,27 @@ struct Workspace {
 }  // namespace
 
 template <class Scalar>
-struct PartialCholesky<Scalar>::Factor {
+struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   using Work = std::vector<Workspace<Scalar>>;
+  using FactorBlocks<Scalar>::nodes;
+  using FactorBlocks<Scalar>::values_of;
 
   int eliminated, kept;
-  Supernodes nodes;
-  std::vector<std::size_t> start;  ///< of the values of each supernode
-  /// of the supernodes, each [rows x columns]
-  std::unique_ptr<Scalar[]> values;
   /// those that have rows among the columns of each, ascending; of S the last
   std::vector<std::vector<int>> descendants;
   Square schur;
 
   Factor(const SparseMatrix& lower, int kept_columns)
-      : eliminated(static_cast<int>(lower.cols()) - kept_columns),
+      : FactorBlocks<Scalar>(
+            supernodes(lower, static_cast<int>(lower.cols()) - kept_columns)),
+        eliminated(static_cast<int>(lower.cols()) - kept_columns),
         kept(kept_columns),
-        nodes(supernodes(lower, eliminated)),
         descendants(nodes.count() + 1) {
-    allocate();
     find_descendants();
     factorise(lower);
   }
 
   int size() const { return eliminated + kept; }
-  Scalar* values_of(int s) const { return values.get() + start[s]; }
-
-  /// Each page is first touched by the thread that fills it.
-  void allocate() {
-    start.push_back(0);
-    for (int s = 0; s < nodes.count(); ++s)
-      start.push_back(start.back() +
-                      static_cast<std::size_t>(nodes.row_count(s)) *
-                          nodes.column_count(s));
-    values.reset(new Scalar[start.back()]);
-  }
 
   void find_descendants() {
     for (int d = 0; d < nodes.count(); ++d) {
@@ -236,11 +223,6 @@ struct PartialCholesky<Scalar>::Factor {
       Blas<Scalar>::trsm("R", "L", "T", "N", &rows, &n, &one, L, &stride, L + n,
                          &stride);
   }
-
-  using Block = Map<const Square>;
-  Block block(int s) const {
-    return {values_of(s), nodes.row_count(s), nodes.column_count(s)};
-  }
 };
 
 template <class Scalar>
@@ -257,16 +239,7 @@ PartialCholesky<Scalar>& PartialCholesky<Scalar>::operator=(
 
 template <class Scalar>
 double PartialCholesky<Scalar>::reciprocal_condition() const {
-  double least = 1, largest = 1;
-  for (int s = 0; s < factor_->nodes.count(); ++s) {
-    const auto diagonal = factor_->block(s).diagonal();
-    if (!diagonal.allFinite()) return 0;
-    const double low = diagonal.minCoeff(), high = diagonal.maxCoeff();
-    least = s == 0 ? low : std::min(least, low);
-    largest = s == 0 ? high : std::max(largest, high);
-  }
-  const double ratio = std::max(least, 0.0) / largest;
-  return ratio * ratio;
+  return factor_->reciprocal_condition();
 }
 
 template <class Scalar>
@@ -274,56 +247,15 @@ typename PartialCholesky<Scalar>::Square PartialCholesky<Scalar>::take_schur() {
   return std::move(factor_->schur);
 }
 
-namespace {
-
-/// A power of 2 by which numbers of any size become such as single precision has.
-double scale_of(const VectorXd& x) {
-  const double largest = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
-  return largest > 0 && std::isfinite(largest)
-             ? std::exp2(std::floor(std::log2(largest)))
-             : 1;
-}
-
-}  // namespace
-
 template <class Scalar>
 VectorXd PartialCholesky<Scalar>::half_solve(const VectorXd& right) const {
-  const Supernodes& nodes = factor_->nodes;
-  const double scale = scale_of(right);
-  VectorXd b = right / scale;
-  for (int s = 0; s < nodes.count(); ++s) {
-    const auto L = factor_->block(s);
-    const Index n = L.cols(), below = L.rows() - n;
-    auto own = b.segment(nodes.first_column[s], n);
-    Column x = own.template cast<Scalar>();
-    L.topRows(n).template triangularView<Eigen::Lower>().solveInPlace(x);
-    own = x.template cast<double>();
-    const Column product = L.bottomRows(below) * x;
-    const int* row = nodes.rows_below(s);
-    for (Index i = 0; i < below; ++i) b[row[i]] -= product[i];
-  }
-  return scale * b;
+  return factor_->half_solve(right);
 }
 
 template <class Scalar>
 VectorXd PartialCholesky<Scalar>::other_half_solve(
     const VectorXd& right) const {
-  const Supernodes& nodes = factor_->nodes;
-  const double scale = scale_of(right);
-  Column y = (right / scale).template cast<Scalar>();
-  for (int s = nodes.count() - 1; s >= 0; --s) {
-    const auto L = factor_->block(s);
-    const Index n = L.cols(), below = L.rows() - n;
-    const Map<const VectorXi> rows(nodes.rows_below(s), below);
-    auto x = y.segment(nodes.first_column[s], n);
-    const Column known = y(rows);
-    x.noalias() -= L.bottomRows(below).transpose() * known;
-    L.topRows(n)
-        .transpose()
-        .template triangularView<Eigen::Upper>()
-        .solveInPlace(x);
-  }
-  return scale * y.template cast<double>();
+  return factor_->other_half_solve(right);
 }
 
 template class PartialCholesky<double>;

@@ -20,7 +20,6 @@ template <class Scalar>
 class PartialCholesky {
  public:
   using Square = Matrix<Scalar, Dynamic, Dynamic>;
-  using Column = Matrix<Scalar, Dynamic, 1>;
 
   /// @param lower  the lower triangle of A, rows of a column in any order
   /// @param kept   size of S

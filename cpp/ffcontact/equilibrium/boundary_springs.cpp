@@ -208,4 +208,18 @@ VectorXd boundary_forces(const Mesh& mesh, const Matrix4Xd& moments) {
   return forces;
 }
 
+void require_no_springs_in_contact(const Edges& edges, const ContactLine& line,
+                                   const BoundarySprings& springs) {
+  const auto require_none = [&](int edge) {
+    if (springs.on(edges.boundary_index[edge]))
+      refuse(
+          "the springs are on the contact line, at the edge between vertices ",
+          edges.vertices(0, edge), " and ", edges.vertices(1, edge),
+          ": give them on other labels");
+  };
+  for (const int edge : line.edge) require_none(edge);
+  for (const FacingPiece& piece : line.pieces)
+    require_none(piece.opposite_edge);
+}
+
 }  // namespace ffcontact

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/interface/contact_line.hpp"
+#include "ffcontact/mesh/edges.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
 namespace ffcontact {
@@ -47,6 +49,12 @@ Matrix2d answered_directions(const Mesh& mesh, const BoundarySprings& springs,
 /// @throws std::invalid_argument  if sizes differ, K is not finite and >= 0, or its
 ///                                range differs along an edge
 void require_valid(const Mesh& mesh, const BoundarySprings& springs);
+
+/// @throws std::invalid_argument  if there are springs on an edge of the contact line, or
+///                                one that it faces: their tractions and those of contact
+///                                could not be told apart
+void require_no_springs_in_contact(const Edges& edges, const ContactLine& line,
+                                   const BoundarySprings& springs);
 
 /// Moments of -K (u - u_0) at the two vertices of each column of Mesh::boundary [4 x
 /// boundary, N/mm]; no columns without springs.

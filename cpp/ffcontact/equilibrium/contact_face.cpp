@@ -13,6 +13,15 @@ double contact_term(const ContactFace& face, const Matrix3d& traction) {
   return sum;
 }
 
+KnownComponents without_contact(KnownComponents known,
+                                const std::vector<ContactFace>& contact) {
+  for (const ContactFace& face : contact) {
+    known.col(face.face).setConstant(false);
+    if (face.opposite >= 0) known.col(face.opposite).setConstant(false);
+  }
+  return known;
+}
+
 Matrix3d traction_of(const ContactFace& face, const Matrix3d& moments) {
   Matrix3d traction = face_density(moments, face.area);
   for (int i = 0; i < 3; ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/equilibrium/face_tractions.hpp"
@@ -29,6 +30,11 @@ struct ContactFace {
 /// With c, |w_t|, r and w linear between the vertices this is the integral of c |w_t| + r
 /// . w; |w_t| is convex, so that it is a bound.
 double contact_term(const ContactFace& face, const Matrix3d& traction);
+
+/// Without the components of contact faces, and of those that match them: what relaxation
+/// leaves alone.
+KnownComponents without_contact(KnownComponents known,
+                                const std::vector<ContactFace>& contact);
 
 /// Tractions of given moments, and moments of given tractions.
 Matrix3d traction_of(const ContactFace& face, const Matrix3d& moments);

@@ -30,11 +30,9 @@ ContactPass::ContactPass(const SolidTopology& topology,
                          const std::vector<ContactFace>& contact,
                          const FaceMoments& moments)
     : topology_(topology), forms_(forms), contact_(contact) {
-  KnownComponents known = boundary.known;
+  const KnownComponents known = without_contact(boundary.known, contact);
   std::vector<int> contact_index(topology.faces.count(), -1);
   for (const ContactFace& face : contact) {
-    known.col(face.face).setConstant(false);
-    if (face.opposite >= 0) known.col(face.opposite).setConstant(false);
     contact_index[face.face] = count_of(tractions_);
     const Matrix3d of_face = moments.col(face.face).reshaped(3, 3);
     tractions_.push_back(traction_of(face, of_face));

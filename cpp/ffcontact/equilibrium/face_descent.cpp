@@ -119,11 +119,8 @@ double FaceDescent::contact_pass() {
 FaceMoments FaceDescent::correction() const {
   const SolidMesh& mesh = setting_.topology.mesh;
   const Facets<3>& faces = setting_.topology.faces;
-  KnownComponents known = setting_.boundary.known;
-  for (const ContactFace& face : setting_.contact) {
-    known.col(face.face).setConstant(false);
-    if (face.opposite >= 0) known.col(face.opposite).setConstant(false);
-  }
+  const KnownComponents known =
+      without_contact(setting_.boundary.known, setting_.contact);
   FaceMoments moments(9, faces.count());
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {

@@ -56,11 +56,10 @@ RoundedPlace lowest_middle(const SolidTopology& topology,
                            const std::vector<int>& edges, double step) {
   std::vector<RoundedPlace> places;
   for (int edge : edges) {
-    const Vector2i ends = topology.edges.vertices.col(edge);
-    const Vector3d sum =
-        topology.mesh.vertices(Eigen::all, ends).rowwise().sum() / step;
+    const Vector3d place =
+        edge_middle(topology.mesh, topology.edges, edge) / step;
     places.push_back(
-        {std::round(sum[0]), std::round(sum[1]), std::round(sum[2])});
+        {std::round(place[0]), std::round(place[1]), std::round(place[2])});
   }
   return *std::min_element(places.begin(), places.end());
 }
@@ -92,9 +91,7 @@ class JointNumbering {
 
  private:
   Vector3d direction(int edge) const {
-    const Vector2i ends = topology_.edges.vertices.col(edge);
-    return topology_.mesh.vertices.col(ends[1]) -
-           topology_.mesh.vertices.col(ends[0]);
+    return edge_vector(topology_.mesh, topology_.edges, edge);
   }
 
   /// -1 where one edge runs against the other, and faces turn about it the other way.

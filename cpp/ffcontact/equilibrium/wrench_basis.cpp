@@ -62,10 +62,11 @@ WrenchShift wrench_shift(const SolidTopology& topology, int face, int edge) {
   // a face runs counter-clockwise as seen from where its normal points to
   const double sign = vertices[(first + 1) % 3] == ends[1] ? 1 : -1;
 
-  const auto a = topology.mesh.vertices.col(ends[0]),
-             b = topology.mesh.vertices.col(ends[1]);
-  const Vector3d arm = corners.rowwise().mean() - (a + b) / 2;
-  const double size = size_of_face(corners), length = (b - a).norm();
+  const auto& [mesh, faces, edges, stars] = topology;
+  const Vector3d arm =
+      corners.rowwise().mean() - edge_middle(mesh, edges, edge);
+  const double size = size_of_face(corners),
+               length = edge_vector(mesh, edges, edge).norm();
   return {arm / size, length / size, sign};
 }
 

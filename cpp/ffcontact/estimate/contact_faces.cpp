@@ -17,9 +17,6 @@ namespace {
 /// Tractions nearer to the cone than this part of the largest are in it but for rounding.
 constexpr double traction_rounding = 1e-12;
 
-/// Motions below this part of the largest displacement have no direction.
-constexpr double least_motion = 1e-9;
-
 /// w at the corners of a contact face, less the gap and the load step before, along n, t1,
 /// t2 of each of its corners, whose frames differ on curved surfaces.
 using SeenMotions = std::array<Matrix3d, 3>;

@@ -11,6 +11,9 @@ namespace ffcontact {
 /// (r_n, r_t1, r_t2) at the three vertices of each contact face, one column a face [MPa].
 using SurfaceTractions = Matrix<double, 9, Dynamic>;
 
+/// Motions below this part of the largest displacement have no direction.
+constexpr double least_motion = 1e-9;
+
 /// The faces of a surface whose tractions may be relaxed: those whose corners are all
 /// nodes of it, against another body those that match a face of it (MatchingFace), with
 /// the jump of the displacement from face to face.

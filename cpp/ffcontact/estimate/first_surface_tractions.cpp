@@ -88,7 +88,8 @@ void require_loads_of_solution(const SolvedSolidProblem& solved,
       "it otherwise, or let the surface go on there");
 }
 
-/// r_hat: F_i / A_i, continued to nodes that a support holds on a rigid foundation, moved inside the cone where contact alone holds rigid motions.
+/// r_hat: F_i / A_i, continued to nodes that a support holds on a rigid foundation, moved
+/// inside the cone where contact alone holds rigid motions.
 Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
                             const FaceTractions& without_contact,
                             const MatrixXd& motions) {

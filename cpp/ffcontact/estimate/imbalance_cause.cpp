@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/imbalance_cause.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/elastic/inner_forces.hpp"
@@ -49,9 +50,7 @@ VectorXd left_over_with_other_multiplier(const Mesh& mesh,
                   nodal_forces(mesh, line, edge_densities(line, other));
   subtract_loads(mesh.cells, body.body_loads, left);
   subtract_loads(mesh.boundary, boundary_moments(mesh, body), left);
-  for (Index dof = 0; dof < left.size(); ++dof)
-    if (system.prescribed[dof]) left[dof] = 0;
-  return left;
+  return on_free_dofs(system, std::move(left));
 }
 
 const char* name_of(Multiplier multiplier) {

@@ -16,12 +16,6 @@ MatrixXd with_motions(const MatrixXd& S, const MatrixXd& Z) {
   return regular;
 }
 
-VectorXd free_part(const ElasticSystem& system, VectorXd forces) {
-  for (Index dof = 0; dof < forces.size(); ++dof)
-    if (system.prescribed[dof]) forces[dof] = 0;
-  return forces;
-}
-
 }  // namespace
 
 Rebalancing::Rebalancing(const ElasticSystem& system,
@@ -54,7 +48,7 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
   const double wanted = of_rounding * last;
   for (int k = 0; k < most_corrections; ++k) {
     const VectorXd left =
-        free_part(system_, force_change - system_.stiffness * u);
+        on_free_dofs(system_, force_change - system_.stiffness * u);
     const double size = max_norm(left);
     if (size <= wanted) return u;
     if (!(size * least_gain <= last)) break;

@@ -7,16 +7,14 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/coulomb_constant.hpp"
 #include "ffcontact/contact/slip_pattern.hpp"
+#include "ffcontact/estimate/contact_faces.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Motions below this part of the largest displacement have no direction.
-constexpr double least_slip = 1e-9;
-
-/// The faces of a surface that carry tractions on their own: their nodes and areas, and
+/// A face of a surface that carries tractions on its own: its nodes and area, and
 /// (r_n, r_t1, r_t2) at the corners in the frames of these.
 struct FaceOfNodes {
   Vector3i node;
@@ -29,11 +27,10 @@ std::vector<FaceOfNodes> faces_of_nodes(const SolidTopology& topology,
                                         const SurfaceTractions& tractions) {
   std::vector<FaceOfNodes> faces;
   for (int m = 0; m < surface.face_count(); ++m)
-    if (surface.face_node.col(m).minCoeff() >= 0)
-      faces.push_back(
-          {surface.face_node.col(m),
-           facet_measure(topology.mesh, topology.faces, surface.face[m]),
-           tractions.col(count_of(faces)).reshaped(3, 3)});
+    faces.push_back(
+        {surface.face_node.col(m),
+         facet_measure(topology.mesh, topology.faces, surface.face[m]),
+         tractions.col(m).reshaped(3, 3)});
   return faces;
 }
 
@@ -66,7 +63,7 @@ class PairOnSurface {
     });
     put_directions(
         displacement_against_foundation(surface, law, estimate.displacement),
-        least_slip * largest_displacement(law, estimate.displacement));
+        least_motion * largest_displacement(law, estimate.displacement));
   }
 
   const Matrix2Xd& directions() const { return s_; }
@@ -157,15 +154,21 @@ Matrix2Xd weight_of(const Matrix2Xd& s, const NodalLaw& law) {
   return weight;
 }
 
+/// @param left_out  1 at nodes that slip nowhere [p]
+DirectedSlip slip_of(const PairOnSurface& pair, const NodalLaw& law,
+                     const std::vector<char>& left_out) {
+  return {weight_of(pair.directions(), law), pair.missed_moments(), left_out};
+}
+
 }  // namespace
 
 DirectedSlip directed_slip(const SolidTopology& topology,
                            const ContactSurface& surface,
                            const SolvedSolid& body,
                            const SolidEstimate& estimate) {
-  const PairOnSurface pair(topology, surface, body.law, estimate);
-  return {weight_of(pair.directions(), nodal_law(body.law, surface)),
-          pair.missed_moments(), std::vector<char>(surface.node_count(), 0)};
+  return slip_of({topology, surface, body.law, estimate},
+                 nodal_law(body.law, surface),
+                 std::vector<char>(surface.node_count(), 0));
 }
 
 SolidCoulomb solid_coulomb(const SolidTopology& topology,
@@ -175,14 +178,14 @@ SolidCoulomb solid_coulomb(const SolidTopology& topology,
                            const std::vector<char>& held) {
   const double e =
       estimate.admissible ? estimate.e + estimate.oscillation : infinity;
-  const double friction = largest_friction(nodal_law(body.law, surface));
+  const NodalLaw law = nodal_law(body.law, surface);
+  const double friction = largest_friction(law);
   if (friction == 0) return {0, 0, 0, e};
-  if (PairOnSurface(topology, surface, body.law, estimate).reaches_limit())
-    return {friction, infinity, infinity, infinity};
-  DirectedSlip slip = directed_slip(topology, surface, body, estimate);
-  slip.left_out = held;
+  const PairOnSurface pair(topology, surface, body.law, estimate);
+  if (pair.reaches_limit()) return {friction, infinity, infinity, infinity};
   const auto constant = directed_constant(
-      forces_relation(surface, body.law, system, *body.stiffness), slip);
+      forces_relation(surface, body.law, system, *body.stiffness),
+      slip_of(pair, law, held));
   return {friction, constant.kappa, constant.missed,
           coulomb_bound(e, friction, constant.kappa, constant.missed)};
 }

@@ -26,6 +26,19 @@ struct Hinges {
   }
 };
 
+/// From one end of an edge to the other, and halfway [mm].
+inline Vector3d edge_vector(const SolidMesh& mesh, const Hinges<3>& edges,
+                            int edge) {
+  return mesh.vertices.col(edges.vertices(1, edge)) -
+         mesh.vertices.col(edges.vertices(0, edge));
+}
+inline Vector3d edge_middle(const SolidMesh& mesh, const Hinges<3>& edges,
+                            int edge) {
+  return (mesh.vertices.col(edges.vertices(0, edge)) +
+          mesh.vertices.col(edges.vertices(1, edge))) /
+         2;
+}
+
 /// @throws std::invalid_argument  if the body touches itself in a single hinge: more than
 ///                                two boundary facets meet there
 template <int dim>

@@ -49,16 +49,7 @@ std::vector<int> singular_edges(const SolidTopology& topology,
 }
 
 Vector3d along(const SolidTopology& topology, int edge) {
-  const Vector2i ends = topology.edges.vertices.col(edge);
-  return topology.mesh.vertices.col(ends[1]) -
-         topology.mesh.vertices.col(ends[0]);
-}
-
-Vector3d middle(const SolidTopology& topology, int edge) {
-  const Vector2i ends = topology.edges.vertices.col(edge);
-  return (topology.mesh.vertices.col(ends[0]) +
-          topology.mesh.vertices.col(ends[1])) /
-         2;
+  return edge_vector(topology.mesh, topology.edges, edge);
 }
 
 /// Singular edges one after the other, each line once.
@@ -165,8 +156,10 @@ double room_beside(const SolidTopology& topology, const MeasuredLine& line,
     for (int e : other)
       for (std::size_t k = 0; k < line.edges.size(); ++k)
         if (line.is_inside[k])
-          nearest = std::min(nearest, distance_to(topology, line.edges[k],
-                                                  middle(topology, e)));
+          nearest = std::min(
+              nearest,
+              distance_to(topology, line.edges[k],
+                          edge_middle(topology.mesh, topology.edges, e)));
   }
   return nearest / 2;
 }
