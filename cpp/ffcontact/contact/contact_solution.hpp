@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct ContactSettings {
   std::vector<ContactState> initial_state;
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
+  /// factorises K for kept dofs where it is not done on this machine alone; null: here
+  std::function<std::shared_ptr<const CondensedStiffness>(
+      const ElasticSystem& system, const std::vector<int>& kept)>
+      factorise{};
   /// free dofs from which on a solid that prescribed displacements hold is factored in
   /// single precision, and its answer corrected
   int single_precision_from = 30000;

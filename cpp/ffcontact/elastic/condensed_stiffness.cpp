@@ -214,6 +214,7 @@ CondensedStiffness::CondensedStiffness(const ElasticSystem& system,
     : factor_(
           std::make_unique<Factor>(system, checked(system, kept), precision)) {}
 
+CondensedStiffness::CondensedStiffness() = default;
 CondensedStiffness::~CondensedStiffness() = default;
 CondensedStiffness::CondensedStiffness(CondensedStiffness&&) noexcept = default;
 CondensedStiffness& CondensedStiffness::operator=(

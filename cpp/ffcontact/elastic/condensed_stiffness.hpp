@@ -31,6 +31,8 @@ enum class Precision { full, single };
 /// In single precision it takes half the time and half the memory, and is that of a matrix
 /// that differs from K by rounding: what it gives is corrected by the residuals of K
 /// itself (solve_contact of surfaces, Rebalancing).
+///
+/// Several processes may hold the factor: who knows how to ask them derives from this.
 class CondensedStiffness {
  public:
   /// A load after elimination of the interior, for one use of the factor's first half.
@@ -47,22 +49,25 @@ class CondensedStiffness {
   ///                                is held by nothing, or, in single precision, nearly
   CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept,
                      Precision precision = Precision::full);
-  ~CondensedStiffness();
+  virtual ~CondensedStiffness();
   CondensedStiffness(CondensedStiffness&&) noexcept;
   CondensedStiffness& operator=(CondensedStiffness&&) noexcept;
 
-  Precision precision() const;
+  virtual Precision precision() const;
 
   /// S [kept x kept].
-  const MatrixXd& schur() const;
+  virtual const MatrixXd& schur() const;
 
   /// For a load on all dofs. The solution obeys S u_c = g + contact forces.
-  Load condensed(const Ref<const VectorXd>& load) const;
+  virtual Load condensed(const Ref<const VectorXd>& load) const;
 
   /// The displacement on all dofs (0 on prescribed ones) that has u_c on the kept dofs
   /// and balances the load on the others.
-  VectorXd extended(Load load,
-                    const Ref<const VectorXd>& kept_displacement) const;
+  virtual VectorXd extended(
+      Load load, const Ref<const VectorXd>& kept_displacement) const;
+
+ protected:
+  CondensedStiffness();  ///< whose factor is elsewhere
 
  private:
   struct Factor;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 
@@ -117,8 +118,6 @@ std::array<int, dofs_of_cell<dim>> dofs_of(const SimplexMesh<dim>& mesh,
   return dofs;
 }
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
-
 template <class Dofs, class Element>
 void add_element(const Dofs& dofs, const Element& element, Triplets& entries) {
   for (std::size_t i = 0; i < dofs.size(); ++i)
@@ -191,9 +190,7 @@ RowMatrix stiffness(const SimplexMesh<dim>& mesh,
     add_element(dofs_of(mesh, t), element_stiffness(mesh, hooke[t], t),
                 entries);
   const Index n = dim * mesh.vertices.cols();
-  RowMatrix K(n, n);
-  K.setFromTriplets(entries.begin(), entries.end());
-  return K;
+  return packed<RowMatrix>(n, n, entries);
 }
 
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
