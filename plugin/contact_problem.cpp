@@ -17,16 +17,6 @@
 
 namespace ffcontact::plugin {
 
-namespace {
-
-JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
-  std::vector<Mesh> meshes;
-  for (pmesh fem_mesh : fem_meshes) meshes.push_back(mesh_of(fem_mesh));
-  return joined_mesh(meshes);
-}
-
-}  // namespace
-
 Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
   return named.choice(
       stack, "multiplier", Multiplier::force,
@@ -35,15 +25,24 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
 
 ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
                                const std::vector<pmesh>& meshes)
-    : ContactProblem(stack, named, meshes, joined_meshes(meshes)) {}
+    : PlaneBodies(meshes), topology_{joined.mesh, edges_of(joined.mesh), {}} {
+  previous_ = stated_previous(stack, named, *this);
+  state(stack, named);
+}
 
 ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
-                               const std::vector<pmesh>& meshes,
-                               JoinedMesh whole)
-    : BodyDofs(2, whole.first_vertex),
-      joined(std::move(whole)),
-      fem_meshes(meshes.begin(), meshes.end()),
-      topology_{joined.mesh, edges_of(joined.mesh), {}} {
+                               JoinedMesh whole,
+                               const PlacesElsewhere<2>& elsewhere,
+                               VectorXd previous)
+    : PlaneBodies(std::move(whole)),
+      topology_{joined.mesh, edges_of(joined.mesh), {}},
+      elsewhere_(&elsewhere),
+      previous_(std::move(previous)) {
+  state(stack, named);
+  elsewhere_ = nullptr;
+}
+
+void ContactProblem::state(Stack stack, const NamedArguments& named) {
   const int bodies = body_count();
   require_names_of_bodies(named, stated_of_bodies, bodies);
   require_law(named);
@@ -56,7 +55,6 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
   for (int k = 0; k + 1 < bodies; ++k)
     add_pair(stack, named, k, labels[k].towards_next, k + 1,
              labels[k + 1].towards_last);
-  previous_ = stated_previous(stack, named, *this);
   join_carriers();
 }
 
@@ -66,21 +64,17 @@ const Topology& ContactProblem::topology() const {
   return topology_;
 }
 
-BodyPart ContactProblem::part(int body) const {
-  return {*fem_meshes[body], joined.first_vertex[body],
-          joined.first_boundary[body]};
-}
-
 /// A curve that turns has one contact direction where the gap is the smallest.
 ContactLine ContactProblem::own_line(
     Stack stack, const NamedArguments& named, int body,
     const std::vector<int>& labels, bool rigid,
     const std::vector<int>& opposite_labels) const {
-  ContactLine line = stated_line(stack, named, part(body), mesh, edges, labels);
+  ContactLine line =
+      stated_line(stack, named, part(body, elsewhere_), mesh, edges, labels);
   if (named.given("normal") || !turns(line)) return line;
   const Expression gap = named.expression("gap");
   const VectorXd distance =
-      gap || rigid ? at_nodes(stack, gap, part(body), edges, line,
+      gap || rigid ? at_nodes(stack, gap, part(body, elsewhere_), edges, line,
                               stated_places(line, false), 0)
                    : facing_traces(mesh, edges, line, opposite_labels).gap;
   return with_one_direction_a_curve(mesh, edges, std::move(line), distance);
@@ -148,7 +142,8 @@ ContactProblem::Carrier ContactProblem::carrier(
           edges.vertices(place < 0.5 ? 0 : 1, edge) - joined.first_vertex[body];
       result.abscissa[node] = result.edge_abscissa(end, e);
     }
-  result.law = stated_law(stack, named, part(body), mesh, edges, line, places);
+  result.law = stated_law(stack, named, part(body, elsewhere_), mesh, edges,
+                          line, places);
   result.line = std::move(line);
   return result;
 }

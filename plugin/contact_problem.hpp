@@ -7,9 +7,7 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/topology.hpp"
 //
-#include "body_dofs.hpp"
-#include "held_mesh.hpp"
-#include "views.hpp"
+#include "plane_bodies.hpp"
 
 namespace ffcontact::plugin {
 
@@ -33,10 +31,8 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 /// The multipliers are on the line of the body that comes first (side 1), or, where the
 /// other's line can carry them and yields much more (compliance_ratio), on that (side 2).
 /// Both are prepared; it is side 1 until choose_sides knows the matrices.
-struct ContactProblem : BodyDofs {
-  JoinedMesh joined;
+struct ContactProblem : PlaneBodies {
   const Mesh& mesh = joined.mesh;
-  std::vector<HeldMesh<Fem2D::Mesh>> fem_meshes;
   const Edges& edges = topology_.edges;
   ContactLine line;
   ContactLaw law;  ///< multiplier left at its default
@@ -56,6 +52,9 @@ struct ContactProblem : BodyDofs {
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   ContactProblem(Stack stack, const NamedArguments& named,
                  const std::vector<pmesh>& meshes);
+  /// The same of bodies that processes hold parts of.
+  ContactProblem(Stack stack, const NamedArguments& named, JoinedMesh whole,
+                 const PlacesElsewhere<2>& elsewhere, VectorXd previous);
   ContactProblem(const ContactProblem&) = delete;
   ContactProblem& operator=(const ContactProblem&) = delete;
 
@@ -71,9 +70,6 @@ struct ContactProblem : BodyDofs {
   Matrix2Xd pressures(KN<double>* normal, KN<double>* tangential) const;
 
  private:
-  ContactProblem(Stack stack, const NamedArguments& named,
-                 const std::vector<pmesh>& meshes, JoinedMesh whole);
-
   /// The line of one pair of bodies that carries the multipliers, with what belongs to
   /// its nodes and edges.
   struct Carrier {
@@ -90,7 +86,7 @@ struct ContactProblem : BodyDofs {
     std::optional<Carrier> other;
   };
 
-  BodyPart part(int body) const;
+  void state(Stack stack, const NamedArguments& named);
   ContactLine own_line(Stack stack, const NamedArguments& named, int body,
                        const std::vector<int>& labels, bool rigid,
                        const std::vector<int>& opposite_labels) const;
@@ -110,6 +106,8 @@ struct ContactProblem : BodyDofs {
   mutable Topology
       topology_;  ///< stars are made when an estimate asks for them
   std::vector<Pair> pairs_;
+  /// while it is stated
+  const PlacesElsewhere<2>* elsewhere_ = nullptr;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
 };
 

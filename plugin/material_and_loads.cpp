@@ -37,9 +37,9 @@ Hooke general_of(Stack stack, const NamedArguments& named,
 }
 
 Hooke hooke_of(Stack stack, const NamedArguments& named,
-               const ContactProblem& problem, int body) {
+               const PlaneBodies& bodies, int body) {
   const auto name_of = [&](const char* name) {
-    return name_of_body(name, body, problem.body_count());
+    return name_of_body(name, body, bodies.body_count());
   };
   const std::string general = name_of("hooke");
   const Expression lambda = named.expression(name_of("lambda")),
@@ -49,7 +49,7 @@ Hooke hooke_of(Stack stack, const NamedArguments& named,
     refuse("give either ", name_of("lambda"), "= and ", name_of("G"),
            "= (Lame's constants) or ", general,
            "=[C11, C12, C13, C22, C23, C33]");
-  const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[body];
+  const Fem2D::Mesh& fem_mesh = *bodies.fem_meshes[body];
   return lame ? isotropic_of(stack, lambda, G, fem_mesh)
               : general_of(stack, named, general, fem_mesh);
 }
@@ -79,20 +79,20 @@ bool is_given(const VoigtExpression& expression) {
 /// Initial stresses of the bodies, joined; empty where none has any.
 class InitialStresses {
  public:
-  explicit InitialStresses(const ContactProblem& problem) : problem_(problem) {}
+  explicit InitialStresses(const PlaneBodies& bodies) : bodies_(bodies) {}
 
   /// Reads those of body k. @return their oscillation
   double read(Stack stack, const NamedArguments& named, int k,
               const Hooke& hooke) {
-    const int bodies = problem_.body_count();
+    const int bodies = bodies_.body_count();
     const VoigtExpression strain = voigt_of(named, "initialstrain", k, bodies),
                           stress = voigt_of(named, "initialstress", k, bodies);
     if (!is_given(strain) && !is_given(stress)) return 0;
-    const std::vector<int>& first = problem_.joined.first_cell;
+    const std::vector<int>& first = bodies_.joined.first_cell;
     if (values_.cols() == 0)
       values_ = Matrix<double, 9, Dynamic>::Zero(9, first.back());
-    const InitialStress own = initial_stress_of(stack, strain, stress, hooke,
-                                                *problem_.fem_meshes[k]);
+    const InitialStress own =
+        initial_stress_of(stack, strain, stress, hooke, *bodies_.fem_meshes[k]);
     values_.middleCols(first[k], first[k + 1] - first[k]) = own.at_vertices;
     return own.oscillation;
   }
@@ -103,7 +103,7 @@ class InitialStresses {
   }
 
  private:
-  const ContactProblem& problem_;
+  const PlaneBodies& bodies_;
   Matrix<double, 9, Dynamic> values_;  ///< at the vertices of all triangles
 };
 
@@ -121,10 +121,10 @@ VoigtExpression stiffness_of(const NamedArguments& named,
 /// Springs of the bodies, joined; empty where none has any.
 class Springs {
  public:
-  explicit Springs(const ContactProblem& problem) : problem_(problem) {}
+  explicit Springs(const PlaneBodies& bodies) : bodies_(bodies) {}
 
   void read(Stack stack, const NamedArguments& named, int k) {
-    const int bodies = problem_.body_count();
+    const int bodies = bodies_.body_count();
     const std::string spring = name_of_body("spring", k, bodies);
     const Load rest = load_of(named, "rest", k, bodies);
     if (!named.given(spring)) {
@@ -133,7 +133,7 @@ class Springs {
       return;
     }
     if (joined.empty())
-      joined = BoundarySprings(problem_.joined.first_boundary.back());
+      joined = BoundarySprings(bodies_.joined.first_boundary.back());
     put(stack, stiffness_of(named, spring), rest, k);
   }
 
@@ -141,7 +141,7 @@ class Springs {
 
  private:
   void put(Stack stack, const VoigtExpression& K, const Load& rest, int k) {
-    const Fem2D::Mesh& fem_mesh = *problem_.fem_meshes[k];
+    const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[k];
     const Mesh mesh = mesh_of(&fem_mesh);
     const auto put_rows = [&](Expression expression, auto& rows, int row,
                               int step) {
@@ -149,7 +149,7 @@ class Springs {
           at_gauss_points(stack, expression, fem_mesh, mesh);
       for (int q = 0; q < 3; ++q)
         rows.row(row + step * q)
-            .segment(problem_.joined.first_boundary[k], values.cols()) =
+            .segment(bodies_.joined.first_boundary[k], values.cols()) =
             values.row(q);
     };
     for (int c = 0; c < 3; ++c) put_rows(K[c], joined.stiffness, c, 3);
@@ -157,20 +157,20 @@ class Springs {
     put_rows(rest.y, joined.rest, 1, 2);
   }
 
-  const ContactProblem& problem_;
+  const PlaneBodies& bodies_;
 };
 
 /// Reads one body into what is there for all of them.
 Oscillation read_body(Stack stack, const NamedArguments& named,
-                      const ContactProblem& problem, int k, SolvedBody& body,
+                      const PlaneBodies& bodies, int k, SolvedBody& body,
                       InitialStresses& initial, Springs& springs) {
-  const JoinedMesh& joined = problem.joined;
-  const int bodies = problem.body_count();
-  const Fem2D::Mesh& fem_mesh = *problem.fem_meshes[k];
-  const Hooke hooke = hooke_of(stack, named, problem, k);
+  const JoinedMesh& joined = bodies.joined;
+  const int count = bodies.body_count();
+  const Fem2D::Mesh& fem_mesh = *bodies.fem_meshes[k];
+  const Hooke hooke = hooke_of(stack, named, bodies, k);
   body.hooke.insert(body.hooke.end(), hooke.begin(), hooke.end());
-  const Load F = load_of(named, "traction", k, bodies),
-             f = load_of(named, "bodyforce", k, bodies);
+  const Load F = load_of(named, "traction", k, count),
+             f = load_of(named, "bodyforce", k, count);
   const Mesh mesh = mesh_of(&fem_mesh);
   body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
       traction_moments(stack, F.x, F.y, fem_mesh, mesh);
@@ -184,16 +184,16 @@ Oscillation read_body(Stack stack, const NamedArguments& named,
 }  // namespace
 
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
-                                    const ContactProblem& problem,
+                                    const PlaneBodies& bodies,
                                     SolvedBody& body) {
-  body.neumann.resize(4, problem.joined.first_boundary.back());
-  body.body_loads.resize(6, problem.joined.first_cell.back());
+  body.neumann.resize(4, bodies.joined.first_boundary.back());
+  body.body_loads.resize(6, bodies.joined.first_cell.back());
   Oscillation all;
-  InitialStresses initial(problem);
-  Springs springs(problem);
-  for (int k = 0; k < problem.body_count(); ++k) {
+  InitialStresses initial(bodies);
+  Springs springs(bodies);
+  for (int k = 0; k < bodies.body_count(); ++k) {
     const Oscillation own =
-        read_body(stack, named, problem, k, body, initial, springs);
+        read_body(stack, named, bodies, k, body, initial, springs);
     all = {std::hypot(all.force, own.force),
            std::hypot(all.strain, own.strain)};
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "contact_problem.hpp"
 #include "ffcontact/estimate/estimate.hpp"
+#include "plane_bodies.hpp"
 
 namespace ffcontact::plugin {
 
@@ -18,7 +18,7 @@ struct Oscillation {
 /// @throws std::invalid_argument  if a body has not one elastic law, or springs at rest
 ///                                and none
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
-                                    const ContactProblem& problem,
+                                    const PlaneBodies& bodies,
                                     SolvedBody& body);
 
 }  // namespace ffcontact::plugin

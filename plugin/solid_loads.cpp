@@ -16,9 +16,9 @@ namespace {
 /// An expression at the barycentre of each tetrahedron (x, y, z, region).
 VectorXd at_tetrahedra(Stack stack, Expression expression,
                        const SolidPart& solid) {
-  VectorXd values(solid.fem_mesh.nt);
+  VectorXd values(solid.fem_mesh->nt);
   SolidPoint point(stack, solid);
-  for (int t = 0; t < solid.fem_mesh.nt; ++t) {
+  for (int t = 0; t < solid.fem_mesh->nt; ++t) {
     point.go_to_tetrahedron(t);
     values[t] = point.value(expression);
   }
@@ -38,7 +38,7 @@ HookeTensors<3> isotropic_of(Stack stack, Expression lambda, Expression G,
 /// From the 21 values C11, C12, ..., C16, C22, ..., C66.
 HookeTensors<3> general_of(Stack stack, const NamedArguments& named,
                            const std::string& name, const SolidPart& solid) {
-  HookeTensors<3> hooke(solid.fem_mesh.nt);
+  HookeTensors<3> hooke(solid.fem_mesh->nt);
   int place = 0;
   for (int row = 0; row < 6; ++row)
     for (int column = row; column < 6; ++column) {
@@ -104,12 +104,13 @@ void put_tractions(Stack stack, const SolidLoad& traction,
   for (int f = 0; f < faces.count(); ++f) {
     if (!faces.on_boundary(f) || !solid.has_boundary(faces.boundary_index[f]))
       continue;
+    const int column = faces.boundary_index[f] - solid.first_boundary;
     const double area = facet_measure(mesh, faces, f);
     Map<Matrix3d> of_face(moments.col(faces.boundary_index[f]).data());
     for (int q = 0; q < quadrature.n; ++q) {
       const double x = quadrature[q].x, y = quadrature[q].y;
       const Vector3d phi(1 - x - y, x, y);
-      point.go_to_face(f, phi);
+      point.go_to({column, phi});
       of_face += area * quadrature[q].a * traction.at(point) * phi.transpose();
     }
   }
@@ -160,7 +161,7 @@ double put_body_loads(Stack stack, const SolidLoad& force,
   if (!force.given()) return 0;
   SolidPoint point(stack, solid);
   double square = 0;
-  for (int t = 0; t < solid.fem_mesh.nt; ++t) {
+  for (int t = 0; t < solid.fem_mesh->nt; ++t) {
     const int cell = solid.first_cell + t;
     const double volume = signed_volume(solid.mesh, cell);
     const ForceSamples samples = samples_of(force, volume, t, point);
@@ -175,15 +176,15 @@ double put_body_loads(Stack stack, const SolidLoad& force,
 }  // namespace
 
 double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const SolidProblem& problem,
+                               const SolidBodies& bodies,
                                ffcontact::SolvedSolid& body) {
-  const SolidMesh& mesh = problem.mesh;
+  const SolidMesh& mesh = bodies.joined.mesh;
   body.neumann = FaceMoments::Zero(9, mesh.boundary.cols());
   body.body_loads = SolidBodyLoadsOfAll::Zero(12, mesh.cell_count());
   double square = 0;
-  for (int k = 0; k < problem.body_count(); ++k) {
-    const NamesOfBody own(k, problem.body_count());
-    const SolidPart solid = problem.part(k);
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    const NamesOfBody own(k, bodies.body_count());
+    const SolidPart solid = bodies.part(k);
     const HookeTensors<3> hooke = hooke_of(stack, named, own, solid);
     body.hooke.insert(body.hooke.end(), hooke.begin(), hooke.end());
     put_tractions(stack, {named, own("traction")}, solid, body.neumann);

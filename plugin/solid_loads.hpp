@@ -3,7 +3,7 @@
 
 #include "arguments.hpp"
 #include "ffcontact/estimate/solid_estimate.hpp"
-#include "solid_problem.hpp"
+#include "solid_bodies.hpp"
 
 namespace ffcontact::plugin {
 
@@ -13,7 +13,7 @@ namespace ffcontact::plugin {
 /// @return oscillation of the body forces (BodyForce)
 /// @throws std::invalid_argument  if a solid has not one elastic law
 double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const SolidProblem& problem,
+                               const SolidBodies& bodies,
                                ffcontact::SolvedSolid& body);
 
 }  // namespace ffcontact::plugin

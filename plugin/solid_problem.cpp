@@ -21,12 +21,6 @@ namespace {
 /// The other side carries the multipliers of as much of the surface as this at least.
 constexpr double as_much = 0.9;
 
-JoinedSolids joined_solids(const std::vector<pmesh3>& fem_meshes) {
-  std::vector<SolidMesh> meshes;
-  for (pmesh3 fem_mesh : fem_meshes) meshes.push_back(solid_mesh_of(fem_mesh));
-  return joined_mesh(meshes);
-}
-
 /// Solids may overlap a little, as those of curved surfaces do and interference fits, but
 /// not by more than their nodes are large.
 void require_apart(const SolidMesh& mesh, const FacingSurface& facing) {
@@ -45,15 +39,23 @@ void require_apart(const SolidMesh& mesh, const FacingSurface& facing) {
 
 SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
                            const std::vector<pmesh3>& meshes)
-    : SolidProblem(stack, named, meshes, joined_solids(meshes)) {}
+    : SolidBodies(meshes) {
+  previous_ = stated_previous(stack, named, *this);
+  state(stack, named);
+}
 
 SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
-                           const std::vector<pmesh3>& meshes,
-                           JoinedSolids whole)
-    : BodyDofs(3, whole.first_vertex),
-      joined(std::move(whole)),
-      fem_meshes(meshes.begin(), meshes.end()),
-      faces(facets_of(joined.mesh)) {
+                           JoinedSolids whole,
+                           const PlacesElsewhere<3>& elsewhere,
+                           VectorXd previous)
+    : SolidBodies(std::move(whole)),
+      elsewhere_(&elsewhere),
+      previous_(std::move(previous)) {
+  state(stack, named);
+  elsewhere_ = nullptr;
+}
+
+void SolidProblem::state(Stack stack, const NamedArguments& named) {
   const int bodies = body_count();
   require_names_of_bodies(named, stated_of_bodies, bodies);
   require_law(named);
@@ -66,17 +68,7 @@ SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
   for (int k = 0; k + 1 < bodies; ++k)
     add_pair(stack, named, k, labels[k].towards_next, k + 1,
              labels[k + 1].towards_last);
-  previous_ = stated_previous(stack, named, *this);
   join_carriers();
-}
-
-SolidPart SolidProblem::part(int body) const {
-  return {*fem_meshes[body],
-          mesh,
-          faces,
-          joined.first_vertex[body],
-          joined.first_cell[body],
-          joined.first_boundary[body]};
 }
 
 ContactSurface SolidProblem::stated_surface(
@@ -88,7 +80,7 @@ ContactSurface SolidProblem::stated_surface(
   Matrix3Xd direction = Matrix3Xd::Zero(3, mesh.vertices.cols());
   for (int c = 0; c < 3; ++c) {
     const VectorXd values = at_places(stack, named.component("normal", c, 3),
-                                      part(body), places, 0);
+                                      part(body, elsewhere_), places, 0);
     for (int i = own.node_count() - 1; i >= 0; --i)
       direction(c, own.vertex[i]) = values[i];
   }
@@ -147,7 +139,7 @@ SolidProblem::Carrier SolidProblem::exchanged(
       direction.col(whole.vertex[i]) = whole.normal.col(i);
     for (int c = 0; c < 3; ++c) {
       const VectorXd values = at_places(stack, named.component("normal", c, 3),
-                                        part(body), places, 0);
+                                        part(body, elsewhere_), places, 0);
       for (int i = 0; i < first.surface.node_count(); ++i)
         direction(c, first.surface.vertex[i]) = -values[i];
     }
@@ -179,7 +171,8 @@ SolidProblem::Carrier SolidProblem::carrier(
     Stack stack, const NamedArguments& named, int body, FacingSurface facing,
     const std::vector<FacePlace>& places) const {
   const auto read = [&](const char* name) {
-    return at_places(stack, named.expression(name), part(body), places, 0);
+    return at_places(stack, named.expression(name), part(body, elsewhere_),
+                     places, 0);
   };
   Carrier result;
   result.law.friction = read("friction");

@@ -9,20 +9,15 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
 #include "arguments.hpp"
-#include "body_dofs.hpp"
-#include "held_mesh.hpp"
-#include "solid_views.hpp"
+#include "solid_bodies.hpp"
 
 namespace ffcontact::plugin {
 
 /// A contact problem of solids as a script states it, with the parameters, bodies and
 /// sides of ContactProblem: one mesh3 or several; normal=[nx, ny, nz] is one contact
 /// direction a vertex in place of the faces' normals. All is evaluated when it is stated.
-struct SolidProblem : BodyDofs {
-  JoinedSolids joined;
+struct SolidProblem : SolidBodies {
   const SolidMesh& mesh = joined.mesh;
-  std::vector<HeldMesh<Fem2D::Mesh3>> fem_meshes;
-  Facets<3> faces;
   ContactSurface surface;
   SurfaceLaw law;
   /// of each node, or nearest to what it faces, in the mesh of the body that comes first
@@ -35,6 +30,9 @@ struct SolidProblem : BodyDofs {
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   SolidProblem(Stack stack, const NamedArguments& named,
                const std::vector<pmesh3>& meshes);
+  /// The same of bodies that processes hold parts of.
+  SolidProblem(Stack stack, const NamedArguments& named, JoinedSolids whole,
+               const PlacesElsewhere<3>& elsewhere, VectorXd previous);
   SolidProblem(const SolidProblem&) = delete;
   SolidProblem& operator=(const SolidProblem&) = delete;
 
@@ -42,13 +40,9 @@ struct SolidProblem : BodyDofs {
   /// carry them.
   void choose_sides(const ElasticSystem& system);
 
-  SolidPart part(int body) const;
   Matrix3Xd places() const;  ///< of the nodes [mm, 3 x p]
 
  private:
-  SolidProblem(Stack stack, const NamedArguments& named,
-               const std::vector<pmesh3>& meshes, JoinedSolids whole);
-
   /// The surface of one pair of bodies that carries the multipliers, with what belongs to
   /// its nodes.
   struct Carrier {
@@ -64,6 +58,7 @@ struct SolidProblem : BodyDofs {
     std::optional<Carrier> other;
   };
 
+  void state(Stack stack, const NamedArguments& named);
   ContactSurface stated_surface(Stack stack, const NamedArguments& named,
                                 int body, const std::vector<int>& labels) const;
   void add_pair(Stack stack, const NamedArguments& named, int body,
@@ -85,6 +80,8 @@ struct SolidProblem : BodyDofs {
   void join_carriers();
 
   std::vector<Pair> pairs_;
+  /// while it is stated
+  const PlacesElsewhere<3>* elsewhere_ = nullptr;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
 };
 

@@ -10,6 +10,20 @@
 
 namespace ffcontact::plugin {
 
+namespace {
+
+BoundaryPlace<3> on_boundary(const SolidPart& part, const FacePlace& place) {
+  const int column = part.faces.boundary_index[place.face];
+  Vector3d weights = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j)
+      if (part.mesh.boundary(j, column) == part.faces.vertices(k, place.face))
+        weights[j] = place.coordinates[k];
+  return {column - part.first_boundary, weights};
+}
+
+}  // namespace
+
 SolidMesh solid_mesh_of(const Fem2D::Mesh3* fem_mesh) {
   if (!fem_mesh) refuse("the mesh3 is not set");
   const Fem2D::Mesh3& Th = *fem_mesh;
@@ -61,16 +75,24 @@ std::vector<FacePlace> places_faced(
   return places;
 }
 
-VectorXd at_places(Stack stack, Expression expression, const SolidPart& part,
-                   const std::vector<FacePlace>& places, double otherwise) {
-  VectorXd values = VectorXd::Constant(count_of(places), otherwise);
-  if (!expression) return values;
+VectorXd at_boundary(Stack stack, Expression expression, const SolidPart& part,
+                     const std::vector<BoundaryPlace<3>>& places) {
+  VectorXd values(count_of(places));
   SolidPoint point(stack, part);
   for (int i = 0; i < count_of(places); ++i) {
     point.go_to(places[i]);
     values[i] = point.value(expression);
   }
   return values;
+}
+
+VectorXd at_places(Stack stack, Expression expression, const SolidPart& part,
+                   const std::vector<FacePlace>& places, double otherwise) {
+  if (!expression) return VectorXd::Constant(count_of(places), otherwise);
+  std::vector<BoundaryPlace<3>> at;
+  for (const FacePlace& place : places) at.push_back(on_boundary(part, place));
+  return part.elsewhere ? part.elsewhere->values(expression, part.body, at)
+                        : at_boundary(stack, expression, part, at);
 }
 
 }  // namespace ffcontact::plugin

@@ -5,7 +5,7 @@
 
 #include "ffcontact/interface/facing_polygons.hpp"
 //
-#include "freefem.hpp"
+#include "boundary_places.hpp"
 
 namespace ffcontact::plugin {
 
@@ -13,16 +13,18 @@ namespace ffcontact::plugin {
 /// @throws std::invalid_argument  if the mesh was never assigned
 SolidMesh solid_mesh_of(const Fem2D::Mesh3* mesh);
 
-/// A FreeFEM mesh3 as a part of a joined mesh and its faces.
+/// One solid of a joined mesh, and its faces.
 struct SolidPart {
-  const Fem2D::Mesh3& fem_mesh;
-  const SolidMesh& mesh;
+  const SolidMesh& mesh;  ///< all solids
   const Facets<3>& faces;
-  int first_vertex, first_cell, first_boundary;
+  const Fem2D::Mesh3*
+      fem_mesh;  ///< null where other processes hold parts of it
+  int body, first_cell, first_boundary;
+  const PlacesElsewhere<3>* elsewhere;  ///< null where fem_mesh is not
 
   /// Is a column of SolidMesh::boundary one of this solid's?
   bool has_boundary(int column) const {
-    return column >= first_boundary && column < first_boundary + fem_mesh.nbe;
+    return column >= first_boundary && column < first_boundary + fem_mesh->nbe;
   }
 };
 
@@ -40,6 +42,10 @@ std::vector<FacePlace> places_of_nodes(const ContactSurface& surface);
 std::vector<FacePlace> places_faced(const ContactSurface& part,
                                     const ContactSurface& whole,
                                     const std::vector<FacingPolygon>& polygons);
+
+/// An expression at places of a solid's boundary.
+VectorXd at_boundary(Stack stack, Expression expression, const SolidPart& part,
+                     const std::vector<BoundaryPlace<3>>& places);
 
 /// An expression of the script at places of a solid; x, y, z, N, label and region are
 /// those of the faces.

@@ -37,13 +37,10 @@ class PlanePoint : public PointEvaluator {
     point().set(mesh_, triangle(hat), hat, triangle, mesh_.bedges[element].lab,
                 normal, side);
   }
-  /// Goes to a place on a boundary edge of a part of the joined mesh.
-  void go_to_edge(const BodyPart& part, const Edges& edges,
-                  const EdgePlace& at) {
-    const int element = edges.boundary_index[at.edge] - part.first_boundary;
-    const bool first =
-        first_vertex(element) == edges.vertices(0, at.edge) - part.first_vertex;
-    go_to_boundary(element, first ? 1 - at.place : at.place);
+  void go_to(const BoundaryPlace<2>& place) {
+    const Fem2D::Mesh::BorderElement& edge = mesh_.bedges[place.column];
+    const bool same = first_vertex(place.column) == mesh_(edge[0]);
+    go_to_boundary(place.column, place.weights[same ? 0 : 1]);
   }
   int first_vertex(int element) const {
     int side;
@@ -80,12 +77,29 @@ double sampled_place(const ContactLine& line, int e, int k) {
   return between(line.place(0, e), line.place(1, e), share);
 }
 
+VectorXd values_of(Stack stack, Expression expression, const BodyPart& part,
+                   const std::vector<BoundaryPlace<2>>& places) {
+  return part.elsewhere
+             ? part.elsewhere->values(expression, part.body, places)
+             : at_boundary(stack, expression, *part.fem_mesh, places);
+}
+
 StatedPlaces own_places(const ContactLine& line) {
   StatedPlaces places(line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e)
     for (int k = 0; k < samples_of_an_edge; ++k)
       places[e].push_back({line.edge[e], sampled_place(line, e, k)});
   return places;
+}
+
+/// A place on an edge of the joined mesh as one of the body that the edge is of.
+BoundaryPlace<2> on_boundary(const BodyPart& part, const Edges& edges,
+                             const EdgePlace& at) {
+  const int column = edges.boundary_index[at.edge];
+  Vector2d weights(1 - at.place, at.place);
+  if (part.mesh.boundary(0, column) != edges.vertices(0, at.edge))
+    weights.reverseInPlace();
+  return {column - part.first_boundary, weights};
 }
 
 /// The points of a piece become those that they face.
@@ -147,34 +161,47 @@ StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
   return places;
 }
 
+VectorXd at_boundary(Stack stack, Expression expression,
+                     const Fem2D::Mesh& fem_mesh,
+                     const std::vector<BoundaryPlace<2>>& places) {
+  VectorXd values(count_of(places));
+  PlanePoint point(stack, fem_mesh);
+  for (int i = 0; i < count_of(places); ++i) {
+    point.go_to(places[i]);
+    values[i] = point.value(expression);
+  }
+  return values;
+}
+
 VectorXd at_nodes(Stack stack, Expression expression, const BodyPart& part,
                   const Edges& edges, const ContactLine& line,
                   const StatedPlaces& places, double otherwise) {
   VectorXd values = VectorXd::Constant(line.node_count(), otherwise);
   if (!expression) return values;
-  PlanePoint point(stack, part.fem_mesh);
+  std::vector<int> node;
+  std::vector<BoundaryPlace<2>> at;
   for (
       int e = line.edge_count() - 1; e >= 0;
       --e)  // backwards: a node between two edges ends with the value of the first
     for (int end = 1; end >= 0; --end) {
       if (!ends_at_its_node(line, end, e)) continue;
-      point.go_to_edge(part, edges,
-                       end == 0 ? places[e].front() : places[e].back());
-      values[line.edge_node(end, e)] = point.value(expression);
+      node.push_back(line.edge_node(end, e));
+      at.push_back(on_boundary(
+          part, edges, end == 0 ? places[e].front() : places[e].back()));
     }
+  const VectorXd found = values_of(stack, expression, part, at);
+  for (int i = 0; i < count_of(node); ++i) values[node[i]] = found[i];
   return values;
 }
 
 MatrixXd along_edges(Stack stack, Expression expression, const BodyPart& part,
                      const Edges& edges, const StatedPlaces& places) {
-  MatrixXd values(samples_of_an_edge, count_of(places));
-  PlanePoint point(stack, part.fem_mesh);
-  for (std::size_t e = 0; e < places.size(); ++e)
-    for (int k = 0; k < samples_of_an_edge; ++k) {
-      point.go_to_edge(part, edges, places[e][k]);
-      values(k, static_cast<Index>(e)) = point.value(expression);
-    }
-  return values;
+  std::vector<BoundaryPlace<2>> at;
+  for (const std::vector<EdgePlace>& of_edge : places)
+    for (const EdgePlace& place : of_edge)
+      at.push_back(on_boundary(part, edges, place));
+  return values_of(stack, expression, part, at)
+      .reshaped(samples_of_an_edge, count_of(places));
 }
 
 VectorXd at_triangles(Stack stack, Expression expression,

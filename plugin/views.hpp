@@ -7,6 +7,7 @@
 #include "ffcontact/equilibrium/composite_stress.hpp"
 //
 #include "arguments.hpp"
+#include "boundary_places.hpp"
 
 namespace ffcontact::plugin {
 
@@ -20,11 +21,18 @@ RowMatrix matrix_of(Matrice_Creuse<double>* matrix);
 
 Map<VectorXd> vector_of(KN<double>* array);
 
-/// A FreeFEM mesh as a part of a joined mesh.
+/// One body of a joined mesh.
 struct BodyPart {
-  const Fem2D::Mesh& fem_mesh;
-  int first_vertex, first_boundary;
+  const Mesh& mesh;             ///< all bodies
+  const Fem2D::Mesh* fem_mesh;  ///< null where other processes hold parts of it
+  int body, first_boundary;
+  const PlacesElsewhere<2>* elsewhere;  ///< null where fem_mesh is not
 };
+
+/// An expression at places of one body's boundary (x, y, label, N).
+VectorXd at_boundary(Stack stack, Expression expression,
+                     const Fem2D::Mesh& fem_mesh,
+                     const std::vector<BoundaryPlace<2>>& places);
 
 /// Where an expression is evaluated for a point of a contact edge: a mesh edge of the
 /// body that it is stated on, and the place on it (0 at its first vertex).

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <mpi.h>
+
+#include "../processes.hpp"
+
+namespace ffcontact::plugin {
+
+/// By MUMPS: distributed entries (ICNTL(18) = 3), the order of METIS, Schur's complement
+/// on process 0 (ICNTL(19) = 1).
+/// @throws std::runtime_error  as Processes::factorised
+std::unique_ptr<SharedFactor> mumps_factor(MPI_Comm communicator,
+                                           const MatrixPart& part, int rows,
+                                           int kept);
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "ffcontact/base/eigen.hpp"
+
+namespace ffcontact::plugin {
+
+/// Values on their way to another process, which takes them out in the order in which
+/// they were put in.
+class Packet {
+ public:
+  using Bytes = std::vector<char>;
+
+  Packet() = default;
+  explicit Packet(Bytes bytes) : bytes_(std::move(bytes)) {}
+  const Bytes& bytes() const { return bytes_; }
+
+  template <class Value>
+  Packet& put(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    append(&value, sizeof value);
+    return *this;
+  }
+  template <class Value>
+  Packet& put(const std::vector<Value>& values) {
+    return put_all(values.data(), values.size());
+  }
+  Packet& put(const std::string& text) {
+    return put_all(text.data(), text.size());
+  }
+  Packet& put(const MatrixXd& matrix) {
+    put(matrix.rows());
+    return put_all(matrix.data(), static_cast<std::size_t>(matrix.size()));
+  }
+  template <class Value>
+  Packet& put(const std::map<std::string, Value>& values) {
+    put(values.size());
+    for (const auto& [name, value] : values) put(name).put(value);
+    return *this;
+  }
+
+  template <class Value>
+  Value take() {
+    Value value;
+    take(value);
+    return value;
+  }
+
+ private:
+  void append(const void* data, std::size_t size) {
+    const auto* first = static_cast<const char*>(data);
+    bytes_.insert(bytes_.end(), first, first + size);
+  }
+  template <class Value>
+  Packet& put_all(const Value* values, std::size_t count) {
+    put(count);
+    append(values, count * sizeof(Value));
+    return *this;
+  }
+
+  void cut(void* data, std::size_t size) {
+    if (bytes_.size() - taken_ < size)
+      throw std::logic_error("a message between processes is too short");
+    if (size > 0) std::memcpy(data, bytes_.data() + taken_, size);
+    taken_ += size;
+  }
+  template <class Value>
+  void take(Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    cut(&value, sizeof value);
+  }
+  template <class Value>
+  void take(std::vector<Value>& values) {
+    values.resize(take<std::size_t>());
+    cut(values.data(), values.size() * sizeof(Value));
+  }
+  void take(std::string& text) {
+    text.resize(take<std::size_t>());
+    cut(text.data(), text.size());
+  }
+  void take(MatrixXd& matrix) {
+    const auto rows = take<Index>();
+    const auto size = static_cast<Index>(take<std::size_t>());
+    matrix.resize(rows, rows > 0 ? size / rows : 0);
+    cut(matrix.data(), size * sizeof(double));
+  }
+  void take(VectorXd& vector) {
+    take<Index>();
+    vector.resize(static_cast<Index>(take<std::size_t>()));
+    cut(vector.data(), vector.size() * sizeof(double));
+  }
+  template <class Value>
+  void take(std::map<std::string, Value>& values) {
+    for (auto left = take<std::size_t>(); left > 0; --left) {
+      const auto name = take<std::string>();
+      values[name] = take<Value>();
+    }
+  }
+
+  Bytes bytes_;
+  std::size_t taken_ = 0;
+};
+
+}  // namespace ffcontact::plugin

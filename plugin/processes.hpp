@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "ffcontact/base/eigen.hpp"
+
+namespace ffcontact::plugin {
+
+/// A part of a symmetric matrix: the sum of those of all processes has these entries.
+/// Rows and columns of the whole, the kept ones last; one triangle.
+struct MatrixPart {
+  std::vector<int> row, column;
+  std::vector<double> value;
+};
+
+/// A factor of a positive definite matrix that all processes hold together, stopped
+/// before its last rows. Everything is done by all at the same time.
+class SharedFactor {
+ public:
+  virtual ~SharedFactor() = default;
+
+  /// Schur's complement of the kept rows [kept x kept] on process 0; nothing elsewhere.
+  virtual MatrixXd take_schur() = 0;
+  /// g = b_c - K_ci K_ii^-1 b_i of a load that process 0 gives [kept].
+  virtual VectorXd condensed(const VectorXd& load) = 0;
+  /// x with these x_c that balances the last load on the other rows, on process 0.
+  virtual VectorXd extended(const VectorXd& kept) = 0;
+};
+
+/// Processes that solve one problem together.
+class Processes {
+ public:
+  using Bytes = std::vector<char>;
+
+  virtual ~Processes() = default;
+  virtual int rank() const = 0;
+  virtual int count() const = 0;
+  virtual void send(int rank, const Bytes& bytes) const = 0;
+  /// Waits without work.
+  virtual Bytes receive(int rank) const = 0;
+  /// @param rows  of the whole matrix, and how many of them are kept
+  /// @throws std::runtime_error  on all processes, if the matrix is not positive definite
+  ///                             or memory is missing on one
+  virtual std::unique_ptr<SharedFactor> factorised(const MatrixPart& part,
+                                                   int rows,
+                                                   int kept) const = 0;
+};
+
+/// Makes processes of a script's communicator (mpiCommWorld).
+using MakeProcesses = std::unique_ptr<Processes> (*)(void* communicator);
+
+}  // namespace ffcontact::plugin
+
+/// Called by the module ffcontact_mpi when a script loads it.
+extern "C" __attribute__((visibility("default"))) void ffcontact_use_processes(
+    ffcontact::plugin::MakeProcesses make);

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared_stiffness.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+std::vector<int> kept_last(const ElasticSystem& system,
+                           const std::vector<int>& kept) {
+  std::vector<char> is_kept(system.prescribed.size(), 0);
+  for (int dof : kept) is_kept[dof] = 1;
+  std::vector<int> order;
+  for (int dof = 0; dof < system.dof_count(); ++dof)
+    if (!system.prescribed[dof] && !is_kept[dof]) order.push_back(dof);
+  order.insert(order.end(), kept.begin(), kept.end());
+  return order;
+}
+
+VectorXd scale_of(const ElasticSystem& system) {
+  VectorXd scale = system.stiffness.diagonal();
+  for (double& value : scale) value = value > 0 ? 1 / std::sqrt(value) : 1;
+  return scale;
+}
+
+/// What each process has to know of an order.
+std::vector<FactorOrder> orders_of(const std::vector<std::vector<int>>& dofs,
+                                   const std::vector<int>& order, int kept,
+                                   const VectorXd& scale) {
+  std::vector<int> place(scale.size(), -1);
+  for (int k = 0; k < count_of(order); ++k) place[order[k]] = k;
+  std::vector<FactorOrder> orders;
+  for (const std::vector<int>& own : dofs) {
+    FactorOrder of_part{count_of(order), kept, {}, scale(own)};
+    for (int dof : own) of_part.place.push_back(place[dof]);
+    orders.push_back(std::move(of_part));
+  }
+  return orders;
+}
+
+}  // namespace
+
+MatrixPart matrix_part(const ElasticSystem& part, const FactorOrder& order) {
+  MatrixPart matrix;
+  for (int i = 0; i < part.dof_count(); ++i) {
+    if (order.place[i] < 0 || part.prescribed[i]) continue;
+    for (RowMatrix::InnerIterator e(part.stiffness, i); e; ++e) {
+      const Index j = e.col();
+      if (part.prescribed[j] || order.place[j] < 0 ||
+          order.place[j] > order.place[i])
+        continue;
+      matrix.row.push_back(order.place[i]);
+      matrix.column.push_back(order.place[j]);
+      matrix.value.push_back(order.scale[i] * e.value() * order.scale[j]);
+    }
+  }
+  return matrix;
+}
+
+SharedStiffness::SharedStiffness(std::shared_ptr<Team> team,
+                                 const std::vector<std::vector<int>>& dofs,
+                                 const ElasticSystem& own,
+                                 const ElasticSystem& system,
+                                 const std::vector<int>& kept)
+    : team_(std::move(team)),
+      order_(kept_last(system, kept)),
+      scale_(scale_of(system)) {
+  std::tie(factor_, schur_) = team_->factorise(
+      orders_of(dofs, order_, count_of(kept), scale_),
+      [&own](const FactorOrder& order) { return matrix_part(own, order); });
+  const VectorXd R = scale_(kept);
+  for (Index j = 0; j < kept_count(); ++j)
+    schur_.col(j).array() /= R.array() * R[j];
+  require_regular(system);
+}
+
+SharedStiffness::~SharedStiffness() { team_->discard(factor_); }
+
+/// Where nothing holds a part of the body, what K u balances is not u.
+void SharedStiffness::require_regular(const ElasticSystem& system) const {
+  constexpr double much = 1e-3;
+  VectorXd u = VectorXd::Zero(scale_.size());
+  for (int k = 0; k < count_of(order_); ++k)
+    u[order_[k]] = scale_[order_[k]] * (1.5 + std::sin(0.7 * (k % 1009)));
+  const VectorXd kept = u(order_).tail(kept_count());
+  const VectorXd found = extended(condensed(system.stiffness * u), kept);
+  const VectorXd wrong = (found - u)(order_).cwiseQuotient(scale_(order_));
+  if (!(max_norm(wrong) <= much))
+    throw std::runtime_error(
+        "the stiffness matrix is singular: a part of the body is held neither "
+        "by prescribed displacements nor by contact");
+}
+
+CondensedStiffness::Load SharedStiffness::condensed(
+    const Ref<const VectorXd>& load) const {
+  require_size("load", load.size(), scale_.size());
+  VectorXd b = scale_(order_).cwiseProduct(load(order_));
+  const VectorXd g = team_->condensed(factor_, b);
+  const VectorXd R = scale_(order_).tail(kept_count());
+  last_ = b;
+  return {std::move(b), g.cwiseQuotient(R)};
+}
+
+VectorXd SharedStiffness::extended(Load load,
+                                   const Ref<const VectorXd>& kept) const {
+  require_size("kept displacement", kept.size(), kept_count());
+  if (load.eliminated != last_) {
+    team_->condensed(factor_, load.eliminated);
+    last_ = load.eliminated;
+  }
+  const VectorXd R = scale_(order_).tail(kept_count());
+  const VectorXd x = team_->extended(factor_, kept.cwiseQuotient(R));
+  VectorXd u = VectorXd::Zero(scale_.size());
+  u(order_) = scale_(order_).cwiseProduct(x);
+  return u;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "packet.hpp"
+#include "processes.hpp"
+
+namespace ffcontact::plugin {
+
+/// The rows and columns that a factor has of this process's dofs, and their scale.
+struct FactorOrder {
+  int rows, kept;
+  std::vector<int> place;  ///< of each dof; -1: it has none
+  VectorXd scale;
+};
+
+/// What a process does for process 0 in a call.
+struct Service {
+  std::function<VectorXd(Packet& places)> values;  ///< null: there are no expressions
+  std::function<MatrixPart(const FactorOrder& order)> matrix;  ///< null: none
+};
+
+/// Processes in the calls of one script: process 0 holds the problem and leads, the others
+/// hold parts of the mesh, the matrix and its factor, and follow.
+class Team {
+ public:
+  explicit Team(std::unique_ptr<Processes> processes)
+      : processes_(std::move(processes)) {}
+
+  int rank() const { return processes_->rank(); }
+  int count() const { return processes_->count(); }
+  bool leads() const { return rank() == 0; }
+
+  /// @name Of process 0
+  /// @{
+  /// What all of them give, the others by answer().
+  /// @throws std::runtime_error  with what one of them fails by
+  std::vector<Packet> gathered(Packet own) const;
+  VectorXd values_of(int rank, const Packet& places) const;
+  /// Ends the others' part in the call.
+  void release(int rank, const Packet& results) const;
+  /// @param orders  of each process
+  /// @param own     the part of process 0
+  /// @return the factor's number, and Schur's complement
+  /// @throws std::runtime_error  as Processes::factorised
+  std::pair<long, MatrixXd> factorise(
+      const std::vector<FactorOrder>& orders,
+      const std::function<MatrixPart(const FactorOrder&)>& own);
+  VectorXd condensed(long factor, const VectorXd& load) const;
+  VectorXd extended(long factor, const VectorXd& kept) const;
+  /// It goes when the next one is made.
+  void discard(long factor) noexcept;
+  /// Ends the others' part in a call that fails.
+  void fail_all(const std::string& sentence) const;
+  /// @}
+
+  /// @name Of the others
+  /// @{
+  void answer(const Packet& packet) const;
+  /// Does what process 0 asks for. @return what it releases this process with
+  /// @throws std::runtime_error  with the sentence, if the call fails elsewhere
+  Packet served(const Service& service);
+  /// Says that this process fails, and waits until all know.
+  void fail(const std::string& sentence) const;
+  /// @}
+
+ private:
+  enum class Word : char {
+    values,
+    prepare,
+    factorise,
+    condense,
+    extend,
+    done,
+    failed
+  };
+  void tell(int rank, Word word, const Packet& packet = {}) const;
+  void tell_all(Word word, const Packet& packet = {}) const;
+  Packet answer_of(int rank) const;
+  void make(long number, const MatrixPart& part, const FactorOrder& order);
+  void forget(const std::vector<long>& factors);
+
+  std::unique_ptr<Processes> processes_;
+  std::map<long, std::unique_ptr<SharedFactor>> factors_;
+  std::vector<long> discarded_;
+  long last_ = 0;
+};
+
+/// The call failed on another process, and all know.
+class FailedElsewhere : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A call that process 0 leads and the others follow; what one of them throws all throw.
+template <class Lead, class Follow>
+void together(Team& team, Lead&& lead, Follow&& follow) {
+  try {
+    if (team.leads())
+      lead();
+    else
+      follow();
+  } catch (const FailedElsewhere&) {
+    throw;
+  } catch (const std::exception& error) {
+    if (team.leads())
+      team.fail_all(error.what());
+    else
+      team.fail(error.what());
+    throw;
+  }
+}
+
+/// @throws std::invalid_argument  if the module ffcontact_mpi is not loaded
+std::shared_ptr<Team> team_of(void* communicator);
+
+}  // namespace ffcontact::plugin
