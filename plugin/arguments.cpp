@@ -164,32 +164,68 @@ std::vector<int> NamedArguments::integers(Stack stack,
 
 void NamedArguments::put(Stack stack, const std::string& name,
                          const Ref<const VectorXd>& values) const {
-  if (const Expression target = expression(name))
+  const Expression target = expression(name);
+  if (target && diverted_)
+    diverted_->arrays[name] = values;
+  else if (target)
     fill<double>(stack, target, values);
 }
 
 void NamedArguments::put_integers(Stack stack, const std::string& name,
                                   const std::vector<long>& values) const {
-  if (const Expression target = expression(name))
+  const Expression target = expression(name);
+  if (target && diverted_)
+    diverted_->integers[name] = values;
+  else if (target)
     fill<long>(stack, target, values);
 }
 
 void NamedArguments::put(Stack stack, const std::string& name,
                          double value) const {
-  if (const Expression target = expression(name))
-    *GetAny<double*>((*target)(stack)) = value;
+  const Expression target = expression(name);
+  if (target)
+    (diverted_ ? diverted_->numbers[name]
+               : *GetAny<double*>((*target)(stack))) = value;
 }
 
 void NamedArguments::put(Stack stack, const std::string& name,
                          long value) const {
-  if (const Expression target = expression(name))
-    *GetAny<long*>((*target)(stack)) = value;
+  const Expression target = expression(name);
+  if (target)
+    (diverted_ ? diverted_->counts[name] : *GetAny<long*>((*target)(stack))) =
+        value;
 }
 
 void NamedArguments::put(Stack stack, const std::string& name,
                          bool value) const {
-  if (const Expression target = expression(name))
-    *GetAny<bool*>((*target)(stack)) = value;
+  const Expression target = expression(name);
+  if (target)
+    (diverted_ ? diverted_->flags[name] : *GetAny<bool*>((*target)(stack))) =
+        value;
+}
+
+void NamedArguments::put(Stack stack, const Outputs& outputs) const {
+  for (const auto& [name, value] : outputs.arrays) put(stack, name, value);
+  for (const auto& [name, value] : outputs.integers)
+    put_integers(stack, name, value);
+  for (const auto& [name, value] : outputs.numbers) put(stack, name, value);
+  for (const auto& [name, value] : outputs.counts) put(stack, name, value);
+  for (const auto& [name, value] : outputs.flags) put(stack, name, value);
+}
+
+NamedArguments::Key NamedArguments::key_of(Expression expression) const {
+  for (std::size_t k = 0; k < values_.size(); ++k) {
+    if (values_[k] == expression) return {static_cast<int>(k), -1};
+    for (std::size_t c = 0; c < components_[k].size(); ++c)
+      if (components_[k][c] == expression)
+        return {static_cast<int>(k), static_cast<int>(c)};
+  }
+  throw std::logic_error("the expression is no parameter of the call");
+}
+
+Expression NamedArguments::expression_of(const Key& key) const {
+  return key.component < 0 ? values_.at(key.parameter)
+                           : components_.at(key.parameter).at(key.component);
 }
 
 void put_by_bodies(Stack stack, const NamedArguments& named,

@@ -8,6 +8,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "freefem.hpp"
+#include "outputs.hpp"
 
 namespace ffcontact::plugin {
 
@@ -75,6 +76,30 @@ class NamedArguments {
     return integer(stack, "verbosity", verbosity);
   }
 
+  /// A parameter or a component of one, as another process that runs the same script
+  /// knows it.
+  struct Key {
+    int parameter, component;  ///< -1: the parameter itself
+  };
+  /// @param expression  one that this gave
+  Key key_of(Expression expression) const;
+  Expression expression_of(const Key& key) const;
+
+  /// While it lives the outputs of a call go to it instead of the script.
+  class Diverted : public Outputs {
+   public:
+    explicit Diverted(const NamedArguments& named) : named_(named) {
+      named_.diverted_ = this;
+    }
+    ~Diverted() { named_.diverted_ = nullptr; }
+    Diverted(const Diverted&) = delete;
+    Diverted& operator=(const Diverted&) = delete;
+
+   private:
+    const NamedArguments& named_;
+  };
+  void put(Stack stack, const Outputs& outputs) const;
+
   /// Outputs: written where the script asked for them, otherwise dropped. Arrays are
   /// resized.
   void put(Stack stack, const std::string& name,
@@ -93,6 +118,7 @@ class NamedArguments {
   std::size_t place(const std::string& name) const;
 
   Table table_;
+  mutable Outputs* diverted_ = nullptr;
   std::vector<Expression> values_;
   std::vector<std::vector<Expression>>
       components_;  ///< of literal lists of expressions

@@ -2,6 +2,7 @@
 #include "guard.hpp"
 #include "plane_solve.hpp"
 #include "registration.hpp"
+#include "shared_solve.hpp"
 #include "solid_solve.hpp"
 
 namespace ffcontact::plugin {
@@ -76,13 +77,14 @@ class ContactSolve : public E_F0mps {
  private:
   long run(Stack stack) const {
     const double start = CPUtime();
-    Contact& contact = stated_contact_of_any(stack, contact_);
+    Contact& contact = contact_of_processes(stack, contact_);
     const SolveCall call{stack,
                          named_,
                          matrix_,
                          load_,
                          values_of<KN<double>*>(stack, displacement_),
                          start};
+    if (contact.shared) return solve_shared(call, contact);
     return contact.solid.problem ? solve_solid(call, contact.solid)
                                  : solve_plane(call, contact);
   }

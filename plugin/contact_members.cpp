@@ -6,6 +6,7 @@
 #include "guard.hpp"
 #include "registration.hpp"
 #include "result_names.hpp"
+#include "shared_contact.hpp"
 
 namespace ffcontact::plugin {
 
@@ -30,43 +31,64 @@ const Contact& stated_contact_of(const ContactVariable& variable) {
   return contact;
 }
 
+bool is_solid(const Contact& contact) {
+  return contact.solid.problem || (contact.shared && contact.shared->solid);
+}
+
+const ShownNodes& solved_here(const Contact& contact) {
+  if (!contact.shared->shown.solved) refuse_unsolved();
+  return contact.shared->shown;
+}
+
+const NodalResults& plane_results(const Contact& contact) {
+  if (is_solid(contact)) refuse_result_of_plane_bodies();
+  return contact.shared ? solved_here(contact).plane
+                        : solved_contact(contact).nodes;
+}
+
+const SolidResults& solid_results(const Contact& contact) {
+  if (!is_solid(contact)) refuse_result_of_solids();
+  return contact.shared ? solved_here(contact).solid
+                        : solved_solid(contact).nodes;
+}
+
 template <VectorXd NodalResults::*plane>
 KN<double>* of_plane_bodies(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    const Contact& contact = contact_of(*variable);
-    if (contact.solid.problem) refuse_result_of_plane_bodies();
-    return array_of<double>(stack, solved_contact(contact).nodes.*plane);
+    return array_of<double>(stack,
+                            plane_results(stated_contact_of(*variable)).*plane);
   });
 }
 
 template <VectorXd SolidResults::*solid>
 KN<double>* of_solids(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    const Contact& contact = contact_of(*variable);
-    if (contact.problem) refuse_result_of_solids();
-    return array_of<double>(stack, solved_solid(contact).nodes.*solid);
+    return array_of<double>(stack,
+                            solid_results(stated_contact_of(*variable)).*solid);
   });
 }
 
 template <VectorXd NodalResults::*plane, VectorXd SolidResults::*solid>
 KN<double>* of_both(Stack stack, ContactVariable* const& variable) {
-  return contact_of(*variable).solid.problem
+  return is_solid(contact_of(*variable))
              ? of_solids<solid>(stack, variable)
              : of_plane_bodies<plane>(stack, variable);
 }
 
 KN<long>* states(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    const Contact& contact = contact_of(*variable);
-    return array_of<long>(stack, contact.solid.problem
-                                     ? solved_solid(contact).nodes.state
-                                     : solved_contact(contact).nodes.state);
+    const Contact& contact = stated_contact_of(*variable);
+    return array_of<long>(stack, is_solid(contact)
+                                     ? solid_results(contact).state
+                                     : plane_results(contact).state);
   });
 }
 
 KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
+    if (contact.shared)
+      return array_of<long>(stack, contact.shared->shown.own_vertex);
     const SolidProblem* solid = contact.solid.problem.get();
     return array_of<long>(
         stack, solid ? solid->own_vertex : contact.problem->own_vertex);
@@ -77,9 +99,11 @@ template <int component>
 KN<double>* normals(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
-    if (contact.problem) refuse_result_of_solids();
+    if (!is_solid(contact)) refuse_result_of_solids();
     const VectorXd values =
-        contact.solid.problem->surface.normal.row(component);
+        (contact.shared ? contact.shared->shown.normal
+                        : contact.solid.problem->surface.normal)
+            .row(component);
     return array_of<double>(stack, values);
   });
 }
@@ -87,14 +111,18 @@ KN<double>* normals(Stack stack, ContactVariable* const& variable) {
 KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
-    if (contact.solid.problem) refuse_result_of_plane_bodies();
-    return array_of<double>(stack, contact.problem->abscissa);
+    if (is_solid(contact)) refuse_result_of_plane_bodies();
+    return array_of<double>(stack, contact.shared
+                                       ? contact.shared->shown.abscissa
+                                       : contact.problem->abscissa);
   });
 }
 
 KN<long>* sides(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
+    if (contact.shared)
+      return array_of<long>(stack, contact.shared->shown.side);
     return array_of<long>(stack, contact.problem ? contact.problem->side
                                                  : contact.solid.problem->side);
   });
@@ -103,6 +131,8 @@ KN<long>* sides(Stack stack, ContactVariable* const& variable) {
 KN<long>* first_nodes(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
+    if (contact.shared)
+      return array_of<long>(stack, contact.shared->shown.first_node);
     return array_of<long>(stack, contact.problem
                                      ? contact.problem->first_node
                                      : contact.solid.problem->first_node);

@@ -40,7 +40,10 @@ VectorXd stated_gap(Stack stack, const NamedArguments& named,
 }  // namespace
 
 const NamedArguments::Table stated_of_bodies = {
-    {"label", &typeid(KN_<long>)}, {"previous", &typeid(KN<double>*)}};
+    {"label", &typeid(KN_<long>)},
+    {"previous", &typeid(KN<double>*)},
+    {"vertexnumbers", &typeid(KN_<long>)},
+    {"cellnumbers", &typeid(KN_<long>)}};
 
 NamedArguments::Table statement_table(const basicAC_F0& arguments) {
   NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
@@ -49,7 +52,8 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
                              {"slipbound", &typeid(double)},
                              {"gap", &typeid(double)},
                              {"normal", &typeid(E_Array)},
-                             {"side", &typeid(KN_<long>)}});
+                             {"side", &typeid(KN_<long>)},
+                             {"comm", &typeid(pcommworld)}});
   return table;
 }
 

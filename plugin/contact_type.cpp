@@ -7,25 +7,37 @@
 #include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
+#include "shared_statement.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
 
-/// The value of contact(Th, ...), for an assignment: one of them is null.
+/// The value of contact(Th, ...), for an assignment: null is what there is not.
 struct ContactStatement {
   std::shared_ptr<ContactProblem> plane;
   std::shared_ptr<SolidProblem> solid;
+  std::shared_ptr<SharedContact> shared;
 };
 
 ContactStatement stated(Stack stack, const NamedArguments& named,
                         const std::vector<pmesh>& meshes) {
-  return {std::make_shared<ContactProblem>(stack, named, meshes), nullptr};
+  if (const auto team = stated_team(stack, named)) {
+    SharedStatement<2> shared = state_shared<2>(stack, named, meshes, team);
+    return {std::move(shared.problem), nullptr, std::move(shared.contact)};
+  }
+  return {std::make_shared<ContactProblem>(stack, named, meshes), nullptr,
+          nullptr};
 }
 
 ContactStatement stated(Stack stack, const NamedArguments& named,
                         const std::vector<pmesh3>& meshes) {
-  return {nullptr, std::make_shared<SolidProblem>(stack, named, meshes)};
+  if (const auto team = stated_team(stack, named)) {
+    SharedStatement<3> shared = state_shared<3>(stack, named, meshes, team);
+    return {nullptr, std::move(shared.problem), std::move(shared.contact)};
+  }
+  return {nullptr, std::make_shared<SolidProblem>(stack, named, meshes),
+          nullptr};
 }
 
 /// The meshes and named parameters of a statement, from its first mesh on.
@@ -60,6 +72,7 @@ void state(ContactVariable* variable, ContactStatement statement) {
   contact.solid.solved.reset();
   contact.problem = std::move(statement.plane);
   contact.solid.problem = std::move(statement.solid);
+  contact.shared = std::move(statement.shared);
 }
 
 /// contact C(Th, label=, friction=, ...);   contact C(T1, T2, label1=, label2=, friction=, ...);
@@ -149,9 +162,18 @@ Contact& contact_of(const ContactVariable& variable) {
   return found->second;
 }
 
-Contact& stated_contact_of_any(Stack stack, Expression variable) {
+Contact& contact_of_processes(Stack stack, Expression variable) {
   Contact& contact = contact_of(*value_of<ContactVariable*>(stack, variable));
   require_stated(contact);
+  return contact;
+}
+
+Contact& stated_contact_of_any(Stack stack, Expression variable) {
+  Contact& contact = contact_of_processes(stack, variable);
+  if (contact.shared)
+    refuse(
+        "the contact is one of several processes (comm=), but this is for one "
+        "so far");
   return contact;
 }
 
@@ -162,7 +184,7 @@ Contact& stated_contact(Stack stack, Expression variable) {
 }
 
 void require_stated(const Contact& contact) {
-  if (!contact.problem && !contact.solid.problem)
+  if (!contact.problem && !contact.solid.problem && !contact.shared)
     refuse("the contact is not stated: contact C(Th, label=, friction=)");
 }
 

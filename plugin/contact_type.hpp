@@ -9,19 +9,10 @@
 #include "ffcontact/estimate/estimate.hpp"
 //
 #include "contact_problem.hpp"
+#include "nodal_results.hpp"
 #include "solid_contact.hpp"
 
 namespace ffcontact::plugin {
-
-/// What a solve leaves at the contact nodes; the script reads them as C.pn, C.pt, ...
-struct NodalResults {
-  VectorXd pn, pt;  ///< pressures [MPa]
-  VectorXd fn, ft;  ///< forces [N/mm]
-  VectorXd gap;     ///< opening, gap - u_n [mm]
-  VectorXd slip;    ///< u_t - u_t of the load step before [mm]
-  std::vector<long>
-      state;  ///< 0 open, 1 stick, 2 slip along t, -2 slip against t
-};
 
 /// A solution with the system it belongs to.
 struct SolvedContact {
@@ -36,6 +27,8 @@ struct SolvedContact {
   std::shared_ptr<const Estimate> estimate;
 };
 
+struct SharedContact;
+
 /// What a script variable of type `contact` holds: a contact of plane bodies, or of a
 /// solid.
 struct Contact {
@@ -45,6 +38,8 @@ struct Contact {
   std::vector<ContactState> last_states;
   VectorXd last_abscissa;  ///< where they were
   SolidContact solid;
+  /// where processes hold parts of the bodies; null: one holds them
+  std::shared_ptr<SharedContact> shared;
 };
 
 /// The script variable: FreeFEM gives it memory, calls init() and destroy(). It is a
@@ -62,6 +57,10 @@ Contact& contact_of(const ContactVariable& variable);
 
 /// The contact that an argument of a script function names.
 /// @throws std::invalid_argument  if it was never stated
+Contact& contact_of_processes(Stack stack, Expression variable);
+
+/// The same that one process holds.
+/// @throws std::invalid_argument  if it was never stated, or several share it
 Contact& stated_contact_of_any(Stack stack, Expression variable);
 
 /// The same of plane bodies.

@@ -40,10 +40,17 @@ class Packet {
     put(matrix.rows());
     return put_all(matrix.data(), static_cast<std::size_t>(matrix.size()));
   }
+  Packet& put(const VectorXd& vector) { return put(MatrixXd(vector)); }
   template <class Value>
   Packet& put(const std::map<std::string, Value>& values) {
     put(values.size());
     for (const auto& [name, value] : values) put(name).put(value);
+    return *this;
+  }
+
+  /// All of another packet, behind what there is.
+  Packet& put_packet(const Packet& other) {
+    append(other.bytes_.data(), other.bytes_.size());
     return *this;
   }
 
@@ -56,8 +63,9 @@ class Packet {
 
  private:
   void append(const void* data, std::size_t size) {
-    const auto* first = static_cast<const char*>(data);
-    bytes_.insert(bytes_.end(), first, first + size);
+    const std::size_t before = bytes_.size();
+    bytes_.resize(before + size);
+    if (size > 0) std::memcpy(bytes_.data() + before, data, size);
   }
   template <class Value>
   Packet& put_all(const Value* values, std::size_t count) {

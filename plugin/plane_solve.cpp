@@ -86,8 +86,10 @@ ContactSettings settings_of(const SolveCall& call, const Contact& contact,
   return settings;
 }
 
-void put(const SolveCall& call, const ContactProblem& problem,
-         const NodalResults& nodes) {
+}  // namespace
+
+void put(const SolveCall& call, const std::vector<long>& own_vertex,
+         const VectorXd& abscissa, const NodalResults& nodes) {
   const NamedArguments& named = call.named;
   named.put(call.stack, "pn", nodes.pn);
   named.put(call.stack, "pt", nodes.pt);
@@ -95,12 +97,10 @@ void put(const SolveCall& call, const ContactProblem& problem,
   named.put(call.stack, "ft", nodes.ft);
   named.put(call.stack, "gap", nodes.gap);
   named.put(call.stack, "slip", nodes.slip);
-  named.put_integers(call.stack, "node", problem.own_vertex);
-  named.put(call.stack, "abscissa", problem.abscissa);
+  named.put_integers(call.stack, "node", own_vertex);
+  named.put(call.stack, "abscissa", abscissa);
   named.put_integers(call.stack, "state", nodes.state);
 }
-
-}  // namespace
 
 long solve_plane(const SolveCall& call, Contact& contact) {
   require_plane_results(call.named);
@@ -126,7 +126,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   write_displacement(call, problem, solution.displacement);
   solved.nodes =
       nodal_results(problem.line, solved.law, system.prescribed, solution);
-  put(call, problem, solved.nodes);
+  put(call, problem.own_vertex, problem.abscissa, solved.nodes);
   call.named.put(call.stack, "tool", solved.motion);
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));

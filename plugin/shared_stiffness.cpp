@@ -118,6 +118,7 @@ VectorXd SharedStiffness::extended(Load load,
   const VectorXd x = team_->extended(factor_, kept.cwiseQuotient(R));
   VectorXd u = VectorXd::Zero(scale_.size());
   u(order_) = scale_(order_).cwiseProduct(x);
+  last_.resize(0);
   return u;
 }
 

@@ -21,8 +21,7 @@ class SharedStiffness : public CondensedStiffness {
   Precision precision() const override { return Precision::full; }
   const MatrixXd& schur() const override { return schur_; }
   Load condensed(const Ref<const VectorXd>& load) const override;
-  VectorXd extended(Load load,
-                    const Ref<const VectorXd>& kept) const override;
+  VectorXd extended(Load load, const Ref<const VectorXd>& kept) const override;
 
  private:
   void require_regular(const ElasticSystem& system) const;

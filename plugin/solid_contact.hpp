@@ -8,20 +8,10 @@
 #include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/estimate/solid_estimate.hpp"
 //
+#include "nodal_results.hpp"
 #include "solid_problem.hpp"
 
 namespace ffcontact::plugin {
-
-/// What a solve leaves at the contact nodes of solids, along n, t1, t2 of
-/// ContactSurface::frame; the script reads them as C.pn, C.pt1, ...
-struct SolidResults {
-  VectorXd pn, pt1, pt2;    ///< pressures, forces over areas [MPa]
-  VectorXd fn, ft1, ft2;    ///< forces [N]
-  VectorXd fx, fy, fz;      ///< the same forces along x, y, z [N]
-  VectorXd gap;             ///< opening, gap - u_n [mm]
-  VectorXd slip1, slip2;    ///< u_t - u_t of the load step before [mm]
-  std::vector<long> state;  ///< 0 open, 1 stick, 2 slip
-};
 
 /// A solution with the system it belongs to.
 struct SolvedSolid {

@@ -89,7 +89,9 @@ ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
   return settings;
 }
 
-void put(const SolveCall& call, const SolidProblem& problem,
+}  // namespace
+
+void put(const SolveCall& call, const std::vector<long>& own_vertex,
          const SolidResults& nodes) {
   for (const auto& [name, values] :
        {std::pair{"pn", &nodes.pn}, std::pair{"pt1", &nodes.pt1},
@@ -99,11 +101,9 @@ void put(const SolveCall& call, const SolidProblem& problem,
         std::pair{"fz", &nodes.fz}, std::pair{"gap", &nodes.gap},
         std::pair{"slip1", &nodes.slip1}, std::pair{"slip2", &nodes.slip2}})
     call.named.put(call.stack, name, *values);
-  call.named.put_integers(call.stack, "node", problem.own_vertex);
+  call.named.put_integers(call.stack, "node", own_vertex);
   call.named.put_integers(call.stack, "state", nodes.state);
 }
-
-}  // namespace
 
 long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_solid_results(call.named);
@@ -131,7 +131,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
 
   write_displacement(call, problem, solution.displacement);
   solved.nodes = nodal_results(problem.surface, law, solution);
-  put(call, problem, solved.nodes);
+  put(call, problem.own_vertex, solved.nodes);
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));
   contact.last = {solution.state, problem.places(), problem.surface.normal};

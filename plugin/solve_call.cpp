@@ -69,6 +69,7 @@ template <int dim>
 ElasticSystem system_of(const SolveCall& call, const BodyDofs& bodies,
                         const SimplexMesh<dim>& mesh) {
   bodies.require_bodies("A, b, u", call.matrix.size());
+  if (call.shared) return std::move(call.shared->whole);
   std::vector<ElasticSystem> systems;
   VectorXd load(bodies.dof_count());
   for (int k = 0; k < bodies.body_count(); ++k) {
@@ -103,6 +104,7 @@ ContactSettings settings_of(const SolveCall& call,
     refuse("tol must be positive, got ", settings.tolerance);
   settings.report = progress_lines("contactsolve", call.verbosity());
   settings.initial_state = std::move(states);
+  if (call.shared) settings.factorise = call.shared->factorise;
   if (named.given("initial")) settings.initial_state.clear();
   for (long number : named.integers(stack, "initial"))
     settings.initial_state.push_back(state_of_number(number));
@@ -115,6 +117,10 @@ bool is_same(const ElasticSystem& a, const ElasticSystem& b) {
 
 void write_displacement(const SolveCall& call, const BodyDofs& bodies,
                         const VectorXd& displacement) {
+  if (call.shared) {
+    call.shared->displacement = displacement;
+    return;
+  }
   for (int k = 0; k < bodies.body_count(); ++k)
     vector_of(call.u[k]) =
         displacement.segment(bodies.first_dof(k), bodies.dof_count(k));

@@ -11,13 +11,21 @@
 
 namespace ffcontact::plugin {
 
+/// A system that processes share, as process 0 solves it.
+struct SharedSystem {
+  ElasticSystem whole;
+  decltype(ContactSettings::factorise) factorise;
+  VectorXd displacement{};  ///< that was found; empty: none
+};
+
 /// A call of contactsolve: its named parameters, and A, b, u of each body.
 struct SolveCall {
   Stack stack;
   const NamedArguments& named;
   const std::vector<Expression>&matrix, &load;
   std::vector<KN<double>*> u;
-  double start;  ///< CPUtime
+  double start;                    ///< CPUtime
+  SharedSystem* shared = nullptr;  ///< null: A, b, u are those of the whole
 
   long verbosity() const { return named.verbosity_level(stack); }
 };

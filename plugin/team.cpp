@@ -15,8 +15,7 @@ MakeProcesses& maker() {
 }
 
 void put(Packet& packet, const FactorOrder& order) {
-  packet.put(order.rows).put(order.kept).put(order.place).put(
-      MatrixXd(order.scale));
+  packet.put(order.rows).put(order.kept).put(order.place).put(order.scale);
 }
 
 FactorOrder order_in(Packet& packet) {
@@ -31,9 +30,7 @@ FactorOrder order_in(Packet& packet) {
 }  // namespace
 
 void Team::tell(int rank, Word word, const Packet& packet) const {
-  Packet::Bytes bytes(1, static_cast<char>(word));
-  bytes.insert(bytes.end(), packet.bytes().begin(), packet.bytes().end());
-  processes_->send(rank, bytes);
+  processes_->send(rank, Packet().put(word).put_packet(packet).bytes());
 }
 
 void Team::tell_all(Word word, const Packet& packet) const {
@@ -121,9 +118,7 @@ Packet Team::served(const Service& service) {
   while (true) {
     Packet packet(processes_->receive(0));
     switch (packet.take<Word>()) {
-      case Word::values:
-        answer(Packet().put(MatrixXd(service.values(packet))));
-        break;
+      case Word::values: answer(Packet().put(service.values(packet))); break;
       case Word::prepare:
         number = packet.take<long>();
         discarded = packet.take<std::vector<long>>();
@@ -139,9 +134,7 @@ Packet Team::served(const Service& service) {
       case Word::condense:
         factors_.at(packet.take<long>())->condensed({});
         break;
-      case Word::extend:
-        factors_.at(packet.take<long>())->extended({});
-        break;
+      case Word::extend: factors_.at(packet.take<long>())->extended({}); break;
       case Word::done: return packet;
       case Word::failed:
         tell(0, Word::done);

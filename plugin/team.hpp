@@ -22,7 +22,8 @@ struct FactorOrder {
 
 /// What a process does for process 0 in a call.
 struct Service {
-  std::function<VectorXd(Packet& places)> values;  ///< null: there are no expressions
+  std::function<VectorXd(Packet& places)>
+      values;  ///< null: there are no expressions
   std::function<MatrixPart(const FactorOrder& order)> matrix;  ///< null: none
 };
 

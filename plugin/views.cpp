@@ -79,9 +79,8 @@ double sampled_place(const ContactLine& line, int e, int k) {
 
 VectorXd values_of(Stack stack, Expression expression, const BodyPart& part,
                    const std::vector<BoundaryPlace<2>>& places) {
-  return part.elsewhere
-             ? part.elsewhere->values(expression, part.body, places)
-             : at_boundary(stack, expression, *part.fem_mesh, places);
+  return part.elsewhere ? part.elsewhere->values(expression, part.body, places)
+                        : at_boundary(stack, expression, part, places);
 }
 
 StatedPlaces own_places(const ContactLine& line) {
@@ -161,11 +160,10 @@ StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
   return places;
 }
 
-VectorXd at_boundary(Stack stack, Expression expression,
-                     const Fem2D::Mesh& fem_mesh,
+VectorXd at_boundary(Stack stack, Expression expression, const BodyPart& part,
                      const std::vector<BoundaryPlace<2>>& places) {
   VectorXd values(count_of(places));
-  PlanePoint point(stack, fem_mesh);
+  PlanePoint point(stack, *part.fem_mesh);
   for (int i = 0; i < count_of(places); ++i) {
     point.go_to(places[i]);
     values[i] = point.value(expression);

@@ -29,9 +29,8 @@ struct BodyPart {
   const PlacesElsewhere<2>* elsewhere;  ///< null where fem_mesh is not
 };
 
-/// An expression at places of one body's boundary (x, y, label, N).
-VectorXd at_boundary(Stack stack, Expression expression,
-                     const Fem2D::Mesh& fem_mesh,
+/// An expression at places of one body's boundary (x, y, label, N), which is here.
+VectorXd at_boundary(Stack stack, Expression expression, const BodyPart& part,
                      const std::vector<BoundaryPlace<2>>& places);
 
 /// Where an expression is evaluated for a point of a contact edge: a mesh edge of the

@@ -73,7 +73,10 @@ class MumpsFactor : public SharedFactor {
 
   VectorXd condensed(const VectorXd& load) override {
     constexpr int reduce = 1;
-    solution_ = load;
+    if (rank_ == 0) {
+      solution_ = VectorXd::Zero(rows_ + 1);
+      solution_.tail(rows_) = load;
+    }
     reduced_ = VectorXd::Zero(rank_ == 0 ? std::max(kept_, 1) : 0);
     solve_with(reduce);
     return reduced_.head(rank_ == 0 ? kept_ : 0);
@@ -83,7 +86,7 @@ class MumpsFactor : public SharedFactor {
     constexpr int expand = 2;
     if (rank_ == 0) reduced_.head(kept_) = kept;
     solve_with(expand);
-    return solution_;
+    return rank_ == 0 ? solution_.tail(rows_) : VectorXd();
   }
 
  private:
@@ -106,14 +109,19 @@ class MumpsFactor : public SharedFactor {
     control(28) = sequential;
   }
 
-  /// @param part  stays until the factorisation is made
+  /// A first row of its own, so that there is one which is not kept; MUMPS counts from 1.
   void give(const MatrixPart& part) {
     row_ = part.row;
     column_ = part.column;
-    for (int& i : row_) ++i;  // MUMPS counts from 1
-    for (int& j : column_) ++j;
     value_ = part.value;
-    mumps_.n = rows_;
+    for (int& i : row_) i += 2;
+    for (int& j : column_) j += 2;
+    if (rank_ == 0) {
+      row_.push_back(1);
+      column_.push_back(1);
+      value_.push_back(1);
+    }
+    mumps_.n = rows_ + 1;
     mumps_.nnz_loc = static_cast<MUMPS_INT8>(value_.size());
     mumps_.irn_loc = row_.data();
     mumps_.jcn_loc = column_.data();
@@ -122,7 +130,7 @@ class MumpsFactor : public SharedFactor {
 
   void keep_last_rows() {
     list_.resize(kept_);
-    std::iota(list_.begin(), list_.end(), rows_ - kept_ + 1);
+    std::iota(list_.begin(), list_.end(), rows_ - kept_ + 2);
     if (kept_ == 0) control(19) = 0;
     mumps_.size_schur = kept_;
     mumps_.listvar_schur = list_.data();
@@ -136,7 +144,7 @@ class MumpsFactor : public SharedFactor {
     if (kept_ == 0 && way == 2) return;
     mumps_.nrhs = 1;
     mumps_.rhs = solution_.data();
-    mumps_.lrhs = rows_;
+    mumps_.lrhs = rows_ + 1;
     mumps_.redrhs = reduced_.data();
     mumps_.lredrhs = std::max(kept_, 1);
     run(solve);
