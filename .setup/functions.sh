@@ -3,8 +3,9 @@
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 packages_to_run=(cmake ninja-build g++ freefem++ libfreefem++-dev libsuitesparse-dev libopenblas-dev libeigen3-dev gmsh)
+packages_to_share=("${packages_to_run[@]}" libmumps-dev libopenmpi-dev openmpi-bin)
 packages_to_draw=(python3 python3-matplotlib python3-numpy python3-pil)
-packages_to_test=("${packages_to_run[@]}" libgtest-dev librapidcheck-dev clang-format)
+packages_to_test=("${packages_to_share[@]}" libgtest-dev librapidcheck-dev clang-format)
 packages_to_sanitize=("${packages_to_test[@]}" clang libclang-rt-dev libomp-dev)
 packages_to_cover=("${packages_to_test[@]}" gcovr)
 packages_to_check=("${packages_to_test[@]}" clang-tidy)

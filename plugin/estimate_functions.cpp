@@ -15,7 +15,9 @@
 #include "material_and_loads.hpp"
 #include "progress_lines.hpp"
 #include "registration.hpp"
+#include "shared_error.hpp"
 #include "solid_error.hpp"
+#include "solid_loads.hpp"
 #include "systems.hpp"
 
 namespace ffcontact::plugin {
@@ -117,25 +119,67 @@ class ContactErrorFunction : public E_F0mps {
 
   double run(Stack stack) const {
     const double start = CPUtime();
-    Contact& contact = stated_contact_of_any(stack, contact_);
+    Contact& contact = contact_of_processes(stack, contact_);
+    if (contact.shared) return shared_run(stack, contact, start);
     if (contact.solid.problem) {
-      if (!matrix_.empty())
-        refuse(
-            "the contact is that of a mesh3, which contacterror judges by what "
-            "contactsolve found: contacterror(C, lambda=, G=, ...)");
+      require_own_solution(
+          "that of a mesh3, which contacterror judges by what contactsolve "
+          "found: contacterror(C, lambda=, G=, ...)");
       require_names_of_bodies(named_, estimates_of_bodies,
                               contact.solid.problem->body_count());
-      return solid_error(stack, named_, contact.solid);
+      return solid_error(stack, named_, contact.solid, solid_reader(stack));
     }
+    require_names_of_bodies(named_, estimates_of_bodies,
+                            contact.problem->body_count());
+    return plane_error(stack, contact, plane_reader(stack), start);
+  }
+
+  double shared_run(Stack stack, Contact& contact, double start) const {
+    SharedContact& shared = *contact.shared;
+    require_own_solution(
+        "one of several processes, which contacterror judges by what "
+        "contactsolve found: contacterror(C, lambda=, G=, ...)");
+    const int bodies = shared.plane ? shared.plane->own.body_count()
+                                    : shared.solid->own.body_count();
+    require_names_of_bodies(named_, estimates_of_bodies, bodies);
+    if (shared.plane)
+      return error_shared(stack, named_, shared, plane_reader(stack),
+                          [&](const ReadPlane& read) {
+                            return plane_error(stack, contact, read, start);
+                          });
+    return error_shared(stack, named_, shared, solid_reader(stack),
+                        [&](const ReadSolids& read) {
+                          return solid_error(stack, named_, contact.solid,
+                                             read);
+                        });
+  }
+
+  void require_own_solution(const char* kind) const {
+    if (!matrix_.empty()) refuse("the contact is ", kind);
+  }
+
+  ReadPlane plane_reader(Stack stack) const {
+    return [this, stack](const PlaneBodies& bodies, SolvedBody& body) {
+      return read_material_and_loads(stack, named_, bodies, body);
+    };
+  }
+
+  ReadSolids solid_reader(Stack stack) const {
+    return
+        [this, stack](const SolidBodies& bodies, ffcontact::SolvedSolid& body) {
+          return read_material_and_loads(stack, named_, bodies, body);
+        };
+  }
+
+  double plane_error(Stack stack, Contact& contact, const ReadPlane& read,
+                     double start) const {
     const ContactProblem& problem = *contact.problem;
     require_parameters_of_plane_bodies(named_);
-    require_names_of_bodies(named_, estimates_of_bodies, problem.body_count());
     const EstimateSettings settings = estimate_settings(stack);
     const StuckNodes stuck = stuck_nodes_of(stack, named_);
     Judged judged = matrix_.empty() ? own_solution(contact)
                                     : given_solution(stack, problem);
-    const Oscillation oscillation =
-        read_material_and_loads(stack, named_, problem, judged.body);
+    const Oscillation oscillation = read(problem, judged.body);
     const ElasticSystem& system = *judged.system;
     Estimate estimate = estimate_error(problem.topology(), problem.line, system,
                                        judged.body, settings);

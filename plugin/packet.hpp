@@ -37,7 +37,7 @@ class Packet {
     return put_all(text.data(), text.size());
   }
   Packet& put(const MatrixXd& matrix) {
-    put(matrix.rows());
+    put(matrix.rows()).put(matrix.cols());
     return put_all(matrix.data(), static_cast<std::size_t>(matrix.size()));
   }
   Packet& put(const VectorXd& vector) { return put(MatrixXd(vector)); }
@@ -95,16 +95,11 @@ class Packet {
     cut(text.data(), text.size());
   }
   void take(MatrixXd& matrix) {
-    const auto rows = take<Index>();
-    const auto size = static_cast<Index>(take<std::size_t>());
-    matrix.resize(rows, rows > 0 ? size / rows : 0);
-    cut(matrix.data(), size * sizeof(double));
+    const auto rows = take<Index>(), columns = take<Index>();
+    matrix.resize(rows, columns);
+    cut(matrix.data(), take<std::size_t>() * sizeof(double));
   }
-  void take(VectorXd& vector) {
-    take<Index>();
-    vector.resize(static_cast<Index>(take<std::size_t>()));
-    cut(vector.data(), vector.size() * sizeof(double));
-  }
+  void take(VectorXd& vector) { vector = take<MatrixXd>(); }
   template <class Value>
   void take(std::map<std::string, Value>& values) {
     for (auto left = take<std::size_t>(); left > 0; --left) {

@@ -6,6 +6,7 @@
 #include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
+#include "shared_error.hpp"
 
 namespace ffcontact::plugin {
 
@@ -79,30 +80,52 @@ class OptimalSizeFunction : public E_F0mps {
   }
 
   double run(Stack stack) const {
-    const Contact& contact = stated_contact_of_any(stack, contact_);
-    if (!contact.solid.problem)
-      return run(stack, *contact.problem, contact.problem->edges.vertices);
-    const SolidProblem& solid = *contact.solid.problem;
-    return run(stack, solid, hinges_of(solid.mesh, solid.faces).vertices);
+    const Contact& contact = contact_of_processes(stack, contact_);
+    if (!contact.shared)
+      return contact.problem
+                 ? run(stack, contact, given(stack, *contact.problem))
+                 : run(stack, contact, given(stack, *contact.solid.problem));
+    SharedContact& shared = *contact.shared;
+    return sizes_shared(stack, named_, shared,
+                        shared.plane ? given(stack, shared.plane->own)
+                                     : given(stack, shared.solid->own),
+                        [&](const std::vector<VectorXd>& whole) {
+                          return run(stack, contact, whole);
+                        });
   }
 
-  /// @param edges  their vertices
-  template <class Problem>
-  double run(Stack stack, const Problem& problem,
-             const Ref<const Matrix2Xi>& edges) const {
-    const auto& all = problem.joined;
-    const int bodies = problem.body_count();
-    problem.require_bodies("eps", local_error_.size());
+  /// Error and rate of all cells of the bodies.
+  template <class Bodies>
+  std::vector<VectorXd> given(Stack stack, const Bodies& all) const {
+    const int bodies = all.body_count();
+    all.require_bodies("eps", local_error_.size());
     require_names_of_bodies(named_, sizes_of_bodies, bodies);
     std::vector<Expression> rates;
     for (int k = 0; k < bodies; ++k) {
       require_size("eps", value_of<KN<double>*>(stack, local_error_[k])->N(),
-                   all.first_cell[k + 1] - all.first_cell[k]);
+                   all.joined.first_cell[k + 1] - all.joined.first_cell[k]);
       rates.push_back(named_.expression(name_of_body("rate", k, bodies)));
     }
+    return {joined(stack, local_error_), joined(stack, rates)};
+  }
+
+  double run(Stack stack, const Contact& contact,
+             const std::vector<VectorXd>& arrays) const {
+    if (contact.problem)
+      return run(stack, contact.problem->joined,
+                 contact.problem->edges.vertices, arrays);
+    const SolidProblem& solid = *contact.solid.problem;
+    return run(stack, solid.joined, hinges_of(solid.mesh, solid.faces).vertices,
+               arrays);
+  }
+
+  /// @param edges  their vertices
+  template <int dim>
+  double run(Stack stack, const JoinedBodies<dim>& all,
+             const Ref<const Matrix2Xi>& edges,
+             const std::vector<VectorXd>& arrays) const {
     const OptimalSize optimal =
-        optimal_size(all.mesh, edges, joined(stack, local_error_),
-                     joined(stack, rates), settings(stack));
+        optimal_size(all.mesh, edges, arrays[0], arrays[1], settings(stack));
     put(stack, all, optimal);
     report(stack, words_of(all), optimal);
     return optimal.predicted_count;

@@ -11,7 +11,6 @@
 //
 #include "contact_type.hpp"
 #include "coulomb.hpp"
-#include "solid_loads.hpp"
 #include "solid_stress.hpp"
 
 namespace ffcontact::plugin {
@@ -143,7 +142,7 @@ void put_bound(Stack stack, const NamedArguments& named,
 }  // namespace
 
 double solid_error(Stack stack, const NamedArguments& named,
-                   SolidContact& contact) {
+                   SolidContact& contact, const ReadSolids& read) {
   const double start = CPUtime();
   require_parameters_of_solids(named);
   const SolidRelaxationSettings settings = solid_settings(stack, named);
@@ -157,8 +156,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   body.force = solution.force;
   body.law = contact.solved->law;
   body.stiffness = solution.stiffness;
-  const double oscillation =
-      read_material_and_loads(stack, named, problem, body);
+  const double oscillation = read(problem, body);
 
   const SolidTopology topology = topology_of(problem.mesh);
   SolidEstimate estimate = estimate_error(

@@ -17,7 +17,10 @@ constexpr std::size_t most = std::size_t{1} << 30;
 
 class MpiProcesses : public Processes {
  public:
-  explicit MpiProcesses(MPI_Comm communicator) : communicator_(communicator) {
+  /// Messages of the script and of MUMPS go other ways.
+  explicit MpiProcesses(MPI_Comm communicator) {
+    MPI_Comm_dup(communicator, &communicator_);
+    MPI_Comm_dup(communicator, &of_factors_);
     MPI_Comm_rank(communicator_, &rank_);
     MPI_Comm_size(communicator_, &count_);
   }
@@ -47,7 +50,7 @@ class MpiProcesses : public Processes {
 
   std::unique_ptr<SharedFactor> factorised(const MatrixPart& part, int rows,
                                            int kept) const override {
-    return mumps_factor(communicator_, part, rows, kept);
+    return mumps_factor(of_factors_, part, rows, kept);
   }
 
  private:
@@ -69,7 +72,7 @@ class MpiProcesses : public Processes {
     }
   }
 
-  MPI_Comm communicator_;
+  MPI_Comm communicator_, of_factors_;
   int rank_ = 0, count_ = 1;
 };
 

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# processes.sh N FREEFEM SCRIPT...: FREEFEM -mpi on N processes, which share the processors of this machine.
+set -eu
+processes=$1 freefem=$2
+shift 2
+threads=$(($(nproc) / processes))
+export OMP_NUM_THREADS="${OMP_NUM_THREADS-$((threads > 0 ? threads : 1))}"
+if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
+exec mpirun --quiet --oversubscribe -np "$processes" "$freefem" -mpi "$@"
