@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <system_error>
 
 #include "ffcontact/base/require.hpp"
 
@@ -23,11 +24,14 @@ std::string quoted_for_shell(const std::string& text) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name =
-      (std::filesystem::temp_directory_path() / "ffcontact.XXXXXX").string();
+  std::error_code error;
+  const path parent = std::filesystem::temp_directory_path(error);
+  if (error)
+    refuse("the folder of temporary files (TMPDIR) cannot be used: ",
+           error.message());
+  std::string name = (parent / "ffcontact.XXXXXX").string();
   if (!mkdtemp(name.data()))
-    refuse("no temporary folder can be made in ",
-           std::filesystem::temp_directory_path());
+    refuse("no temporary folder can be made in ", parent);
   path_ = name;
 }
 

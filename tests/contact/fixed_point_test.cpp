@@ -59,6 +59,21 @@ TEST(FixedPoint, sticks_where_only_the_given_bound_is_reached) {
   }
 }
 
+/// A body moved along its foundation: there is no pressure to tell friction's direction.
+TEST(FixedPoint, slides_where_it_touches_without_pressure) {
+  for (const double shift : {1e-3, -1e-3}) {
+    Problem problem = body(rectangle(4, 2, 4, 2), material(1, 0));
+    clamp(problem, top, [&](const Vector2d&) { return Vector2d(shift, 0); });
+    set_friction(problem, 0.5);
+    const ContactSolution fixed = by_fixed_point(problem);
+    EXPECT_EQ(fixed.status, ContactStatus::converged);
+    for (const ContactState state : fixed.state)
+      EXPECT_EQ(state, shift > 0 ? ContactState::slip_forward
+                                 : ContactState::slip_backward);
+    EXPECT_LT(fixed.force.cwiseAbs().maxCoeff(), 1e-15);
+  }
+}
+
 TEST(FixedPoint, of_trescas_law_is_one_step) {
   Problem problem = example_2(Multiplier::force, 0, 8);
   problem.law.slip_bound = everywhere(problem.line, 0.2);

@@ -209,6 +209,38 @@ TEST_P(BlockCases, newton_needs_few_steps) {
       }
 }
 
+/// Strong friction and gaps; the history is that of the fixed point.
+TEST(SolidContact, the_fixed_point_goes_on_where_newton_fails) {
+  int went_on = 0;
+  for (unsigned seed : {260u, 487u, 865u, 2974u}) {
+    Random random(seed);
+    SolidProblem problem = rough_problem(random);
+    problem.law.friction *= 3;
+    const SurfaceSolution solution = problem.solve();
+    EXPECT_TRUE(solution.accepted({})) << seed;
+    EXPECT_LT(defects(problem, solution).largest(), 1e-8) << seed;
+    EXPECT_GE(solution.iterations, static_cast<int>(solution.history.size()));
+    went_on += !solution.history.empty();
+  }
+  EXPECT_GT(went_on, 0);
+}
+
+/// Whichever method runs out of them
+TEST_P(BlockCases, used_up_iterations_are_no_cycle) {
+  const SolidProblem problem =
+      block_problem(brick({4, 2, 2}, {80, 40, 40}), GetParam(), 0.5);
+  for (const ContactSolver solver :
+       {ContactSolver::newton, ContactSolver::fixed_point}) {
+    ContactSettings settings;
+    settings.solver = solver;
+    settings.max_iterations = 1;
+    const SurfaceSolution solution = problem.solve(settings);
+    EXPECT_EQ(solution.status, ContactStatus::not_converged);
+    EXPECT_EQ(solution.iterations, 1);
+    EXPECT_GT(solution.complementarity, 1e-6);
+  }
+}
+
 TEST_P(BlockCases, fixed_point_and_newton_agree) {
   for (double mu : {0.0, 0.3, 1.0}) {
     const SolidProblem problem =

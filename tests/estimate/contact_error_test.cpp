@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ffcontact/estimate/admissible_displacement.hpp"
+#include "support/facing.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
 
@@ -218,6 +219,26 @@ TEST(AdmissibleDisplacement, is_left_where_prescribed_components_penetrate) {
   const PenetrationDefect defect = penetration_defect(line, problem.law, u);
   EXPECT_NEAR(defect.value, 1, 1e-12);
   EXPECT_EQ(defect.node, 1);
+}
+
+TEST(AdmissibleDisplacement, moves_what_prescribed_vertices_face) {
+  const Mesh upper = shifted(rectangle(3, 1, 3, 1), {0, 1});
+  const Facing bodies(upper, rectangle(4, 1, 3, 1));
+  ContactLaw law;
+  law.friction = everywhere(bodies.line, 0.3);
+  law.gap = everywhere(bodies.line, 0);
+  const int pressed = 2 * upper.vertex_count();
+  VectorXd u = VectorXd::Zero(2 * bodies.joined.mesh.vertex_count());
+  std::vector<char> prescribed(u.size(), 0);
+  for (int dof = 0; dof < pressed; ++dof) {
+    u[dof] = dof % 2 == 0 ? 0 : -0.1;
+    prescribed[dof] = 1;
+  }
+  const VectorXd clear =
+      admissible_displacement(bodies.line, law, u, prescribed);
+  EXPECT_NEAR(penetration_defect(bodies.line, law, u).value, 1, 1e-12);
+  EXPECT_LT(penetration_defect(bodies.line, law, clear).value, 1e-13);
+  EXPECT_EQ(clear.head(pressed), u.head(pressed));
 }
 
 TEST(PenetrationDefect, is_zero_clear_of_the_foundation_and_counts_the_gap) {

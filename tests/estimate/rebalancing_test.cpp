@@ -64,5 +64,26 @@ RC_GTEST_PROP(Rebalancing, by_a_factor_in_single_precision_is_as_good,
                                       : std::abs(residual[dof])) < 1e-12);
 }
 
+/// A slender beam, whose residuals no factor in single precision lowers.
+TEST(Rebalancing, factors_in_full_precision_where_single_is_not_enough) {
+  SolidProblem problem(brick({100, 1, 1}, {100, 1, 1}), 0.5);
+  problem.move(low_x, [](const Vector3d&) { return Vector3d(0, 0, 0); });
+  const ElasticSystem system = problem.system();
+  const std::vector<int> kept = free_dofs_at(
+      {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+  const MatrixXd no_motions(system.dof_count(), 0);
+  VectorXd forces = VectorXd::Zero(system.dof_count());
+  for (int v = 0; v < problem.mesh.vertex_count(); ++v)
+    if (problem.mesh.place(v).x() == 100) forces[3 * v + 2] = 1;
+  const auto single = std::make_shared<const CondensedStiffness>(
+      system, kept, Precision::single);
+  const VectorXd u =
+      Rebalancing(system, kept, no_motions, single).displacement(forces);
+  const VectorXd exact =
+      Rebalancing(system, kept, no_motions).displacement(forces);
+  EXPECT_EQ(single->precision(), Precision::single);
+  EXPECT_LT((u - exact).norm(), 1e-12 * exact.norm());
+}
+
 }  // namespace
 }  // namespace ffcontact

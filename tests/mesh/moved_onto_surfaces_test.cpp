@@ -108,6 +108,37 @@ TEST(MovedOntoSurfaces, has_a_dome_on_its_sphere_and_the_rest_in_place) {
     EXPECT_GT(signed_volume(moved, t), 0);
 }
 
+TEST(MovedOntoSurfaces, goes_part_of_the_way_where_tetrahedra_are_flat) {
+  // a bowl whose bottom is thinner than it is hollow between its vertices
+  constexpr int n = 4;
+  constexpr double radius = 4, thinnest = 0.04;
+  SolidMesh coarse = brick({n, n, n}, {2, 2, 2});
+  const auto height = [](const Vector3d& x) {
+    return radius + thinnest -
+           std::sqrt(radius * radius - std::pow(x.x() - 1, 2) -
+                     std::pow(x.y() - 1, 2));
+  };
+  for (auto x : coarse.vertices.colwise()) x.z() *= height(x) / 2;
+  const Facets<3> faces = facets_of(coarse);
+  const SurfaceModel model =
+      surface_model(coarse, faces, VectorXi::Zero(coarse.cell_count()), pi / 6);
+  const ModelMesh fine = finer_mesh(n, coarse, model);
+  const SolidMesh moved = moved_onto_surfaces(fine, coarse, faces, model);
+  for (int t = 0; t < moved.cell_count(); ++t)
+    EXPECT_GE(signed_volume(moved, t), 0.5 * signed_volume(fine.mesh, t));
+  int whole = 0, part = 0;
+  for (int v = 0; v < moved.vertex_count(); ++v) {
+    const Vector3d from = fine.mesh.vertices.col(v);
+    const double hollow = from.z() - height(from),
+                 left = moved.vertices(2, v) - height(moved.vertices.col(v));
+    if (from.z() < height(from) || hollow < 1e-3) continue;
+    whole += left < 0.1 * hollow;
+    part += left > 0.1 * hollow && left < 0.9 * hollow;
+  }
+  EXPECT_GT(whole, 0);
+  EXPECT_GT(part, 0);
+}
+
 TEST(MovedOntoSurfaces, puts_lines_on_curves_and_leaves_planes) {
   // an eighth of a tube: its rims are circles between planes and cylinders
   constexpr int n = 4;

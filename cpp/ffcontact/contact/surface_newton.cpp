@@ -93,11 +93,14 @@ class Newton {
     if (better || result_.iterations == 1) keep(violation);
     failures_ = gains ? 0 : failures_ + 1;
     if (violation <= settings_.enough) return true;
-    result_.status = loose ? ContactStatus::singular : ContactStatus::cycled;
     put_states();
-    return failures_ > (result_.violation <= settings_.tolerance
-                            ? patience_with_rounding
-                            : patience);
+    const bool cycles = failures_ > (result_.violation <= settings_.tolerance
+                                         ? patience_with_rounding
+                                         : patience);
+    result_.status = loose    ? ContactStatus::singular
+                     : cycles ? ContactStatus::cycled
+                              : ContactStatus::not_converged;
+    return cycles;
   }
 
   /// Once the tolerance is met, steps that gain less than a factor of 10 are rounding.

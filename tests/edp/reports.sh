@@ -1,0 +1,151 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# reports.sh FREEFEM: the lines that functions print are those that the script makes of their outputs (*: seconds), no others, and
+# at verbosity 0 there are none.
+set -euo pipefail
+script=reports.edp
+cat >$script <<'EOF'
+include "ffcontact.idp"
+include "getARGV.idp"
+load "msh3"
+int level = getARGV("-level", 2);
+func int expect(string line) {
+  if (level > 0) cout << "expect: " << line << endl;
+  return 0;
+}
+
+// Plane bodies
+real E = 13e3, nu = 0.2, lambda = E*nu/((1 + nu)*(1 - 2*nu)), G = E/(2*(1 + nu));
+mesh Th = square(16, 8, [80*x, 40*y]);
+fespace Vh(Th, [P1, P1]);
+varf elasticity([u, v], [r, s]) = int2d(Th)(lambda*(dx(u) + dy(v))*(dx(r) + dy(s))
+    + 2*G*(dx(u)*dx(r) + dy(v)*dy(s) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s)))) + int1d(Th, 4)(10*r) + on(3, u=0, v=0) + on(2, u=0);
+matrix A = elasticity(Vh, Vh);
+real[int] b = elasticity(0, Vh);
+Vh [u, v];
+contact C(Th, label=1, friction=0.5);
+real violation, e, elastic, part, springs, balance, cone, penetration, kappa, bound, unique, wanted, predicted;
+int open, stick, slip, status, steps;
+real[int] history(0), last(0);
+steps = contactsolve(C, A, b, u[], solver="fixedpoint", violation=violation, opennodes=open, sticknodes=stick, slipnodes=slip,
+                     history=history, verbosity=level);
+expect("contactsolve: " + Vh.ndof + " dofs, " + C.node.n + " contact nodes, " + steps + " iterations, " + open + " open, " + stick
+  + " stick, " + slip + " slip, converged, * s");
+expect("contactsolve: " + history.n + " steps of the fixed point, last change of the normal multipliers " + history[history.n - 1]);
+expect("contactsolve: violation " + violation + ", residual *");
+
+fespace Ph(Th, P0);
+fespace Sh(Th, P1);
+Ph epsE;
+Sh h;
+real eps = contacterror(C, lambda=lambda, G=G, traction=[10*(label==4), 0], eps=epsE[], e=e, elasticpart=elastic, contactpart=part,
+                        springpart=springs, balance=balance, cone=cone, penetration=penetration, coulomb=kappa, bound=bound,
+                        verbosity=level);
+expect("contacterror: " + Th.nt + " triangles, eps " + 100*eps + " %, e " + e + ", 0 edges corrected, * s");
+expect("contacterror: mu kappa " + 0.5*kappa + ", bound " + bound + ", sticking nodes free to slip");
+expect("contacterror: elastic part " + elastic + ", contact part of e^2 " + part + ", that of springs " + springs
+  + ", equilibrium defect " + balance + ", cone defect " + cone + ", penetration " + penetration);
+
+int corrected;
+eps = contacterror(C, lambda=lambda, G=G, traction=[10*(label==4), 0], tractions="published", e=e, corrected=corrected,
+                   verbosity=min(level, 1));
+expect("contacterror: " + Th.nt + " triangles, eps " + 100*eps + " %, e " + e + ", " + corrected + " edges corrected, * s");
+expect("contacterror: not admissible: *");
+
+real critical = criticalfriction(C, unique=unique, stick="held", verbosity=level);
+expect("criticalfriction: mu 0.5, unique below " + unique + " (sticking nodes held), not unique at " + critical
+  + (unique < critical ? ", unknown between" : ""));
+real triangles = optimalsize(C, epsE[], target=0.1, size=h[], predicted=predicted, verbosity=level);
+expect("optimalsize: sizes " + h[].min + " to " + h[].max + ", about " + int(floor(triangles + 0.5)) + " triangles for eps "
+  + 100*predicted + " %");
+
+varf loose([u, v], [r, s]) = int2d(Th)(dx(u)*dx(r) + dy(v)*dy(s) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s))) + int1d(Th, 3)(s);
+matrix Aloose = loose(Vh, Vh);
+real[int] bloose = loose(0, Vh), uloose(Vh.ndof);
+contact L(Th, label=1, friction=0.5);
+contactsolve(L, Aloose, bloose, uloose, status=status, verbosity=min(level, 1));
+expect("contactsolve: no equilibrium: the loads push the body in a translation along (0, 1), *");
+assert(status == 5);
+
+real[int] pn = C.pn, pt = 2*C.pt;
+int unmended = conecorrection(C, pn, pt, corrected=corrected, cone=cone, verbosity=level);
+expect("conecorrection: 16 edges, " + corrected + " corrected, " + unmended + " unmended, cone defect " + cone);
+int outside = contactproject(C, pn, pt, verbosity=level);
+expect("contactproject: 17 nodes, " + outside + " were outside");
+
+// Friction at which the solution is not the only one: the triangle of tests/contact/critical_friction_test.cpp
+real q = sqrt(lambda*(lambda + 2*G))/G, height = lambda*10/(q*(lambda + G)), only = sqrt((1 - nu)/nu);
+border bottom(t=0, 1) { x = 10*t; y = 0; label = 1; }
+border right(t=0, 1) { x = 10 + t*(q*height - 10); y = t*height; label = 2; }
+border left(t=1, 0) { x = t*q*height; y = t*height; label = 3; }
+mesh Tt = buildmesh(bottom(6) + right(6) + left(6));
+fespace Vt(Tt, [P1, P1]);
+Vt [ut, vt];
+real nx = height, ny = 10 - q*height, length = sqrt(nx^2 + ny^2);
+for (real share = 0.985; share < 1.02; share += 0.01) {
+  real mu = share*only, p = 5, stretch = 2e-3;
+  real e12 = mu*p/G, e22 = -(p + lambda*stretch)/(lambda + 2*G), s11 = (lambda + 2*G)*stretch + lambda*e22, s12 = mu*p;
+  varf slipping([u, v], [r, s]) = int2d(Tt)(lambda*(dx(u) + dy(v))*(dx(r) + dy(s))
+      + 2*G*(dx(u)*dx(r) + dy(v)*dy(s) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s))))
+      + int1d(Tt, 2)((s11*nx + s12*ny)/length*r + (s12*nx - p*ny)/length*s) + on(3, u=stretch*x + e12*y, v=e22*y);
+  matrix At = slipping(Vt, Vt);
+  real[int] bt = slipping(0, Vt);
+  contact F(Tt, label=1, friction=mu);
+  int[int] sliding(F.node.n);
+  sliding = 2;
+  contactsolve(F, At, bt, ut[], initial=sliding, slipnodes=slip, verbosity=min(level, 1));
+  expect("contactsolve: " + Vt.ndof + " dofs, 7 contact nodes, 1 iterations, 0 open, 0 stick, 7 slip, converged, * s");
+  if (share > 0.99)
+    expect("contactsolve: friction " + mu + (share > 1.01 ? " is beyond " : " is within 1 % of ") + only
+      + ", where the solution with these open, sticking and slipping nodes is not the only one");
+}
+
+// Two solids whose meshes do not match
+mesh3 T1 = cube(4, 3, 2, [x, y, 1 + z]), T2 = cube(3, 4, 2);
+fespace V1(T1, [P1, P1, P1]);
+fespace V2(T2, [P1, P1, P1]);
+varf upper([u, v, w], [r, s, q]) = int3d(T1)(dx(u)*dx(r) + dy(v)*dy(s) + dz(w)*dz(q) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s))
+    + 0.5*(dz(v) + dy(w))*(dz(s) + dy(q)) + 0.5*(dx(w) + dz(u))*(dx(q) + dz(r))) + on(6, u=0.03, v=0, w=-0.1*(1 + x));
+varf lower([u, v, w], [r, s, q]) = int3d(T2)(dx(u)*dx(r) + dy(v)*dy(s) + dz(w)*dz(q) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s))
+    + 0.5*(dz(v) + dy(w))*(dz(s) + dy(q)) + 0.5*(dx(w) + dz(u))*(dx(q) + dz(r))) + on(5, u=0, v=0, w=0);
+matrix A1 = upper(V1, V1), A2 = lower(V2, V2);
+real[int] b1 = upper(0, V1), b2 = lower(0, V2);
+V1 [u1, v1, w1];
+V2 [u2, v2, w2];
+contact S(T1, T2, label1=5, label2=6, friction=0.1);
+steps = contactsolve(S, A1, b1, u1[], A2, b2, u2[], violation=violation, opennodes=open, sticknodes=stick, slipnodes=slip,
+                     verbosity=level);
+expect("contactsolve: " + (V1.ndof + V2.ndof) + " dofs, 20 contact nodes on side " + S.side[0] + ", " + steps + " iterations, " + open
+  + " open, " + stick + " stick, " + slip + " slip, converged, * s");
+expect("contactsolve: violation " + violation + ", residual *");
+real beyond;
+eps = contacterror(S, lambda1=0, G1=0.5, lambda2=0, G2=0.5, e=e, elasticpart=elastic, contactpart=part, balance=balance, cone=cone,
+                   penetration=penetration, tractionoscillation=beyond, coulomb=kappa, bound=bound, history=history, stick="held",
+                   verbosity=level);
+expect("contacterror: " + (T1.nt + T2.nt) + " tetrahedra, eps " + 100*eps + " %, e " + e + ", " + (history.n - 1) + " steps, * s");
+expect("contacterror: what tractions between the bodies have beyond linear ones is at most " + beyond + " beside e");
+expect("contacterror: elastic part " + elastic + ", contact part of e^2 " + part + ", equilibrium defect " + balance
+  + ", cone defect " + cone + ", penetration " + penetration);
+expect("contacterror: mu kappa " + 0.1*kappa + ", delta *, bound " + bound + ", sticking nodes held");
+
+{
+  ofstream geo("reports.geo");
+  geo << "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {0, 0, 0, 1, 1};" << endl;
+}
+verbosity = level;
+mesh Tg = gmshmesh("reports.geo");
+verbosity = 0;
+expect("gmshmesh: reports.geo, " + Tg.nt + " triangles, " + Tg.nv + " vertices");
+EOF
+
+fails() { echo "$*"; exit 1; }
+printed=$("$1" $script)
+echo "$printed"
+mapfile -t said < <(grep -E '^[a-z]+: ' <<<"$printed" | grep -v '^expect: ')
+mapfile -t expected < <(sed -n 's/^expect: //p' <<<"$printed")
+for k in "${!said[@]}"; do
+  [[ ${said[k]} = ${expected[k]-} ]] || fails "printed: ${said[k]}; expected: ${expected[k]-nothing}"
+done
+[ ${#said[@]} = ${#expected[@]} ] || fails "not printed: ${expected[${#said[@]}]}"
+printed=$("$1" $script -level 0)
+[ -z "$printed" ] || fails "printed at verbosity 0: $printed"
