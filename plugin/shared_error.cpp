@@ -40,13 +40,6 @@ ReadColumns read_in(Packet& packet) {
   return read;
 }
 
-Index end_of(const std::vector<std::vector<int>>& numbers) {
-  int end = 0;
-  for (const std::vector<int>& of_process : numbers)
-    for (int number : of_process) end = std::max(end, number + 1);
-  return end;
-}
-
 /// Kind k of the columns of all processes as that of the whole.
 MatrixXd joined(const std::vector<ReadColumns>& all,
                 std::vector<MatrixXd> ReadColumns::*columns, std::size_t k,
@@ -55,7 +48,7 @@ MatrixXd joined(const std::vector<ReadColumns>& all,
   for (const ReadColumns& read : all) of_kind.push_back((read.*columns)[k]);
   if (of_kind[0].cols() == 0 && count_of(number[0]) > 0)
     return MatrixXd(of_kind[0].rows(), 0);  // there is none
-  return of_whole(of_kind, number, end_of(number));
+  return of_whole(of_kind, number);
 }
 
 template <int dim>
@@ -207,8 +200,7 @@ double sizes(Stack stack, const NamedArguments& named, SharedContact& contact,
           whole.push_back(
               rows[0].cols() == 0
                   ? VectorXd()
-                  : VectorXd(of_whole(rows, bodies.cell, end_of(bodies.cell))
-                                 .transpose()));
+                  : VectorXd(of_whole(rows, bodies.cell).transpose()));
         }
         return make(whole);
       });

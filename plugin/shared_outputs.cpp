@@ -36,13 +36,6 @@ VectorXd of_part(const VectorXd& values, const std::vector<int>& number,
   return own;
 }
 
-Index end_of(const std::vector<std::vector<int>>& numbers) {
-  int end = 0;
-  for (const std::vector<int>& of_process : numbers)
-    for (int number : of_process) end = std::max(end, number + 1);
-  return end;
-}
-
 }  // namespace
 
 template <int dim>
@@ -56,7 +49,7 @@ Outputs outputs_of(const Outputs& whole, const SharedBodies<dim>& bodies,
     if (!on_cells && known.name != "size") continue;
     const MeshParts<dim>& parts = bodies.parts.at(known.body);
     const auto& numbers = on_cells ? parts.cell : parts.vertex;
-    values = of_part(VectorXd(values), numbers[rank], end_of(numbers));
+    values = of_part(VectorXd(values), numbers[rank], count_in_whole(numbers));
   }
   return own;
 }

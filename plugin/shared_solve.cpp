@@ -120,16 +120,13 @@ SharedSystem joined_system(const SharedContact& contact,
   std::vector<ElasticSystem> systems{own};
   for (std::size_t r = 1; r < packets.size(); ++r)
     systems.push_back(system_in(packets[r], dim));
-  int vertices = 0;
-  for (const auto& of_process : bodies.vertex)
-    for (int v : of_process) vertices = std::max(vertices, v + 1);
   const auto factorise = [&contact, &bodies, &own](
                              const ElasticSystem& system,
                              const std::vector<int>& kept) {
     return std::make_shared<const SharedStiffness>(contact.team, bodies.dofs(),
                                                    own, system, kept);
   };
-  return {joined_parts(systems, bodies.vertex, vertices), factorise};
+  return {joined_parts(systems, bodies.vertex), factorise};
 }
 
 template <int dim>

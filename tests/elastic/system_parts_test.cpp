@@ -74,8 +74,7 @@ void expect_the_system_of_the_whole(const SimplexMesh<dim>& mesh, bool moved,
     vertex.push_back(part.numbers.vertex);
   }
   const ElasticSystem whole = system_of(mesh, moved, tgv),
-                      joined =
-                          joined_parts(systems, vertex, mesh.vertex_count());
+                      joined = joined_parts(systems, vertex);
   const double size = free_part(whole).cwiseAbs().maxCoeff();
   EXPECT_EQ(joined.prescribed, whole.prescribed);
   EXPECT_EQ(joined.dimension, dim);
@@ -103,11 +102,10 @@ TEST(SystemParts, that_disagree_are_refused) {
   for (int v = 0; v < mesh.vertex_count(); ++v) all[v] = v;
   const ElasticSystem at_rest = system_of(mesh, false, 1e30),
                       moved = system_of(mesh, true, 1e30);
-  EXPECT_THROW(joined_parts({at_rest, moved}, {all, all}, mesh.vertex_count()),
+  EXPECT_THROW(joined_parts({at_rest, moved}, {all, all}),
                std::invalid_argument);
   all.pop_back();
-  EXPECT_THROW(joined_parts({at_rest}, {all}, mesh.vertex_count()),
-               std::invalid_argument);
+  EXPECT_THROW(joined_parts({at_rest}, {all}), std::invalid_argument);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(MeshParts, values_of_the_first_part_that_has_them_count) {
   second << 5, 6, 7, 8, 9, 10;
   MatrixXd whole(2, 4);
   whole << 2, 1, 0, 6, 4, 3, 0, 9;
-  EXPECT_EQ(of_whole({first, second}, {{1, 0}, {0, 3, -1}}, 4), whole);
+  EXPECT_EQ(of_whole({first, second}, {{1, 0}, {0, 3, -1}}), whole);
 }
 
 TEST(MeshParts, of_different_meshes_are_refused) {

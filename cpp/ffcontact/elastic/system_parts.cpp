@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/mesh/mesh_parts.hpp"
 
 namespace ffcontact {
 
@@ -54,9 +54,9 @@ std::vector<int> dofs_of_part(const std::vector<int>& vertex, int dimension) {
 }
 
 ElasticSystem joined_parts(const std::vector<ElasticSystem>& parts,
-                           const std::vector<std::vector<int>>& vertex,
-                           int vertex_count) {
-  const int dimension = parts.at(0).dimension, n = dimension * vertex_count;
+                           const std::vector<std::vector<int>>& vertex) {
+  const int dimension = parts.at(0).dimension,
+            n = dimension * count_in_whole(vertex);
   ElasticSystem whole{RowMatrix(n, n), VectorXd::Zero(n),
                       std::vector<char>(n, 0), VectorXd::Zero(n), dimension};
   std::vector<std::vector<int>> dofs;

@@ -19,7 +19,6 @@ std::vector<int> dofs_of_part(const std::vector<int>& vertex, int dimension);
 /// @throws std::invalid_argument  if a part has not the dofs of its vertices, or two parts
 ///                                prescribe different values to one dof
 ElasticSystem joined_parts(const std::vector<ElasticSystem>& parts,
-                           const std::vector<std::vector<int>>& vertex,
-                           int vertex_count);
+                           const std::vector<std::vector<int>>& vertex);
 
 }  // namespace ffcontact

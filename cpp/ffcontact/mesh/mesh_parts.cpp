@@ -90,13 +90,6 @@ void number_as_stated(const std::vector<SimplexMesh<dim>>& meshes,
   }
 }
 
-int end_of(const std::vector<std::vector<int>>& numbers) {
-  int end = 0;
-  for (const std::vector<int>& of_part : numbers)
-    for (int number : of_part) end = std::max(end, number + 1);
-  return end;
-}
-
 /// Every number below the highest one must be somebody's, those of cells one part's only.
 void require_all(const std::vector<std::vector<int>>& numbers, int end,
                  const char* what, bool once) {
@@ -125,7 +118,8 @@ template <int dim>
 void put_cells(const std::vector<SimplexMesh<dim>>& meshes,
                MeshParts<dim>& parts) {
   SimplexMesh<dim>& whole = parts.whole;
-  const int vertices = end_of(parts.vertex), cells = end_of(parts.cell);
+  const int vertices = count_in_whole(parts.vertex),
+            cells = count_in_whole(parts.cell);
   require_all(parts.vertex, vertices, "vertex", false);
   require_all(parts.cell, cells, MeshWords<dim>::cell, true);
   whole.vertices.resize(dim, vertices);
@@ -202,6 +196,13 @@ void put_boundary(const std::vector<SimplexMesh<dim>>& meshes,
 
 }  // namespace
 
+int count_in_whole(const std::vector<std::vector<int>>& numbers) {
+  int end = 0;
+  for (const std::vector<int>& of_part : numbers)
+    for (int number : of_part) end = std::max(end, number + 1);
+  return end;
+}
+
 template <int dim>
 MeshParts<dim> joined_parts(const std::vector<SimplexMesh<dim>>& parts,
                             const std::vector<PartNumbers>& numbers) {
@@ -222,8 +223,8 @@ template MeshParts<3> joined_parts(const std::vector<SolidMesh>&,
                                    const std::vector<PartNumbers>&);
 
 MatrixXd of_whole(const std::vector<MatrixXd>& parts,
-                  const std::vector<std::vector<int>>& number, Index count) {
-  MatrixXd whole = MatrixXd::Zero(parts.at(0).rows(), count);
+                  const std::vector<std::vector<int>>& number) {
+  MatrixXd whole = MatrixXd::Zero(parts.at(0).rows(), count_in_whole(number));
   for (std::size_t r = parts.size(); r-- > 0;)
     for (std::size_t k = 0; k < number[r].size(); ++k)
       if (number[r][k] >= 0)

@@ -35,12 +35,15 @@ template <int dim>
 MeshParts<dim> joined_parts(const std::vector<SimplexMesh<dim>>& parts,
                             const std::vector<PartNumbers>& numbers);
 
+/// How many vertices, cells or boundary columns the whole has.
+/// @param number  MeshParts::vertex, cell or boundary
+int count_in_whole(const std::vector<std::vector<int>>& number);
+
 /// Values of cells, columns of the boundary or vertices of the parts as those of the whole
 /// [size x whole]; where several parts have one, that of the first. Those of number -1 are
 /// dropped.
 /// @param number  MeshParts::cell, boundary or vertex
-/// @param count   in the whole
 MatrixXd of_whole(const std::vector<MatrixXd>& parts,
-                  const std::vector<std::vector<int>>& number, Index count);
+                  const std::vector<std::vector<int>>& number);
 
 }  // namespace ffcontact
