@@ -93,11 +93,7 @@ void put_own_relation(Terms&& terms, const SparseLu& factor,
                       CondensedContact& contact) {
   const Index f = count_of(contact.primary);
   contact.S = leading_block(std::move(terms.S), f);
-  if (!factor.is_identity()) {
-    const MatrixXd half = factor.solve_transposed_columns(contact.S);
-    contact.S =
-        symmetric_part(factor.solve_transposed_columns(half.transpose()));
-  }
+  if (!factor.is_identity()) contact.S = factor.congruent(contact.S);
   contact.E = factor.solve_transposed_columns(
       terms.A_dependent.leftCols(f).transpose());
 }
