@@ -132,7 +132,7 @@ MatrixXd SparseLu::solve_columns(const MatrixXd& B) const {
 
 MatrixXd SparseLu::solve_transposed_columns(const MatrixXd& B) const {
   if (B.cols() == 0 || factor_->identity) return B;
-  return factor_->lu.transpose().solve(B);
+  return solved_rows(factor_->lu, B.transpose()).transpose();
 }
 
 MatrixXd SparseLu::congruent(const MatrixXd& S) const {
