@@ -2,6 +2,7 @@
 #include "ffcontact/base/sparse_lu.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include "support/random.hpp"
 
@@ -25,10 +26,28 @@ RC_GTEST_PROP(SparseLu, solves_with_the_matrix_and_its_transpose,
             1e-13 * 12);
 }
 
+/// Of any permutation, pattern and number of columns, to the bit on two threads.
+RC_GTEST_PROP(SparseLu, transforms_symmetric_matrices, (Random random)) {
+  const Index n = *rc::gen::inRange(1, 40);
+  MatrixXd A = random_matrix(n, n, random);
+  A = (A.array().abs() < 0.2).select(A, 0);
+  for (Index i = 0; i < n; ++i) A(i, (i + 3) % n) += 4;
+  const MatrixXd half = random_matrix(n, n, random),
+                 S = half + half.transpose();
+  const SparseLu lu(A.sparseView());
+  const MatrixXd T = lu.congruent(S);
+  RC_ASSERT((A.transpose() * T * A - S).norm() < 1e-12 * S.norm());
+  RC_ASSERT(T == T.transpose());
+  omp_set_num_threads(2);
+  RC_ASSERT(lu.congruent(S) == T);
+  omp_set_num_threads(1);
+}
+
 TEST(SparseLu, takes_no_columns_and_knows_a_singular_matrix) {
   const SparseLu lu(MatrixXd::Identity(3, 3).sparseView());
   EXPECT_EQ(lu.solve_columns(MatrixXd(3, 0)).cols(), 0);
   EXPECT_EQ(lu.solve_transposed_columns(MatrixXd(3, 0)).cols(), 0);
+  EXPECT_EQ(lu.congruent(MatrixXd::Ones(3, 3)), MatrixXd::Ones(3, 3));
   EXPECT_FALSE(SparseLu(MatrixXd::Ones(2, 2).sparseView()).is_regular());
 }
 

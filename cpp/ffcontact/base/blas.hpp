@@ -17,6 +17,9 @@ struct Blas;
                      const int* columns, const int* depth, const Scalar* alpha, const Scalar* a, \
                      const int* stride_a, const Scalar* b, const int* stride_b,                  \
                      const Scalar* beta, Scalar* c, const int* stride_c);                        \
+  void letter##gemv_(const char* transpose, const int* rows, const int* columns,                 \
+                     const Scalar* alpha, const Scalar* a, const int* stride_a, const Scalar* x, \
+                     const int* step_x, const Scalar* beta, Scalar* y, const int* step_y);       \
   void letter##syrk_(const char* triangle, const char* transpose, const int* n,                  \
                      const int* depth, const Scalar* alpha, const Scalar* a,                     \
                      const int* stride_a, const Scalar* beta, Scalar* c, const int* stride_c);   \
@@ -42,6 +45,7 @@ struct Blas;
   template <>                                                                                    \
   struct Blas<Scalar> {                                                                          \
     static constexpr auto gemm = letter##gemm_;                                                  \
+    static constexpr auto gemv = letter##gemv_;                                                  \
     static constexpr auto syrk = letter##syrk_;                                                  \
     static constexpr auto trsm = letter##trsm_;                                                  \
     static constexpr auto potrf = letter##potrf_;                                                \

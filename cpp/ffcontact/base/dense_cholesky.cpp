@@ -8,23 +8,29 @@
 
 namespace ffcontact {
 
-DenseCholesky::DenseCholesky(MatrixXd H) : factor_(std::move(H)) {
+template <class Scalar>
+LapackCholesky<Scalar>::LapackCholesky(Square H) : factor_(std::move(H)) {
   assert(factor_.rows() == factor_.cols());
-  const int n = static_cast<int>(factor_.rows());
+  const int n = size();
   int info = 0;
   // LAPACK asks for a stride of 1 at least
-  if (n > 0) Blas<double>::potrf("L", &n, factor_.data(), &n, &info);
+  if (n > 0) Blas<Scalar>::potrf("L", &n, factor_.data(), &n, &info);
   is_positive_definite_ = info == 0;
 }
 
-VectorXd DenseCholesky::solve(VectorXd right) const {
+template <class Scalar>
+typename LapackCholesky<Scalar>::Column LapackCholesky<Scalar>::solve(
+    Column right) const {
   assert(right.size() == factor_.rows());
-  const int n = static_cast<int>(factor_.rows()), one = 1;
+  const int n = size(), one = 1;
   int info = 0;
   if (n > 0)
-    Blas<double>::potrs("L", &n, &one, factor_.data(), &n, right.data(), &n,
+    Blas<Scalar>::potrs("L", &n, &one, factor_.data(), &n, right.data(), &n,
                         &info);
   return right;
 }
+
+template class LapackCholesky<double>;
+template class LapackCholesky<float>;
 
 }  // namespace ffcontact

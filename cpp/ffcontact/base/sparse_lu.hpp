@@ -24,6 +24,10 @@ class SparseLu {
   VectorXd solve_transposed(const VectorXd& b) const;          ///< A'^-1 b
   MatrixXd solve_transposed_columns(const MatrixXd& B) const;  ///< A'^-1 B
 
+  /// A'^-1 S A^-1 of a symmetric S of some thousand rows, exactly symmetric; the threads of
+  /// OpenMP share its columns.
+  MatrixXd congruent(const MatrixXd& S) const;
+
  private:
   struct Factor;
   std::unique_ptr<Factor> factor_;

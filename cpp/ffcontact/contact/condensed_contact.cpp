@@ -67,13 +67,13 @@ struct Terms {
 };
 
 /// Q' S Q of a symmetric S, column by column: some thousand rows are not copied more than
-/// once.
+/// once. The threads of OpenMP share the columns.
 MatrixXd congruent(const MatrixXd& S, const SparseMatrix& Q) {
   const SparseMatrix Qt = Q.transpose();
   MatrixXd result(Q.cols(), Q.cols());
-  VectorXd column(S.rows());
+#pragma omp parallel for schedule(dynamic, 64)
   for (Index j = 0; j < Q.cols(); ++j) {
-    column.setZero();
+    VectorXd column = VectorXd::Zero(S.rows());
     for (SparseMatrix::InnerIterator e(Q, j); e; ++e)
       column += e.value() * S.col(e.row());
     result.col(j) = Qt * column;
@@ -93,11 +93,7 @@ void put_own_relation(Terms&& terms, const SparseLu& factor,
                       CondensedContact& contact) {
   const Index f = count_of(contact.primary);
   contact.S = leading_block(std::move(terms.S), f);
-  if (!factor.is_identity()) {
-    const MatrixXd half = factor.solve_transposed_columns(contact.S);
-    contact.S =
-        symmetric_part(factor.solve_transposed_columns(half.transpose()));
-  }
+  if (!factor.is_identity()) contact.S = factor.congruent(contact.S);
   contact.E = factor.solve_transposed_columns(
       terms.A_dependent.leftCols(f).transpose());
 }

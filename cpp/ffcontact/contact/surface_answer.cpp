@@ -49,9 +49,10 @@ std::vector<ContactState> first_states(const NodalLaw& law,
 
 ActiveSetResult rough_answer(const CondensedContact& contact,
                              const NodalLaw& law, const std::vector<char>& held,
-                             const ContactSettings& settings) {
+                             const ContactSettings& settings,
+                             StepSolver& solver) {
   const double enough = std::max(settings.tolerance, tolerance_to_be_corrected);
-  return surface_newton(contact, law, held, first_states(law, settings),
+  return surface_newton(contact, law, held, first_states(law, settings), solver,
                         {std::min(most_newton_systems, settings.max_iterations),
                          enough,
                          {},

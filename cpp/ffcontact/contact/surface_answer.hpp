@@ -5,6 +5,7 @@
 
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/step_solver.hpp"
 
 namespace ffcontact {
 
@@ -18,8 +19,10 @@ FixedPointResult surface_answer(const CondensedContact& contact,
 
 /// By surface_newton alone, to 1e-6: what a factor in single precision gives, before it is
 /// corrected.
+/// @param solver  of its steps
 ActiveSetResult rough_answer(const CondensedContact& contact,
                              const NodalLaw& law, const std::vector<char>& held,
-                             const ContactSettings& settings);
+                             const ContactSettings& settings,
+                             StepSolver& solver);
 
 }  // namespace ffcontact

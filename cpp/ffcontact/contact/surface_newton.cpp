@@ -6,7 +6,6 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/surface_law.hpp"
-#include "ffcontact/contact/surface_step.hpp"
 
 namespace ffcontact {
 
@@ -35,7 +34,7 @@ void put_into_law(const NodalLaw& law, const std::vector<char>& held,
 class Newton {
  public:
   Newton(const CondensedContact& contact, const NodalLaw& law,
-         const std::vector<char>& held, RefinedSolver& solver,
+         const std::vector<char>& held, StepSolver& solver,
          const NewtonSettings& settings)
       : contact_(contact),
         law_(law),
@@ -83,7 +82,7 @@ class Newton {
     ++result_.iterations;
     const ContactRows last = rows_;
     const SystemKind kind =
-        solve_surface_step(contact_, held_, map_, states_, rows_, solver_);
+        solver_.solve(contact_, SurfaceEquations(held_, map_, states_), rows_);
     const bool loose = kind == SystemKind::inconsistent;
     if (failures_ > most_full_steps) shorten_step(last);
     const double violation =
@@ -141,7 +140,7 @@ class Newton {
   const NewtonSettings settings_;
   const NaturalMap map_;
   std::vector<NodeState> states_;
-  RefinedSolver& solver_;
+  StepSolver& solver_;
   ContactRows rows_;
   ActiveSetResult result_;
   int failures_ = 0;
@@ -162,15 +161,24 @@ ActiveSetResult surface_newton(const CondensedContact& contact,
                                const NodalLaw& law,
                                const std::vector<char>& held,
                                const std::vector<ContactState>& state,
+                               StepSolver& solver,
                                const NewtonSettings& settings) {
-  RefinedSolver solver;
   return Newton(contact, law, held, solver, settings).result(state);
 }
 
 ActiveSetResult surface_newton(const CondensedContact& contact,
                                const NodalLaw& law,
                                const std::vector<char>& held,
-                               const ContactRows& near, RefinedSolver& solver,
+                               const std::vector<ContactState>& state,
+                               const NewtonSettings& settings) {
+  StepSolver solver;
+  return surface_newton(contact, law, held, state, solver, settings);
+}
+
+ActiveSetResult surface_newton(const CondensedContact& contact,
+                               const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const ContactRows& near, StepSolver& solver,
                                const NewtonSettings& settings) {
   return Newton(contact, law, held, solver, settings).result(near);
 }

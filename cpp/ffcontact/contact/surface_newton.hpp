@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "ffcontact/base/refined_solver.hpp"
 #include "ffcontact/contact/active_set.hpp"
+#include "ffcontact/contact/step_solver.hpp"
 
 namespace ffcontact {
 
@@ -31,12 +31,19 @@ ActiveSetResult surface_newton(const CondensedContact& contact,
                                const std::vector<ContactState>& state,
                                const NewtonSettings& settings = {});
 
-/// The same from P and v of a problem nearby.
-/// @param solver  of its steps
+/// The same with steps of another accuracy.
 ActiveSetResult surface_newton(const CondensedContact& contact,
                                const NodalLaw& law,
                                const std::vector<char>& held,
-                               const ContactRows& near, RefinedSolver& solver,
+                               const std::vector<ContactState>& state,
+                               StepSolver& solver,
+                               const NewtonSettings& settings);
+
+/// The same from P and v of a problem nearby.
+ActiveSetResult surface_newton(const CondensedContact& contact,
+                               const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const ContactRows& near, StepSolver& solver,
                                const NewtonSettings& settings = {});
 
 /// surface_violation of an answer, relative to law_scales.

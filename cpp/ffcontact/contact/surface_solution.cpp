@@ -100,7 +100,9 @@ class Answer {
     solution_.displacement = stated.system.prescribed_value;
     const auto& held = stated.trace.held;
     if (solution_.stiffness->precision() == Precision::single) {
-      take(rough_answer(contact_, stated.cones, held, stated.settings));
+      solver_ = StepSolver(contact_, held);
+      take(
+          rough_answer(contact_, stated.cones, held, stated.settings, solver_));
     } else {
       FixedPointResult condensed =
           surface_answer(contact_, stated.cones, held, stated.settings);
@@ -114,7 +116,6 @@ class Answer {
   /// so that u' = u solves the problem itself, as long as that lowers the residual.
   void correct() {
     constexpr int most_corrections = 20;
-    RefinedSolver solver;
     for (int k = 0; k < most_corrections && can_gain(); ++k) {
       const SurfaceSolution last = solution_;
       const ContactRows rows{condensed_.P, condensed_.v};
@@ -123,7 +124,7 @@ class Answer {
           force_residual(stated_.system, solution_.displacement, no_forces()),
           stated_.v_of(solution_.displacement));
       take(surface_newton(contact_, stated_.cones, stated_.trace.held, rows,
-                          solver, limits()));
+                          solver_, limits()));
       solution_.iterations += last.iterations;
       if (solution_.residual < last.residual / least_gain) continue;
       solution_ = last;
@@ -185,6 +186,7 @@ class Answer {
   const StatedSurface& stated_;
   CondensedContact contact_;
   ActiveSetResult condensed_;
+  StepSolver solver_;
   SurfaceSolution solution_;
 };
 

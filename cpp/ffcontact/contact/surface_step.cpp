@@ -14,28 +14,18 @@ namespace {
 /// r, where what the unknowns move is 1.
 constexpr double proximal = 1e-8;
 
-/// sum P P_row + v v_row = value
-struct Term {
-  int row;
-  double P, v;
-};
-struct Equation {
-  std::vector<Term> terms;
-  double value = 0;
-};
-
 /// The linear system.
 class SurfaceStep {
  public:
-  SurfaceStep(const CondensedContact& contact, const std::vector<char>& held,
-              const NaturalMap& map, const std::vector<NodeState>& states)
-      : contact_(contact), held_(held), map_(map), states_(states) {
+  SurfaceStep(const CondensedContact& contact,
+              const SurfaceEquations& equations)
+      : contact_(contact), equations_(equations) {
     UnknownScales scales = unknown_scales(contact);
     v_scale_ = std::move(scales.v);
     for (int k = 0; k < count_of(contact.primary); ++k)
-      if (!is_fixed(contact.primary[k])) unknown_.push_back(k);
+      if (!equations_.is_fixed(contact.primary[k])) unknown_.push_back(k);
     for (int d = 0; d < count_of(contact.dependent); ++d)
-      if (!held[contact.dependent[d]]) dependent_.push_back(d);
+      if (!equations_.is_held(contact.dependent[d])) dependent_.push_back(d);
     for (int d : dependent_) q_scale_.push_back(scales.q[d]);
   }
 
@@ -51,42 +41,6 @@ class SurfaceStep {
   }
 
  private:
-  /// Is v = 0 the condition on a row?
-  bool is_fixed(int row) const { return states_[row / 3].fixes(row % 3); }
-
-  /// The condition on a row that is not held.
-  Equation equation(int row) const {
-    const int node = row / 3, component = row % 3;
-    if (is_fixed(row)) return {{{row, 0, 1}}, 0};
-    if (component == 0) return {{{row, 1, 0}}, 0};
-    const NodeState& state = states_[node];
-    Equation equation;
-    equation.value = state.given * state.e[component - 1];
-    const Matrix2d D = derivative(node, state);
-    for (int c = 1; c < 3; ++c)
-      if (const int other = 3 * node + c; !held_[other]) {
-        const double d = D(component - 1, c - 1);
-        equation.terms.push_back(
-            {other, (c == component) - d, map_.stiffness(node) * d});
-      }
-    if (state.ratio != 0 && !held_[3 * node])
-      equation.terms.push_back(
-          {3 * node, state.ratio * state.e[component - 1], 0});
-    return equation;
-  }
-
-  /// D on the tangential rows that are not held.
-  Matrix2d derivative(int node, const NodeState& state) const {
-    Matrix2d D =
-        state.share * (Matrix2d::Identity() - state.e * state.e.transpose());
-    for (int c = 0; c < 2; ++c)
-      if (held_[3 * node + 1 + c]) {
-        D.row(c).setZero();
-        D.col(c).setZero();
-      }
-    return D;
-  }
-
   /// P_row = S_k v - g_k - E_k q of a primary row k; S is read by columns, as it is stored.
   void add_force(Index e, int row, double factor) {
     const Index n = count_of(unknown_), q = count_of(dependent_);
@@ -128,8 +82,8 @@ class SurfaceStep {
   }
 
   void put_equation(Index e, int row, double v_scale, double P_scale) {
-    const Equation condition = equation(row);
-    const double scale = is_fixed(row) ? P_scale : v_scale;
+    const Equation condition = equations_.equation(row);
+    const double scale = equations_.is_fixed(row) ? P_scale : v_scale;
     right_[e] = scale * condition.value;
     for (const Term& term : condition.terms) {
       if (term.P != 0) add_force(e, term.row, scale * term.P);
@@ -169,15 +123,13 @@ class SurfaceStep {
       q[dependent_[d]] = q_scale_[d] * x[unknown_.size() + d];
     rows = rows_of(contact_, v, q);
     for (int row = 0; row < rows.P.size(); ++row) {
-      if (held_[row]) rows.v[row] = 0;
-      if (row % 3 == 0 && states_[row / 3].open) rows.P[row] = 0;
+      if (equations_.is_held(row)) rows.v[row] = 0;
+      if (row % 3 == 0 && equations_.is_open(row / 3)) rows.P[row] = 0;
     }
   }
 
   const CondensedContact& contact_;
-  const std::vector<char>& held_;
-  const NaturalMap& map_;
-  const std::vector<NodeState>& states_;
+  const SurfaceEquations& equations_;
   VectorXd v_scale_, right_;
   std::vector<int> unknown_, dependent_;
   std::vector<double> q_scale_;
@@ -187,11 +139,9 @@ class SurfaceStep {
 }  // namespace
 
 SystemKind solve_surface_step(const CondensedContact& contact,
-                              const std::vector<char>& held,
-                              const NaturalMap& map,
-                              const std::vector<NodeState>& states,
+                              const SurfaceEquations& equations,
                               ContactRows& rows, RefinedSolver& solver) {
-  return SurfaceStep(contact, held, map, states).solve(rows, solver);
+  return SurfaceStep(contact, equations).solve(rows, solver);
 }
 
 }  // namespace ffcontact

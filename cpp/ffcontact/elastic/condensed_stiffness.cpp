@@ -123,17 +123,27 @@ AnyCholesky factorised(const SparseMatrix& lower, int kept,
   return regular_factor<float>(lower, kept);
 }
 
-/// S, taken out of the factor.
-MatrixXd schur_of(AnyCholesky& factor) {
-  return std::visit(
-      [](auto& own) -> MatrixXd {
-        auto S = own.take_schur();
-        if constexpr (std::is_same_v<decltype(S), MatrixXd>)
-          return S;
-        else
-          return S.template cast<double>();
-      },
-      factor);
+/// R^-1 S R^-1 of a Schur complement that is not needed any more.
+template <class Scalar>
+MatrixXd unscaled(Matrix<Scalar, Dynamic, Dynamic> S, const VectorXd& R) {
+  MatrixXd result;
+  if constexpr (std::is_same_v<Scalar, double>)
+    result.swap(S);
+  else
+    result.resize(S.rows(), S.cols());
+#pragma omp parallel for
+  for (Index j = 0; j < result.cols(); ++j) {
+    if constexpr (!std::is_same_v<Scalar, double>)
+      result.col(j) = S.col(j).template cast<double>();
+    result.col(j).array() /= R.array() * R[j];
+  }
+  return result;
+}
+
+/// S, taken out of the factor of R K R.
+MatrixXd schur_of(AnyCholesky& factor, const VectorXd& R) {
+  return std::visit([&R](auto& own) { return unscaled(own.take_schur(), R); },
+                    factor);
 }
 
 }  // namespace
@@ -167,11 +177,7 @@ struct CondensedStiffness::Factor {
         cholesky(factorised(
             Eliminated{system.stiffness, order, place, scale}.lower_triangle(),
             static_cast<int>(kept.size()), precision)),
-        schur(schur_of(cholesky)) {
-    const VectorXd R = scale(kept);
-    for (Index j = 0; j < kept_count(); ++j)
-      schur.col(j).array() /= R.array() * R[j];
-  }
+        schur(schur_of(cholesky, scale(kept))) {}
 
   Index kept_count() const { return static_cast<Index>(kept.size()); }
 

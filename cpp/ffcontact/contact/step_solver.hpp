@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ffcontact/base/refined_solver.hpp"
+#include "ffcontact/contact/inexact_step.hpp"
+#include "ffcontact/contact/singular_system.hpp"
+
+namespace ffcontact {
+
+/// How the steps of surface_newton are solved; what one leaves serves the next ones.
+class StepSolver {
+ public:
+  /// To rounding (solve_surface_step).
+  StepSolver() = default;
+  /// By InexactStep, and to rounding where that cannot be.
+  /// @param held  of surface_trace [3 p]
+  StepSolver(const CondensedContact& contact, const std::vector<char>& held);
+
+  /// @param rows  the last ones, then the next
+  SystemKind solve(const CondensedContact& contact,
+                   const SurfaceEquations& equations, ContactRows& rows);
+
+ private:
+  std::optional<InexactStep> inexact_;
+  RefinedSolver exact_;
+};
+
+}  // namespace ffcontact
