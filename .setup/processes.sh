@@ -6,5 +6,8 @@ processes=$1 freefem=$2
 shift 2
 threads=$(($(nproc) / processes))
 export OMP_NUM_THREADS="${OMP_NUM_THREADS-$((threads > 0 ? threads : 1))}"
+# One machine: messages in shared memory, without what a container forbids, and no ssh.
+export OMPI_MCA_btl="${OMPI_MCA_btl-self,vader}" OMPI_MCA_plm_rsh_agent="${OMPI_MCA_plm_rsh_agent-sh}"
+export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_copy_mechanism-none}"
 if [ "$(id -u)" = 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 exec mpirun --quiet --oversubscribe -np "$processes" "$freefem" -mpi "$@"
