@@ -63,8 +63,8 @@ class CondensedStiffness {
 
   /// The displacement on all dofs (0 on prescribed ones) that has u_c on the kept dofs
   /// and balances the load on the others.
-  virtual VectorXd extended(
-      Load load, const Ref<const VectorXd>& kept_displacement) const;
+  virtual VectorXd extended(Load load,
+                            const Ref<const VectorXd>& kept_displacement) const;
 
  protected:
   CondensedStiffness();  ///< whose factor is elsewhere
