@@ -34,6 +34,7 @@ struct PlaneBodies : BodyDofs {
  private:
   static JoinedMesh joined_meshes(const std::vector<pmesh>& fem_meshes) {
     std::vector<Mesh> meshes;
+    meshes.reserve(fem_meshes.size());
     for (pmesh fem_mesh : fem_meshes) meshes.push_back(mesh_of(fem_mesh));
     return joined_mesh(meshes);
   }

@@ -43,6 +43,7 @@ struct SolidBodies : BodyDofs {
  private:
   static JoinedSolids joined_solids(const std::vector<pmesh3>& fem_meshes) {
     std::vector<SolidMesh> meshes;
+    meshes.reserve(fem_meshes.size());
     for (pmesh3 fem_mesh : fem_meshes)
       meshes.push_back(solid_mesh_of(fem_mesh));
     return joined_mesh(meshes);
