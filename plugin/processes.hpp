@@ -44,8 +44,7 @@ class Processes {
   /// @param rows  of the whole matrix, and how many of them are kept
   /// @throws std::runtime_error  on all processes, if the matrix is not positive definite
   ///                             or memory is missing on one
-  virtual std::unique_ptr<SharedFactor> factorised(const MatrixPart& part,
-                                                   int rows,
+  virtual std::unique_ptr<SharedFactor> factorised(MatrixPart part, int rows,
                                                    int kept) const = 0;
 };
 

@@ -4,17 +4,13 @@
 #include <functional>
 
 #include "contact_type.hpp"
-#include "material_and_loads.hpp"
+#include "plane_error.hpp"
 #include "shared_contact.hpp"
 #include "solid_error.hpp"
 
 /// Estimates and sizes where processes share the bodies: each reads its part of the data,
 /// process 0 does the rest.
 namespace ffcontact::plugin {
-
-/// Reads the elastic law and the loads of plane bodies into what is judged.
-using ReadPlane =
-    std::function<Oscillation(const PlaneBodies& bodies, SolvedBody& body)>;
 
 /// contacterror.
 /// @param read   what the script says of a process's bodies

@@ -49,7 +49,7 @@ Outputs outputs_of(const Outputs& whole, const SharedBodies<dim>& bodies,
     if (!on_cells && known.name != "size") continue;
     const MeshParts<dim>& parts = bodies.parts.at(known.body);
     const auto& numbers = on_cells ? parts.cell : parts.vertex;
-    values = of_part(VectorXd(values), numbers[rank], count_in_whole(numbers));
+    values = of_part(values, numbers[rank], count_in_whole(numbers));
   }
   return own;
 }

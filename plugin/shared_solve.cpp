@@ -19,21 +19,18 @@ namespace ffcontact::plugin {
 namespace {
 
 void put(const ElasticSystem& system, Packet& packet) {
-  const RowMatrix& K = system.stiffness;
-  std::vector<int> row, column;
-  std::vector<double> value;
-  for (int i = 0; i < system.dof_count(); ++i)
-    for (RowMatrix::InnerIterator e(K, i); e; ++e) {
-      row.push_back(i);
-      column.push_back(static_cast<int>(e.col()));
-      value.push_back(e.value());
-    }
-  packet.put(row).put(column).put(value);
+  const RowMatrix& K = system.stiffness;  // compressed
+  const auto list = [](const auto* first, Index count) {
+    return std::vector(first, first + count);
+  };
+  packet.put(list(K.outerIndexPtr(), K.rows() + 1))
+      .put(list(K.innerIndexPtr(), K.nonZeros()))
+      .put(list(K.valuePtr(), K.nonZeros()));
   packet.put(system.load).put(system.prescribed).put(system.prescribed_value);
 }
 
 ElasticSystem system_in(Packet& packet, int dimension) {
-  const auto row = packet.take<std::vector<int>>(),
+  const auto first = packet.take<std::vector<int>>(),
              column = packet.take<std::vector<int>>();
   const auto value = packet.take<std::vector<double>>();
   ElasticSystem system;
@@ -41,11 +38,9 @@ ElasticSystem system_in(Packet& packet, int dimension) {
   system.prescribed = packet.take<std::vector<char>>();
   system.prescribed_value = packet.take<VectorXd>();
   system.dimension = dimension;
-  Triplets entries;
-  for (std::size_t k = 0; k < row.size(); ++k)
-    entries.emplace_back(row[k], column[k], value[k]);
   const Index n = system.load.size();
-  system.stiffness = packed<RowMatrix>(n, n, entries);
+  system.stiffness = Map<const RowMatrix>(n, n, count_of(value), first.data(),
+                                          column.data(), value.data());
   return system;
 }
 
@@ -86,20 +81,15 @@ long solve_whole(const SolveCall& call, Contact& contact,
 
 ShownNodes solved_nodes(const Contact& contact, const SharedBodies<2>& bodies,
                         int rank) {
-  ShownNodes shown = shown_nodes(*contact.problem, bodies, rank);
-  if (contact.solved)
-    take(contact.solved->nodes, nodes_of(*contact.problem, bodies, rank),
-         shown);
-  return shown;
+  return shown_nodes(*contact.problem, bodies, rank,
+                     contact.solved ? &contact.solved->nodes : nullptr);
 }
 
 ShownNodes solved_nodes(const Contact& contact, const SharedBodies<3>& bodies,
                         int rank) {
   const SolidContact& solid = contact.solid;
-  ShownNodes shown = shown_nodes(*solid.problem, bodies, rank);
-  if (solid.solved)
-    take(solid.solved->nodes, nodes_of(*solid.problem, bodies, rank), shown);
-  return shown;
+  return shown_nodes(*solid.problem, bodies, rank,
+                     solid.solved ? &solid.solved->nodes : nullptr);
 }
 
 /// Outputs at the nodes are those of ShownNodes.

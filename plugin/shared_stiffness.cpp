@@ -2,18 +2,22 @@
 #include "shared_stiffness.hpp"
 
 #include <cmath>
-#include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/scaled_stiffness.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
 
+/// The free dofs in any order, but for the kept ones.
 std::vector<int> kept_last(const ElasticSystem& system,
                            const std::vector<int>& kept) {
+  require_kept(system, kept);
   std::vector<char> is_kept(system.prescribed.size(), 0);
   for (int dof : kept) is_kept[dof] = 1;
   std::vector<int> order;
@@ -23,18 +27,11 @@ std::vector<int> kept_last(const ElasticSystem& system,
   return order;
 }
 
-VectorXd scale_of(const ElasticSystem& system) {
-  VectorXd scale = system.stiffness.diagonal();
-  for (double& value : scale) value = value > 0 ? 1 / std::sqrt(value) : 1;
-  return scale;
-}
-
 /// What each process has to know of an order.
 std::vector<FactorOrder> orders_of(const std::vector<std::vector<int>>& dofs,
                                    const std::vector<int>& order, int kept,
                                    const VectorXd& scale) {
-  std::vector<int> place(scale.size(), -1);
-  for (int k = 0; k < count_of(order); ++k) place[order[k]] = k;
+  const std::vector<int> place = places(order, scale.size());
   std::vector<FactorOrder> orders;
   for (const std::vector<int>& own : dofs) {
     FactorOrder of_part{count_of(order), kept, {}, scale(own)};
@@ -70,13 +67,11 @@ SharedStiffness::SharedStiffness(std::shared_ptr<Team> team,
                                  const std::vector<int>& kept)
     : team_(std::move(team)),
       order_(kept_last(system, kept)),
-      scale_(scale_of(system)) {
+      scale_(inverse_roots(system)) {
   std::tie(factor_, schur_) = team_->factorise(
       orders_of(dofs, order_, count_of(kept), scale_),
       [&own](const FactorOrder& order) { return matrix_part(own, order); });
-  const VectorXd R = scale_(kept);
-  for (Index j = 0; j < kept_count(); ++j)
-    schur_.col(j).array() /= R.array() * R[j];
+  schur_ = unscaled(std::move(schur_), scale_(kept));
   require_regular(system);
 }
 
@@ -91,10 +86,7 @@ void SharedStiffness::require_regular(const ElasticSystem& system) const {
   const VectorXd kept = u(order_).tail(kept_count());
   const VectorXd found = extended(condensed(system.stiffness * u), kept);
   const VectorXd wrong = (found - u)(order_).cwiseQuotient(scale_(order_));
-  if (!(max_norm(wrong) <= much))
-    throw std::runtime_error(
-        "the stiffness matrix is singular: a part of the body is held neither "
-        "by prescribed displacements nor by contact");
+  if (!(max_norm(wrong) <= much)) fail_as_singular();
 }
 
 CondensedStiffness::Load SharedStiffness::condensed(

@@ -38,28 +38,44 @@ int body_of_node(const std::vector<long>& first_node,
   return bodies.parts.size() == 1 ? 0 : pair_of(first_node, node);
 }
 
+/// The nodes of a process in the problem, and their vertices in its parts.
+struct NodesOfProcess {
+  std::vector<int> node;
+  std::vector<long> own_vertex;
+};
+
 template <class Problem, int dim>
-ShownNodes numbered_nodes(const Problem& problem,
-                          const SharedBodies<dim>& bodies, int rank) {
+NodesOfProcess nodes_of(const Problem& problem, const SharedBodies<dim>& bodies,
+                        int rank) {
   const auto own = own_numbers(bodies, rank);
-  ShownNodes shown;
-  shown.side = problem.side;
-  shown.first_node.assign(problem.first_node.size(), 0);
-  for (int node : nodes_of(problem, bodies, rank)) {
-    const int body = body_of_node(problem.first_node, bodies, node);
-    shown.own_vertex.push_back(own[body].at(problem.own_vertex[node]));
-    for (auto k = pair_of(problem.first_node, node) + 1;
-         k < count_of(problem.first_node); ++k)
-      ++shown.first_node[k];
+  NodesOfProcess nodes;
+  for (int i = 0; i < count_of(problem.own_vertex); ++i) {
+    const auto& of_body = own[body_of_node(problem.first_node, bodies, i)];
+    const auto found = of_body.find(problem.own_vertex[i]);
+    if (found == of_body.end()) continue;
+    nodes.node.push_back(i);
+    nodes.own_vertex.push_back(found->second);
   }
+  return nodes;
+}
+
+template <class Problem>
+ShownNodes numbered(const Problem& problem, const NodesOfProcess& nodes) {
+  ShownNodes shown;
+  shown.own_vertex = nodes.own_vertex;
+  shown.side = problem.side;
+  for (long first : problem.first_node)
+    shown.first_node.push_back(
+        std::lower_bound(nodes.node.begin(), nodes.node.end(), first) -
+        nodes.node.begin());
   return shown;
 }
 
-std::vector<long> at(const std::vector<long>& values,
-                     const std::vector<int>& nodes) {
-  std::vector<long> chosen;
-  for (int node : nodes) chosen.push_back(values[node]);
-  return chosen;
+template <class Results, class Arrays>
+void choose(const Results& all, const Arrays& arrays,
+            const std::vector<int>& nodes, Results& chosen) {
+  for (auto array : arrays) chosen.*array = (all.*array)(nodes);
+  for (int node : nodes) chosen.state.push_back(all.state[node]);
 }
 
 template <class Results, class Arrays>
@@ -76,51 +92,28 @@ void take(Packet& packet, const Arrays& arrays, Results& results) {
 
 }  // namespace
 
-template <class Problem, int dim>
-std::vector<int> nodes_of(const Problem& problem,
-                          const SharedBodies<dim>& bodies, int rank) {
-  const auto own = own_numbers(bodies, rank);
-  std::vector<int> nodes;
-  for (int node = 0; node < count_of(problem.own_vertex); ++node)
-    if (own[body_of_node(problem.first_node, bodies, node)].count(
-            problem.own_vertex[node]) > 0)
-      nodes.push_back(node);
-  return nodes;
-}
-
-template std::vector<int> nodes_of(const ContactProblem&,
-                                   const SharedBodies<2>&, int);
-template std::vector<int> nodes_of(const SolidProblem&, const SharedBodies<3>&,
-                                   int);
-
 ShownNodes shown_nodes(const ContactProblem& problem,
-                       const SharedBodies<2>& bodies, int rank) {
-  ShownNodes shown = numbered_nodes(problem, bodies, rank);
-  shown.abscissa = problem.abscissa(nodes_of(problem, bodies, rank));
+                       const SharedBodies<2>& bodies, int rank,
+                       const NodalResults* solved) {
+  const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
+  ShownNodes shown = numbered(problem, nodes);
+  shown.abscissa = problem.abscissa(nodes.node);
+  if (!solved) return shown;
+  shown.solved = true;
+  choose(*solved, arrays_of_plane_bodies, nodes.node, shown.plane);
   return shown;
 }
 
 ShownNodes shown_nodes(const SolidProblem& problem,
-                       const SharedBodies<3>& bodies, int rank) {
-  ShownNodes shown = numbered_nodes(problem, bodies, rank);
-  shown.normal =
-      problem.surface.normal(Eigen::all, nodes_of(problem, bodies, rank));
+                       const SharedBodies<3>& bodies, int rank,
+                       const SolidResults* solved) {
+  const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
+  ShownNodes shown = numbered(problem, nodes);
+  shown.normal = problem.surface.normal(Eigen::all, nodes.node);
+  if (!solved) return shown;
+  shown.solved = true;
+  choose(*solved, arrays_of_solids, nodes.node, shown.solid);
   return shown;
-}
-
-void take(const NodalResults& all, const std::vector<int>& nodes,
-          ShownNodes& shown) {
-  for (auto array : arrays_of_plane_bodies)
-    shown.plane.*array = (all.*array)(nodes);
-  shown.plane.state = at(all.state, nodes);
-  shown.solved = true;
-}
-
-void take(const SolidResults& all, const std::vector<int>& nodes,
-          ShownNodes& shown) {
-  for (auto array : arrays_of_solids) shown.solid.*array = (all.*array)(nodes);
-  shown.solid.state = at(all.state, nodes);
-  shown.solved = true;
 }
 
 void put(const ShownNodes& nodes, Packet& packet) {

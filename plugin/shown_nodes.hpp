@@ -10,21 +10,13 @@
 namespace ffcontact::plugin {
 
 /// The nodes at the vertices of one process's parts.
-template <class Problem, int dim>
-std::vector<int> nodes_of(const Problem& problem,
-                          const SharedBodies<dim>& bodies, int rank);
-
-/// Those nodes, without what a solution leaves there.
+/// @param solved  what a solution left at all nodes; null: nothing
 ShownNodes shown_nodes(const ContactProblem& problem,
-                       const SharedBodies<2>& bodies, int rank);
+                       const SharedBodies<2>& bodies, int rank,
+                       const NodalResults* solved = nullptr);
 ShownNodes shown_nodes(const SolidProblem& problem,
-                       const SharedBodies<3>& bodies, int rank);
-
-/// What a solution left at some of the nodes.
-void take(const NodalResults& all, const std::vector<int>& nodes,
-          ShownNodes& shown);
-void take(const SolidResults& all, const std::vector<int>& nodes,
-          ShownNodes& shown);
+                       const SharedBodies<3>& bodies, int rank,
+                       const SolidResults* solved = nullptr);
 
 void put(const ShownNodes& nodes, Packet& packet);
 ShownNodes nodes_in(Packet& packet);

@@ -61,8 +61,9 @@ void Team::release(int rank, const Packet& results) const {
   tell(rank, Word::done, results);
 }
 
-void Team::make(long number, const MatrixPart& part, const FactorOrder& order) {
-  factors_[number] = processes_->factorised(part, order.rows, order.kept);
+void Team::make(long number, MatrixPart part, const FactorOrder& order) {
+  factors_[number] =
+      processes_->factorised(std::move(part), order.rows, order.kept);
 }
 
 void Team::forget(const std::vector<long>& factors) {
@@ -80,11 +81,11 @@ std::pair<long, MatrixXd> Team::factorise(
     put(packet, orders[r]);
     tell(r, Word::prepare, packet);
   }
-  const MatrixPart part = own(orders[0]);
+  MatrixPart part = own(orders[0]);
   for (int r = 1; r < count(); ++r) answer_of(r);
   tell_all(Word::factorise);
   forget(discarded);
-  make(number, part, orders[0]);
+  make(number, std::move(part), orders[0]);
   return {number, factors_.at(number)->take_schur()};
 }
 

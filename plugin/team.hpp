@@ -84,7 +84,7 @@ class Team {
   void tell(int rank, Word word, const Packet& packet = {}) const;
   void tell_all(Word word, const Packet& packet = {}) const;
   Packet answer_of(int rank) const;
-  void make(long number, const MatrixPart& part, const FactorOrder& order);
+  void make(long number, MatrixPart part, const FactorOrder& order);
   void forget(const std::vector<long>& factors);
 
   std::unique_ptr<Processes> processes_;

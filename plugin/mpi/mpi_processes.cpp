@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "mumps_factor.hpp"
 
@@ -48,9 +49,9 @@ class MpiProcesses : public Processes {
     return bytes;
   }
 
-  std::unique_ptr<SharedFactor> factorised(const MatrixPart& part, int rows,
+  std::unique_ptr<SharedFactor> factorised(MatrixPart part, int rows,
                                            int kept) const override {
-    return mumps_factor(of_factors_, part, rows, kept);
+    return mumps_factor(of_factors_, std::move(part), rows, kept);
   }
 
  private:

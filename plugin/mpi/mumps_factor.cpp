@@ -7,6 +7,10 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "ffcontact/base/symmetric.hpp"
+#include "ffcontact/elastic/scaled_stiffness.hpp"
 
 namespace ffcontact::plugin {
 
@@ -18,10 +22,7 @@ constexpr int positive_definite = 1, host_works = 1;
 [[noreturn]] void fail(int info, int detail) {
   switch (info) {
     case -40:
-    case -10:
-      throw std::runtime_error(
-          "the stiffness matrix is singular: a part of the body is held "
-          "neither by prescribed displacements nor by contact");
+    case -10: fail_as_singular();
     case -9:
     case -13:
     case -19: throw std::runtime_error("out of memory");
@@ -40,7 +41,7 @@ bool is_finalised() {
 
 class MumpsFactor : public SharedFactor {
  public:
-  MumpsFactor(MPI_Comm communicator, const MatrixPart& part, int rows, int kept)
+  MumpsFactor(MPI_Comm communicator, MatrixPart part, int rows, int kept)
       : rows_(rows), kept_(kept) {
     MPI_Comm_rank(communicator, &rank_);
     mumps_.par = host_works;
@@ -49,6 +50,7 @@ class MumpsFactor : public SharedFactor {
     run(begin);
     settle();
     give(part);
+    if (kept_ == 0) control(19) = 0;
     keep_last_rows();
     try {
       run(analyse_and_factorise);
@@ -61,14 +63,12 @@ class MumpsFactor : public SharedFactor {
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
 
-  /// Of a symmetric matrix MUMPS gives one triangle.
+  /// Of a symmetric matrix MUMPS gives one triangle, by rows the lower one.
   MatrixXd take_schur() override {
     if (rank_ != 0) return {};
-    const MatrixXd lower = schur_.triangularView<Eigen::Upper>();
-    schur_.resize(0, 0);
-    MatrixXd whole = lower + lower.transpose();
-    whole.diagonal() /= 2;
-    return whole;
+    schur_.transposeInPlace();
+    mirror_lower(schur_);
+    return std::move(schur_);
   }
 
   VectorXd condensed(const VectorXd& load) override {
@@ -110,28 +110,25 @@ class MumpsFactor : public SharedFactor {
   }
 
   /// A first row of its own, so that there is one which is not kept; MUMPS counts from 1.
-  void give(const MatrixPart& part) {
-    row_ = part.row;
-    column_ = part.column;
-    value_ = part.value;
-    for (int& i : row_) i += 2;
-    for (int& j : column_) j += 2;
+  /// @param part  stays until the matrix is factorised
+  void give(MatrixPart& part) {
+    for (int& i : part.row) i += 2;
+    for (int& j : part.column) j += 2;
     if (rank_ == 0) {
-      row_.push_back(1);
-      column_.push_back(1);
-      value_.push_back(1);
+      part.row.push_back(1);
+      part.column.push_back(1);
+      part.value.push_back(1);
     }
     mumps_.n = rows_ + 1;
-    mumps_.nnz_loc = static_cast<MUMPS_INT8>(value_.size());
-    mumps_.irn_loc = row_.data();
-    mumps_.jcn_loc = column_.data();
-    mumps_.a_loc = value_.data();
+    mumps_.nnz_loc = static_cast<MUMPS_INT8>(part.value.size());
+    mumps_.irn_loc = part.row.data();
+    mumps_.jcn_loc = part.column.data();
+    mumps_.a_loc = part.value.data();
   }
 
   void keep_last_rows() {
     list_.resize(kept_);
     std::iota(list_.begin(), list_.end(), rows_ - kept_ + 2);
-    if (kept_ == 0) control(19) = 0;
     mumps_.size_schur = kept_;
     mumps_.listvar_schur = list_.data();
     if (rank_ == 0) schur_ = MatrixXd::Zero(kept_, kept_);
@@ -158,8 +155,7 @@ class MumpsFactor : public SharedFactor {
 
   DMUMPS_STRUC_C mumps_{};
   int rank_ = 0, rows_, kept_;
-  std::vector<int> row_, column_, list_;
-  std::vector<double> value_;
+  std::vector<int> list_;
   MatrixXd schur_;
   VectorXd solution_, reduced_;
 };
@@ -167,9 +163,10 @@ class MumpsFactor : public SharedFactor {
 }  // namespace
 
 std::unique_ptr<SharedFactor> mumps_factor(MPI_Comm communicator,
-                                           const MatrixPart& part, int rows,
+                                           MatrixPart part, int rows,
                                            int kept) {
-  return std::make_unique<MumpsFactor>(communicator, part, rows, kept);
+  return std::make_unique<MumpsFactor>(communicator, std::move(part), rows,
+                                       kept);
 }
 
 }  // namespace ffcontact::plugin

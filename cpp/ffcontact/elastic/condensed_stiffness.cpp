@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -13,54 +9,11 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/elimination_order.hpp"
 #include "ffcontact/elastic/partial_cholesky.hpp"
+#include "ffcontact/elastic/scaled_stiffness.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Place of each dof in the elimination order; prescribed ones -1.
-std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {
-  std::vector<int> place(dofs, -1);
-  int next = 0;
-  for (int dof : order) place[dof] = next++;
-  return place;
-}
-
-/// K_ii^-1/2; 1 where nothing holds a dof, which shows in the factor.
-double inverse_root(const ElasticSystem& system, int dof) {
-  if (system.prescribed[dof]) return 1;
-  const double own = system.stiffness.coeff(dof, dof);
-  return own > 0 ? 1 / std::sqrt(own) : 1;
-}
-
-/// R [all dofs], 1 where prescribed.
-VectorXd inverse_roots(const ElasticSystem& system) {
-  VectorXd roots(system.dof_count());
-  for (int dof = 0; dof < system.dof_count(); ++dof)
-    roots[dof] = inverse_root(system, dof);
-  return roots;
-}
-
-void require_free(const ElasticSystem& system, int dof) {
-  if (dof < 0 || dof >= system.dof_count() || system.prescribed[dof])
-    refuse("kept dof ", dof, " is prescribed or does not exist");
-}
-
-double memory_of_the_machine() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-void require_kept(const ElasticSystem& system, const std::vector<int>& kept) {
-  require_room_for_schur(static_cast<int>(kept.size()),
-                         memory_of_the_machine());
-  std::vector<char> met(system.dof_count(), 0);
-  for (int dof : kept) {
-    require_free(system, dof);
-    if (met[dof]) refuse("kept dof ", dof, " is listed twice");
-    met[dof] = 1;
-  }
-}
 
 /// R K R in elimination order.
 struct Eliminated {
@@ -110,10 +63,7 @@ template <class Scalar>
 PartialCholesky<Scalar> regular_factor(const SparseMatrix& lower, int kept) {
   PartialCholesky<Scalar> factor(lower, kept);
   constexpr double least = std::is_same_v<Scalar, double> ? 1e-15 : 1e-6;
-  if (factor.reciprocal_condition() < least)
-    throw std::runtime_error(
-        "the stiffness matrix is singular: a part of the body is held neither "
-        "by prescribed displacements nor by contact");
+  if (factor.reciprocal_condition() < least) fail_as_singular();
   return factor;
 }
 
@@ -123,23 +73,6 @@ AnyCholesky factorised(const SparseMatrix& lower, int kept,
   return regular_factor<float>(lower, kept);
 }
 
-/// R^-1 S R^-1 of a Schur complement that is not needed any more.
-template <class Scalar>
-MatrixXd unscaled(Matrix<Scalar, Dynamic, Dynamic> S, const VectorXd& R) {
-  MatrixXd result;
-  if constexpr (std::is_same_v<Scalar, double>)
-    result.swap(S);
-  else
-    result.resize(S.rows(), S.cols());
-#pragma omp parallel for
-  for (Index j = 0; j < result.cols(); ++j) {
-    if constexpr (!std::is_same_v<Scalar, double>)
-      result.col(j) = S.col(j).template cast<double>();
-    result.col(j).array() /= R.array() * R[j];
-  }
-  return result;
-}
-
 /// S, taken out of the factor of R K R.
 MatrixXd schur_of(AnyCholesky& factor, const VectorXd& R) {
   return std::visit([&R](auto& own) { return unscaled(own.take_schur(), R); },
@@ -147,17 +80,6 @@ MatrixXd schur_of(AnyCholesky& factor, const VectorXd& R) {
 }
 
 }  // namespace
-
-void require_room_for_schur(int kept, double memory) {
-  constexpr double gigabyte = 1e9;
-  const double needed = 3.0 * kept * kept * sizeof(double);
-  if (needed > memory / 2)
-    refuse(kept, " free dofs where bodies may touch need dense matrices of ",
-           needed / gigabyte, " GB, more than half of the memory (",
-           memory / gigabyte,
-           " GB): state contact on a smaller part of the boundary, or on a "
-           "coarser mesh");
-}
 
 struct CondensedStiffness::Factor {
   std::vector<int> kept;

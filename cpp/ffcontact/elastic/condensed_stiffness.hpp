@@ -9,11 +9,6 @@
 
 namespace ffcontact {
 
-/// @param memory  of the machine [bytes]
-/// @throws std::invalid_argument  if Schur's complement on so many dofs, in the three
-///                                copies that contact works with, takes more than half
-void require_room_for_schur(int kept, double memory);
-
 /// What a factor is computed and kept in.
 enum class Precision { full, single };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/system_parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ffcontact/base/packed.hpp"

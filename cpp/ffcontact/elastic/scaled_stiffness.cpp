@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/elastic/scaled_stiffness.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <type_traits>
+
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// K_ii^-1/2; 1 where nothing holds a dof, which shows in the factor.
+double inverse_root(const ElasticSystem& system, int dof) {
+  if (system.prescribed[dof]) return 1;
+  const double own = system.stiffness.coeff(dof, dof);
+  return own > 0 ? 1 / std::sqrt(own) : 1;
+}
+
+void require_free(const ElasticSystem& system, int dof) {
+  if (dof < 0 || dof >= system.dof_count() || system.prescribed[dof])
+    refuse("kept dof ", dof, " is prescribed or does not exist");
+}
+
+double memory_of_the_machine() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+void require_room_for_schur(int kept, double memory) {
+  constexpr double gigabyte = 1e9;
+  const double needed = 3.0 * kept * kept * sizeof(double);
+  if (needed > memory / 2)
+    refuse(kept, " free dofs where bodies may touch need dense matrices of ",
+           needed / gigabyte, " GB, more than half of the memory (",
+           memory / gigabyte,
+           " GB): state contact on a smaller part of the boundary, or on a "
+           "coarser mesh");
+}
+
+void require_kept(const ElasticSystem& system, const std::vector<int>& kept) {
+  require_room_for_schur(static_cast<int>(kept.size()),
+                         memory_of_the_machine());
+  std::vector<char> met(system.dof_count(), 0);
+  for (int dof : kept) {
+    require_free(system, dof);
+    if (met[dof]) refuse("kept dof ", dof, " is listed twice");
+    met[dof] = 1;
+  }
+}
+
+VectorXd inverse_roots(const ElasticSystem& system) {
+  VectorXd roots(system.dof_count());
+  for (int dof = 0; dof < system.dof_count(); ++dof)
+    roots[dof] = inverse_root(system, dof);
+  return roots;
+}
+
+std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {
+  std::vector<int> place(dofs, -1);
+  int next = 0;
+  for (int dof : order) place[dof] = next++;
+  return place;
+}
+
+template <class Scalar>
+MatrixXd unscaled(Matrix<Scalar, Dynamic, Dynamic> S, const VectorXd& R) {
+  MatrixXd result;
+  if constexpr (std::is_same_v<Scalar, double>)
+    result.swap(S);
+  else
+    result.resize(S.rows(), S.cols());
+#pragma omp parallel for
+  for (Index j = 0; j < result.cols(); ++j) {
+    if constexpr (!std::is_same_v<Scalar, double>)
+      result.col(j) = S.col(j).template cast<double>();
+    result.col(j).array() /= R.array() * R[j];
+  }
+  return result;
+}
+
+template MatrixXd unscaled(MatrixXd, const VectorXd&);
+template MatrixXd unscaled(Matrix<float, Dynamic, Dynamic>, const VectorXd&);
+
+void fail_as_singular() {
+  throw std::runtime_error(
+      "the stiffness matrix is singular: a part of the body is held neither by "
+      "prescribed displacements nor by contact");
+}
+
+}  // namespace ffcontact
