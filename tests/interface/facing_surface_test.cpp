@@ -36,14 +36,18 @@ struct Pair {
 
 int random_count(Random& random) { return 1 + static_cast<int>(random() % 4); }
 
-/// An upper brick on (0, 3) x (0, 2), turned about z, above a lower one of other cells
-/// that may be larger or smaller than it.
+/// An upper brick on (0, 3) x (0, 2), turned about its axis along z, above a lower one of
+/// other cells that may be larger or smaller than it. Shifts up to (1.5, 1) keep the axis
+/// in both.
 Pair random_pair(double turn, const Vector2d& shift, Random& random) {
   SolidMesh upper =
       random_brick({random_count(random), random_count(random), 1}, {0, 0, 0},
                    {3, 2, 1}, random);
-  upper.vertices =
-      Eigen::AngleAxisd(turn, Vector3d::UnitZ()).matrix() * upper.vertices;
+  const Vector3d axis(1.5, 1, 0);
+  upper.vertices = (Eigen::AngleAxisd(turn, Vector3d::UnitZ()).matrix() *
+                    (upper.vertices.colwise() - axis))
+                       .colwise() +
+                   axis;
   return Pair(upper,
               random_brick({random_count(random), random_count(random), 1},
                            {shift.x(), shift.y(), -1}, {3, 2, 1}, random));
