@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <cmath>
+
 #include "support/random.hpp"
 
 namespace ffcontact {
@@ -36,6 +38,11 @@ RC_GTEST_PROP(SparseLu, transforms_symmetric_matrices, (Random random)) {
                  S = half + half.transpose();
   const SparseLu lu(A.sparseView());
   const MatrixXd T = lu.congruent(S);
+  const double a = std::exp(*real(-40, 40)), s = std::exp(*real(-70, 70));
+  const MatrixXd rough =
+      SparseLu((a * A).sparseView(0, 0)).congruent_in_single_precision(s * S);
+  RC_ASSERT((a * a / s * rough - T).norm() < 1e-4 * T.norm());
+  RC_ASSERT(rough == rough.transpose());
   RC_ASSERT((A.transpose() * T * A - S).norm() < 1e-12 * S.norm());
   RC_ASSERT(T == T.transpose());
   omp_set_num_threads(2);

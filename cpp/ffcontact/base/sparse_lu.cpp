@@ -3,8 +3,11 @@
 
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
+#include "ffcontact/base/single.hpp"
 #include "ffcontact/base/symmetric.hpp"
 
 namespace ffcontact {
@@ -18,91 +21,144 @@ bool equals_identity(const SparseMatrix& A) {
   return true;
 }
 
-/// Right-hand sides that are solved at once, with all of an unknown side by side.
-constexpr int together = 8;
-using Together = Matrix<double, together, Dynamic>;
-using OneOfAll = Matrix<double, together, 1>;
+/// Right-hand sides that are solved at once, with all of an unknown side by side: as many
+/// as fill a line of the cache.
+template <class Scalar>
+constexpr int together = 64 / sizeof(Scalar);
+template <class Scalar>
+using Together = Matrix<Scalar, together<Scalar>, Dynamic>;
+template <class Scalar>
+using OneOfAll = Matrix<Scalar, together<Scalar>, 1>;
 
+template <class Scalar>
 struct Entry {
   int row;
-  double value;
+  Scalar value;
 };
 
 /// A column of L and U above each other, without the unit diagonal of L.
+template <class Scalar>
 struct FactorColumn {
-  std::vector<Entry> upper, lower;
-  double diagonal = 0;
+  std::vector<Entry<Scalar>> upper, lower;
+  Scalar diagonal = 0;
 
   void put(int row, int column, double value) {
+    const auto rounded = static_cast<Scalar>(value);
     if (row == column)
-      diagonal = value;
+      diagonal = rounded;
     else
-      (row < column ? upper : lower).push_back({row, value});
+      (row < column ? upper : lower).push_back({row, rounded});
   }
 };
 
-using EigenLu = Eigen::SparseLU<SparseMatrix>;
+/// That of A + A', which is symmetric but for frames that turn.
+struct MinimumDegree {
+  using PermutationType = Eigen::PermutationMatrix<Dynamic, Dynamic, int>;
+  template <class Matrix>
+  void operator()(const Matrix& A, PermutationType& order) {
+    PermutationType inverse;
+    Eigen::AMDOrdering<int>()(SparseMatrix(A), inverse);
+    order = inverse.inverse();
+  }
+};
+using EigenLu = Eigen::SparseLU<SparseMatrix, MinimumDegree>;
 
-/// Eigen keeps the blocks on U's diagonal among the columns of L.
-std::vector<FactorColumn> columns_of(const EigenLu& lu) {
+/// L and U / size, with the blocks on U's diagonal that Eigen keeps among the columns of L.
+template <class Scalar>
+std::vector<FactorColumn<Scalar>> columns_of(const EigenLu& lu, double size) {
   const auto U = lu.matrixU();
   using InL = std::decay_t<decltype(U.m_mapL)>;
   using InU = std::decay_t<decltype(U.m_mapU)>;
-  std::vector<FactorColumn> columns(lu.cols());
+  std::vector<FactorColumn<Scalar>> columns(lu.cols());
   for (int j = 0; j < lu.cols(); ++j) {
+    const auto put = [&](Index row, double value) {
+      const auto i = static_cast<int>(row);
+      columns[j].put(i, j, i <= j ? value / size : value);
+    };
     for (typename InL::InnerIterator e(U.m_mapL, j); e; ++e)
-      columns[j].put(static_cast<int>(e.row()), j, e.value());
+      put(e.row(), e.value());
     for (typename InU::InnerIterator e(U.m_mapU, j); e; ++e)
-      columns[j].put(static_cast<int>(e.index()), j, e.value());
+      put(e.index(), e.value());
   }
   return columns;
 }
 
 /// X - the entries times their rows' unknowns.
-OneOfAll without(const std::vector<Entry>& entries, const Together& X,
-                 OneOfAll x) {
-  for (const Entry& e : entries) x -= e.value * X.col(e.row);
+template <class Scalar>
+OneOfAll<Scalar> without(const std::vector<Entry<Scalar>>& entries,
+                         const Together<Scalar>& X, OneOfAll<Scalar> x) {
+  for (const Entry<Scalar>& e : entries) x -= e.value * X.col(e.row);
   return x;
 }
 
 /// U'^-1, then L'^-1.
-void solve_transposed(const std::vector<FactorColumn>& LU, Together& X) {
+template <class Scalar>
+void solve_transposed(const std::vector<FactorColumn<Scalar>>& LU,
+                      Together<Scalar>& X) {
   const auto n = static_cast<int>(LU.size());
   for (int j = 0; j < n; ++j)
-    X.col(j) = without(LU[j].upper, X, X.col(j)) / LU[j].diagonal;
-  for (int j = n - 1; j >= 0; --j) X.col(j) = without(LU[j].lower, X, X.col(j));
+    X.col(j) = without<Scalar>(LU[j].upper, X, X.col(j)) / LU[j].diagonal;
+  for (int j = n - 1; j >= 0; --j)
+    X.col(j) = without<Scalar>(LU[j].lower, X, X.col(j));
 }
 
-/// The transposed A'^-1 B', row by row of B.
-MatrixXd solved_rows(const EigenLu& lu, const MatrixXd& B) {
-  const std::vector<FactorColumn> LU = columns_of(lu);
+/// B' becomes (A / size)'^-1 B', row by row of B.
+template <class Scalar, class Rows>
+void solve_rows(const std::vector<FactorColumn<Scalar>>& LU, const EigenLu& lu,
+                Rows& B) {
   const VectorXi from = lu.colsPermutation().indices(),
                  to = lu.rowsPermutation().indices();
-  MatrixXd result(B.rows(), B.cols());
-  const Index count = B.rows(), n = B.cols();
+  const Index count = B.rows(), n = B.cols(), at_once = together<Scalar>;
 #pragma omp parallel for schedule(dynamic, 1)
-  for (Index first = 0; first < count; first += together) {
-    const Index rows = std::min<Index>(together, count - first);
-    Together X = Together::Zero(together, n);
+  for (Index first = 0; first < count; first += at_once) {
+    const Index rows = std::min(at_once, count - first);
+    Together<Scalar> X = Together<Scalar>::Zero(at_once, n);
     for (Index i = 0; i < n; ++i)
       X.col(from[i]).head(rows) = B.col(i).segment(first, rows);
     solve_transposed(LU, X);
     for (Index i = 0; i < n; ++i)
-      result.col(i).segment(first, rows) = X.col(to[i]).head(rows);
+      B.col(i).segment(first, rows) = X.col(to[i]).head(rows);
   }
+}
+
+/// S becomes (A / size)'^-1 S (A / size)^-1.
+template <class Scalar>
+void transform(const EigenLu& lu, double size,
+               Matrix<Scalar, Dynamic, Dynamic>& S) {
+  const auto LU = columns_of<Scalar>(lu, size);
+  solve_rows(LU, lu, S);
+  S.transposeInPlace();
+  solve_rows(LU, lu, S);
+  mirror_lower(S);
+}
+
+/// factor M, column by column.
+template <class Result, class Given>
+Result scaled(const Given& M, double factor, Result result) {
+  using Scalar = typename Result::Scalar;
+  result.resize(M.rows(), M.cols());
+#pragma omp parallel for
+  for (Index j = 0; j < M.cols(); ++j)
+    result.col(j) =
+        (factor * M.col(j).template cast<double>()).template cast<Scalar>();
   return result;
 }
+
+/// A power of two near the largest value, by which nothing is rounded.
+double scale_of(double largest) { return std::exp2(std::ilogb(largest)); }
 
 }  // namespace
 
 struct SparseLu::Factor {
   bool identity;
+  double largest;  ///< |A_ij|
   EigenLu lu;
 };
 
 SparseLu::SparseLu(SparseMatrix A) : factor_(std::make_unique<Factor>()) {
   A.makeCompressed();
   factor_->identity = equals_identity(A);
+  factor_->largest = A.coeffs().abs().maxCoeff();
   if (!factor_->identity) factor_->lu.compute(A);
 }
 
@@ -132,16 +188,23 @@ MatrixXd SparseLu::solve_columns(const MatrixXd& B) const {
 
 MatrixXd SparseLu::solve_transposed_columns(const MatrixXd& B) const {
   if (B.cols() == 0 || factor_->identity) return B;
-  return solved_rows(factor_->lu, B.transpose()).transpose();
+  MatrixXd rows = B.transpose();
+  solve_rows(columns_of<double>(factor_->lu, 1), factor_->lu, rows);
+  return rows.transpose();
 }
 
-MatrixXd SparseLu::congruent(const MatrixXd& S) const {
+MatrixXd SparseLu::congruent(MatrixXd S) const {
+  if (!factor_->identity) transform(factor_->lu, 1, S);
+  return S;
+}
+
+MatrixXd SparseLu::congruent_in_single_precision(MatrixXd S) const {
   if (factor_->identity) return S;
-  MatrixXd half = solved_rows(factor_->lu, S);  // S A^-1
-  half.transposeInPlace();
-  MatrixXd result = solved_rows(factor_->lu, half);
-  mirror_lower(result);
-  return result;
+  const double a = scale_of(factor_->largest),
+               s = scale_of(S.cwiseAbs().maxCoeff());
+  auto rough = scaled(S, 1 / s, MatrixXf());
+  transform(factor_->lu, a, rough);
+  return scaled(rough, s / a / a, std::move(S));
 }
 
 }  // namespace ffcontact

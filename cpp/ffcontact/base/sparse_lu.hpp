@@ -26,7 +26,9 @@ class SparseLu {
 
   /// A'^-1 S A^-1 of a symmetric S of some thousand rows, exactly symmetric; the threads of
   /// OpenMP share its columns.
-  MatrixXd congruent(const MatrixXd& S) const;
+  MatrixXd congruent(MatrixXd S) const;
+  /// The same to six digits, in half of the time: where S has no more.
+  MatrixXd congruent_in_single_precision(MatrixXd S) const;
 
  private:
   struct Factor;

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
-#include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/contact/vertex_motions.hpp"
 
@@ -66,22 +66,6 @@ struct Terms {
   MatrixXd A_dependent;  ///< [d x f + o]
 };
 
-/// Q' S Q of a symmetric S, column by column: some thousand rows are not copied more than
-/// once. The threads of OpenMP share the columns.
-MatrixXd congruent(const MatrixXd& S, const SparseMatrix& Q) {
-  const SparseMatrix Qt = Q.transpose();
-  MatrixXd result(Q.cols(), Q.cols());
-#pragma omp parallel for schedule(dynamic, 64)
-  for (Index j = 0; j < Q.cols(); ++j) {
-    VectorXd column = VectorXd::Zero(S.rows());
-    for (SparseMatrix::InnerIterator e(Q, j); e; ++e)
-      column += e.value() * S.col(e.row());
-    result.col(j) = Qt * column;
-  }
-  mirror_lower(result);
-  return result;
-}
-
 /// The leading block of a matrix that is not needed any more.
 MatrixXd leading_block(MatrixXd&& M, Index size) {
   if (M.rows() == size) return std::move(M);
@@ -90,10 +74,12 @@ MatrixXd leading_block(MatrixXd&& M, Index size) {
 
 /// S and E as if w_o were given, S = A^-T S_w A^-1 and E = A^-T A_dependent'.
 void put_own_relation(Terms&& terms, const SparseLu& factor,
-                      CondensedContact& contact) {
+                      Precision precision, CondensedContact& contact) {
   const Index f = count_of(contact.primary);
-  contact.S = leading_block(std::move(terms.S), f);
-  if (!factor.is_identity()) contact.S = factor.congruent(contact.S);
+  MatrixXd S = leading_block(std::move(terms.S), f);
+  contact.S = precision == Precision::single
+                  ? factor.congruent_in_single_precision(std::move(S))
+                  : factor.congruent(std::move(S));
   contact.E = factor.solve_transposed_columns(
       terms.A_dependent.leftCols(f).transpose());
 }
@@ -154,39 +140,30 @@ void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
 /// w_o = O^-1 (h + E_o q - V v), the part of h.
 void put_opposite_loads(const VectorXd& h, CondensedContact& contact) {
   const VectorXd& R = contact.opposite_scale;
-  contact.opposite_offset =
+  contact.opposite_offset +=
       R.cwiseProduct(contact.opposite_stiffness->solve(R.cwiseProduct(h)));
   contact.g += contact.opposite_of_v.transpose() * h;
   contact.dependent_offset += contact.opposite_of_q.transpose() * h;
 }
 
-/// Displacement of the free components that prescribed values make on the primary rows.
-VectorXd prescribed_motion(const SparseLu& factor,
-                           const CondensedContact& contact) {
-  const VectorXd v = contact.v_prescribed(contact.primary);
-  VectorXd w = VectorXd::Zero(contact.A.cols());
-  w.head(v.size()) = factor.solve(v);
-  return w;
-}
-
-/// g and the offsets for a load and the v of prescribed values.
+/// g and the offsets for a load and the v of prescribed values, by which the relation is
+/// one of v - v_prescribed: in whatever accuracy S is, v = v_prescribed needs no force.
 void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
                const VectorXd& v_prescribed, const SparseLu& factor,
                CondensedContact& contact) {
   const Index f = count_of(contact.primary), o = contact.A.cols() - f;
+  const VectorXd given = v_prescribed(contact.primary);
   contact.v_prescribed = v_prescribed;
-  const VectorXd w = prescribed_motion(factor, contact);
   contact.load = stiffness.condensed(load);
-  const VectorXd forces =
-      contact.load.on_kept + stiffness.schur() * VectorXd(contact.to_kept * w);
-  const VectorXd g_w = contact.to_kept.transpose() * forces;
-  contact.g = factor.solve_transposed(g_w.head(f));
-  contact.dependent_offset = v_prescribed(contact.dependent) -
-                             selected_rows(contact.A, contact.dependent) * w;
-  contact.opposite_offset = VectorXd::Zero(o);
+  const VectorXd g_w = contact.to_kept.transpose() * contact.load.on_kept,
+                 own = factor.solve_transposed(g_w.head(f));
+  contact.g = own + contact.S * given;
+  contact.dependent_offset =
+      v_prescribed(contact.dependent) - contact.E.transpose() * given;
+  contact.opposite_offset = -contact.opposite_of_v * given;
   if (o == 0) return;
   const SparseMatrix A_o = opposite_A(contact);
-  VectorXd h = g_w.tail(o) - A_o.transpose() * contact.g;
+  VectorXd h = g_w.tail(o) - A_o.transpose() * own;
   if (contact.opposite_load.size() > 0) h += contact.opposite_load;
   put_opposite_loads(h, contact);
 }
@@ -197,7 +174,7 @@ void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
   Terms terms{congruent(stiffness.schur(), contact.to_kept),
               selected_rows(contact.A, contact.dependent)};
   const OppositeTerms opposite = opposite_terms(terms, factor, contact);
-  put_own_relation(std::move(terms), factor, contact);
+  put_own_relation(std::move(terms), factor, stiffness.precision(), contact);
   condense_opposite(opposite, contact);
 }
 

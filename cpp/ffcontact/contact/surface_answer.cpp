@@ -49,14 +49,18 @@ std::vector<ContactState> first_states(const NodalLaw& law,
 
 ActiveSetResult rough_answer(const CondensedContact& contact,
                              const NodalLaw& law, const std::vector<char>& held,
+                             const std::optional<ContactRows>& near,
                              const ContactSettings& settings,
                              StepSolver& solver) {
   const double enough = std::max(settings.tolerance, tolerance_to_be_corrected);
-  return surface_newton(contact, law, held, first_states(law, settings), solver,
-                        {std::min(most_newton_systems, settings.max_iterations),
-                         enough,
-                         {},
-                         enough});
+  const NewtonSettings limits{
+      std::min(most_newton_systems, settings.max_iterations),
+      enough,
+      {},
+      enough};
+  return near ? surface_newton(contact, law, held, *near, solver, limits)
+              : surface_newton(contact, law, held, first_states(law, settings),
+                               solver, limits);
 }
 
 FixedPointResult surface_answer(const CondensedContact& contact,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ffcontact/contact/contact_solution.hpp"
@@ -19,9 +20,11 @@ FixedPointResult surface_answer(const CondensedContact& contact,
 
 /// By surface_newton alone, to 1e-6: what a factor in single precision gives, before it is
 /// corrected.
+/// @param near    P and v to start from; nothing: the chosen states
 /// @param solver  of its steps
 ActiveSetResult rough_answer(const CondensedContact& contact,
                              const NodalLaw& law, const std::vector<char>& held,
+                             const std::optional<ContactRows>& near,
                              const ContactSettings& settings,
                              StepSolver& solver);
 

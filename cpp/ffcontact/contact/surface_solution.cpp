@@ -9,6 +9,7 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/coarse_start.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_answer.hpp"
@@ -101,8 +102,8 @@ class Answer {
     const auto& held = stated.trace.held;
     if (solution_.stiffness->precision() == Precision::single) {
       solver_ = StepSolver(contact_, held);
-      take(
-          rough_answer(contact_, stated.cones, held, stated.settings, solver_));
+      take(rough_answer(contact_, stated.cones, held, start(), stated.settings,
+                        solver_));
     } else {
       FixedPointResult condensed =
           surface_answer(contact_, stated.cones, held, stated.settings);
@@ -113,7 +114,7 @@ class Answer {
 
   /// Corrects the answer of an inexact factor K~: with u the last displacement
   ///     K~ (u' - u) = b - K u + B' P',   (P', v(u')) in the law,
-  /// so that u' = u solves the problem itself, as long as that lowers the residual.
+  /// so that u' = u solves the problem itself, as long as that lowers what is missed.
   void correct() {
     constexpr int most_corrections = 20;
     for (int k = 0; k < most_corrections && can_gain(); ++k) {
@@ -126,7 +127,7 @@ class Answer {
       take(surface_newton(contact_, stated_.cones, stated_.trace.held, rows,
                           solver_, limits()));
       solution_.iterations += last.iterations;
-      if (solution_.residual < last.residual / least_gain) continue;
+      if (missed_by(solution_) < missed_by(last) / least_gain) continue;
       solution_ = last;
       return;
     }
@@ -136,20 +137,36 @@ class Answer {
 
  private:
   static constexpr int most_systems = 30;  ///< of a correction
-  /// Of a residual by a correction.
+  /// Of what is missed by a correction.
   static constexpr double least_gain = 2;
+  /// What a violation may be of the residual before a correction, which gains more.
+  static constexpr double beside_residual = 1e-3;
 
+  /// Where no states are given.
+  std::optional<ContactRows> start() const {
+    if (!stated_.settings.initial_state.empty()) return std::nullopt;
+    return coarse_start(contact_, stated_.cones, stated_.surface,
+                        stated_.law.multiplier, stated_.trace.weight);
+  }
   VectorXd no_forces() const {
     return VectorXd::Zero(stated_.system.dof_count());
   }
+  /// The law is met as well as the correction after this one will need it.
   NewtonSettings limits() const {
-    return {most_systems, stated_.settings.tolerance, {}, beside_tolerance()};
+    const double enough =
+        std::max(beside_tolerance(), beside_residual * solution_.residual);
+    return {
+        most_systems, std::max(stated_.settings.tolerance, enough), {}, enough};
   }
   /// Nothing beside what is asked for.
   double beside_tolerance() const { return 1e-2 * stated_.settings.tolerance; }
+  static double missed_by(const SurfaceSolution& solution) {
+    return std::max(solution.residual, solution.complementarity);
+  }
   bool can_gain() const {
     return condensed_.status == ContactStatus::converged &&
-           solution_.residual > beside_tolerance();
+           (solution_.residual > beside_tolerance() ||
+            solution_.complementarity > stated_.settings.tolerance);
   }
 
   void take(ActiveSetResult answer) {

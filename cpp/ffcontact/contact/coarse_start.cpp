@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/coarse_start.hpp"
+
+#include <limits>
+
+#include "ffcontact/base/congruent.hpp"
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/surface_newton.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Of the law of the aggregates, which is itself but near the nodes'.
+constexpr double near_enough = 1e-3;
+constexpr int most_systems = 30;
+/// Of diag(S), relative: what moves nothing.
+constexpr double no_stiffness = 1e-12;
+
+struct Aggregates {
+  std::vector<int> of_node;  ///< [p]
+  std::vector<int> first;    ///< node of each [a]
+};
+
+/// A node with all its neighbours where none of these is taken; others go with a neighbour.
+Aggregates aggregates(const SparseMatrix& neighbours) {
+  const auto nodes = static_cast<int>(neighbours.cols());
+  Aggregates result{std::vector<int>(nodes, -1), {}};
+  std::vector<int>& of = result.of_node;
+  const auto found = [&](int i) {
+    of[i] = count_of(result.first);
+    result.first.push_back(i);
+  };
+  const auto taken_beside = [&](int i) {
+    for (SparseMatrix::InnerIterator e(neighbours, i); e; ++e)
+      if (of[e.row()] >= 0) return of[e.row()];
+    return -1;
+  };
+  for (int i = 0; i < nodes; ++i) {
+    if (of[i] >= 0 || taken_beside(i) >= 0) continue;
+    found(i);
+    for (SparseMatrix::InnerIterator e(neighbours, i); e; ++e)
+      of[e.row()] = of[i];
+  }
+  for (int i = 0; i < nodes; ++i) {
+    if (of[i] >= 0) continue;
+    if (const int beside = taken_beside(i); beside >= 0)
+      of[i] = beside;
+    else
+      found(i);
+  }
+  return result;
+}
+
+/// diag(M 1)^-1 M R_0 [p x a]
+SparseMatrix smoothed(const Aggregates& aggregates, const SparseMatrix& M) {
+  const VectorXd inverse = (M * VectorXd::Ones(M.cols())).cwiseInverse();
+  Triplets entries;
+  for (int k = 0; k < M.cols(); ++k)
+    for (SparseMatrix::InnerIterator e(M, k); e; ++e)
+      entries.emplace_back(e.row(), aggregates.of_node[k],
+                           inverse[e.row()] * e.value());
+  return packed(static_cast<int>(M.rows()), count_of(aggregates.first),
+                entries);
+}
+
+/// Weights of aggregates as R of vectors, in the frames of nodes and of aggregates
+/// [3p x 3a].
+SparseMatrix in_frames(const SparseMatrix& weights,
+                       const ContactSurface& surface,
+                       const std::vector<int>& first) {
+  Triplets entries;
+  for (int a = 0; a < weights.cols(); ++a) {
+    const Matrix3d frame = surface.frame(first[a]);
+    for (SparseMatrix::InnerIterator e(weights, a); e; ++e) {
+      const auto i = static_cast<int>(e.row());
+      const Matrix3d turn = surface.frame(i).transpose() * frame;
+      for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d)
+          if (std::abs(turn(c, d)) > std::numeric_limits<double>::epsilon())
+            entries.emplace_back(3 * i + c, 3 * a + d, e.value() * turn(c, d));
+    }
+  }
+  return packed(3 * static_cast<int>(weights.rows()),
+                3 * static_cast<int>(weights.cols()), entries);
+}
+
+/// The relation and the law of the aggregates.
+class Coarse {
+ public:
+  Coarse(const CondensedContact& contact, const NodalLaw& law,
+         const ContactSurface& surface, Multiplier multiplier,
+         const SparseMatrix& weight)
+      : surface_(surface),
+        unit_(multiplier == Multiplier::pressure
+                  ? surface.area
+                  : VectorXd::Ones(surface.node_count())),
+        aggregates_(aggregates(surface.mass)),
+        weights_(smoothed(aggregates_, surface.mass)),
+        R_(in_frames(weights_, surface, aggregates_.first)) {
+    put_relation(contact, weight * R_);
+    put_law(law);
+  }
+
+  std::optional<ContactRows> rows() const {
+    StepSolver solver(coarse_, held_);
+    const std::vector<ContactState> sticking(law_.node_count(),
+                                             ContactState::stick);
+    const ActiveSetResult answer =
+        surface_newton(coarse_, law_, held_, sticking, solver,
+                       {most_systems, near_enough, {}, near_enough});
+    if (answer.status != ContactStatus::converged) return std::nullopt;
+    return on_nodes({answer.P, answer.v});
+  }
+
+ private:
+  void put_relation(const CondensedContact& contact, const SparseMatrix& WR) {
+    const SparseMatrix Q = at_primary_rows(contact, WR);
+    const MatrixXd S = congruent(contact.S, Q);
+    const VectorXd g = Q.transpose() * contact.g;
+    const double least = no_stiffness * S.diagonal().maxCoeff();
+    coarse_.dimension = 3;
+    coarse_.position = VectorXi(S.rows());
+    for (int row = 0; row < S.rows(); ++row) {
+      held_.push_back(!(S(row, row) > least));
+      std::vector<int>& rows = held_[row] ? coarse_.dependent : coarse_.primary;
+      const int place = count_of(rows);
+      coarse_.position[row] = held_[row] ? -1 - place : place;
+      rows.push_back(row);
+    }
+    coarse_.S = S(coarse_.primary, coarse_.primary);
+    coarse_.g = g(coarse_.primary);
+    const Index f = coarse_.g.size(), d = count_of(coarse_.dependent);
+    coarse_.E = MatrixXd::Zero(f, d);
+    coarse_.F = MatrixXd::Zero(d, d);
+    coarse_.dependent_offset = VectorXd::Zero(d);
+  }
+
+  static SparseMatrix at_primary_rows(const CondensedContact& contact,
+                                      const SparseMatrix& M) {
+    Triplets entries;
+    for (int a = 0; a < M.cols(); ++a)
+      for (SparseMatrix::InnerIterator e(M, a); e; ++e)
+        if (contact.is_primary(static_cast<int>(e.row())))
+          entries.emplace_back(contact.position[e.row()], a, e.value());
+    return packed(count_of(contact.primary), static_cast<int>(M.cols()),
+                  entries);
+  }
+
+  /// Cones of forces: those of tractions at the nodes times the area of the aggregate.
+  void put_law(const NodalLaw& law) {
+    area_ = weights_.transpose() * surface_.area;
+    law_.cone.resize(weights_.cols());
+    for (int a = 0; a < weights_.cols(); ++a) {
+      FrictionCone& cone = law_.cone[a];
+      cone.limit = 0;
+      for (SparseMatrix::InnerIterator e(weights_, a); e; ++e) {
+        const FrictionCone& own = law.cone[e.row()];
+        const double area = e.value() * surface_.area[e.row()];
+        cone.friction += area / area_[a] * own.friction;
+        cone.cohesion += e.value() * unit_[e.row()] * own.cohesion;
+        cone.limit += e.value() * unit_[e.row()] * own.limit;
+      }
+    }
+  }
+
+  ContactRows on_nodes(const ContactRows& coarse) const {
+    VectorXd traction = coarse.P;
+    for (Index row = 0; row < traction.size(); ++row)
+      traction[row] /= area_[row / 3];
+    ContactRows rows{R_ * traction, R_ * coarse.v};
+    for (Index row = 0; row < rows.P.size(); ++row) {
+      rows.P[row] *= surface_.area[row / 3] / unit_[row / 3];
+      rows.v[row] *= unit_[row / 3];
+    }
+    return rows;
+  }
+
+  const ContactSurface& surface_;
+  VectorXd unit_;  ///< of v: W u = unit u where u is the same everywhere [p]
+  Aggregates aggregates_;
+  SparseMatrix weights_;  ///< [p x a]
+  SparseMatrix R_;        ///< [3p x 3a]
+  VectorXd area_;         ///< of the aggregates [mm^2, a]
+  CondensedContact coarse_;
+  std::vector<char> held_;  ///< [3a]
+  NodalLaw law_;
+};
+
+}  // namespace
+
+std::optional<ContactRows> coarse_start(const CondensedContact& contact,
+                                        const NodalLaw& law,
+                                        const ContactSurface& surface,
+                                        Multiplier multiplier,
+                                        const SparseMatrix& weight) {
+  return Coarse(contact, law, surface, multiplier, weight).rows();
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/coarse_start.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ffcontact/contact/surface_newton.hpp"
+#include "ffcontact/contact/surface_trace.hpp"
+#include "support/random.hpp"
+#include "support/solid_bodies.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// The condensed relation of a problem and its law.
+struct Relation {
+  const SolidProblem& problem;
+  SurfaceTrace trace;
+  CondensedContact contact;
+  NodalLaw law;
+
+  explicit Relation(const SolidProblem& stated)
+      : problem(stated),
+        trace(surface_trace(problem.surface, problem.law, problem.system())),
+        contact(condensed_contact(
+            trace.trace, trace.primary, problem.b,
+            CondensedStiffness(problem.system(), trace.trace.kept_dofs))),
+        law(nodal_law(problem.law, problem.surface)) {}
+
+  std::optional<ContactRows> start() const {
+    return coarse_start(contact, law, problem.surface, problem.law.multiplier,
+                        trace.weight);
+  }
+  ActiveSetResult from(const ContactRows& near) const {
+    StepSolver solver;
+    return surface_newton(contact, law, trace.held, near, solver);
+  }
+  ActiveSetResult from_sticking() const {
+    return surface_newton(
+        contact, law, trace.held,
+        std::vector<ContactState>(law.node_count(), ContactState::stick));
+  }
+};
+
+/// Of P in tractions.
+double unit(const SolidProblem& problem, int node) {
+  return problem.law.multiplier == Multiplier::force
+             ? problem.surface.area[node]
+             : 1;
+}
+
+class CoarseStart : public testing::TestWithParam<Multiplier> {};
+
+INSTANTIATE_TEST_SUITE_P(Multipliers, CoarseStart,
+                         testing::Values(Multiplier::force,
+                                         Multiplier::pressure));
+
+/// Of any mesh and any frames, where all nodes stick.
+TEST_P(CoarseStart, keeps_a_uniform_traction) {
+  Random random(1);
+  SolidProblem problem(moved(brick({9, 7, 1}, {90, 70, 10}), 10, 0.3, random),
+                       100);
+  problem.law.multiplier = GetParam();
+  problem.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
+  ContactSurface& surface = problem.surface;
+  surface.normal += 0.2 * random_matrix(3, surface.node_count(), random);
+  surface.normal.colwise().normalize();
+  Relation relation(problem);
+  const Vector3d traction(1, -2, 30);
+  Matrix3Xd P(3, surface.node_count());
+  for (int i = 0; i < surface.node_count(); ++i)
+    P.col(i) = surface.frame(i).transpose() * traction * unit(problem, i);
+  relation.contact.g = -P.reshaped()(relation.contact.primary);
+  const std::optional<ContactRows> start = relation.start();
+  ASSERT_TRUE(start);
+  EXPECT_LT((start->P - P.reshaped()).norm(), 1e-12 * P.norm());
+  EXPECT_EQ(start->v.norm(), 0);
+}
+
+/// Whose bound is a traction at every node.
+TEST_P(CoarseStart, keeps_a_uniform_bound) {
+  Random random(1);
+  SolidProblem problem(
+      moved(brick({12, 4, 1}, {120, 40, 10}), 10, 0.2, random));
+  problem.law.multiplier = GetParam();
+  const int nodes = problem.surface.node_count();
+  problem.law.friction.resize(0);
+  problem.law.slip_bound = VectorXd::Constant(nodes, 0.5);
+  for (const int side : {low_y, high_y}) problem.guide(side, 1);
+  problem.guide(high_z, 2);
+  problem.guide(low_x, 0);
+  problem.load(high_x, {100, 0, 0});
+  const Relation relation(problem);
+  const std::optional<ContactRows> start = relation.start();
+  ASSERT_TRUE(start);
+  for (int i = 0; i < nodes; ++i) {
+    if (problem.mesh.place(problem.surface.vertex[i]).x() < 60) continue;
+    EXPECT_NEAR(start->P[3 * i + 1] / unit(problem, i), -0.5, 1e-3);
+    EXPECT_GT(start->v[3 * i + 1], 0);
+  }
+}
+
+/// Far from where sticking nodes begin.
+TEST_P(CoarseStart, saves_steps) {
+  for (const BlockCase loads : {BlockCase::press, BlockCase::press_x}) {
+    SolidProblem problem =
+        block_problem(brick({24, 12, 6}, {80, 40, 40}), loads, 0.5);
+    problem.law.multiplier = GetParam();
+    const Relation relation(problem);
+    const std::optional<ContactRows> start = relation.start();
+    ASSERT_TRUE(start);
+    const ActiveSetResult near = relation.from(*start),
+                          far = relation.from_sticking();
+    EXPECT_EQ(near.status, ContactStatus::converged);
+    EXPECT_EQ(near.state, far.state);
+    EXPECT_LT(near.iterations, far.iterations);
+    if (loads == BlockCase::press)
+      EXPECT_LT(1.5 * near.iterations, far.iterations);
+  }
+}
+
+SolidProblem random_block(double mu, Random& random) {
+  SolidProblem problem =
+      block_problem(moved(brick({4, 2, 2}, {80, 40, 40}), 20, 0.15, random),
+                    static_cast<BlockCase>(random() % 4), mu);
+  if (random() % 2 == 0) problem.law.multiplier = Multiplier::pressure;
+  return problem;
+}
+
+/// With planes of symmetry, nodes that are all open, no friction.
+RC_GTEST_PROP(CoarseStart, leads_to_the_solution, (Random random)) {
+  const double mu = random() % 3 == 0 ? 0 : *real(0, 0.5);
+  const SolidProblem problem = random_block(mu, random);
+  const Relation relation(problem);
+  const std::optional<ContactRows> start = relation.start();
+  RC_PRE(start.has_value());
+  RC_ASSERT(start->P.allFinite());
+  RC_ASSERT(start->v.allFinite());
+  const ActiveSetResult near = relation.from(*start),
+                        far = relation.from_sticking();
+  RC_ASSERT(near.status == ContactStatus::converged);
+  RC_ASSERT((near.P - far.P).norm() <= 1e-9 * far.P.norm());
+}
+
+}  // namespace
+}  // namespace ffcontact
