@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/elastic/scaled_stiffness.hpp"
 #include "support/free_displacement.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
