@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/elastic/precision.hpp"
 
 namespace ffcontact::plugin {
 
@@ -44,8 +45,8 @@ class Processes {
   /// @param rows  of the whole matrix, and how many of them are kept
   /// @throws std::runtime_error  on all processes, if the matrix is not positive definite
   ///                             or memory is missing on one
-  virtual std::unique_ptr<SharedFactor> factorised(MatrixPart part, int rows,
-                                                   int kept) const = 0;
+  virtual std::unique_ptr<SharedFactor> factorised(
+      MatrixPart part, int rows, int kept, Precision precision) const = 0;
 };
 
 /// Makes processes of a script's communicator (mpiCommWorld).

@@ -110,11 +110,11 @@ SharedSystem joined_system(const SharedContact& contact,
   std::vector<ElasticSystem> systems{own};
   for (std::size_t r = 1; r < packets.size(); ++r)
     systems.push_back(system_in(packets[r], dim));
-  const auto factorise = [&contact, &bodies, &own](
-                             const ElasticSystem& system,
-                             const std::vector<int>& kept) {
-    return std::make_shared<const SharedStiffness>(contact.team, bodies.dofs(),
-                                                   own, system, kept);
+  const auto factorise = [&contact, &bodies, &own](const ElasticSystem& system,
+                                                   const std::vector<int>& kept,
+                                                   Precision precision) {
+    return std::make_shared<const SharedStiffness>(
+        contact.team, bodies.dofs(), own, system, kept, precision);
   };
   return {joined_parts(systems, bodies.vertex), factorise};
 }

@@ -15,10 +15,10 @@ class SharedStiffness : public CondensedStiffness {
   SharedStiffness(std::shared_ptr<Team> team,
                   const std::vector<std::vector<int>>& dofs,
                   const ElasticSystem& own, const ElasticSystem& system,
-                  const std::vector<int>& kept);
+                  const std::vector<int>& kept, Precision precision);
   ~SharedStiffness() override;
 
-  Precision precision() const override { return Precision::full; }
+  Precision precision() const override { return precision_; }
   const MatrixXd& schur() const override { return schur_; }
   Load condensed(const Ref<const VectorXd>& load) const override;
   VectorXd extended(Load load, const Ref<const VectorXd>& kept) const override;
@@ -29,6 +29,7 @@ class SharedStiffness : public CondensedStiffness {
   VectorXd scaled(const Ref<const VectorXd>& load) const;
 
   std::shared_ptr<Team> team_;
+  Precision precision_;
   std::vector<int> order_;  ///< the free dofs, the kept ones last
   VectorXd scale_;          ///< diag(K)^-1/2 [all dofs]
   long factor_ = 0;

@@ -15,13 +15,15 @@ MakeProcesses& maker() {
 }
 
 void put(Packet& packet, const FactorOrder& order) {
-  packet.put(order.rows).put(order.kept).put(order.place).put(order.scale);
+  packet.put(order.rows).put(order.kept).put(order.precision);
+  packet.put(order.place).put(order.scale);
 }
 
 FactorOrder order_in(Packet& packet) {
   FactorOrder order;
   order.rows = packet.take<int>();
   order.kept = packet.take<int>();
+  order.precision = packet.take<Precision>();
   order.place = packet.take<std::vector<int>>();
   order.scale = packet.take<VectorXd>();
   return order;
@@ -62,8 +64,8 @@ void Team::release(int rank, const Packet& results) const {
 }
 
 void Team::make(long number, MatrixPart part, const FactorOrder& order) {
-  factors_[number] =
-      processes_->factorised(std::move(part), order.rows, order.kept);
+  factors_[number] = processes_->factorised(std::move(part), order.rows,
+                                            order.kept, order.precision);
 }
 
 void Team::forget(const std::vector<long>& factors) {

@@ -16,6 +16,7 @@ namespace ffcontact::plugin {
 /// The rows and columns that a factor has of this process's dofs, and their scale.
 struct FactorOrder {
   int rows, kept;
+  Precision precision;
   std::vector<int> place;  ///< of each dof; -1: it has none
   VectorXd scale;
 };

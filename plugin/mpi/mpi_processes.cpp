@@ -49,9 +49,9 @@ class MpiProcesses : public Processes {
     return bytes;
   }
 
-  std::unique_ptr<SharedFactor> factorised(MatrixPart part, int rows,
-                                           int kept) const override {
-    return mumps_factor(of_factors_, std::move(part), rows, kept);
+  std::unique_ptr<SharedFactor> factorised(MatrixPart part, int rows, int kept,
+                                           Precision precision) const override {
+    return mumps_factor(of_factors_, std::move(part), rows, kept, precision);
   }
 
  private:

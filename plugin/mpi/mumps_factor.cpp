@@ -2,6 +2,7 @@
 #include "mumps_factor.hpp"
 
 #include <dmumps_c.h>
+#include <smumps_c.h>
 
 #include <algorithm>
 #include <numeric>
@@ -9,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/elastic/scaled_stiffness.hpp"
 
@@ -16,7 +18,13 @@ namespace ffcontact::plugin {
 
 namespace {
 
-enum Job { begin = -1, end = -2, analyse_and_factorise = 4, solve = 3 };
+enum Job {
+  begin = -1,
+  end = -2,
+  factorise = 2,
+  solve = 3,
+  analyse_and_factorise = 4
+};
 constexpr int positive_definite = 1, host_works = 1;
 
 [[noreturn]] void fail(int info, int detail) {
@@ -39,6 +47,21 @@ bool is_finalised() {
   return finalised != 0;
 }
 
+/// MUMPS in one of its precisions.
+template <class Scalar>
+struct Mumps;
+template <>
+struct Mumps<double> {
+  using Data = DMUMPS_STRUC_C;
+  static void run(Data& data) { dmumps_c(&data); }
+};
+template <>
+struct Mumps<float> {
+  using Data = SMUMPS_STRUC_C;
+  static void run(Data& data) { smumps_c(&data); }
+};
+
+template <class Scalar>
 class MumpsFactor : public SharedFactor {
  public:
   MumpsFactor(MPI_Comm communicator, MatrixPart part, int rows, int kept)
@@ -49,11 +72,9 @@ class MumpsFactor : public SharedFactor {
     mumps_.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(communicator));
     run(begin);
     settle();
-    give(part);
     if (kept_ == 0) control(19) = 0;
-    keep_last_rows();
     try {
-      run(analyse_and_factorise);
+      factorise_matrix(std::move(part));
     } catch (...) {
       release();
       throw;
@@ -68,50 +89,81 @@ class MumpsFactor : public SharedFactor {
     if (rank_ != 0) return {};
     schur_.transposeInPlace();
     mirror_lower(schur_);
-    return std::move(schur_);
+    const auto schur = std::move(schur_);
+    return schur.template cast<double>();
   }
 
+  /// The load on the kept rows goes past MUMPS, which would round it.
   VectorXd condensed(const VectorXd& load) override {
     constexpr int reduce = 1;
     if (rank_ == 0) {
-      solution_ = VectorXd::Zero(rows_ + 1);
-      solution_.tail(rows_) = load;
+      const auto eliminated = load.head(rows_ - kept_);
+      size_ = eliminated.isZero(0) ? 1 : max_norm(eliminated);
+      solution_ = Values::Zero(rows_ + 1);
+      solution_.segment(1, eliminated.size()) =
+          (eliminated / size_).template cast<Scalar>();
     }
-    reduced_ = VectorXd::Zero(rank_ == 0 ? std::max(kept_, 1) : 0);
+    reduced_ = Values::Zero(rank_ == 0 ? std::max(kept_, 1) : 0);
     solve_with(reduce);
-    return reduced_.head(rank_ == 0 ? kept_ : 0);
+    if (rank_ != 0) return {};
+    return load.tail(kept_) +
+           size_ * reduced_.head(kept_).template cast<double>();
   }
 
   VectorXd extended(const VectorXd& kept) override {
     constexpr int expand = 2;
-    if (rank_ == 0) reduced_.head(kept_) = kept;
+    if (rank_ == 0)
+      reduced_.head(kept_) = (kept / size_).template cast<Scalar>();
     solve_with(expand);
-    return rank_ == 0 ? solution_.tail(rows_) : VectorXd();
+    if (rank_ != 0) return {};
+    return size_ * solution_.tail(rows_).template cast<double>();
   }
 
  private:
+  using Values = Matrix<Scalar, Dynamic, 1>;
+
   int& control(int k) { return mumps_.icntl[k - 1]; }
 
   void run(int job) {
-    mumps_.job = job;
-    dmumps_c(&mumps_);
+    run_or_not(job);
     if (mumps_.infog[0] < 0) fail(mumps_.infog[0], mumps_.infog[1]);
+  }
+  void run_or_not(int job) {
+    mumps_.job = job;
+    Mumps<Scalar>::run(mumps_);
   }
 
   void settle() {
     constexpr int silent = 0, distributed_entries = 3, metis = 5, on_host = 1,
-                  sequential = 1, more_memory = 40;
+                  sequential = 1;
     for (int output : {1, 2, 3, 4}) control(output) = silent;
     control(7) = metis;
-    control(14) = more_memory;  // percent beyond what the analysis expects
+    control(14) = first_reserve;
     control(18) = distributed_entries;
     control(19) = on_host;
     control(28) = sequential;
   }
 
+  /// Where the memory that the analysis expects is not enough, with more of it.
+  void factorise_matrix(MatrixPart part) {
+    const std::vector<Scalar> values = give(part);
+    keep_last_rows();
+    run_or_not(analyse_and_factorise);
+    while (is_short_of_reserve() && control(14) < most_reserve) {
+      control(14) *= 2;
+      run_or_not(factorise);
+    }
+    if (mumps_.infog[0] < 0) fail(mumps_.infog[0], mumps_.infog[1]);
+  }
+
+  bool is_short_of_reserve() const {
+    constexpr int integers = -8, reals = -9;
+    return mumps_.infog[0] == integers || mumps_.infog[0] == reals;
+  }
+
   /// A first row of its own, so that there is one which is not kept; MUMPS counts from 1.
-  /// @param part  stays until the matrix is factorised
-  void give(MatrixPart& part) {
+  /// @param part  stays until the matrix is factorised, as do the values
+  std::vector<Scalar> give(MatrixPart& part) {
     for (int& i : part.row) i += 2;
     for (int& j : part.column) j += 2;
     if (rank_ == 0) {
@@ -119,11 +171,14 @@ class MumpsFactor : public SharedFactor {
       part.column.push_back(1);
       part.value.push_back(1);
     }
+    const std::vector<double> given = std::move(part.value);
+    std::vector<Scalar> values(given.begin(), given.end());
     mumps_.n = rows_ + 1;
-    mumps_.nnz_loc = static_cast<MUMPS_INT8>(part.value.size());
+    mumps_.nnz_loc = static_cast<MUMPS_INT8>(values.size());
     mumps_.irn_loc = part.row.data();
     mumps_.jcn_loc = part.column.data();
-    mumps_.a_loc = part.value.data();
+    mumps_.a_loc = values.data();
+    return values;
   }
 
   void keep_last_rows() {
@@ -131,7 +186,7 @@ class MumpsFactor : public SharedFactor {
     std::iota(list_.begin(), list_.end(), rows_ - kept_ + 2);
     mumps_.size_schur = kept_;
     mumps_.listvar_schur = list_.data();
-    if (rank_ == 0) schur_ = MatrixXd::Zero(kept_, kept_);
+    if (rank_ == 0) schur_.setZero(kept_, kept_);
     mumps_.schur = schur_.data();
   }
 
@@ -150,23 +205,30 @@ class MumpsFactor : public SharedFactor {
   void release() noexcept {
     if (is_finalised()) return;
     mumps_.job = end;
-    dmumps_c(&mumps_);
+    Mumps<Scalar>::run(mumps_);
   }
 
-  DMUMPS_STRUC_C mumps_{};
+  /// Percent beyond the memory that the analysis expects.
+  static constexpr int first_reserve = 20, most_reserve = 1000;
+
+  typename Mumps<Scalar>::Data mumps_{};
   int rank_ = 0, rows_, kept_;
   std::vector<int> list_;
-  MatrixXd schur_;
-  VectorXd solution_, reduced_;
+  Matrix<Scalar, Dynamic, Dynamic> schur_;
+  Values solution_, reduced_;
+  double size_ = 1;  ///< of the last load, by which it is divided
 };
 
 }  // namespace
 
 std::unique_ptr<SharedFactor> mumps_factor(MPI_Comm communicator,
-                                           MatrixPart part, int rows,
-                                           int kept) {
-  return std::make_unique<MumpsFactor>(communicator, std::move(part), rows,
-                                       kept);
+                                           MatrixPart part, int rows, int kept,
+                                           Precision precision) {
+  if (precision == Precision::single)
+    return std::make_unique<MumpsFactor<float>>(communicator, std::move(part),
+                                                rows, kept);
+  return std::make_unique<MumpsFactor<double>>(communicator, std::move(part),
+                                               rows, kept);
 }
 
 }  // namespace ffcontact::plugin

@@ -11,6 +11,7 @@ namespace ffcontact::plugin {
 /// on process 0 (ICNTL(19) = 1).
 /// @throws std::runtime_error  as Processes::factorised
 std::unique_ptr<SharedFactor> mumps_factor(MPI_Comm communicator,
-                                           MatrixPart part, int rows, int kept);
+                                           MatrixPart part, int rows, int kept,
+                                           Precision precision);
 
 }  // namespace ffcontact::plugin

@@ -12,6 +12,17 @@
 
 namespace ffcontact {
 
+/// Order of elimination by A + A', which is symmetric but for frames that turn.
+struct MinimumDegree {
+  using PermutationType = Eigen::PermutationMatrix<Dynamic, Dynamic, int>;
+  template <class Given>
+  void operator()(const Given& A, PermutationType& order) const {
+    PermutationType inverse;
+    Eigen::AMDOrdering<int>()(SparseMatrix(A), inverse);
+    order = inverse.inverse();
+  }
+};
+
 namespace {
 
 bool equals_identity(const SparseMatrix& A) {
@@ -51,16 +62,6 @@ struct FactorColumn {
   }
 };
 
-/// That of A + A', which is symmetric but for frames that turn.
-struct MinimumDegree {
-  using PermutationType = Eigen::PermutationMatrix<Dynamic, Dynamic, int>;
-  template <class Matrix>
-  void operator()(const Matrix& A, PermutationType& order) {
-    PermutationType inverse;
-    Eigen::AMDOrdering<int>()(SparseMatrix(A), inverse);
-    order = inverse.inverse();
-  }
-};
 using EigenLu = Eigen::SparseLU<SparseMatrix, MinimumDegree>;
 
 /// L and U / size, with the blocks on U's diagonal that Eigen keeps among the columns of L.

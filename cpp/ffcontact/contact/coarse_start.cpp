@@ -121,6 +121,7 @@ class Coarse {
     const double least = no_stiffness * S.diagonal().maxCoeff();
     coarse_.dimension = 3;
     coarse_.position = VectorXi(S.rows());
+    held_.reserve(S.rows());
     for (int row = 0; row < S.rows(); ++row) {
       held_.push_back(!(S(row, row) > least));
       std::vector<int>& rows = held_[row] ? coarse_.dependent : coarse_.primary;

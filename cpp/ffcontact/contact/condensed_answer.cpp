@@ -35,7 +35,8 @@ std::shared_ptr<const CondensedStiffness> prepared_stiffness(
   if (settings.stiffness) return settings.stiffness;
   tell(settings.report,
        {"factorisation", 0, "dofs", static_cast<double>(system.dof_count())});
-  if (settings.factorise) return settings.factorise(system, contact_dofs);
+  if (settings.factorise)
+    return settings.factorise(system, contact_dofs, precision);
   return std::make_shared<const CondensedStiffness>(system, contact_dofs,
                                                     precision);
 }

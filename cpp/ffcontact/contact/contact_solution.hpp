@@ -31,7 +31,8 @@ struct ContactSettings {
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
   /// factorises K for kept dofs where it is not done on this machine alone; null: here
   std::function<std::shared_ptr<const CondensedStiffness>(
-      const ElasticSystem& system, const std::vector<int>& kept)>
+      const ElasticSystem& system, const std::vector<int>& kept,
+      Precision precision)>
       factorise{};
   /// free dofs from which on a solid that prescribed displacements hold is factored in
   /// single precision, and its answer corrected

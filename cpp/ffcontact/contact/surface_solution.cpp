@@ -212,7 +212,7 @@ bool takes_single_precision(const SolidMesh& mesh, const ElasticSystem& system,
                             const ContactSettings& settings) {
   const auto free_dofs =
       std::count(system.prescribed.begin(), system.prescribed.end(), 0);
-  return settings.solver == ContactSolver::newton && !settings.factorise &&
+  return settings.solver == ContactSolver::newton &&
          free_dofs >= settings.single_precision_from &&
          free_rigid_motions(mesh, system.prescribed).cols() == 0;
 }

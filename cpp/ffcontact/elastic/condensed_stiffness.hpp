@@ -6,11 +6,9 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
+#include "ffcontact/elastic/precision.hpp"
 
 namespace ffcontact {
-
-/// What a factor is computed and kept in.
-enum class Precision { full, single };
 
 /// The stiffness of a body seen from a few kept dofs c (those of the contact line), by
 /// one sparse factorisation.
