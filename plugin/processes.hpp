@@ -11,7 +11,8 @@
 namespace ffcontact::plugin {
 
 /// A part of a symmetric matrix: the sum of those of all processes has these entries.
-/// Rows and columns of the whole, the kept ones last; one triangle.
+/// Rows and columns of the whole in the order of elimination, the kept ones last; one
+/// triangle.
 struct MatrixPart {
   std::vector<int> row, column;
   std::vector<double> value;

@@ -8,24 +8,12 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/elimination_order.hpp"
 #include "ffcontact/elastic/scaled_stiffness.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
-
-/// The free dofs in any order, but for the kept ones.
-std::vector<int> kept_last(const ElasticSystem& system,
-                           const std::vector<int>& kept) {
-  require_kept(system, kept);
-  std::vector<char> is_kept(system.prescribed.size(), 0);
-  for (int dof : kept) is_kept[dof] = 1;
-  std::vector<int> order;
-  for (int dof = 0; dof < system.dof_count(); ++dof)
-    if (!system.prescribed[dof] && !is_kept[dof]) order.push_back(dof);
-  order.insert(order.end(), kept.begin(), kept.end());
-  return order;
-}
 
 /// What each process has to know of an order.
 std::vector<FactorOrder> orders_of(const std::vector<std::vector<int>>& dofs,
@@ -68,7 +56,7 @@ SharedStiffness::SharedStiffness(std::shared_ptr<Team> team,
                                  Precision precision)
     : team_(std::move(team)),
       precision_(precision),
-      order_(kept_last(system, kept)),
+      order_(elimination_order(system, required_kept(system, kept))),
       scale_(inverse_roots(system)) {
   std::tie(factor_, schur_) = team_->factorise(
       orders_of(dofs, order_, count_of(kept), precision, scale_),

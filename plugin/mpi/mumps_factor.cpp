@@ -134,10 +134,10 @@ class MumpsFactor : public SharedFactor {
   }
 
   void settle() {
-    constexpr int silent = 0, distributed_entries = 3, metis = 5, on_host = 1,
-                  sequential = 1;
+    constexpr int silent = 0, distributed_entries = 3, given_order = 1,
+                  on_host = 1, sequential = 1;
     for (int output : {1, 2, 3, 4}) control(output) = silent;
-    control(7) = metis;
+    control(7) = given_order;
     control(14) = first_reserve;
     control(18) = distributed_entries;
     control(19) = on_host;
@@ -148,6 +148,9 @@ class MumpsFactor : public SharedFactor {
   void factorise_matrix(MatrixPart part) {
     const std::vector<Scalar> values = give(part);
     keep_last_rows();
+    std::vector<int> order(rows_ + 1);
+    std::iota(order.begin(), order.end(), 1);
+    mumps_.perm_in = order.data();
     run_or_not(analyse_and_factorise);
     while (is_short_of_reserve() && control(14) < most_reserve) {
       control(14) *= 2;

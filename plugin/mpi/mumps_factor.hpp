@@ -7,8 +7,8 @@
 
 namespace ffcontact::plugin {
 
-/// By MUMPS: distributed entries (ICNTL(18) = 3), the order of METIS, Schur's complement
-/// on process 0 (ICNTL(19) = 1).
+/// By MUMPS: distributed entries (ICNTL(18) = 3) in the order in which they are given
+/// (ICNTL(7) = 1), Schur's complement on process 0 (ICNTL(19) = 1).
 /// @throws std::runtime_error  as Processes::factorised
 std::unique_ptr<SharedFactor> mumps_factor(MPI_Comm communicator,
                                            MatrixPart part, int rows, int kept,

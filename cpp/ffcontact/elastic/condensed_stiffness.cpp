@@ -126,21 +126,11 @@ struct CondensedStiffness::Factor {
   }
 };
 
-namespace {
-
-const std::vector<int>& checked(const ElasticSystem& system,
-                                const std::vector<int>& kept) {
-  require_kept(system, kept);
-  return kept;
-}
-
-}  // namespace
-
 CondensedStiffness::CondensedStiffness(const ElasticSystem& system,
                                        const std::vector<int>& kept,
                                        Precision precision)
-    : factor_(
-          std::make_unique<Factor>(system, checked(system, kept), precision)) {}
+    : factor_(std::make_unique<Factor>(system, required_kept(system, kept),
+                                       precision)) {}
 
 CondensedStiffness::CondensedStiffness() = default;
 CondensedStiffness::~CondensedStiffness() = default;

@@ -43,7 +43,8 @@ void require_room_for_schur(int kept, double memory) {
            "coarser mesh");
 }
 
-void require_kept(const ElasticSystem& system, const std::vector<int>& kept) {
+const std::vector<int>& required_kept(const ElasticSystem& system,
+                                      const std::vector<int>& kept) {
   require_room_for_schur(static_cast<int>(kept.size()),
                          memory_of_the_machine());
   std::vector<char> met(system.dof_count(), 0);
@@ -52,6 +53,7 @@ void require_kept(const ElasticSystem& system, const std::vector<int>& kept) {
     if (met[dof]) refuse("kept dof ", dof, " is listed twice");
     met[dof] = 1;
   }
+  return kept;
 }
 
 VectorXd inverse_roots(const ElasticSystem& system) {

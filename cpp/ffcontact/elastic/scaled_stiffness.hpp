@@ -15,9 +15,11 @@ namespace ffcontact {
 ///                                copies that contact works with, takes more than half
 void require_room_for_schur(int kept, double memory);
 
+/// The kept dofs themselves.
 /// @throws std::invalid_argument  if a kept dof is prescribed, out of range or listed
 ///                                twice, or by require_room_for_schur on this machine
-void require_kept(const ElasticSystem& system, const std::vector<int>& kept);
+const std::vector<int>& required_kept(const ElasticSystem& system,
+                                      const std::vector<int>& kept);
 
 /// R [all dofs]: K_ii^-1/2; 1 where the dof is prescribed, or where nothing holds it, which
 /// shows in the factor.
