@@ -93,6 +93,14 @@ class ShortestTimes : public benchmark::ConsoleReporter {
   std::map<std::pair<int, std::string>, double> shortest;
 };
 
+/// Nothing where the linear solve was not run.
+inline std::string ratio(double own, double first) {
+  if (first == 0) return "";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", own / first);
+  return text;
+}
+
 inline void print_table(const ShortestTimes& times,
                         const std::vector<NamedCase>& cases,
                         const std::vector<int>& sizes,
@@ -112,10 +120,10 @@ inline void print_table(const ShortestTimes& times,
         first_seconds = seconds->second;
         first_memory = megabytes;
       }
-      std::printf("| %d | %s | %.3f | %.2f | %.0f | %.2f |\n", dofs(n),
+      std::printf("| %d | %s | %.3f | %s | %.0f | %s |\n", dofs(n),
                   cases[k].name.c_str(), seconds->second,
-                  seconds->second / first_seconds, megabytes,
-                  megabytes / first_memory);
+                  ratio(seconds->second, first_seconds).c_str(), megabytes,
+                  ratio(megabytes, first_memory).c_str());
     }
   }
 }

@@ -90,5 +90,5 @@ int main(int argc, char** argv) {
        {"solid, lifted, pressures",
         contact(BlockCase::press_x, Multiplier::pressure)},
        {"solid, estimate", estimate(BlockCase::press)}},
-      {5, 7, 8}, solid_dofs);
+      {4, 5, 7, 8, 11}, solid_dofs);
 }
