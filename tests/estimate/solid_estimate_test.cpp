@@ -340,12 +340,18 @@ TEST(SolidEstimate, of_a_curved_surface_does_not_depend_on_its_tangents) {
   }
 }
 
+/// But for rounding, of which a step that is taken or not makes 2e-5 once in a thousand.
 RC_GTEST_PROP(SolidEstimate, does_not_depend_on_numbers, (Random random)) {
   const SolidMesh mesh = moved(block(4), 20, 0.15, random);
   const SolidProblem first = block_problem(mesh, BlockCase::shear, 0.5),
                      second = block_problem(shuffled(mesh, random),
                                             BlockCase::shear, 0.5);
-  RC_ASSERT(std::abs(estimate(first).e / estimate(second).e - 1) < 1e-6);
+  SolidRelaxationSettings unrelaxed;
+  unrelaxed.steps = 0;
+  RC_ASSERT(
+      std::abs(estimate(first, unrelaxed).e / estimate(second, unrelaxed).e -
+               1) < 1e-6);
+  RC_ASSERT(std::abs(estimate(first).e / estimate(second).e - 1) < 1e-3);
 }
 
 /// |sigma_hat - C eps(u_hat)| as a part of |2 sigma|. The contact part of e^2 is
