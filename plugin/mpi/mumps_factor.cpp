@@ -126,6 +126,9 @@ class MumpsFactor : public SharedFactor {
 
   void run(int job) {
     run_or_not(job);
+    require_success();
+  }
+  void require_success() const {
     if (mumps_.infog[0] < 0) fail(mumps_.infog[0], mumps_.infog[1]);
   }
   void run_or_not(int job) {
@@ -156,7 +159,7 @@ class MumpsFactor : public SharedFactor {
       control(14) *= 2;
       run_or_not(factorise);
     }
-    if (mumps_.infog[0] < 0) fail(mumps_.infog[0], mumps_.infog[1]);
+    require_success();
   }
 
   bool is_short_of_reserve() const {

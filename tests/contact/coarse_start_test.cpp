@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ffcontact/contact/surface_newton.hpp"
-#include "ffcontact/contact/surface_trace.hpp"
-#include "support/random.hpp"
-#include "support/solid_bodies.hpp"
+#include "support/condensed_blocks.hpp"
 
 namespace ffcontact {
 namespace {
@@ -14,18 +12,13 @@ namespace {
 using namespace test;
 
 /// The condensed relation of a problem and its law.
-struct Relation {
+struct Relation : CondensedProblem {
   const SolidProblem& problem;
-  SurfaceTrace trace;
-  CondensedContact contact;
   NodalLaw law;
 
   explicit Relation(const SolidProblem& stated)
-      : problem(stated),
-        trace(surface_trace(problem.surface, problem.law, problem.system())),
-        contact(condensed_contact(
-            trace.trace, trace.primary, problem.b,
-            CondensedStiffness(problem.system(), trace.trace.kept_dofs))),
+      : CondensedProblem(stated),
+        problem(stated),
         law(nodal_law(problem.law, problem.surface)) {}
 
   std::optional<ContactRows> start() const {
@@ -117,14 +110,6 @@ TEST_P(CoarseStart, saves_steps) {
     EXPECT_LT((loads == BlockCase::press ? 1.5 : 1) * near.iterations,
               far.iterations);
   }
-}
-
-SolidProblem random_block(double mu, Random& random) {
-  SolidProblem problem =
-      block_problem(moved(brick({4, 2, 2}, {80, 40, 40}), 20, 0.15, random),
-                    static_cast<BlockCase>(random() % 4), mu);
-  if (random() % 2 == 0) problem.law.multiplier = Multiplier::pressure;
-  return problem;
 }
 
 /// With planes of symmetry, nodes that are all open, no friction.

@@ -8,9 +8,7 @@
 
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/surface_step.hpp"
-#include "ffcontact/contact/surface_trace.hpp"
-#include "support/random.hpp"
-#include "support/solid_bodies.hpp"
+#include "support/condensed_blocks.hpp"
 
 namespace ffcontact {
 namespace {
@@ -18,19 +16,13 @@ namespace {
 using namespace test;
 
 /// The condensed relation of a block with planes of symmetry, and any states of its nodes.
-struct AnyStep {
-  SurfaceTrace trace;
-  CondensedContact contact;
+struct AnyStep : CondensedProblem {
   NaturalMap map;
   std::vector<NodeState> states;
   ContactRows rows;
 
   AnyStep(const SolidProblem& problem, Random& random)
-      : trace(surface_trace(problem.surface, problem.law, problem.system())),
-        contact(condensed_contact(
-            trace.trace, trace.primary, problem.b,
-            CondensedStiffness(problem.system(), trace.trace.kept_dofs))),
-        map(contact, trace.held) {
+      : CondensedProblem(problem), map(contact, trace.held) {
     const int nodes = problem.surface.node_count();
     const NodalLaw law = nodal_law(problem.law, problem.surface);
     for (int i = 0; i < nodes; ++i)
@@ -55,14 +47,6 @@ struct AnyStep {
     return std::max(answer.v.norm(), 1e-2 * rows.v.norm());
   }
 };
-
-SolidProblem random_block(double mu, Random& random) {
-  SolidProblem problem =
-      block_problem(moved(brick({4, 2, 2}, {80, 40, 40}), 20, 0.15, random),
-                    static_cast<BlockCase>(random() % 4), mu);
-  if (random() % 2 == 0) problem.law.multiplier = Multiplier::pressure;
-  return problem;
-}
 
 /// Whatever the states: four digits a step, with residuals of double precision.
 RC_GTEST_PROP(InexactStep, gains_four_digits_a_step, (Random random)) {

@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/selected_rows.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 
 namespace ffcontact {
@@ -115,37 +116,24 @@ class Coarse {
 
  private:
   void put_relation(const CondensedContact& contact, const SparseMatrix& WR) {
-    const SparseMatrix Q = at_primary_rows(contact, WR);
+    const SparseMatrix Q = selected_rows(WR, contact.primary);
     const MatrixXd S = congruent(contact.S, Q);
     const VectorXd g = Q.transpose() * contact.g;
     const double least = no_stiffness * S.diagonal().maxCoeff();
-    coarse_.dimension = 3;
-    coarse_.position = VectorXi(S.rows());
-    held_.reserve(S.rows());
+    held_.assign(S.rows(), 0);
+    std::vector<int> moving;
     for (int row = 0; row < S.rows(); ++row) {
-      held_.push_back(!(S(row, row) > least));
-      std::vector<int>& rows = held_[row] ? coarse_.dependent : coarse_.primary;
-      const int place = count_of(rows);
-      coarse_.position[row] = held_[row] ? -1 - place : place;
-      rows.push_back(row);
+      held_[row] = !(S(row, row) > least);
+      if (!held_[row]) moving.push_back(row);
     }
+    coarse_.dimension = 3;
+    number_rows(moving, static_cast<int>(S.rows()), coarse_);
     coarse_.S = S(coarse_.primary, coarse_.primary);
     coarse_.g = g(coarse_.primary);
     const Index f = coarse_.g.size(), d = count_of(coarse_.dependent);
     coarse_.E = MatrixXd::Zero(f, d);
     coarse_.F = MatrixXd::Zero(d, d);
     coarse_.dependent_offset = VectorXd::Zero(d);
-  }
-
-  static SparseMatrix at_primary_rows(const CondensedContact& contact,
-                                      const SparseMatrix& M) {
-    Triplets entries;
-    for (int a = 0; a < M.cols(); ++a)
-      for (SparseMatrix::InnerIterator e(M, a); e; ++e)
-        if (contact.is_primary(static_cast<int>(e.row())))
-          entries.emplace_back(contact.position[e.row()], a, e.value());
-    return packed(count_of(contact.primary), static_cast<int>(M.cols()),
-                  entries);
   }
 
   /// Cones of forces: those of tractions at the nodes times the area of the aggregate.

@@ -7,6 +7,7 @@
 #include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/selected_rows.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/contact/vertex_motions.hpp"
@@ -14,30 +15,6 @@
 namespace ffcontact {
 
 namespace {
-
-/// Fills primary, dependent and position; the first node of a vertex carries its primary
-/// rows.
-void number_rows(const std::vector<int>& primary, int row_count,
-                 CondensedContact& contact) {
-  constexpr int not_yet = -1;
-  contact.primary = primary;
-  contact.position = VectorXi::Constant(row_count, not_yet);
-  for (std::size_t k = 0; k < primary.size(); ++k)
-    contact.position[primary[k]] = static_cast<int>(k);
-  for (int row = 0; row < row_count; ++row) {
-    if (contact.position[row] != not_yet) continue;
-    contact.position[row] = -1 - count_of(contact.dependent);
-    contact.dependent.push_back(row);
-  }
-}
-
-SparseMatrix selected_rows(const SparseMatrix& A,
-                           const std::vector<int>& rows) {
-  const auto count = count_of(rows);
-  Triplets entries;
-  for (int k = 0; k < count; ++k) entries.emplace_back(k, rows[k], 1.0);
-  return packed(count, A.rows(), entries) * A;
-}
 
 /// A of the primary rows, for w and for w_o:   v_primary = A w + A_o w_o.
 SparseMatrix own_A(const CondensedContact& contact) {
@@ -179,6 +156,20 @@ void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
 }
 
 }  // namespace
+
+void number_rows(const std::vector<int>& primary, int row_count,
+                 CondensedContact& contact) {
+  constexpr int not_yet = -1;
+  contact.primary = primary;
+  contact.position = VectorXi::Constant(row_count, not_yet);
+  for (std::size_t k = 0; k < primary.size(); ++k)
+    contact.position[primary[k]] = static_cast<int>(k);
+  for (int row = 0; row < row_count; ++row) {
+    if (contact.position[row] != not_yet) continue;
+    contact.position[row] = -1 - count_of(contact.dependent);
+    contact.dependent.push_back(row);
+  }
+}
 
 std::vector<int> contact_dofs(const ContactLine& line,
                               const ElasticSystem& system) {

@@ -77,6 +77,12 @@ struct CondensedContact : ContactTrace {
   }
 };
 
+/// Fills primary, dependent and position.
+/// @param primary    rows [f]; of nodes of one vertex those of the first are
+/// @param row_count  of all rows
+void number_rows(const std::vector<int>& primary, int row_count,
+                 CondensedContact& contact);
+
 /// The free dofs of the vertices on the line, in the order of its nodes, then those of
 /// the opposite vertices.
 std::vector<int> contact_dofs(const ContactLine& line,

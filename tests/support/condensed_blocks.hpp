@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/contact/surface_trace.hpp"
+#include "support/random.hpp"
+#include "support/solid_bodies.hpp"
+#include "support/solid_problems.hpp"
+
+namespace ffcontact::test {
+
+/// The condensed relation of a problem.
+struct CondensedProblem {
+  SurfaceTrace trace;
+  CondensedContact contact;
+
+  explicit CondensedProblem(const SolidProblem& problem)
+      : trace(surface_trace(problem.surface, problem.law, problem.system())),
+        contact(condensed_contact(
+            trace.trace, trace.primary, problem.b,
+            CondensedStiffness(problem.system(), trace.trace.kept_dofs))) {}
+};
+
+/// A block with moved vertices, any loads and either multiplier.
+inline SolidProblem random_block(double mu, Random& random) {
+  SolidProblem problem =
+      block_problem(moved(brick({4, 2, 2}, {80, 40, 40}), 20, 0.15, random),
+                    static_cast<BlockCase>(random() % 4), mu);
+  if (random() % 2 == 0) problem.law.multiplier = Multiplier::pressure;
+  return problem;
+}
+
+}  // namespace ffcontact::test
