@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "ffcontact/base/aggregates.hpp"
 #include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/selected_rows.hpp"
@@ -18,41 +19,6 @@ constexpr int most_systems = 30;
 /// Of diag(S), relative: what moves nothing.
 constexpr double no_stiffness = 1e-12;
 
-struct Aggregates {
-  std::vector<int> of_node;  ///< [p]
-  std::vector<int> first;    ///< node of each [a]
-};
-
-/// A node with all its neighbours where none of these is taken; others go with a neighbour.
-Aggregates aggregates(const SparseMatrix& neighbours) {
-  const auto nodes = static_cast<int>(neighbours.cols());
-  Aggregates result{std::vector<int>(nodes, -1), {}};
-  std::vector<int>& of = result.of_node;
-  const auto found = [&](int i) {
-    of[i] = count_of(result.first);
-    result.first.push_back(i);
-  };
-  const auto taken_beside = [&](int i) {
-    for (SparseMatrix::InnerIterator e(neighbours, i); e; ++e)
-      if (of[e.row()] >= 0) return of[e.row()];
-    return -1;
-  };
-  for (int i = 0; i < nodes; ++i) {
-    if (of[i] >= 0 || taken_beside(i) >= 0) continue;
-    found(i);
-    for (SparseMatrix::InnerIterator e(neighbours, i); e; ++e)
-      of[e.row()] = of[i];
-  }
-  for (int i = 0; i < nodes; ++i) {
-    if (of[i] >= 0) continue;
-    if (const int beside = taken_beside(i); beside >= 0)
-      of[i] = beside;
-    else
-      found(i);
-  }
-  return result;
-}
-
 /// diag(M 1)^-1 M R_0 [p x a]
 SparseMatrix smoothed(const Aggregates& aggregates, const SparseMatrix& M) {
   const VectorXd inverse = (M * VectorXd::Ones(M.cols())).cwiseInverse();
@@ -61,8 +27,7 @@ SparseMatrix smoothed(const Aggregates& aggregates, const SparseMatrix& M) {
     for (SparseMatrix::InnerIterator e(M, k); e; ++e)
       entries.emplace_back(e.row(), aggregates.of_node[k],
                            inverse[e.row()] * e.value());
-  return packed(static_cast<int>(M.rows()), count_of(aggregates.first),
-                entries);
+  return packed(static_cast<int>(M.rows()), aggregates.count(), entries);
 }
 
 /// Weights of aggregates as R of vectors, in the frames of nodes and of aggregates

@@ -7,17 +7,6 @@
 
 namespace ffcontact {
 
-namespace {
-
-/// S + s Z Z' with s of the size of S: regular where contact alone holds the motions Z.
-MatrixXd with_motions(const MatrixXd& S, const MatrixXd& Z) {
-  MatrixXd regular = S;
-  if (Z.cols() > 0) regular += S.diagonal().mean() * Z * Z.transpose();
-  return regular;
-}
-
-}  // namespace
-
 Rebalancing::Rebalancing(const ElasticSystem& system,
                          const std::vector<int>& contact_dofs,
                          const MatrixXd& motions,
@@ -25,13 +14,11 @@ Rebalancing::Rebalancing(const ElasticSystem& system,
     : system_(system),
       contact_dofs_(contact_dofs),
       motions_(motions),
-      stiffness_(std::move(stiffness)) {
-  if (!stiffness_)
-    stiffness_ =
-        std::make_shared<const CondensedStiffness>(system, contact_dofs);
-  const MatrixXd Z = motions(contact_dofs, Eigen::all);
-  schur_ = DenseCholesky(with_motions(stiffness_->schur(), Z));
-}
+      stiffness_(stiffness ? std::move(stiffness)
+                           : std::make_shared<const CondensedStiffness>(
+                                 system, contact_dofs)),
+      schur_(system, contact_dofs, *stiffness_,
+             motions(contact_dofs, Eigen::all)) {}
 
 VectorXd Rebalancing::solved(const VectorXd& force_change) const {
   CondensedStiffness::Load load = stiffness_->condensed(force_change);

@@ -4,8 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ffcontact/base/dense_cholesky.hpp"
-#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/elastic/schur_solver.hpp"
 
 namespace ffcontact {
 
@@ -13,8 +12,8 @@ namespace ffcontact {
 /// lambda_h): the displacement whose stresses are in equilibrium with r_hat.
 ///
 /// Where K is singular (rigid motions Z that contact alone holds) the change of forces
-/// does no work on Z, and the solution without rigid motion on the contact dofs is taken:
-/// S + Z_c Z_c' in place of S, factored once. The same balances any other small change of
+/// does no work on Z, and the solution without rigid motion on the contact dofs is taken
+/// (SchurSolver). The same balances any other small change of
 /// the nodal forces, as the rounding of u_h leaves. A factor in single precision is
 /// corrected by the residuals of K itself, and made anew in full where that fails.
 class Rebalancing {
@@ -38,7 +37,7 @@ class Rebalancing {
   std::vector<int> contact_dofs_;
   MatrixXd motions_;
   std::shared_ptr<const CondensedStiffness> stiffness_;
-  DenseCholesky schur_;  ///< S + Z_c Z_c'
+  SchurSolver schur_;
 };
 
 }  // namespace ffcontact
