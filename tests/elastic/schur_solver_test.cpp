@@ -86,7 +86,7 @@ TEST(SchurSolver, factors_where_steps_are_not_enough) {
                                body.motions, most_steps);
       return body.residual(solver.solve(g), g);
     };
-    EXPECT_GT(residual(200), 1e-10);
+    EXPECT_GT(residual(100), 1e-10);
     EXPECT_LT(residual(3), 1e-12);
   }
 }

@@ -19,8 +19,8 @@ namespace ffcontact {
 /// R = 1 from an aggregate of neighbouring vertices to these, one column a component. S is
 /// of order 1, as it takes displacements to tractions: such an R needs no smoothing, and
 /// steps do not grow with the number of dofs (26 to 30 for 243 to 3267 kept ones, held or
-/// not, where the diagonal alone takes 43 to 89). That is n^2 in place of n^3 / 3
-/// operations. Where they are not enough Cholesky's factor is made.
+/// not, where the diagonal alone takes 43 to 178). That is n^2 in place of n^3 / 3
+/// operations. Where they are not enough, as for nu of 0.499, Cholesky's factor is made.
 class SchurSolver {
  public:
   /// @param kept       of the stiffness
@@ -28,7 +28,7 @@ class SchurSolver {
   /// @param motions    Z on the kept dofs [kept x k]
   SchurSolver(const ElasticSystem& system, const std::vector<int>& kept,
               const CondensedStiffness& stiffness, const MatrixXd& motions,
-              int most_steps = 200);
+              int most_steps = 100);
   ~SchurSolver();
   SchurSolver(SchurSolver&&) noexcept;
 
