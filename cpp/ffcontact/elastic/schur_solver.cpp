@@ -78,7 +78,7 @@ struct SchurSolver::TwoLevels {
   MatrixXd coarse_matrix(const MatrixXd& S, const MatrixXd& motions) const {
     const MatrixXd Z = R.transpose() * motions;
     MatrixXd matrix = congruent(S, R);
-    matrix += Z * Z.transpose();
+    matrix.noalias() += Z * Z.transpose();
     return matrix;
   }
 
@@ -105,7 +105,6 @@ SchurSolver::SchurSolver(const ElasticSystem& system,
 }
 
 SchurSolver::~SchurSolver() = default;
-SchurSolver::SchurSolver(SchurSolver&&) noexcept = default;
 
 VectorXd SchurSolver::solve(const VectorXd& g) const {
   const MatrixXd& S = stiffness_.schur();
@@ -119,7 +118,7 @@ VectorXd SchurSolver::solve(const VectorXd& g) const {
   }
   if (direct_.size() == 0) {
     MatrixXd regular = S;
-    regular += motions_ * motions_.transpose();
+    regular.noalias() += motions_ * motions_.transpose();
     direct_ = DenseCholesky(std::move(regular));
   }
   return direct_.solve(g);

@@ -30,7 +30,6 @@ class SchurSolver {
               const CondensedStiffness& stiffness, const MatrixXd& motions,
               int most_steps = 100);
   ~SchurSolver();
-  SchurSolver(SchurSolver&&) noexcept;
 
   /// @return the same digits for every number of threads where it is not factored
   VectorXd solve(const VectorXd& g) const;

@@ -13,9 +13,9 @@ namespace ffcontact {
 ///
 /// Where K is singular (rigid motions Z that contact alone holds) the change of forces
 /// does no work on Z, and the solution without rigid motion on the contact dofs is taken
-/// (SchurSolver). The same balances any other small change of
-/// the nodal forces, as the rounding of u_h leaves. A factor in single precision is
-/// corrected by the residuals of K itself, and made anew in full where that fails.
+/// (SchurSolver). The same balances any other small change of the nodal forces, as the
+/// rounding of u_h leaves. A factor in single precision is corrected by the residuals of K
+/// itself, and made anew in full where that fails.
 class Rebalancing {
  public:
   /// @param contact_dofs  the free dofs of the contact line or surface
