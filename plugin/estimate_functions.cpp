@@ -125,8 +125,8 @@ class ContactErrorFunction : public E_F0mps {
                           });
     return error_shared(stack, named_, shared, solid_reader(stack),
                         [&](const ReadSolids& read) {
-                          return solid_error(stack, named_, contact.solid,
-                                             read);
+                          return solid_error(stack, named_, contact.solid, read,
+                                             relax_shared(shared));
                         });
   }
 

@@ -36,11 +36,19 @@ class Packet {
   Packet& put(const std::string& text) {
     return put_all(text.data(), text.size());
   }
-  Packet& put(const MatrixXd& matrix) {
-    put(matrix.rows()).put(matrix.cols());
-    return put_all(matrix.data(), static_cast<std::size_t>(matrix.size()));
+  template <class Number, int rows, int columns>
+  Packet& put(const Matrix<Number, rows, columns>& matrix) {
+    return put_dense(matrix);
   }
-  Packet& put(const VectorXd& vector) { return put(MatrixXd(vector)); }
+  template <class Number, int rows, int columns>
+  Packet& put(const Eigen::Array<Number, rows, columns>& array) {
+    return put_dense(array);
+  }
+  Packet& put(const std::vector<std::vector<int>>& lists) {
+    put(lists.size());
+    for (const std::vector<int>& list : lists) put(list);
+    return *this;
+  }
   template <class Value>
   Packet& put(const std::map<std::string, Value>& values) {
     put(values.size());
@@ -60,12 +68,22 @@ class Packet {
     take(value);
     return value;
   }
+  template <class Value>
+  Packet& take_to(Value& value) {
+    take(value);
+    return *this;
+  }
 
  private:
   void append(const void* data, std::size_t size) {
     const std::size_t before = bytes_.size();
     bytes_.resize(before + size);
     if (size > 0) std::memcpy(bytes_.data() + before, data, size);
+  }
+  template <class Dense>
+  Packet& put_dense(const Dense& dense) {
+    put(dense.rows()).put(dense.cols());
+    return put_all(dense.data(), static_cast<std::size_t>(dense.size()));
   }
   template <class Value>
   Packet& put_all(const Value* values, std::size_t count) {
@@ -94,12 +112,24 @@ class Packet {
     text.resize(take<std::size_t>());
     cut(text.data(), text.size());
   }
-  void take(MatrixXd& matrix) {
-    const auto rows = take<Index>(), columns = take<Index>();
-    matrix.resize(rows, columns);
-    cut(matrix.data(), take<std::size_t>() * sizeof(double));
+  void take(std::vector<std::vector<int>>& lists) {
+    lists.resize(take<std::size_t>());
+    for (std::vector<int>& list : lists) take(list);
   }
-  void take(VectorXd& vector) { vector = take<MatrixXd>(); }
+  template <class Number, int rows, int columns>
+  void take(Matrix<Number, rows, columns>& matrix) {
+    take_dense(matrix);
+  }
+  template <class Number, int rows, int columns>
+  void take(Eigen::Array<Number, rows, columns>& array) {
+    take_dense(array);
+  }
+  template <class Dense>
+  void take_dense(Dense& dense) {
+    const auto rows = take<Index>(), columns = take<Index>();
+    dense.resize(rows, columns);
+    cut(dense.data(), take<std::size_t>() * sizeof(typename Dense::Scalar));
+  }
   template <class Value>
   void take(std::map<std::string, Value>& values) {
     for (auto left = take<std::size_t>(); left > 0; --left) {

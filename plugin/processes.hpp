@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/messages.hpp"
 #include "ffcontact/elastic/precision.hpp"
 
 namespace ffcontact::plugin {
@@ -33,16 +34,8 @@ class SharedFactor {
 };
 
 /// Processes that solve one problem together.
-class Processes {
+class Processes : public Messages {
  public:
-  using Bytes = std::vector<char>;
-
-  virtual ~Processes() = default;
-  virtual int rank() const = 0;
-  virtual int count() const = 0;
-  virtual void send(int rank, const Bytes& bytes) const = 0;
-  /// Waits without work.
-  virtual Bytes receive(int rank) const = 0;
   /// @param rows  of the whole matrix, and how many of them are kept
   /// @throws std::runtime_error  on all processes, if the matrix is not positive definite
   ///                             or memory is missing on one

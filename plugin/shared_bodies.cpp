@@ -8,33 +8,21 @@ namespace ffcontact::plugin {
 
 namespace {
 
-template <int rows>
-std::vector<int> list_of(const Matrix<int, rows, Dynamic>& columns) {
-  return {columns.data(), columns.data() + columns.size()};
-}
-
-template <int rows>
-Matrix<int, rows, Dynamic> columns_in(Packet& packet) {
-  const auto list = packet.take<std::vector<int>>();
-  return Map<const Matrix<int, rows, Dynamic>>(list.data(), rows,
-                                               count_of(list) / rows);
-}
-
 template <int dim>
 void put_mesh(const SimplexMesh<dim>& mesh, Packet& packet) {
-  packet.put(MatrixXd(mesh.vertices))
-      .put(list_of<dim + 1>(mesh.cells))
-      .put(list_of<dim>(mesh.boundary))
-      .put(list_of<1>(mesh.boundary_label.transpose()));
+  packet.put(mesh.vertices)
+      .put(mesh.cells)
+      .put(mesh.boundary)
+      .put(mesh.boundary_label);
 }
 
 template <int dim>
 SimplexMesh<dim> mesh_in(Packet& packet) {
   SimplexMesh<dim> mesh;
-  mesh.vertices = packet.take<MatrixXd>();
-  mesh.cells = columns_in<dim + 1>(packet);
-  mesh.boundary = columns_in<dim>(packet);
-  mesh.boundary_label = columns_in<1>(packet).transpose();
+  packet.take_to(mesh.vertices)
+      .take_to(mesh.cells)
+      .take_to(mesh.boundary)
+      .take_to(mesh.boundary_label);
   return mesh;
 }
 

@@ -220,6 +220,19 @@ double error_shared(Stack stack, const NamedArguments& named,
   return error<3, ffcontact::SolvedSolid>(stack, named, contact, read, judge);
 }
 
+RelaxFaces relax_shared(const SharedContact& contact) {
+  return [&contact](const FaceSetting& setting,
+                    const SolidRelaxationSettings& settings,
+                    FaceMoments& moments) -> std::vector<double> {
+    if (settings.steps == 0) return {};
+    std::vector<int> owner(setting.topology.mesh.cell_count());
+    const auto& cells = contact.solid->cell;
+    for (int r = 0; r < count_of(cells); ++r)
+      for (int t : cells[r]) owner[t] = r;
+    return contact.team->relaxed(setting, settings, std::move(owner), moments);
+  };
+}
+
 double sizes_shared(
     Stack stack, const NamedArguments& named, SharedContact& contact,
     const std::vector<VectorXd>& arrays,

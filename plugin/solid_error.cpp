@@ -142,7 +142,8 @@ void put_bound(Stack stack, const NamedArguments& named,
 }  // namespace
 
 double solid_error(Stack stack, const NamedArguments& named,
-                   SolidContact& contact, const ReadSolids& read) {
+                   SolidContact& contact, const ReadSolids& read,
+                   const RelaxFaces& relax) {
   const double start = CPUtime();
   require_parameters_of_solids(named);
   const SolidRelaxationSettings settings = solid_settings(stack, named);
@@ -159,8 +160,9 @@ double solid_error(Stack stack, const NamedArguments& named,
   const double oscillation = read(problem, body);
 
   const SolidTopology topology = topology_of(problem.mesh);
-  SolidEstimate estimate = estimate_error(
-      topology, problem.surface, *contact.solved->system, body, settings);
+  SolidEstimate estimate =
+      estimate_error(topology, problem.surface, *contact.solved->system, body,
+                     settings, relax);
   put(stack, named, problem, estimate);
   put_solid_stress(stack, named, problem, topology, estimate, body);
   put_solid_rates(stack, named, topology, problem, *contact.solved, body);

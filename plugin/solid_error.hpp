@@ -17,6 +17,7 @@ using ReadSolids = std::function<double(const SolidBodies& bodies,
 /// The contact keeps what was made of it.
 /// @return eps
 double solid_error(Stack stack, const NamedArguments& named,
-                   SolidContact& contact, const ReadSolids& read);
+                   SolidContact& contact, const ReadSolids& read,
+                   const RelaxFaces& relax = relax_faces);
 
 }  // namespace ffcontact::plugin

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
+//
+#include "part_packet.hpp"
 
 namespace ffcontact::plugin {
 
@@ -101,6 +103,23 @@ VectorXd Team::extended(long factor, const VectorXd& kept) const {
   return factors_.at(factor)->extended(kept);
 }
 
+std::vector<double> Team::relaxed(const FaceSetting& setting,
+                                  const SolidRelaxationSettings& settings,
+                                  std::vector<int> owner,
+                                  FaceMoments& moments) const {
+  LeadingRelaxation relaxation(setting, moments, std::move(owner), *processes_);
+  for (int r = 1; r < count(); ++r) {
+    Packet packet;
+    packet.put(settings);
+    put(relaxation.part_of(r), packet);
+    tell(r, Word::share, packet);
+  }
+  relaxation.prepare();
+  for (int r = 1; r < count(); ++r) answer_of(r);
+  tell_all(Word::relax);
+  return relaxation.relax(settings, moments);
+}
+
 void Team::discard(long factor) noexcept { discarded_.push_back(factor); }
 
 /// Each of the others says when it knows; what it said before that is of no use.
@@ -118,6 +137,8 @@ Packet Team::served(const Service& service) {
   FactorOrder order;
   std::vector<long> discarded;
   long number = 0;
+  SolidRelaxationSettings settings;
+  std::unique_ptr<PartRelaxation> relaxation;
   while (true) {
     Packet packet(processes_->receive(0));
     switch (packet.take<Word>()) {
@@ -138,6 +159,15 @@ Packet Team::served(const Service& service) {
         factors_.at(packet.take<long>())->condensed({});
         break;
       case Word::extend: factors_.at(packet.take<long>())->extended({}); break;
+      case Word::share:
+        settings = packet.take<SolidRelaxationSettings>();
+        relaxation =
+            std::make_unique<PartRelaxation>(face_part_in(packet), *processes_);
+        answer({});
+        break;
+      case Word::relax:
+        follow(*std::exchange(relaxation, nullptr), *processes_, settings);
+        break;
       case Word::done: return packet;
       case Word::failed:
         tell(0, Word::done);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ffcontact/equilibrium/shared_relaxation.hpp"
+//
 #include "packet.hpp"
 #include "processes.hpp"
 
@@ -58,6 +60,13 @@ class Team {
   VectorXd extended(long factor, const VectorXd& kept) const;
   /// It goes when the next one is made.
   void discard(long factor) noexcept;
+  /// relax_faces by all.
+  /// @param owner  of each tetrahedron
+  /// @throws std::runtime_error  if one of them has no memory for its part
+  std::vector<double> relaxed(const FaceSetting& setting,
+                              const SolidRelaxationSettings& settings,
+                              std::vector<int> owner,
+                              FaceMoments& moments) const;
   /// Ends the others' part in a call that fails.
   void fail_all(const std::string& sentence) const;
   /// @}
@@ -79,6 +88,8 @@ class Team {
     factorise,
     condense,
     extend,
+    share,
+    relax,
     done,
     failed
   };

@@ -37,6 +37,7 @@ class MpiProcesses : public Processes {
                rank, tag, communicator_);
   }
 
+  /// Waits without work.
   Bytes receive(int rank) const override {
     wait_for(rank);
     unsigned long long size = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/equilibrium/contact_pass.hpp"
 #include "ffcontact/estimate/facing_error.hpp"
 #include "ffcontact/estimate/first_surface_tractions.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
@@ -150,14 +151,20 @@ double least_square(const SolidProblem& problem,
       stress,
       contact_faces(problem.mesh, problem.faces, problem.surface, body.law,
                     body.displacement)};
-  FaceDescent descent(setting, first.moments);
-  double square = descent.first_square() + descent.first_contact_part(),
-         before = 2 * square;
+  const FaceShare whole = whole_share(topology);
+  const NoExchange none;
+  FaceDescent descent(setting, first.moments, whole, none);
+  ContactPass contact(topology, first.boundary, descent.forms(),
+                      setting.contact, first.moments);
+  const double first_square = descent.begin();
+  double square = first_square + contact.contact_part(), before = 2 * square;
   while (before - square > 1e-5 * square) {
     before = square;
     for (int step = 0; step < 30; ++step) {
       square -= descent.step();
-      if (step % 3 == 2) square -= descent.contact_pass();
+      if (step % 3 == 2)
+        square -= contact.pass(1e-8 * first_square, descent.corrections(),
+                               descent.residual());
     }
   }
   return square;

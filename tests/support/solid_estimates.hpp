@@ -21,10 +21,11 @@ inline SolvedSolid solved_solid(const SolidProblem& problem,
 
 inline SolidEstimate estimate(const SolidProblem& problem,
                               const SurfaceSolution& solution,
-                              const SolidRelaxationSettings& settings = {}) {
+                              const SolidRelaxationSettings& settings = {},
+                              const RelaxFaces& relax = relax_faces) {
   return estimate_error(topology_of(problem.mesh), problem.surface,
                         problem.system(), solved_solid(problem, solution),
-                        settings);
+                        settings, relax);
 }
 
 inline SolidEstimate estimate(const SolidProblem& problem,

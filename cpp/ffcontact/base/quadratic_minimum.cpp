@@ -17,8 +17,9 @@ namespace {
 /// length 1) depends on them.
 constexpr double dependent = 1e-11;
 
-/// Conditions are met to this part of the terms they consist of.
-constexpr double condition_rounding = 1e-14;
+/// Conditions are met to this part of the terms they consist of; where as many as there
+/// are unknowns say where z is, and more would have it nearly there, to this one.
+constexpr double condition_rounding = 1e-14, corner_rounding = 1e-12;
 
 /// The smallest z with G z >= h, rows of G of length 1, by the dual method: z is at any
 /// time the smallest one for the active conditions alone, and the multipliers u >= 0 of z
@@ -35,8 +36,12 @@ class LeastDistance {
     const Index most = 20 * (h_.size() + 1);
     for (Index round = 0; round < most; ++round) {
       Index violated = 0;
-      const VectorXd missing = h_ - G_ * z_ - condition_rounding * scale_;
-      if (missing.maxCoeff(&violated) <= condition_rounding * z_.norm() ||
+      const double rounding =
+          active_.size() < static_cast<std::size_t>(z_.size())
+              ? condition_rounding
+              : corner_rounding;
+      const VectorXd missing = h_ - G_ * z_ - rounding * scale_;
+      if (missing.maxCoeff(&violated) <= rounding * z_.norm() ||
           is_active(violated))
         return true;
       if (!activate(violated)) return false;
@@ -45,6 +50,12 @@ class LeastDistance {
   }
 
   const VectorXd& z() const { return z_; }
+
+  /// The smallest z with G z = h for the active conditions.
+  VectorXd on_active(const VectorXd& h) const {
+    if (active_.empty()) return VectorXd::Zero(z_.size());
+    return least_squares(active_normals().transpose(), h(active_));
+  }
 
  private:
   bool is_active(Index row) const {
@@ -96,11 +107,7 @@ class LeastDistance {
   }
 
   /// z from the active conditions anew: the steps' rounding is forgotten.
-  void place_on_active() {
-    VectorXd limits(static_cast<Index>(active_.size()));
-    for (std::size_t k = 0; k < active_.size(); ++k) limits[k] = h_[active_[k]];
-    z_ = least_squares(active_normals().transpose(), limits);
-  }
+  void place_on_active() { z_ = on_active(h_); }
 
   const MatrixXd& G_;
   const VectorXd& h_;
@@ -122,20 +129,19 @@ std::optional<VectorXd> quadratic_minimum(const MatrixXd& H, const VectorXd& g,
 
   // Rows scaled to length 1: least distance does not care, its rounding does.
   MatrixXd G = cholesky.half_solve(C.transpose()).transpose();
-  VectorXd h = d - C * free;
-  VectorXd scale = VectorXd::Zero(h.size());
-  for (Index row = 0; row < G.rows(); ++row) {
-    const double length = G.row(row).norm();
-    if (length == 0) continue;
-    G.row(row) /= length;
-    h[row] /= length;
-    scale[row] = (C.row(row).cwiseAbs().dot(free.transpose().cwiseAbs()) +
-                  std::abs(d[row])) /
-                 length;
-  }
+  VectorXd per_length = G.rowwise().norm();
+  for (double& length : per_length) length = length > 0 ? 1 / length : 1;
+  G = per_length.asDiagonal() * G;
+  const VectorXd h = per_length.cwiseProduct(d - C * free),
+                 scale = per_length.cwiseProduct(
+                     C.cwiseAbs() * free.cwiseAbs() + d.cwiseAbs());
   LeastDistance least(G, h, scale);
   if (!least.solve()) return std::nullopt;
-  return free + cholesky.other_half_solve(least.z());
+  VectorXd y = free + cholesky.other_half_solve(least.z());
+  // The digits that free has more than y.
+  y += cholesky.other_half_solve(
+      least.on_active(per_length.cwiseProduct(d - C * y)));
+  return y;
 }
 
 }  // namespace ffcontact

@@ -98,8 +98,8 @@ void ContactPass::add(int edge, const VectorXd& x, Matrix9Xd& corrections,
   }
 }
 
-double ContactPass::operator()(double least_fall, Matrix9Xd& corrections,
-                               Matrix9Xd& residual) {
+double ContactPass::pass(double least_fall, Matrix9Xd& corrections,
+                         Matrix9Xd& residual) {
   ContactStar::Scales scales{least_fall, 0};
   for (const Matrix3d& traction : tractions_)
     scales.traction = std::max(scales.traction, max_norm(traction));

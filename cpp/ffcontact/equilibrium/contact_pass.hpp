@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/equilibrium/contact_relaxation.hpp"
 #include "ffcontact/equilibrium/contact_star.hpp"
 
 namespace ffcontact {
@@ -14,7 +15,7 @@ namespace ffcontact {
 /// The order is that of the middles of the edges, whatever their numbers.
 /// Stars that have no tetrahedron's face in common are of one colour and change together:
 /// the digits do not depend on the number of threads.
-class ContactPass {
+class ContactPass : public ContactRelaxation {
  public:
   /// @param boundary  known tractions, those of contact among them
   /// @param contact   stays where it is; empty: a pass does nothing
@@ -23,15 +24,11 @@ class ContactPass {
               const FaceForms& forms, const std::vector<ContactFace>& contact,
               const FaceMoments& moments);
 
-  /// One pass; returns by how much e^2 fell.
-  /// @param least_fall   what is nothing in a star
-  /// @param corrections  unknowns (w, y) of all faces
-  /// @param residual     minus half the slope of the elastic part of e^2 by these
-  double operator()(double least_fall, Matrix9Xd& corrections,
-                    Matrix9Xd& residual);
-
-  /// The contact part of e^2.
-  double contact_part() const;
+  bool is_free() const override { return !contact_.empty(); }
+  double contact_part() const override;
+  /// @param least_fall  what is nothing in a star
+  double pass(double least_fall, Matrix9Xd& corrections,
+              Matrix9Xd& residual) override;
 
  private:
   void colour();

@@ -17,8 +17,9 @@ namespace {
 
 /// Conditions on the corrections of an edge that depend on others but for this part.
 constexpr PivotThreshold dependent_on_others{1e-9};
-/// Tractions outside the cone by this part of the largest are in it but for rounding.
-constexpr double cone_rounding = 1e-14;
+/// Tractions outside the cone by this part of the largest are in it but for rounding,
+/// which contact_faces takes off. Less, and the digits of sums say which stars stay.
+constexpr double cone_rounding = 1e-12;
 
 /// Tractions at the vertices of a contact face from its nine unknowns.
 Matrix9d tractions_of_unknowns(const SolidTopology& topology,

@@ -38,9 +38,10 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
   return star;
 }
 
-EdgeStars::EdgeStars(const SolidTopology& topology,
+EdgeStars::EdgeStars(const SolidTopology& topology, const FaceShare& share,
                      const FaceTractions& boundary, const FaceForms& forms)
     : topology_(topology),
+      share_(share),
       place_(3, topology.faces.count()),
       shifts_(topology.edges.facet.size()),
       stars_(topology.edges.count()),
@@ -48,7 +49,7 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
       first_of_factor_(1, 0) {
   const Hinges<3>& edges = topology.edges;
   for (int e = 0; e < edges.count(); ++e) {
-    const int size = unknowns_around(edges, e);
+    const int size = share.edge[e] ? unknowns_around(edges, e) : 0;
     first_.push_back(first_.back() + tiled(size));
     first_of_factor_.push_back(first_of_factor_.back() + factor_size(size));
     for (int i = 0; i < edges.facet_count(e); ++i) {
@@ -62,7 +63,9 @@ EdgeStars::EdgeStars(const SolidTopology& topology,
   factors_.reset(new float[first_of_factor_.back()]);
 #pragma omp parallel for
   for (int e = 0; e < edges.count(); ++e)
-    stars_[e] = star(e, boundary, forms, factors_.get() + first_of_factor_[e]);
+    if (share.edge[e])
+      stars_[e] =
+          star(e, boundary, forms, factors_.get() + first_of_factor_[e]);
 }
 
 const WrenchShift& EdgeStars::shift(int edge, int place) const {
@@ -127,12 +130,14 @@ Vector9d EdgeStars::gathered(int face) const {
 void EdgeStars::operator()(const Matrix9Xd& g, Matrix9Xd& z) {
 #pragma omp parallel for
   for (int e = 0; e < topology_.edges.count(); ++e) {
+    if (!share_.edge[e]) continue;
     float* own = x_.data() + first_[e];
     restrict_to(e, g, own);
     solve(e, own);
   }
 #pragma omp parallel for
-  for (int f = 0; f < topology_.faces.count(); ++f) z.col(f) = gathered(f);
+  for (int f = 0; f < topology_.faces.count(); ++f)
+    z.col(f) = share_.face[f] ? gathered(f) : Vector9d::Zero();
 }
 
 }  // namespace ffcontact

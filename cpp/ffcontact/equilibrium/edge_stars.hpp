@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/equilibrium/face_forms.hpp"
+#include "ffcontact/equilibrium/face_share.hpp"
 #include "ffcontact/equilibrium/face_tractions.hpp"
 
 namespace ffcontact {
@@ -22,11 +23,12 @@ namespace ffcontact {
 /// of threads.
 class EdgeStars {
  public:
-  EdgeStars(const SolidTopology& topology, const FaceTractions& boundary,
-            const FaceForms& forms);
+  /// @param share  whose edges the stars are; stays where it is
+  EdgeStars(const SolidTopology& topology, const FaceShare& share,
+            const FaceTractions& boundary, const FaceForms& forms);
 
   /// @param g  on the unknowns (w, y) of all faces [9 x faces]
-  /// @param z  likewise
+  /// @param z  likewise, 0 on faces that are not of the share
   void operator()(const Matrix9Xd& g, Matrix9Xd& z);
 
  private:
@@ -45,6 +47,7 @@ class EdgeStars {
   Vector9d gathered(int face) const;
 
   const SolidTopology& topology_;
+  const FaceShare& share_;
   Matrix3Xi place_;  ///< of a face around each of its edges [3 x faces]
   std::vector<WrenchShift> shifts_;  ///< of all faces around all edges
   std::vector<Star> stars_;

@@ -7,13 +7,6 @@
 
 namespace ffcontact {
 
-namespace {
-
-/// A star that lowers e^2 by less than this part of what it was at first may as well stay.
-constexpr double least_part_of_a_star = 1e-8;
-
-}  // namespace
-
 FaceLoads difference_loads(const FaceSetting& setting,
                            const FaceMoments& moments, int cell) {
   const auto& [mesh, faces, edges, stars] = setting.topology;
@@ -34,12 +27,13 @@ SolidStress difference_stress(const FaceSetting& setting,
                           setting.body_loads.col(cell).reshaped(3, 4));
 }
 
-FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
+FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments,
+                         const FaceShare& share, const FaceExchange& exchange)
     : setting_(setting),
+      share_(share),
+      exchange_(exchange),
       forms_(setting.topology, setting.hooke),
-      stars_(setting.topology, setting.boundary, forms_),
-      contact_(setting.topology, setting.boundary, forms_, setting.contact,
-               moments),
+      stars_(setting.topology, share, setting.boundary, forms_),
       corrections_(Matrix9Xd::Zero(9, moments.cols())),
       residual_(9, moments.cols()),
       direction_(9, moments.cols()),
@@ -48,9 +42,10 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
       image_(9, moments.cols()) {
   const SolidTopology& topology = setting.topology;
   const int cells = topology.mesh.cell_count();
-  VectorXd squares(cells);
+  VectorXd squares = VectorXd::Zero(cells);
 #pragma omp parallel for
   for (int t = 0; t < cells; ++t) {
+    if (!share.cell[t]) continue;
     const TetrahedronCorners corners = corners_of(topology.mesh, t);
     const Matrix6d compliance = setting.hooke[t].inverse();
     const SolidStress tau = difference_stress(setting, moments, t);
@@ -59,9 +54,13 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments)
         -face_slope(corners, compliance, tau, wrench_bases(topology, t))
              .cast<float>();
   }
+  of_share_ = parted_sum(cells, [&](int t) { return squares[t]; });
+}
+
+double FaceDescent::begin() {
+  exchange_.complete(images_);
   gather(residual_);
-  first_square_ = parted_sum(cells, [&](int t) { return squares[t]; });
-  first_contact_part_ = contact_.contact_part();
+  return exchange_.sum(of_share_);
 }
 
 /// y = sum of what the tetrahedra beside each face have for it in images_.
@@ -79,8 +78,9 @@ void FaceDescent::gather(Matrix9Xd& y) const {
 }
 
 double FaceDescent::dot(const Matrix9Xd& a, const Matrix9Xd& b) const {
-  return parted_sum(static_cast<int>(a.cols()),
-                    [&](int f) { return a.col(f).dot(b.col(f)); });
+  return exchange_.sum(parted_sum(static_cast<int>(a.cols()), [&](int f) {
+    return share_.counted[f] ? a.col(f).dot(b.col(f)) : 0;
+  }));
 }
 
 void FaceDescent::add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const {
@@ -96,8 +96,10 @@ void FaceDescent::turn_direction() {
   const SolidTopology& topology = setting_.topology;
 #pragma omp parallel for
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
-    images_.col(t) =
-        forms_.times(t, unknowns_at(topology.faces, direction_, t));
+    if (share_.cell[t])
+      images_.col(t) =
+          forms_.times(t, unknowns_at(topology.faces, direction_, t));
+  exchange_.complete(images_);
   gather(image_);
   square_ = dot(direction_, image_);
 }
@@ -111,21 +113,17 @@ double FaceDescent::step() {
   return length * slope;
 }
 
-double FaceDescent::contact_pass() {
-  return contact_(least_part_of_a_star * first_square_, corrections_,
-                  residual_);
-}
-
-FaceMoments FaceDescent::correction() const {
-  const SolidMesh& mesh = setting_.topology.mesh;
-  const Facets<3>& faces = setting_.topology.faces;
+FaceMoments moments_of(const FaceSetting& setting,
+                       const Matrix9Xd& corrections) {
+  const SolidMesh& mesh = setting.topology.mesh;
+  const Facets<3>& faces = setting.topology.faces;
   const KnownComponents known =
-      without_contact(setting_.boundary.known, setting_.contact);
+      without_contact(setting.boundary.known, setting.contact);
   FaceMoments moments(9, faces.count());
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {
     const Matrix3d corners = mesh.vertices(Eigen::all, faces.vertices.col(f));
-    moments.col(f) = wrench_basis(corners) * corrections_.col(f);
+    moments.col(f) = wrench_basis(corners) * corrections.col(f);
     for (int row = 0; row < 9; ++row)
       if (known(row % 3, f)) moments(row, f) = 0;
   }

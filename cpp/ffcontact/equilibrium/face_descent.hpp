@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/contact_pass.hpp"
+#include "ffcontact/equilibrium/contact_face.hpp"
 #include "ffcontact/equilibrium/edge_stars.hpp"
+#include "ffcontact/equilibrium/face_exchange.hpp"
 #include "ffcontact/equilibrium/solid_residual.hpp"
 
 namespace ffcontact {
@@ -35,28 +36,33 @@ SolidStress difference_stress(const FaceSetting& setting,
 /// the last direction p,
 ///     z = EdgeStars r,   p <- z - (z'Hp / p'Hp) p,   x <- x + (r'p / p'Hp) p.
 /// Every direction is self-equilibrated and leaves known boundary tractions alone.
-/// Contact tractions change between the steps only (contact_pass); the next direction is
-/// conjugate to the last one as ever.
+/// Contact tractions change between the steps only (ContactRelaxation); the next direction
+/// is conjugate to the last one as ever.
 /// Sums are over parts of fixed size and each face gathers what the tetrahedra beside it
 /// have for it: the digits do not depend on the number of threads.
+///
+/// Descents on the shares of a solid go in step. Each knows all faces around its edges, so
+/// that z on its own faces needs nothing from others; H p on the tetrahedra of its halo is
+/// all that it does, once a step, beside three sums.
 class FaceDescent {
  public:
-  /// @param setting  stays where it is
+  /// Nothing is exchanged before begin().
+  /// @param setting  of the share and its halo; it, share and exchange stay where they are
   /// @param moments  in equilibrium, from which the descent starts
-  FaceDescent(const FaceSetting& setting, const FaceMoments& moments);
+  FaceDescent(const FaceSetting& setting, const FaceMoments& moments,
+              const FaceShare& share, const FaceExchange& exchange);
 
-  /// |sigma_hat - sigma|^2 and the contact part of e^2 at first [N mm]
-  double first_square() const { return first_square_; }
-  double first_contact_part() const { return first_contact_part_; }
+  const FaceForms& forms() const { return forms_; }
+
+  /// @return |sigma_hat - sigma|^2 at first [N mm]
+  double begin();
 
   /// One step; returns by how much e^2 fell.
   double step();
 
-  /// One ContactPass; returns by how much e^2 fell.
-  double contact_pass();
-
-  /// The moments of x [N, 9 x faces], 0 on components known but for contact.
-  FaceMoments correction() const;
+  /// x and -(g + H x) [9 x faces], right on counted faces and, the latter, around edges.
+  Matrix9Xd& corrections() { return corrections_; }
+  Matrix9Xd& residual() { return residual_; }
 
  private:
   void gather(Matrix9Xd& y) const;
@@ -65,14 +71,20 @@ class FaceDescent {
   void turn_direction();
 
   const FaceSetting& setting_;
+  const FaceShare& share_;
+  const FaceExchange& exchange_;
   FaceForms forms_;
   EdgeStars stars_;
-  ContactPass contact_;
   Matrix9Xd corrections_, residual_, direction_, next_;
-  Matrix<float, 36, Dynamic> images_;  ///< of tetrahedra: slopes, then H p
-  Matrix9Xd image_;                    ///< H p
-  double square_ = 0;                  ///< p'Hp; 0: no direction yet
-  double first_square_ = 0, first_contact_part_ = 0;
+  FaceImages images_;  ///< slopes, then H p
+  Matrix9Xd image_;    ///< H p
+  double square_ = 0;  ///< p'Hp; 0: no direction yet
+  double of_share_ =
+      0;  ///< |sigma_hat - sigma|^2 on its own tetrahedra at first
 };
+
+/// The moments of corrections (w, y) [N, 9 x faces], 0 on components known but for contact.
+FaceMoments moments_of(const FaceSetting& setting,
+                       const Matrix9Xd& corrections);
 
 }  // namespace ffcontact

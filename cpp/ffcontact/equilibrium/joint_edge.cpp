@@ -130,6 +130,7 @@ class JointNumbering {
 
 std::vector<JointEdge> joint_edges(const SolidTopology& topology,
                                    const std::vector<ContactFace>& contact) {
+  if (contact.empty()) return {};
   const auto& vertices = topology.mesh.vertices;
   const double size =
       (vertices.rowwise().maxCoeff() - vertices.rowwise().minCoeff())

@@ -2,6 +2,7 @@
 #include "ffcontact/equilibrium/solid_relaxation.hpp"
 
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/equilibrium/contact_pass.hpp"
 #include "ffcontact/equilibrium/relaxation_progress.hpp"
 
 namespace ffcontact {
@@ -11,6 +12,8 @@ namespace {
 /// A pass that lowers e^2 by less than this part is the last one: where all of the surface
 /// slips there is little to be had.
 constexpr double tightness_of_passes = 2e-3;
+/// A star that lowers e^2 by less than this part of what it was at first may as well stay.
+constexpr double least_part_of_a_star = 1e-8;
 
 /// Steps where no number is given, and how many of them must lower e by what part for
 /// there to be further ones.
@@ -29,17 +32,16 @@ bool more_steps(const SolidRelaxationSettings& settings,
 
 }  // namespace
 
-std::vector<double> relax_faces(const FaceSetting& setting,
-                                const SolidRelaxationSettings& settings,
-                                FaceMoments& moments) {
-  if (settings.steps == 0) return {};
-  FaceDescent descent(setting, moments);
-  RelaxationProgress progress(descent.first_square(),
-                              descent.first_contact_part());
+std::vector<double> relax(FaceDescent& descent, ContactRelaxation& contact,
+                          const SolidRelaxationSettings& settings) {
+  const double first_square = descent.begin();
+  RelaxationProgress progress(first_square, contact.contact_part());
   std::vector<double> falls, e{progress.e()};
-  bool goes_on = true, passes = !setting.contact.empty();
+  bool goes_on = true, passes = contact.is_free();
   const auto pass = [&] {
-    const double of_pass = descent.contact_pass(),
+    const double of_pass =
+                     contact.pass(least_part_of_a_star * first_square,
+                                  descent.corrections(), descent.residual()),
                  square = progress.e() * progress.e() - falls.back();
     passes = of_pass > tightness_of_passes * square;
     falls.back() += of_pass;
@@ -53,7 +55,20 @@ std::vector<double> relax_faces(const FaceSetting& setting,
     goes_on = goes_on && more_steps(settings, e);
   }
   if (passes && falls.size() % steps_of_a_round != 0) pass();
-  moments += descent.correction();
+  return falls;
+}
+
+std::vector<double> relax_faces(const FaceSetting& setting,
+                                const SolidRelaxationSettings& settings,
+                                FaceMoments& moments) {
+  if (settings.steps == 0) return {};
+  const FaceShare whole = whole_share(setting.topology);
+  const NoExchange none;
+  FaceDescent descent(setting, moments, whole, none);
+  ContactPass contact(setting.topology, setting.boundary, descent.forms(),
+                      setting.contact, moments);
+  const std::vector<double> falls = relax(descent, contact, settings);
+  moments += moments_of(setting, descent.corrections());
   return falls;
 }
 

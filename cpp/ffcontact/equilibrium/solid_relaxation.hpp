@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "ffcontact/equilibrium/contact_relaxation.hpp"
 #include "ffcontact/equilibrium/face_descent.hpp"
 
 namespace ffcontact {
@@ -19,14 +21,23 @@ struct SolidRelaxationSettings {
 /// Steps between two passes over the contact edges.
 constexpr int steps_of_a_round = 3;
 
-/// Lowers e^2 by steps of FaceDescent, after every round of them and the last one by a
-/// ContactPass as well, as long as these are worth their time; keeps equilibrium exactly.
-/// What e^2 falls by in a step comes with it: the stopping test costs nothing. A pass
-/// counts with the step before it.
+/// Lowers e^2 by steps of a descent, after every round of them and the last one by a pass
+/// over the contact as well, as long as these are worth their time; keeps equilibrium
+/// exactly. What e^2 falls by in a step comes with it: the stopping test costs nothing. A
+/// pass counts with the step before it.
+/// @return what e^2 fell by in every step [N mm]
+std::vector<double> relax(FaceDescent& descent, ContactRelaxation& contact,
+                          const SolidRelaxationSettings& settings);
+
+/// The same for all of a solid.
 /// @param moments  in equilibrium, relaxed in place, those on contact faces in the cone
 /// @return what e^2 fell by in every step [N mm]
 std::vector<double> relax_faces(const FaceSetting& setting,
                                 const SolidRelaxationSettings& settings,
                                 FaceMoments& moments);
+
+/// relax_faces, or several processes that do the same.
+using RelaxFaces = std::function<std::vector<double>(
+    const FaceSetting&, const SolidRelaxationSettings&, FaceMoments&)>;
 
 }  // namespace ffcontact

@@ -15,7 +15,7 @@ namespace ffcontact {
 namespace {
 
 /// Tractions nearer to the cone than this part of the largest are in it but for rounding.
-constexpr double traction_rounding = 1e-12;
+constexpr double traction_rounding = 2e-12;
 
 /// w at the corners of a contact face, less the gap and the load step before, along n, t1,
 /// t2 of each of its corners, whose frames differ on curved surfaces.

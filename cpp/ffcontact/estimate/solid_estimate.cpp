@@ -200,7 +200,8 @@ SolidEstimate estimate_error(const SolidTopology& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
                              const SolvedSolid& body,
-                             const SolidRelaxationSettings& settings) {
+                             const SolidRelaxationSettings& settings,
+                             const RelaxFaces& relax) {
   const SolvedSolidProblem given{topology, surface, system, body};
   require_sound(given, settings);
   require_law_of_matrix(topology.mesh, system, body.hooke);
@@ -232,8 +233,7 @@ SolidEstimate estimate_error(const SolidTopology& topology,
   const FaceSetting setting{topology,        body.hooke,
                             first.boundary,  body.body_loads,
                             of_displacement, relaxed_faces(solved, estimate)};
-  const std::vector<double> falls =
-      relax_faces(setting, settings, estimate.moments);
+  const std::vector<double> falls = relax(setting, settings, estimate.moments);
   put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].

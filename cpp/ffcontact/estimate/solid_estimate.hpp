@@ -67,6 +67,7 @@ struct SolidEstimate {
 /// A body without loads whose stresses and tractions are below 1e-12 of the terms |C|
 /// |grad phi| |u| that stresses are summed from has none.
 /// @param system  the stiffness and the prescribed dofs u_h was computed with
+/// @param relax   what relaxes, where steps are asked for
 /// @throws std::invalid_argument  for input that does not fit, loads that are not those of
 ///                                u_h, or where no tractions in the cone hold the body
 /// @throws std::runtime_error     if a part of the body is held by nothing
@@ -74,7 +75,8 @@ SolidEstimate estimate_error(const SolidTopology& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
                              const SolvedSolid& body,
-                             const SolidRelaxationSettings& settings = {});
+                             const SolidRelaxationSettings& settings = {},
+                             const RelaxFaces& relax = relax_faces);
 
 /// sigma_hat at the corners of the subtetrahedra of one tetrahedron [MPa].
 SolidStress stress_of(const SolidTopology& topology,

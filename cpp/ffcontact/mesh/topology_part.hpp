@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/mesh/solid_topology.hpp"
+
+namespace ffcontact {
+
+/// Some tetrahedra of a solid with their vertices, faces and edges, in the order of the
+/// whole and with its normals. Of what lies beside them nothing is there: a face of which
+/// one tetrahedron is missing has the other one alone, an edge the faces of the part
+/// alone. Labels and stars are left out.
+struct TopologyPart {
+  SolidTopology topology;
+  std::vector<int> cell, face;  ///< in the whole, ascending
+};
+
+/// @param cells  ascending
+TopologyPart part_of(const SolidTopology& whole, std::vector<int> cells);
+
+/// 1 for each edge of one of these tetrahedra.
+std::vector<char> edges_of_cells(const SolidTopology& topology,
+                                 const std::vector<char>& cell);
+
+/// The tetrahedra with one of these edges, ascending.
+std::vector<int> cells_at(const SolidTopology& topology,
+                          const std::vector<char>& edge);
+
+}  // namespace ffcontact
