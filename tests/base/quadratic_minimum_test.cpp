@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <limits>
+#include <utility>
 
 #include "support/random.hpp"
 
@@ -153,6 +154,42 @@ TEST(QuadraticMinimum, meets_conditions_beside_one_that_hardly_changes) {
       quadratic_minimum(H, VectorXd::Constant(1, -2), C, Vector2d(-1, -1));
   ASSERT_TRUE(y.has_value());
   EXPECT_NEAR((*y)[0], 1, 1e-14);
+}
+
+/// A problem with its minimum at y, where all conditions meet: H y + g = C' u.
+Quadratic quadratic_of_corner(const VectorXd& y, MatrixXd C, double push,
+                              Random& random) {
+  const Index n = y.size();
+  Quadratic q = random_quadratic(static_cast<int>(n), 1, random);
+  q.C = std::move(C);
+  q.d = q.C * y;
+  q.g = push * q.C.transpose() *
+            random_vector(static_cast<int>(q.C.rows()), random).cwiseAbs() -
+        q.H * y;
+  return q;
+}
+
+RC_GTEST_PROP(QuadraticMinimum, is_found_where_too_many_conditions_meet,
+              (Random random)) {
+  // nearly parallel ones, whose corners are known to few digits
+  const VectorXd y = random_vector(8, random);
+  MatrixXd C = random_matrix(10, 8, random).replicate(3, 1);
+  C += 1e-4 * random_matrix(30, 8, random);
+  const Quadratic q = quadratic_of_corner(y, C, 1, random);
+  const auto found = quadratic_minimum(q.H, q.g, q.C, q.d);
+  RC_ASSERT(found.has_value());
+  RC_ASSERT(q.violation(*found) < 1e-10);
+  RC_ASSERT(std::abs(q.value(*found) - q.value(y)) < 1e-9);
+}
+
+RC_GTEST_PROP(QuadraticMinimum, meets_conditions_far_from_the_free_minimum,
+              (Random random)) {
+  const VectorXd y = random_vector(4, random);
+  const Quadratic q =
+      quadratic_of_corner(y, random_matrix(3, 4, random), 1e7, random);
+  const auto found = quadratic_minimum(q.H, q.g, q.C, q.d);
+  RC_ASSERT(found.has_value());
+  RC_ASSERT(q.violation(*found) < 1e-13 * (1 + found->norm()));
 }
 
 }  // namespace
