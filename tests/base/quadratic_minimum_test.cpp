@@ -202,8 +202,10 @@ RC_GTEST_PROP(QuadraticMinimum, is_found_where_too_many_conditions_nearly_meet,
 RC_GTEST_PROP(QuadraticMinimum, meets_conditions_far_from_the_free_minimum,
               (Random random)) {
   const VectorXd y = random_vector(4, random);
-  const Quadratic q = with_corner(random_quadratic(4, 1, random), y,
-                                  random_matrix(3, 4, random), 1e7, random);
+  const MatrixXd C =
+      MatrixXd::Identity(3, 4) + 0.2 * random_matrix(3, 4, random);
+  const Quadratic q =
+      with_corner(random_quadratic(4, 1, random), y, C, 1e7, random);
   const auto found = quadratic_minimum(q.H, q.g, q.C, q.d);
   RC_ASSERT(found.has_value());
   RC_ASSERT(q.violation(*found) < 1e-13 * (1 + found->norm()));

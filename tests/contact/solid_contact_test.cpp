@@ -190,6 +190,20 @@ TEST(SolidContact, factors_in_full_precision_where_single_is_not_enough) {
   }
 }
 
+/// The states of a mesh before are a worse guess than what solids find by themselves.
+TEST_P(BlockCases, start_by_themselves_on_another_mesh) {
+  const SolidProblem problem =
+      block_problem(brick({8, 4, 4}, {80, 40, 40}), GetParam(), 0.5);
+  ContactSettings settings = in_single_precision();
+  const SurfaceSolution alone = problem.solve(settings);
+  settings.initial_state.assign(problem.surface.node_count(),
+                                ContactState::open);
+  settings.state_of_another_mesh = true;
+  const SurfaceSolution other = problem.solve(settings);
+  EXPECT_EQ(other.iterations, alone.iterations);
+  EXPECT_EQ(other.displacement, alone.displacement);
+}
+
 /// Newton's steps over four loads, straight and moved meshes of two sizes were 1 to 14
 /// with friction up to 5.
 TEST_P(BlockCases, newton_needs_few_steps) {

@@ -21,6 +21,9 @@ constexpr double dependent = 1e-11;
 /// are unknowns say where z is, and more would have it nearly there, to this one.
 constexpr double condition_rounding = 1e-14, corner_rounding = 1e-12;
 
+/// What rounding may make of z.
+constexpr double lost_digits = 1e-13;
+
 /// The smallest z with G z >= h, rows of G of length 1, by the dual method: z is at any
 /// time the smallest one for the active conditions alone, and the multipliers u >= 0 of z
 /// = sum of u_j g_j.
@@ -138,9 +141,11 @@ std::optional<VectorXd> quadratic_minimum(const MatrixXd& H, const VectorXd& g,
   LeastDistance least(G, h, scale);
   if (!least.solve()) return std::nullopt;
   VectorXd y = free + cholesky.other_half_solve(least.z());
-  // The digits that free has more than y.
-  y += cholesky.other_half_solve(
-      least.on_active(per_length.cwiseProduct(d - C * y)));
+  // The digits that free has more than y, unless conditions that nearly depend on each
+  // other would make more of them.
+  const VectorXd lost = least.on_active(per_length.cwiseProduct(d - C * y));
+  if (lost.norm() <= lost_digits * least.z().norm())
+    y += cholesky.other_half_solve(lost);
   return y;
 }
 

@@ -27,6 +27,9 @@ struct ContactSettings {
   double tolerance = 1e-10;
   /// a guess, e.g. of the load step before; empty: every node sticks
   std::vector<ContactState> initial_state;
+  /// the guess is that of nearest nodes of another mesh: solids in single precision have a
+  /// better one of their own (coarse_start)
+  bool state_of_another_mesh = false;
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
   /// factorises K for kept dofs where it is not done on this machine alone; null: here

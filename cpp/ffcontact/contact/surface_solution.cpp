@@ -142,9 +142,11 @@ class Answer {
   /// What a violation may be of the residual before a correction, which gains more.
   static constexpr double beside_residual = 1e-3;
 
-  /// Where no states are given.
+  /// Where no states are given that are better.
   std::optional<ContactRows> start() const {
-    if (!stated_.settings.initial_state.empty()) return std::nullopt;
+    const ContactSettings& settings = stated_.settings;
+    if (!settings.initial_state.empty() && !settings.state_of_another_mesh)
+      return std::nullopt;
     return coarse_start(contact_, stated_.cones, stated_.surface,
                         stated_.law.multiplier, stated_.trace.weight);
   }

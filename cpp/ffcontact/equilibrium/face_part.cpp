@@ -66,11 +66,13 @@ FacePart FaceParts::part(int process) const {
                   {},
                   {},
                   !contact_.empty()};
-  const auto& [topology, cell, face] = result.of.part;
+  const std::vector<int>&cell = result.of.part.cell,
+        &face = result.of.part.face;
   std::vector<char> own, counted;
   for (int t : cell) own.push_back(owner_[t] == process);
   for (int f : face) counted.push_back(counts(process, f));
-  result.share = face_share(topology, std::move(own), std::move(counted));
+  result.share =
+      face_share(result.of.part.topology, std::move(own), std::move(counted));
   for (int r = 0; r < count(); ++r) {
     const auto is_own_in_halo = [&](int t) {
       return r != process && owner_[t] == process && has(cells_[r], t);

@@ -11,47 +11,13 @@
 #include "ffcontact/estimate/first_tractions.hpp"
 #include "ffcontact/estimate/law_of_matrix.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
+#include "ffcontact/estimate/sound_problem.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
 #include "ffcontact/estimate/tool_work.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-void require_valid(const RelaxationSettings& relaxation) {
-  if (relaxation.sweeps < 0)
-    refuse("sweeps must not be negative, got ", relaxation.sweeps);
-  if (!(relaxation.tightness >= 0 && relaxation.tightness < 1))
-    refuse("tightness must be in [0, 1), got ", relaxation.tightness);
-}
-
-void require_valid(const LinearStresses& initial, int triangles) {
-  if (initial.empty()) return;
-  require_size("initial stress", initial.mean.cols(), triangles);
-  for (int t = 0; t < triangles; ++t)
-    if (!initial.at_vertices(t).allFinite())
-      refuse("the initial strain or stress on triangle ", t,
-             " is not a finite number");
-}
-
-void require_valid(const SolvedProblem& solved) {
-  const auto& [topology, line, system, body] = solved;
-  const Mesh& mesh = topology.mesh;
-  require_elliptic(body.hooke, mesh.cell_count());
-  require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
-  require_size("u", body.displacement.size(), 2 * mesh.vertices.cols());
-  require_finite("u", body.displacement);
-  require_size("contact pressures", body.pressure.cols(), line.node_count());
-  require_finite("contact pressure", body.pressure.reshaped());
-  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
-  require_finite("body load", body.body_loads.reshaped());
-  require_valid(body.initial, mesh.cell_count());
-  require_valid(mesh, body.springs);
-  require_no_springs_in_contact(topology.edges, line, body.springs);
-  require_valid(body.law, line);
-  if (body.tool && line.against_a_body())
-    refuse("a tool is a rigid foundation, but the contact line faces a body");
-}
 
 double largest_value(const std::vector<CompositeStress>& stress) {
   double largest = 0;
@@ -286,8 +252,7 @@ Estimate estimate_error(const Topology& topology, const ContactLine& line,
                         const ElasticSystem& system, const SolvedBody& body,
                         const EstimateSettings& settings) {
   const SolvedProblem solved{topology, line, system, body};
-  require_valid(solved);
-  require_valid(settings.relaxation);
+  require_sound(solved, settings);
   require_law_of_matrix(topology.mesh, system, body.hooke, body.springs);
   const double stress_terms =
       largest_stress_terms(topology, line, body, body.displacement);

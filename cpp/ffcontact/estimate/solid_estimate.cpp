@@ -14,6 +14,7 @@
 #include "ffcontact/estimate/first_surface_tractions.hpp"
 #include "ffcontact/estimate/law_of_matrix.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
+#include "ffcontact/estimate/sound_problem.hpp"
 #include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 #include "ffcontact/estimate/traction_oscillation.hpp"
@@ -22,25 +23,6 @@
 namespace ffcontact {
 
 namespace {
-
-void require_sound(const SolvedSolidProblem& solved,
-                   const SolidRelaxationSettings& settings) {
-  const auto& [topology, surface, system, body] = solved;
-  const SolidMesh& mesh = topology.mesh;
-  require_elliptic(body.hooke, mesh.cell_count());
-  require_size("A", system.dof_count(), 3 * mesh.vertices.cols());
-  require_size("u", body.displacement.size(), 3 * mesh.vertices.cols());
-  require_finite("u", body.displacement);
-  require_size("contact forces", body.force.cols(), surface.node_count());
-  require_finite("contact force", body.force.reshaped());
-  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
-  require_finite("body load", body.body_loads.reshaped());
-  require_valid(body.law, surface);
-  if (settings.steps && *settings.steps < 0)
-    refuse("steps must not be negative, got ", *settings.steps);
-  if (!(settings.tightness >= 0 && settings.tightness < 1))
-    refuse("tightness must be in [0, 1), got ", settings.tightness);
-}
 
 /// Loads on supports are felt by nothing.
 bool has_loads(const SolvedSolidProblem& solved) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/sound_problem.hpp"
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/equilibrium/relaxation_progress.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+void require_valid(const LinearStresses& initial, int triangles) {
+  if (initial.empty()) return;
+  require_size("initial stress", initial.mean.cols(), triangles);
+  for (int t = 0; t < triangles; ++t)
+    if (!initial.at_vertices(t).allFinite())
+      refuse("the initial strain or stress on triangle ", t,
+             " is not a finite number");
+}
+
+}  // namespace
+
+void require_sound(const SolvedProblem& solved,
+                   const EstimateSettings& settings) {
+  const auto& [topology, line, system, body] = solved;
+  const Mesh& mesh = topology.mesh;
+  require_elliptic(body.hooke, mesh.cell_count());
+  require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
+  require_size("u", body.displacement.size(), 2 * mesh.vertices.cols());
+  require_finite("u", body.displacement);
+  require_size("contact pressures", body.pressure.cols(), line.node_count());
+  require_finite("contact pressure", body.pressure.reshaped());
+  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
+  require_finite("body load", body.body_loads.reshaped());
+  require_valid(body.initial, mesh.cell_count());
+  require_valid(mesh, body.springs);
+  require_no_springs_in_contact(topology.edges, line, body.springs);
+  require_valid(body.law, line);
+  if (body.tool && line.against_a_body())
+    refuse("a tool is a rigid foundation, but the contact line faces a body");
+  if (settings.relaxation.sweeps < 0)
+    refuse("sweeps must not be negative, got ", settings.relaxation.sweeps);
+  require_tightness(settings.relaxation.tightness);
+}
+
+void require_sound(const SolvedSolidProblem& solved,
+                   const SolidRelaxationSettings& settings) {
+  const auto& [topology, surface, system, body] = solved;
+  const SolidMesh& mesh = topology.mesh;
+  require_elliptic(body.hooke, mesh.cell_count());
+  require_size("A", system.dof_count(), 3 * mesh.vertices.cols());
+  require_size("u", body.displacement.size(), 3 * mesh.vertices.cols());
+  require_finite("u", body.displacement);
+  require_size("contact forces", body.force.cols(), surface.node_count());
+  require_finite("contact force", body.force.reshaped());
+  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
+  require_finite("body load", body.body_loads.reshaped());
+  require_valid(body.law, surface);
+  if (settings.steps && *settings.steps < 0)
+    refuse("steps must not be negative, got ", *settings.steps);
+  require_tightness(settings.tightness);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/equilibrium/solid_relaxation.hpp"
+#include "ffcontact/estimate/estimate_settings.hpp"
+#include "ffcontact/estimate/first_surface_tractions.hpp"
+#include "ffcontact/estimate/matched_bodies.hpp"
+
+namespace ffcontact {
+
+/// What an estimate is made of fits together, and is finite.
+/// @throws std::invalid_argument  with what does not
+void require_sound(const SolvedProblem& solved,
+                   const EstimateSettings& settings);
+void require_sound(const SolvedSolidProblem& solved,
+                   const SolidRelaxationSettings& settings);
+
+}  // namespace ffcontact
