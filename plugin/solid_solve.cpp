@@ -84,7 +84,8 @@ ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
                             const ElasticSystem& system) {
   ContactSettings settings =
       settings_of(call, states_at(*contact.problem, contact.last));
-  settings.state_of_another_mesh = !contact.solved;
+  settings.state_of_another_mesh =
+      !contact.solved && !call.named.given("initial");
   if (contact.solved && is_same(*contact.solved->system, system))
     settings.stiffness = contact.solved->solution.stiffness;
   return settings;

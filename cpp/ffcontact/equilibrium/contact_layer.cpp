@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/contact_layer.hpp"
 
-#include <algorithm>
-
 namespace ffcontact {
 
 namespace {
@@ -20,13 +18,9 @@ std::vector<int> cells_of(const FaceSetting& setting) {
 /// With the numbers of their faces in a part.
 std::vector<ContactFace> in_part(std::vector<ContactFace> contact,
                                  const std::vector<int>& faces) {
-  const auto place = [&](int face) {
-    return static_cast<int>(std::lower_bound(faces.begin(), faces.end(), face) -
-                            faces.begin());
-  };
   for (ContactFace& face : contact) {
-    face.face = place(face.face);
-    if (face.opposite >= 0) face.opposite = place(face.opposite);
+    face.face = place_in(faces, face.face);
+    if (face.opposite >= 0) face.opposite = place_in(faces, face.opposite);
   }
   return contact;
 }

@@ -8,12 +8,6 @@ namespace ffcontact {
 
 namespace {
 
-/// The place of a value in a list that has it, ascending.
-int place_in(const std::vector<int>& list, int value) {
-  return static_cast<int>(std::lower_bound(list.begin(), list.end(), value) -
-                          list.begin());
-}
-
 bool has(const std::vector<int>& list, int value) {
   return std::binary_search(list.begin(), list.end(), value);
 }
@@ -32,7 +26,8 @@ std::vector<int> places_in(const std::vector<int>& of,
 
 PartSetting setting_of(const FaceSetting& whole, const FaceMoments& moments,
                        std::vector<int> cells) {
-  PartSetting of{part_of(whole.topology, std::move(cells)), {}, {}, {}, {}, {}};
+  PartSetting of;
+  of.part = part_of(whole.topology, std::move(cells));
   const std::vector<int>&cell = of.part.cell, &face = of.part.face;
   for (int t : cell) of.hooke.push_back(whole.hooke[t]);
   of.boundary.known = whole.boundary.known(Eigen::all, face);
@@ -59,13 +54,9 @@ FaceParts::FaceParts(const FaceSetting& setting, const FaceMoments& moments,
 }
 
 FacePart FaceParts::part(int process) const {
-  FacePart result{setting_of(setting_, moments_, cells_[process]),
-                  {},
-                  {},
-                  {},
-                  {},
-                  {},
-                  !contact_.empty()};
+  FacePart result;
+  result.of = setting_of(setting_, moments_, cells_[process]);
+  result.has_contact = !contact_.empty();
   const std::vector<int>&cell = result.of.part.cell,
         &face = result.of.part.face;
   std::vector<char> own, counted;

@@ -38,7 +38,7 @@ struct FacePart {
   std::vector<std::vector<int>> given, taken;
   /// faces of the contact layer: those that it counts, and all that it has
   std::vector<int> contact_counted, contact_known;
-  bool has_contact;  ///< of the whole
+  bool has_contact = false;  ///< of the whole
 };
 
 /// A solid cut by its tetrahedra.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/sound_problem.hpp"
 
+#include <string>
+
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/relaxation_progress.hpp"
 
@@ -17,20 +19,33 @@ void require_valid(const LinearStresses& initial, int triangles) {
              " is not a finite number");
 }
 
+/// What bodies in the plane and solids have in common.
+/// @param multiplier  what the contact carries at its nodes, of the name given
+template <class Solved>
+void require_sound_body(const Solved& solved, Index nodes,
+                        const std::string& name,
+                        const Ref<const MatrixXd>& multiplier) {
+  const auto& mesh = solved.topology.mesh;
+  const auto& body = solved.body;
+  const Index dofs = mesh.vertices.size();
+  require_elliptic(body.hooke, mesh.cell_count());
+  require_size("A", solved.system.dof_count(), dofs);
+  require_size("u", body.displacement.size(), dofs);
+  require_finite("u", body.displacement);
+  require_size(name + "s", multiplier.cols(), nodes);
+  require_finite(name, multiplier.reshaped());
+  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
+  require_finite("body load", body.body_loads.reshaped());
+}
+
 }  // namespace
 
 void require_sound(const SolvedProblem& solved,
                    const EstimateSettings& settings) {
   const auto& [topology, line, system, body] = solved;
   const Mesh& mesh = topology.mesh;
-  require_elliptic(body.hooke, mesh.cell_count());
-  require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
-  require_size("u", body.displacement.size(), 2 * mesh.vertices.cols());
-  require_finite("u", body.displacement);
-  require_size("contact pressures", body.pressure.cols(), line.node_count());
-  require_finite("contact pressure", body.pressure.reshaped());
-  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
-  require_finite("body load", body.body_loads.reshaped());
+  require_sound_body(solved, line.node_count(), "contact pressure",
+                     body.pressure);
   require_valid(body.initial, mesh.cell_count());
   require_valid(mesh, body.springs);
   require_no_springs_in_contact(topology.edges, line, body.springs);
@@ -45,15 +60,7 @@ void require_sound(const SolvedProblem& solved,
 void require_sound(const SolvedSolidProblem& solved,
                    const SolidRelaxationSettings& settings) {
   const auto& [topology, surface, system, body] = solved;
-  const SolidMesh& mesh = topology.mesh;
-  require_elliptic(body.hooke, mesh.cell_count());
-  require_size("A", system.dof_count(), 3 * mesh.vertices.cols());
-  require_size("u", body.displacement.size(), 3 * mesh.vertices.cols());
-  require_finite("u", body.displacement);
-  require_size("contact forces", body.force.cols(), surface.node_count());
-  require_finite("contact force", body.force.reshaped());
-  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
-  require_finite("body load", body.body_loads.reshaped());
+  require_sound_body(solved, surface.node_count(), "contact force", body.force);
   require_valid(body.law, surface);
   if (settings.steps && *settings.steps < 0)
     refuse("steps must not be negative, got ", *settings.steps);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/topology_part.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
@@ -82,6 +83,11 @@ Hinges<3> edges_of(const Hinges<3>& whole, const Selection& vertices,
 }
 
 }  // namespace
+
+int place_in(const std::vector<int>& list, int number) {
+  return static_cast<int>(std::lower_bound(list.begin(), list.end(), number) -
+                          list.begin());
+}
 
 TopologyPart part_of(const SolidTopology& whole, std::vector<int> cells) {
   const auto& [mesh, faces, edges, stars] = whole;

@@ -16,6 +16,9 @@ struct TopologyPart {
   std::vector<int> cell, face;  ///< in the whole, ascending
 };
 
+/// The place of a number in an ascending list that has it, as those of TopologyPart.
+int place_in(const std::vector<int>& list, int number);
+
 /// @param cells  ascending
 TopologyPart part_of(const SolidTopology& whole, std::vector<int> cells);
 
