@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/pi.hpp"
+#include "support/pressed_bricks.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 #include "support/solid_defects.hpp"
@@ -13,34 +14,6 @@ namespace ffcontact {
 namespace {
 
 using namespace test;
-
-/// A brick 3 x 2 x 2 on its side low_z, held or pressed in one of some ways.
-SolidProblem random_problem(double mu, Random& random) {
-  SolidProblem problem(irregular_solid(random), mu);
-  const auto drawn = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
-  const int kind = static_cast<int>(random() % 4);
-  if (kind < 2) {
-    const Vector3d shift(drawn(-1e-3, 1e-3), drawn(-1e-3, 1e-3),
-                         drawn(-2e-3, 1e-3));
-    const Vector3d turn(drawn(-1e-3, 1e-3), drawn(-1e-3, 1e-3), 0);
-    problem.move(high_z, [&](const Vector3d& x) {
-      return Vector3d(shift + turn.cross(x - Vector3d(1.5, 1, 2)));
-    });
-  } else if (kind == 2) {
-    problem.guide(low_x, 0);
-    problem.guide(low_y, 1);
-    problem.load(high_z, {0, 0, -drawn(1, 5)});
-  } else {
-    problem.load(high_z, {0, 0, -drawn(2, 5)});
-    problem.guide(low_x, 0);
-    problem.guide(low_x, 1);
-  }
-  problem.load(high_x, {drawn(-3, 1), drawn(-1, 1), 0});
-  problem.load(high_y, {0, drawn(-3, 1), 0});
-  return problem;
-}
 
 RC_GTEST_PROP(SolidContact, fulfils_the_law_and_equilibrium, (Random random)) {
   const SolidProblem problem = random_problem(*real(0, 5), random);
@@ -65,16 +38,6 @@ RC_GTEST_PROP(SolidContact, is_the_same_by_a_factor_in_single_precision,
   const double size = other.displacement.cwiseAbs().maxCoeff();
   RC_ASSERT((solution.displacement - other.displacement).cwiseAbs().maxCoeff() <
             1e-7 * size);
-}
-
-/// Gaps as large as displacements, friction that varies, and a step before.
-SolidProblem rough_problem(Random& random) {
-  SolidProblem problem = random_problem(0, random);
-  const int nodes = problem.surface.node_count();
-  problem.law.friction = random_vector(nodes, random).cwiseAbs();
-  problem.law.gap = 1e-3 * random_vector(nodes, random).cwiseAbs();
-  problem.law.previous = 1e-3 * random_matrix(2, nodes, random);
-  return problem;
 }
 
 /// Where full steps of Newton cycle, and the fixed point does too.
@@ -221,22 +184,6 @@ TEST_P(BlockCases, newton_needs_few_steps) {
         EXPECT_LE(solution.iterations, 20);
         EXPECT_LT(defects(problem, solution).largest(), 1e-8);
       }
-}
-
-/// Strong friction and gaps; the history is that of the fixed point.
-TEST(SolidContact, the_fixed_point_goes_on_where_newton_fails) {
-  int went_on = 0;
-  for (unsigned seed : {260u, 487u, 865u, 2974u}) {
-    Random random(seed);
-    SolidProblem problem = rough_problem(random);
-    problem.law.friction *= 3;
-    const SurfaceSolution solution = problem.solve();
-    EXPECT_TRUE(solution.accepted({})) << seed;
-    EXPECT_LT(defects(problem, solution).largest(), 1e-8) << seed;
-    EXPECT_GE(solution.iterations, static_cast<int>(solution.history.size()));
-    went_on += !solution.history.empty();
-  }
-  EXPECT_GT(went_on, 0);
 }
 
 /// Whichever method runs out of them

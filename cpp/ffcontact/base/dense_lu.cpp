@@ -33,6 +33,14 @@ Scalar LapackLu<Scalar>::reciprocal_condition() const {
 }
 
 template <class Scalar>
+int LapackLu<Scalar>::determinant_sign() const {
+  int sign = 1;
+  for (int k = 0; k < size(); ++k)
+    if ((factors_(k, k) < 0) != (pivots_[k] != k + 1)) sign = -sign;
+  return sign;
+}
+
+template <class Scalar>
 typename LapackLu<Scalar>::Column LapackLu<Scalar>::solved(
     const char* transpose, Column right) const {
   assert(right.size() == factors_.rows());

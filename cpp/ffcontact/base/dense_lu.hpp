@@ -25,6 +25,9 @@ class LapackLu {
   /// Estimate of 1 / (|A| |A^-1|) in the 1-norm; 0 if A is singular or not finite.
   Scalar reciprocal_condition() const;
 
+  /// Of the determinant, -1 or 1; rounding's where A is singular.
+  int determinant_sign() const;
+
   /// A^-1 b, for a matrix that is not singular.
   Column solve(Column right) const;
   /// A^-T b

@@ -72,6 +72,16 @@ NodalLaw with_given_slip_limit(const NodalLaw& law,
   return given;
 }
 
+NodalLaw with_share_of_bound(const NodalLaw& law, double s) {
+  NodalLaw share = law;
+  for (FrictionCone& cone : share.cone) {
+    cone.cohesion *= s;
+    cone.friction *= s;
+    if (cone.limit < infinity) cone.limit *= s;
+  }
+  return share;
+}
+
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                      const Ref<const VectorXd>& v, const LawScales& scales) {
   if (!P.allFinite() || !v.allFinite()) return infinity;

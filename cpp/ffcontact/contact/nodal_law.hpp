@@ -29,6 +29,9 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
 NodalLaw with_given_slip_limit(const NodalLaw& law,
                                const Ref<const VectorXd>& normal);
 
+/// The law with s b, s >= 0, in place of its bound b on friction.
+NodalLaw with_share_of_bound(const NodalLaw& law, double s);
+
 /// What violations of the law are relative to.
 struct LawScales {
   double v = 0, P = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/contact/friction_path.hpp"
 #include "ffcontact/contact/surface_fixed_point.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 
@@ -13,8 +14,15 @@ namespace {
 
 /// Violation of an answer by a factor in single precision before it is corrected.
 constexpr double tolerance_to_be_corrected = 1e-6;
-/// Newton is given this many linear systems before the fixed point goes on.
+/// Newton is given this many linear systems before other methods go on.
 constexpr int most_newton_systems = 100;
+
+/// The better one, with the linear systems of both.
+void add(ActiveSetResult&& next, ActiveSetResult& best) {
+  const int systems = best.iterations + next.iterations;
+  if (next.is_better_than(best)) best = std::move(next);
+  best.iterations = systems;
+}
 
 /// Newton from the given states, and where these lead nowhere from sticking nodes.
 ActiveSetResult newton_answer(const CondensedContact& contact,
@@ -31,11 +39,7 @@ ActiveSetResult newton_answer(const CondensedContact& contact,
   const int left = limits.max_iterations - best.iterations;
   if (best.status == ContactStatus::converged || left <= 0 || start == stick)
     return best;
-  ActiveSetResult again =
-      surface_newton(contact, law, held, stick, first_of(left));
-  const int systems = best.iterations + again.iterations;
-  if (again.is_better_than(best)) best = std::move(again);
-  best.iterations = systems;
+  add(surface_newton(contact, law, held, stick, first_of(left)), best);
   return best;
 }
 
@@ -69,18 +73,23 @@ FixedPointResult surface_answer(const CondensedContact& contact,
                                 const ContactSettings& settings) {
   const std::vector<ContactState> start = first_states(law, settings);
   const NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  const auto left_after = [&limits](const FixedPointResult& result) {
+    const bool found = result.answer.status == ContactStatus::converged;
+    return found ? 0 : limits.max_iterations - result.answer.iterations;
+  };
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);
-  FixedPointResult newton{newton_answer(contact, law, held, start, limits), {}};
-  const int left = limits.max_iterations - newton.answer.iterations;
-  if (newton.answer.status == ContactStatus::converged || left <= 0)
-    return newton;
-  FixedPointResult path =
-      surface_fixed_point(contact, law, held, start, limits.with_at_most(left));
-  const int systems = newton.answer.iterations + path.answer.iterations;
-  if (path.answer.is_better_than(newton.answer)) newton = std::move(path);
-  newton.answer.iterations = systems;
-  return newton;
+  FixedPointResult result{newton_answer(contact, law, held, start, limits), {}};
+  if (const int left = left_after(result); left > 0)
+    add(friction_path(contact, law, held, limits.with_at_most(left)),
+        result.answer);
+  if (const int left = left_after(result); left > 0) {
+    FixedPointResult steps = surface_fixed_point(contact, law, held, start,
+                                                 limits.with_at_most(left));
+    result.history = std::move(steps.history);
+    add(std::move(steps.answer), result.answer);
+  }
+  return result;
 }
 
 }  // namespace ffcontact

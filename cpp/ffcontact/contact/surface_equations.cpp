@@ -9,7 +9,7 @@ Equation SurfaceEquations::equation(int row) const {
   if (component == 0) return {{{row, 1, 0}}, 0};
   const NodeState& state = states_[node];
   Equation equation;
-  equation.value = state.given * state.e[component - 1];
+  equation.value = state.given * value_by_bound(row);
   const Matrix2d D = derivative(node);
   for (int c = 1; c < 3; ++c)
     if (const int other = 3 * node + c; !held_[other]) {
@@ -21,6 +21,10 @@ Equation SurfaceEquations::equation(int row) const {
     equation.terms.push_back(
         {3 * node, state.ratio * state.e[component - 1], 0});
   return equation;
+}
+
+double SurfaceEquations::value_by_bound(int row) const {
+  return is_fixed(row) || row % 3 == 0 ? 0 : states_[row / 3].e[row % 3 - 1];
 }
 
 Matrix2d SurfaceEquations::derivative(int node) const {

@@ -34,6 +34,9 @@ class SurfaceEquations {
   /// Of a row that is not held.
   Equation equation(int row) const;
 
+  /// What its value gains where rho of its node grows by 1.
+  double value_by_bound(int row) const;
+
   /// D on the tangential rows, 0 on those that are held.
   Matrix2d derivative(int node) const;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ffcontact/base/dense_lu.hpp"
 #include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
@@ -13,6 +14,8 @@ namespace {
 
 /// r, where what the unknowns move is 1.
 constexpr double proximal = 1e-8;
+/// Reciprocal condition number below which the system of a line counts as singular.
+constexpr double singular = 1e-13;
 
 /// The linear system.
 class SurfaceStep {
@@ -30,14 +33,29 @@ class SurfaceStep {
   }
 
   SystemKind solve(ContactRows& rows, RefinedSolver& solver) {
-    assemble();
-    add_proximal_terms(rows.P);
+    assemble(rows.P);
     SystemKind kind;
     const Index n = count_of(unknown_);
     const VectorXd x = solved(transposed_, right_, n, kind, solver);
     if (!x.allFinite()) return SystemKind::inconsistent;
-    spread(x, rows);
+    rows = spread(x);
     return kind;
+  }
+
+  std::optional<StepLine> line(const ContactRows& last,
+                               const VectorXd& bound_change) {
+    assemble(last.P);
+    VectorXd x = right_, change = change_of_right(bound_change);
+    int orientation = 1;
+    if (x.size() > 0) {
+      const DenseLu lu(transposed_);
+      if (!(lu.reciprocal_condition() > singular)) return {};
+      x = lu.solve_transposed(x);
+      change = lu.solve_transposed(change);
+      orientation = lu.determinant_sign();
+    }
+    const ContactRows at = spread(x), to = spread(x + change);
+    return StepLine{at, {to.P - at.P, to.v - at.v}, orientation};
   }
 
  private:
@@ -91,7 +109,7 @@ class SurfaceStep {
     }
   }
 
-  void assemble() {
+  void assemble(const VectorXd& last_P) {
     const Index n = count_of(unknown_), q = count_of(dependent_);
     transposed_ = MatrixXd::Zero(n + q, n + q);
     right_ = VectorXd::Zero(n + q);
@@ -102,6 +120,20 @@ class SurfaceStep {
       const int row = contact_.dependent[dependent_[d]];
       put_equation(n + d, row, 1 / q_scale_[d], q_scale_[d]);
     }
+    add_proximal_terms(last_P);
+  }
+
+  VectorXd change_of_right(const VectorXd& bound_change) const {
+    const Index n = count_of(unknown_), q = count_of(dependent_);
+    VectorXd change(n + q);
+    const auto of = [&](int row) {
+      return equations_.value_by_bound(row) * bound_change[row / 3];
+    };
+    for (Index e = 0; e < n; ++e)
+      change[e] = v_scale_[unknown_[e]] * of(contact_.primary[unknown_[e]]);
+    for (Index d = 0; d < q; ++d)
+      change[n + d] = of(contact_.dependent[dependent_[d]]) / q_scale_[d];
+    return change;
   }
 
   /// + r (P - last P) in the equation of a dependent row.
@@ -114,18 +146,19 @@ class SurfaceStep {
     }
   }
 
-  void spread(const VectorXd& x, ContactRows& rows) const {
+  ContactRows spread(const VectorXd& x) const {
     VectorXd v = VectorXd::Zero(contact_.S.rows()),
              q = VectorXd::Zero(contact_.E.cols());
     for (std::size_t j = 0; j < unknown_.size(); ++j)
       v[unknown_[j]] = v_scale_[unknown_[j]] * x[j];
     for (std::size_t d = 0; d < dependent_.size(); ++d)
       q[dependent_[d]] = q_scale_[d] * x[unknown_.size() + d];
-    rows = rows_of(contact_, v, q);
+    ContactRows rows = rows_of(contact_, v, q);
     for (int row = 0; row < rows.P.size(); ++row) {
       if (equations_.is_held(row)) rows.v[row] = 0;
       if (row % 3 == 0 && equations_.is_open(row / 3)) rows.P[row] = 0;
     }
+    return rows;
   }
 
   const CondensedContact& contact_;
@@ -142,6 +175,13 @@ SystemKind solve_surface_step(const CondensedContact& contact,
                               const SurfaceEquations& equations,
                               ContactRows& rows, RefinedSolver& solver) {
   return SurfaceStep(contact, equations).solve(rows, solver);
+}
+
+std::optional<StepLine> surface_step_line(const CondensedContact& contact,
+                                          const SurfaceEquations& equations,
+                                          const ContactRows& last,
+                                          const VectorXd& bound_change) {
+  return SurfaceStep(contact, equations).line(last, bound_change);
 }
 
 }  // namespace ffcontact

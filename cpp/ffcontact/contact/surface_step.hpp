@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "ffcontact/base/refined_solver.hpp"
 #include "ffcontact/contact/singular_system.hpp"
 #include "ffcontact/contact/surface_equations.hpp"
@@ -16,5 +18,20 @@ namespace ffcontact {
 SystemKind solve_surface_step(const CondensedContact& contact,
                               const SurfaceEquations& equations,
                               ContactRows& rows, RefinedSolver& solver);
+
+/// The next P and v where the bounds rho change: at + s along.
+struct StepLine {
+  ContactRows at, along;
+  /// Sign of the determinant of the natural map's derivative by v and the dependent P.
+  int orientation = 1;
+};
+
+/// By one factorisation; nothing where the system is singular.
+/// @param last          the last rows
+/// @param bound_change  of rho, at s = 1 [p]
+std::optional<StepLine> surface_step_line(const CondensedContact& contact,
+                                          const SurfaceEquations& equations,
+                                          const ContactRows& last,
+                                          const VectorXd& bound_change);
 
 }  // namespace ffcontact
