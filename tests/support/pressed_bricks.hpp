@@ -36,12 +36,31 @@ inline SolidProblem random_problem(double mu, Random& random) {
 }
 
 /// Gaps as large as displacements, friction that varies, and a step before.
-inline SolidProblem rough_problem(Random& random) {
-  SolidProblem problem = random_problem(0, random);
+inline void make_rough(SolidProblem& problem, Random& random) {
   const int nodes = problem.surface.node_count();
   problem.law.friction = random_vector(nodes, random).cwiseAbs();
   problem.law.gap = 1e-3 * random_vector(nodes, random).cwiseAbs();
   problem.law.previous = 1e-3 * random_matrix(2, nodes, random);
+}
+
+inline SolidProblem rough_problem(Random& random) {
+  SolidProblem problem = random_problem(0, random);
+  make_rough(problem, random);
+  return problem;
+}
+
+/// Likewise rough, a body that nothing else holds.
+inline SolidProblem resting_problem(Random& random) {
+  SolidProblem problem(irregular_solid(random));
+  const auto drawn = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  problem.load(high_z, {0, 0, -drawn(2, 5)});
+  const double x = drawn(-1, 1), y = drawn(-1, 1);
+  problem.load(high_x, {x, y, 0});
+  problem.load(high_y, {0, drawn(-1, 1), 0});
+  make_rough(problem, random);
+  problem.law.friction *= drawn(0, 5);
   return problem;
 }
 

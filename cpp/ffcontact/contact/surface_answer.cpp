@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ffcontact/contact/friction_path.hpp"
+#include "ffcontact/contact/spring_path.hpp"
 #include "ffcontact/contact/surface_fixed_point.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 
@@ -17,11 +18,17 @@ constexpr double tolerance_to_be_corrected = 1e-6;
 /// Newton is given this many linear systems before other methods go on.
 constexpr int most_newton_systems = 100;
 
-/// The better one, with the linear systems of both.
+/// The better one, with the linear systems of both; a body that slides stays one.
 void add(ActiveSetResult&& next, ActiveSetResult& best) {
   const int systems = best.iterations + next.iterations;
+  if (next.status == ContactStatus::singular) best.status = next.status;
   if (next.is_better_than(best)) best = std::move(next);
   best.iterations = systems;
+}
+
+int systems_left(const NewtonSettings& limits, const ActiveSetResult& answer) {
+  const bool found = answer.status == ContactStatus::converged;
+  return found ? 0 : limits.max_iterations - answer.iterations;
 }
 
 /// Newton from the given states, and where these lead nowhere from sticking nodes.
@@ -73,22 +80,12 @@ FixedPointResult surface_answer(const CondensedContact& contact,
                                 const ContactSettings& settings) {
   const std::vector<ContactState> start = first_states(law, settings);
   const NewtonSettings limits{settings.max_iterations, settings.tolerance};
-  const auto left_after = [&limits](const FixedPointResult& result) {
-    const bool found = result.answer.status == ContactStatus::converged;
-    return found ? 0 : limits.max_iterations - result.answer.iterations;
-  };
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);
   FixedPointResult result{newton_answer(contact, law, held, start, limits), {}};
-  if (const int left = left_after(result); left > 0)
-    add(friction_path(contact, law, held, limits.with_at_most(left)),
-        result.answer);
-  if (const int left = left_after(result); left > 0) {
-    FixedPointResult steps = surface_fixed_point(contact, law, held, start,
-                                                 limits.with_at_most(left));
-    result.history = std::move(steps.history);
-    add(std::move(steps.answer), result.answer);
-  }
+  for (const auto& path : {friction_path, spring_path})
+    if (const int left = systems_left(limits, result.answer); left > 0)
+      add(path(contact, law, held, limits.with_at_most(left)), result.answer);
   return result;
 }
 

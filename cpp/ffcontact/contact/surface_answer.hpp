@@ -11,7 +11,8 @@
 namespace ffcontact {
 
 /// The law of a surface on its condensed relation: surface_newton from the chosen states,
-/// where these lead nowhere from sticking nodes, and then surface_fixed_point.
+/// where these lead nowhere from sticking nodes, then friction_path, and spring_path where
+/// it has no start; or surface_fixed_point. Singular where bodies slide.
 /// @param held  of surface_trace [3 p]
 FixedPointResult surface_answer(const CondensedContact& contact,
                                 const NodalLaw& law,
