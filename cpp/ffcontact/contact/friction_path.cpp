@@ -12,8 +12,8 @@ namespace ffcontact {
 
 namespace {
 
-/// Newton is given this many linear systems at either end.
-constexpr int most_newton_systems = 60;
+/// Newton is given this many linear systems.
+constexpr int most_systems_at_an_end = 60;
 constexpr double first_step = 0.02, largest_step = 0.1, smallest_step = 1e-7;
 /// Steps that may turn at a kink.
 constexpr double turning_step = 1e-2;
@@ -75,7 +75,7 @@ class FrictionPath {
         contact_, law_, held_,
         FrictionCurve::rows(last_.z + t * (next - last_.z)), solver,
         settings_.with_at_most(
-            std::min(curve_.systems_left(), most_newton_systems)));
+            std::min(curve_.systems_left(), most_systems_at_an_end)));
     curve_.spend(end.iterations);
     if (end.is_better_than(best_)) best_ = std::move(end);
     return best_.status == ContactStatus::converged;
@@ -97,7 +97,7 @@ ActiveSetResult friction_path(const CondensedContact& contact,
                               const NodalLaw& law,
                               const std::vector<char>& held,
                               const NewtonSettings& settings) {
-  const int most = std::min(most_newton_systems, settings.max_iterations);
+  const int most = std::min(most_systems_at_an_end, settings.max_iterations);
   const ActiveSetResult start = surface_newton(
       contact, with_share_of_bound(law, 0), held,
       std::vector<ContactState>(law.node_count(), ContactState::stick),

@@ -11,8 +11,6 @@ namespace ffcontact {
 
 namespace {
 
-/// Reciprocal condition number below which the scaled system counts as singular.
-constexpr double singular = 1e-13;
 /// Residual, relative to the right-hand side, up to which a singular system counts as
 /// solved.
 constexpr double fulfilled = 1e-10;
@@ -32,8 +30,8 @@ VectorXd solved(const MatrixXd& transposed, const VectorXd& b,
       return *x;
   MatrixXd A = transposed.transpose();
   const DenseLu lu(A);
-  if (lu.reciprocal_condition() > singular) return lu.solve(b);
-  const VectorXd smallest = least_squares(A, b, {10 * singular});
+  if (lu.reciprocal_condition() > singular_condition) return lu.solve(b);
+  const VectorXd smallest = least_squares(A, b, {10 * singular_condition});
   kind = SystemKind::consistent;
   if ((A * smallest - b).norm() <= fulfilled * b.norm()) return smallest;
   kind = SystemKind::inconsistent;

@@ -5,6 +5,9 @@
 
 namespace ffcontact {
 
+/// Reciprocal condition number below which a scaled system counts as singular.
+inline constexpr double singular_condition = 1e-13;
+
 /// How the linear system of an active set was solved.
 enum class SystemKind {
   regular,

@@ -13,8 +13,8 @@ namespace ffcontact {
 namespace {
 
 constexpr double first_springs = 1e-2, weaker = 0.1, weakest_springs = 5e-8;
-/// Newton is given this many linear systems a step.
-constexpr int most_newton_systems = 60;
+/// Newton is given this many linear systems.
+constexpr int most_systems_a_step = 60;
 /// |v| relative to that on springs ten times as stiff, 1 of a body that stays and 10 of
 /// one that slides.
 constexpr double sliding = 1.5;
@@ -34,7 +34,7 @@ class SpringPath {
     take(surface_newton(
         contact_, law_, held_,
         std::vector<ContactState>(law_.node_count(), ContactState::stick),
-        limits(most_newton_systems)));
+        limits(most_systems_a_step)));
     take_other_way();
     double eps = first_springs;
     while (on_springs() && eps > weakest_springs) weaken(eps *= weaker);
@@ -75,7 +75,7 @@ class SpringPath {
 
   void take_from_last() {
     take(surface_newton(contact_, law_, held_, {last_.P, last_.v}, solver_,
-                        limits(most_newton_systems)));
+                        limits(most_systems_a_step)));
   }
 
   /// Springs give friction_path a start.

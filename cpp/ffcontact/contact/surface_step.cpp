@@ -14,8 +14,6 @@ namespace {
 
 /// r, where what the unknowns move is 1.
 constexpr double proximal = 1e-8;
-/// Reciprocal condition number below which the system of a line counts as singular.
-constexpr double singular = 1e-13;
 
 /// The linear system.
 class SurfaceStep {
@@ -49,7 +47,7 @@ class SurfaceStep {
     int orientation = 1;
     if (x.size() > 0) {
       const DenseLu lu(transposed_);
-      if (!(lu.reciprocal_condition() > singular)) return {};
+      if (!(lu.reciprocal_condition() > singular_condition)) return {};
       x = lu.solve_transposed(x);
       change = lu.solve_transposed(change);
       orientation = lu.determinant_sign();
