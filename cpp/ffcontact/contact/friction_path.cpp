@@ -14,7 +14,7 @@ namespace {
 
 /// Newton is given this many linear systems.
 constexpr int most_systems_at_an_end = 60;
-constexpr double first_step = 0.02, largest_step = 0.1, smallest_step = 1e-7;
+constexpr double first_step = 0.02, longest_step = 0.1, shortest_step = 1e-7;
 /// Steps that may turn at a kink.
 constexpr double turning_step = 1e-2;
 constexpr double longer = 1.5, shorter = 1. / 3;
@@ -47,7 +47,7 @@ class FrictionPath {
   double share() const { return FrictionCurve::share(last_.z); }
 
   bool goes_on() const {
-    return best_.status != ContactStatus::converged && h_ > smallest_step &&
+    return best_.status != ContactStatus::converged && h_ > shortest_step &&
            curve_.systems_left() > 0 && share() >= 0;
   }
 
@@ -58,7 +58,7 @@ class FrictionPath {
       return;
     }
     last_ = std::move(*next);
-    h_ = std::min(longer * h_, largest_step);
+    h_ = std::min(longer * h_, longest_step);
   }
 
   std::optional<Place> next_place() {

@@ -13,7 +13,7 @@ namespace ffcontact {
 namespace {
 
 /// Of Tresca's problem, which is convex.
-constexpr int most_systems = 60;
+constexpr int most_systems_a_bound = 60;
 
 VectorXd normal_forces(const VectorXd& P) {
   return Map<const VectorXd, 0, Eigen::InnerStride<3>>(P.data(), P.size() / 3);
@@ -34,7 +34,7 @@ FixedPointResult surface_fixed_point(const CondensedContact& contact,
     const int left = settings.max_iterations - systems;
     ActiveSetResult step = surface_newton(
         contact, with_given_slip_limit(law, g.value()), held, state,
-        {std::min(left, most_systems), settings.tolerance});
+        {std::min(left, most_systems_a_bound), settings.tolerance});
     systems += step.iterations;
     state = step.state;
     if (law.is_convex())
