@@ -56,7 +56,8 @@ SharedStiffness::SharedStiffness(std::shared_ptr<Team> team,
                                  Precision precision)
     : team_(std::move(team)),
       precision_(precision),
-      order_(elimination_order(system, required_kept(system, kept))),
+      order_(elimination_order(
+          system, required_kept(system, kept, SchurStorage::whole))),
       scale_(inverse_roots(system)) {
   std::tie(factor_, schur_) = team_->factorise(
       orders_of(dofs, order_, count_of(kept), precision, scale_),
