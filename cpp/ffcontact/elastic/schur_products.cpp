@@ -14,10 +14,9 @@ namespace ffcontact {
 void require_whole(SchurStorage storage) {
   if (storage != SchurStorage::whole)
     refuse(
-        "this needs Schur's complement as one matrix, which is distributed "
-        "here (schur=\"distributed\", or more contact dofs than have room): "
-        "coulomb=, bound=, solver=\"fixedpoint\" and multiplier=\"pressure\" "
-        "are for a contact that has it on one process");
+        "coulomb= and bound= need Schur's complement as one matrix, "
+        "which is distributed here (schur=\"distributed\", or too many contact "
+        "dofs for the memory)");
 }
 
 VectorXd SchurProducts::diagonal() const {
