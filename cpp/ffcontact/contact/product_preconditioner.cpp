@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
+#include <cmath>
 #include <map>
 
 #include "ffcontact/base/selected_rows.hpp"
@@ -25,8 +26,10 @@ SparseMatrix selected(const SparseMatrix& M, const std::vector<int>& which) {
       selected_rows(SparseMatrix(rows.transpose()), which).transpose());
 }
 
-/// Without its columns of zeros.
-SparseMatrix without_empty_columns(const SparseMatrix& M) {
+/// Without its columns of zeros, and what turned axes leave of them.
+SparseMatrix without_empty_columns(SparseMatrix M) {
+  constexpr double nothing = 1e-9;
+  M.prune([](Index, Index, double value) { return std::abs(value) > nothing; });
   Triplets entries;
   Index columns = 0;
   for (int j = 0; j < M.cols(); ++j) {
