@@ -18,6 +18,7 @@ class ContactSolve : public E_F0mps {
   explicit ContactSolve(const basicAC_F0& arguments)
       : named_(arguments, {{"multiplier", &typeid(string*)},
                            {"solver", &typeid(string*)},
+                           {"schur", &typeid(string*)},
                            {"maxit", &typeid(long)},
                            {"tol", &typeid(double)},
                            {"initial", &typeid(KN_<long>)},

@@ -81,6 +81,10 @@ ContactSettings settings_of(const SolveCall& call, const Contact& contact,
   stated.abscissa = contact.problem->abscissa;
   ContactSettings settings = settings_of(
       call, states_at(stated, contact.last_abscissa, contact.last_states));
+  if (settings.storage == SchurStorage::distributed)
+    refuse(
+        "schur=\"distributed\" is for solids: lines of plane bodies have few "
+        "contact dofs");
   if (contact.solved && is_same(*contact.solved->system, system))
     settings.stiffness = contact.solved->solution.stiffness;
   return settings;

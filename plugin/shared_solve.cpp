@@ -112,9 +112,10 @@ SharedSystem joined_system(const SharedContact& contact,
     systems.push_back(system_in(packets[r], dim));
   const auto factorise = [&contact, &bodies, &own](const ElasticSystem& system,
                                                    const std::vector<int>& kept,
-                                                   Precision precision) {
+                                                   Precision precision,
+                                                   SchurStorage storage) {
     return std::make_shared<const SharedStiffness>(
-        contact.team, bodies.dofs(), own, system, kept, precision);
+        contact.team, bodies.dofs(), own, system, kept, precision, storage);
   };
   return {joined_parts(systems, bodies.vertex), factorise};
 }

@@ -86,8 +86,11 @@ ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
       settings_of(call, states_at(*contact.problem, contact.last));
   settings.state_of_another_mesh =
       !contact.solved && !call.named.given("initial");
-  if (contact.solved && is_same(*contact.solved->system, system))
-    settings.stiffness = contact.solved->solution.stiffness;
+  if (contact.solved && is_same(*contact.solved->system, system)) {
+    const auto& stiffness = contact.solved->solution.stiffness;
+    if (!call.named.given("schur") || stiffness->storage() == settings.storage)
+      settings.stiffness = stiffness;
+  }
   return settings;
 }
 

@@ -97,6 +97,9 @@ ContactSettings settings_of(const SolveCall& call,
   settings.solver = named.choice(stack, "solver", settings.solver,
                                  {{"newton", ContactSolver::newton},
                                   {"fixedpoint", ContactSolver::fixed_point}});
+  settings.storage = named.choice(stack, "schur", settings.storage,
+                                  {{"whole", SchurStorage::whole},
+                                   {"distributed", SchurStorage::distributed}});
   settings.max_iterations =
       static_cast<int>(named.integer(stack, "maxit", settings.max_iterations));
   settings.tolerance = named.number(stack, "tol", settings.tolerance);

@@ -18,7 +18,21 @@ MakeProcesses& maker() {
 
 void put(Packet& packet, const FactorOrder& order) {
   packet.put(order.rows).put(order.kept).put(order.precision);
+  packet.put(order.storage);
   packet.put(order.place).put(order.scale);
+}
+
+void put(Packet& packet, const SparseMatrix& matrix) {
+  Triplets entries;
+  for (Index j = 0; j < matrix.cols(); ++j)
+    for (SparseMatrix::InnerIterator e(matrix, j); e; ++e)
+      entries.emplace_back(e.row(), e.col(), e.value());
+  packet.put(matrix.rows()).put(matrix.cols()).put(entries);
+}
+
+SparseMatrix matrix_in(Packet& packet) {
+  const auto rows = packet.take<Index>(), columns = packet.take<Index>();
+  return packed(rows, columns, packet.take<Triplets>());
 }
 
 FactorOrder order_in(Packet& packet) {
@@ -26,6 +40,7 @@ FactorOrder order_in(Packet& packet) {
   order.rows = packet.take<int>();
   order.kept = packet.take<int>();
   order.precision = packet.take<Precision>();
+  order.storage = packet.take<SchurStorage>();
   order.place = packet.take<std::vector<int>>();
   order.scale = packet.take<VectorXd>();
   return order;
@@ -66,12 +81,19 @@ void Team::release(int rank, const Packet& results) const {
 }
 
 void Team::make(long number, MatrixPart part, const FactorOrder& order) {
-  factors_[number] = processes_->factorised(std::move(part), order.rows,
-                                            order.kept, order.precision);
+  auto factor = processes_->factorised(std::move(part), order.rows, order.kept,
+                                       order.precision, order.storage);
+  if (order.storage == SchurStorage::distributed)
+    blocks_[number] = factor->take_block();
+  factors_[number] = std::move(factor);
 }
 
 void Team::forget(const std::vector<long>& factors) {
-  for (long factor : factors) factors_.erase(factor);
+  for (long factor : factors) {
+    factors_.erase(factor);
+    blocks_.erase(factor);
+    rows_.erase(factor);
+  }
 }
 
 std::pair<long, MatrixXd> Team::factorise(
@@ -90,7 +112,52 @@ std::pair<long, MatrixXd> Team::factorise(
   tell_all(Word::factorise);
   forget(discarded);
   make(number, std::move(part), orders[0]);
-  return {number, factors_.at(number)->take_schur()};
+  if (orders[0].storage == SchurStorage::whole)
+    return {number, factors_.at(number)->take_schur()};
+  rows_[number] = {blocks_.at(number).row};
+  for (int r = 1; r < count(); ++r)
+    rows_[number].push_back(answer_of(r).take<std::vector<int>>());
+  return {number, MatrixXd()};
+}
+
+VectorXd Team::schur_product(long factor, const VectorXd& x) const {
+  tell_all(Word::multiply, Packet().put(factor).put(x));
+  const auto& rows = rows_.at(factor);
+  VectorXd y = VectorXd::Zero(x.size());
+  y(rows[0]) += product_part(blocks_.at(factor), x);
+  for (int r = 1; r < count(); ++r) y(rows[r]) += answer_of(r).take<VectorXd>();
+  return y;
+}
+
+MatrixXd Team::schur_congruent(long factor, const SparseMatrix& R) const {
+  Packet packet;
+  packet.put(factor);
+  put(packet, R);
+  tell_all(Word::reduce, packet);
+  MatrixXd sum = congruent_part(blocks_.at(factor), R);
+  for (int r = 1; r < count(); ++r) sum += answer_of(r).take<MatrixXd>();
+  return sum;
+}
+
+SparseMatrix Team::schur_diagonal_blocks(long factor,
+                                         const std::vector<int>& group) const {
+  tell_all(Word::show_diagonal, Packet().put(factor).put(group));
+  Triplets entries = diagonal_part(blocks_.at(factor), group);
+  for (int r = 1; r < count(); ++r) {
+    const auto others = answer_of(r).take<Triplets>();
+    entries.insert(entries.end(), others.begin(), others.end());
+  }
+  return packed(count_of(group), count_of(group), entries);
+}
+
+void Team::answer_about_schur(Word word, Packet& packet) const {
+  const SchurBlock& block = blocks_.at(packet.take<long>());
+  if (word == Word::multiply)
+    answer(Packet().put(product_part(block, packet.take<VectorXd>())));
+  else if (word == Word::reduce)
+    answer(Packet().put(congruent_part(block, matrix_in(packet))));
+  else
+    answer(Packet().put(diagonal_part(block, packet.take<std::vector<int>>())));
 }
 
 VectorXd Team::condensed(long factor, const VectorXd& load) const {
@@ -141,7 +208,8 @@ Packet Team::served(const Service& service) {
   std::unique_ptr<PartRelaxation> relaxation;
   while (true) {
     Packet packet(processes_->receive(0));
-    switch (packet.take<Word>()) {
+    const auto word = packet.take<Word>();
+    switch (word) {
       case Word::values: answer(Packet().put(service.values(packet))); break;
       case Word::prepare:
         number = packet.take<long>();
@@ -153,8 +221,14 @@ Packet Team::served(const Service& service) {
       case Word::factorise:
         forget(discarded);
         make(number, std::exchange(part, {}), order);
-        factors_.at(number)->take_schur();
+        if (order.storage == SchurStorage::whole)
+          factors_.at(number)->take_schur();
+        else
+          answer(Packet().put(blocks_.at(number).row));
         break;
+      case Word::multiply:
+      case Word::reduce:
+      case Word::show_diagonal: answer_about_schur(word, packet); break;
       case Word::condense:
         factors_.at(packet.take<long>())->condensed({});
         break;

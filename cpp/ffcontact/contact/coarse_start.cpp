@@ -54,9 +54,8 @@ SparseMatrix in_frames(const SparseMatrix& weights,
 /// The relation and the law of the aggregates.
 class Coarse {
  public:
-  Coarse(const CondensedContact& contact, const NodalLaw& law,
-         const ContactSurface& surface, Multiplier multiplier,
-         const SparseMatrix& weight)
+  Coarse(const NodalLaw& law, const ContactSurface& surface,
+         Multiplier multiplier)
       : surface_(surface),
         unit_(multiplier == Multiplier::pressure
                   ? surface.area
@@ -64,11 +63,17 @@ class Coarse {
         aggregates_(aggregates(surface.mass)),
         weights_(smoothed(aggregates_, surface.mass)),
         R_(in_frames(weights_, surface, aggregates_.first)) {
-    put_relation(contact, weight * R_);
     put_law(law);
   }
 
-  std::optional<ContactRows> rows() const {
+  /// @param W  of surface_trace
+  SparseMatrix prolongation(const SparseMatrix& W,
+                            const std::vector<int>& primary) const {
+    return selected_rows(W * R_, primary);
+  }
+
+  std::optional<ContactRows> rows(const CoarseRelation& relation) {
+    put_relation(relation);
     StepSolver solver(coarse_, held_);
     const std::vector<ContactState> sticking(law_.node_count(),
                                              ContactState::stick);
@@ -80,10 +85,8 @@ class Coarse {
   }
 
  private:
-  void put_relation(const CondensedContact& contact, const SparseMatrix& WR) {
-    const SparseMatrix Q = selected_rows(WR, contact.primary);
-    const MatrixXd S = congruent(contact.S, Q);
-    const VectorXd g = Q.transpose() * contact.g;
+  void put_relation(const CoarseRelation& relation) {
+    const auto& [S, g] = relation;
     const double least = no_stiffness * S.diagonal().maxCoeff();
     held_.assign(S.rows(), 0);
     std::vector<int> moving;
@@ -143,12 +146,25 @@ class Coarse {
 
 }  // namespace
 
+std::optional<ContactRows> coarse_start(
+    const std::vector<int>& primary,
+    const std::function<CoarseRelation(const SparseMatrix& Q)>& relation,
+    const NodalLaw& law, const ContactSurface& surface, Multiplier multiplier,
+    const SparseMatrix& weight) {
+  Coarse coarse(law, surface, multiplier);
+  return coarse.rows(relation(coarse.prolongation(weight, primary)));
+}
+
 std::optional<ContactRows> coarse_start(const CondensedContact& contact,
                                         const NodalLaw& law,
                                         const ContactSurface& surface,
                                         Multiplier multiplier,
                                         const SparseMatrix& weight) {
-  return Coarse(contact, law, surface, multiplier, weight).rows();
+  const auto relation = [&contact](const SparseMatrix& Q) {
+    return CoarseRelation{congruent(contact.S, Q), Q.transpose() * contact.g};
+  };
+  return coarse_start(contact.primary, relation, law, surface, multiplier,
+                      weight);
 }
 
 }  // namespace ffcontact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -31,5 +32,20 @@ std::optional<ContactRows> coarse_start(const CondensedContact& contact,
                                         const ContactSurface& surface,
                                         Multiplier multiplier,
                                         const SparseMatrix& weight);
+
+/// Of v = Q v_a on the primary rows: F_a = S v_a - g.
+struct CoarseRelation {
+  MatrixXd S;
+  VectorXd g;
+};
+
+/// The same on another form of the relation.
+/// @param primary  rows [f]
+/// @param relation  that of a Q [f x 3a]
+std::optional<ContactRows> coarse_start(
+    const std::vector<int>& primary,
+    const std::function<CoarseRelation(const SparseMatrix& Q)>& relation,
+    const NodalLaw& law, const ContactSurface& surface, Multiplier multiplier,
+    const SparseMatrix& weight);
 
 }  // namespace ffcontact

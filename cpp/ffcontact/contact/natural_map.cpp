@@ -15,12 +15,13 @@ Vector3d projected(const FrictionCone& cone, const Vector3d& tau) {
 }
 
 /// Of the primary rows at a node; 0 where there are none.
-double mean_diagonal(const CondensedContact& contact, Index node) {
+double mean_diagonal(const VectorXd& diagonal, const VectorXi& position,
+                     Index node) {
   double sum = 0;
   int count = 0;
   for (int c = 0; c < 3; ++c)
-    if (const int k = contact.position[3 * node + c]; k >= 0) {
-      sum += contact.S(k, k);
+    if (const int k = position[3 * node + c]; k >= 0) {
+      sum += diagonal[k];
       ++count;
     }
   return count > 0 ? sum / count : 0;
@@ -55,10 +56,14 @@ ContactState contact_state(const NodeState& node) {
 
 NaturalMap::NaturalMap(const CondensedContact& contact,
                        const std::vector<char>& held)
-    : held_(held), stiffness_(contact.position.size() / 3) {
-  const double least = 1e-300, mean = contact.S.diagonal().mean();
+    : NaturalMap(contact.S.diagonal(), contact.position, held) {}
+
+NaturalMap::NaturalMap(const VectorXd& diagonal, const VectorXi& position,
+                       const std::vector<char>& held)
+    : held_(held), stiffness_(position.size() / 3) {
+  const double least = 1e-300, mean = diagonal.mean();
   for (Index i = 0; i < stiffness_.size(); ++i) {
-    const double own = mean_diagonal(contact, i);
+    const double own = mean_diagonal(diagonal, position, i);
     stiffness_[i] = std::max(own > 0 ? own : mean, least);
   }
 }
@@ -77,7 +82,8 @@ double NaturalMap::merit(const NodalLaw& law, const ContactRows& rows) const {
       if (held_[3 * i + c]) missed[c] = 0;
     sum += missed.squaredNorm() / stiffness_[i];
   }
-  return sum;
+  const Index beyond = rows.P.size() - 3 * stiffness_.size();
+  return sum + rows.P.tail(beyond).squaredNorm() / stiffness_.mean();
 }
 
 }  // namespace ffcontact

@@ -29,10 +29,16 @@ class NaturalMap {
   /// @param held  rows without force and condition [3 p]
   NaturalMap(const CondensedContact& contact, const std::vector<char>& held);
 
+  /// @param diagonal  of S on the primary rows [f]
+  /// @param position  of CondensedContact [3 p]
+  NaturalMap(const VectorXd& diagonal, const VectorXi& position,
+             const std::vector<char>& held);
+
   /// c, the mean of diag(S) at a node.
   double stiffness(int node) const { return stiffness_[node]; }
   Vector3d tau(const ContactRows& rows, int node) const;
-  /// sum |P - Pi(tau)|^2 / c over the rows that are not held.
+  /// sum |P - Pi(tau)|^2 / c over the rows that are not held, and P^2 / c over those beyond
+  /// the nodes', where P = 0 is the condition.
   double merit(const NodalLaw& law, const ContactRows& rows) const;
 
  private:

@@ -2,6 +2,7 @@
 #include "ffcontact/contact/surface_answer.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "ffcontact/contact/friction_path.hpp"
@@ -31,22 +32,23 @@ int systems_left(const NewtonSettings& limits, const ActiveSetResult& answer) {
   return found ? 0 : limits.max_iterations - answer.iterations;
 }
 
-/// Newton from the given states, and where these lead nowhere from sticking nodes.
-ActiveSetResult newton_answer(const CondensedContact& contact,
-                              const NodalLaw& law,
-                              const std::vector<char>& held,
-                              const std::vector<ContactState>& start,
+/// Newton from the given states, or from rows near the answer, and where these lead
+/// nowhere from sticking nodes.
+template <class Relation, class Start>
+ActiveSetResult newton_answer(Relation& relation, const NodalLaw& law,
+                              const std::vector<char>& held, const Start& start,
                               const NewtonSettings& limits) {
   const std::vector<ContactState> stick(law.node_count(), ContactState::stick);
   const auto first_of = [&limits](int left) {
     return limits.with_at_most(std::min(most_newton_systems, left));
   };
-  ActiveSetResult best = surface_newton(contact, law, held, start,
+  ActiveSetResult best = surface_newton(relation, law, held, start,
                                         first_of(limits.max_iterations));
   const int left = limits.max_iterations - best.iterations;
-  if (best.status == ContactStatus::converged || left <= 0 || start == stick)
-    return best;
-  add(surface_newton(contact, law, held, stick, first_of(left)), best);
+  if (best.status == ContactStatus::converged || left <= 0) return best;
+  if constexpr (std::is_same_v<Start, std::vector<ContactState>>)
+    if (start == stick) return best;
+  add(surface_newton(relation, law, held, stick, first_of(left)), best);
   return best;
 }
 
@@ -72,6 +74,30 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
   return near ? surface_newton(contact, law, held, *near, solver, limits)
               : surface_newton(contact, law, held, first_states(law, settings),
                                solver, limits);
+}
+
+FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
+                                const std::vector<char>& held,
+                                const std::optional<ContactRows>& near,
+                                const ContactSettings& settings) {
+  const std::vector<ContactState> start = first_states(law, settings);
+  NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  FixedPointResult result;
+  if (settings.solver == ContactSolver::newton) {
+    result.answer = near ? newton_answer(relation, law, held, *near, limits)
+                         : newton_answer(relation, law, held, start, limits);
+    const int left = systems_left(limits, result.answer);
+    if (left == 0) return result;
+    limits = limits.with_at_most(left);
+  }
+  FixedPointResult fixed =
+      surface_fixed_point(relation, law, held, start, limits);
+  result.history = std::move(fixed.history);
+  if (settings.solver == ContactSolver::newton)
+    add(std::move(fixed.answer), result.answer);
+  else
+    result.answer = std::move(fixed.answer);
+  return result;
 }
 
 FixedPointResult surface_answer(const CondensedContact& contact,

@@ -6,6 +6,7 @@
 
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/newton_relation.hpp"
 #include "ffcontact/contact/step_solver.hpp"
 
 namespace ffcontact {
@@ -28,5 +29,13 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
                              const std::optional<ContactRows>& near,
                              const ContactSettings& settings,
                              StepSolver& solver);
+
+/// On a relation without dense matrices: surface_newton from near or the chosen states, then
+/// from sticking nodes, then surface_fixed_point; or the latter alone. Paths of friction
+/// and springs need factors, which there are not.
+FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
+                                const std::vector<char>& held,
+                                const std::optional<ContactRows>& near,
+                                const ContactSettings& settings);
 
 }  // namespace ffcontact

@@ -21,7 +21,7 @@ VectorXd normal_forces(const VectorXd& P) {
 
 }  // namespace
 
-FixedPointResult surface_fixed_point(const CondensedContact& contact,
+FixedPointResult surface_fixed_point(NewtonRelation& relation,
                                      const NodalLaw& law,
                                      const std::vector<char>& held,
                                      std::vector<ContactState> state,
@@ -33,15 +33,15 @@ FixedPointResult surface_fixed_point(const CondensedContact& contact,
   for (int systems = 0; systems < settings.max_iterations;) {
     const int left = settings.max_iterations - systems;
     ActiveSetResult step = surface_newton(
-        contact, with_given_slip_limit(law, g.value()), held, state,
+        relation, with_given_slip_limit(law, g.value()), held, state,
         {std::min(left, most_systems_a_bound), settings.tolerance});
     systems += step.iterations;
     state = step.state;
     if (law.is_convex())
       g.stay();
     else
-      g.move_towards(normal_forces(step.P));
-    step.violation = surface_violation(contact, law, held, {step.P, step.v});
+      g.move_towards(normal_forces(step.P.head(3 * law.node_count())));
+    step.violation = surface_violation(relation, law, held, {step.P, step.v});
     const bool found = step.violation <= settings.tolerance;
     step.status =
         found ? ContactStatus::converged : ContactStatus::not_converged;
@@ -51,6 +51,16 @@ FixedPointResult surface_fixed_point(const CondensedContact& contact,
   }
   result.history = g.history();
   return result;
+}
+
+FixedPointResult surface_fixed_point(const CondensedContact& contact,
+                                     const NodalLaw& law,
+                                     const std::vector<char>& held,
+                                     std::vector<ContactState> state,
+                                     const NewtonSettings& settings) {
+  StepSolver solver;
+  CondensedRelation relation(contact, solver);
+  return surface_fixed_point(relation, law, held, std::move(state), settings);
 }
 
 }  // namespace ffcontact

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/newton_relation.hpp"
 
 namespace ffcontact {
 
@@ -14,5 +15,12 @@ FixedPointResult surface_fixed_point(const CondensedContact& contact,
                                      const std::vector<char>& held,
                                      std::vector<ContactState> state,
                                      const NewtonSettings& settings = {});
+
+/// Likewise on any relation.
+FixedPointResult surface_fixed_point(NewtonRelation& relation,
+                                     const NodalLaw& law,
+                                     const std::vector<char>& held,
+                                     std::vector<ContactState> state,
+                                     const NewtonSettings& settings);
 
 }  // namespace ffcontact

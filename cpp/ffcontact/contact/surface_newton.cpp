@@ -33,17 +33,15 @@ void put_into_law(const NodalLaw& law, const std::vector<char>& held,
 
 class Newton {
  public:
-  Newton(const CondensedContact& contact, const NodalLaw& law,
-         const std::vector<char>& held, StepSolver& solver,
-         const NewtonSettings& settings)
-      : contact_(contact),
+  Newton(NewtonRelation& relation, const NodalLaw& law,
+         const std::vector<char>& held, const NewtonSettings& settings)
+      : relation_(relation),
         law_(law),
         held_(held),
         settings_(settings),
-        map_(contact, held),
-        states_(law.node_count()),
-        solver_(solver) {
-    rows_.P = rows_.v = VectorXd::Zero(contact.position.size());
+        map_(relation.natural_map(held)),
+        states_(law.node_count()) {
+    rows_.P = rows_.v = VectorXd::Zero(relation.row_count());
     result_.violation = infinity;
   }
 
@@ -82,11 +80,11 @@ class Newton {
     ++result_.iterations;
     const ContactRows last = rows_;
     const SystemKind kind =
-        solver_.solve(contact_, SurfaceEquations(held_, map_, states_), rows_);
+        relation_.step(SurfaceEquations(held_, map_, states_), rows_);
     const bool loose = kind == SystemKind::inconsistent;
     if (failures_ > most_full_steps) shorten_step(last);
     const double violation =
-        loose ? infinity : surface_violation(contact_, law_, held_, rows_);
+        loose ? infinity : surface_violation(relation_, law_, held_, rows_);
     const bool better = violation < result_.violation,
                gains = violation < wanted_violation();
     if (better || result_.iterations == 1) keep(violation);
@@ -134,13 +132,12 @@ class Newton {
     result_.keep(std::move(states), rows_, violation);
   }
 
-  const CondensedContact& contact_;
+  NewtonRelation& relation_;
   const NodalLaw& law_;
   const std::vector<char>& held_;
   const NewtonSettings settings_;
   const NaturalMap map_;
   std::vector<NodeState> states_;
-  StepSolver& solver_;
   ContactRows rows_;
   ActiveSetResult result_;
   int failures_ = 0;
@@ -148,13 +145,40 @@ class Newton {
 
 }  // namespace
 
+double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
+                         const std::vector<char>& held,
+                         const ContactRows& rows) {
+  const Index nodal = 3 * law.node_count();
+  VectorXd v = rows.v.head(nodal);
+  for (Index row = 0; row < nodal; ++row)
+    if (held[row]) v[row] = 0;
+  const LawScales scales = relation.scales(v);
+  const auto beyond = rows.P.tail(rows.P.size() - nodal);
+  const double missed = beyond.size() > 0 ? max_norm(beyond) : 0,
+               size = std::max(scales.P, max_norm(rows.P));
+  return std::max(surface_violation(law, rows.P, v, scales),
+                  missed > 0 ? missed / size : 0);
+}
+
 double surface_violation(const CondensedContact& contact, const NodalLaw& law,
                          const std::vector<char>& held,
                          const ContactRows& rows) {
-  VectorXd v = rows.v;
-  for (Index row = 0; row < v.size(); ++row)
-    if (held[row]) v[row] = 0;
-  return surface_violation(law, rows.P, v, law_scales(contact, v));
+  StepSolver none;
+  return surface_violation(CondensedRelation(contact, none), law, held, rows);
+}
+
+ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const std::vector<ContactState>& state,
+                               const NewtonSettings& settings) {
+  return Newton(relation, law, held, settings).result(state);
+}
+
+ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const ContactRows& near,
+                               const NewtonSettings& settings) {
+  return Newton(relation, law, held, settings).result(near);
 }
 
 ActiveSetResult surface_newton(const CondensedContact& contact,
@@ -163,7 +187,8 @@ ActiveSetResult surface_newton(const CondensedContact& contact,
                                const std::vector<ContactState>& state,
                                StepSolver& solver,
                                const NewtonSettings& settings) {
-  return Newton(contact, law, held, solver, settings).result(state);
+  CondensedRelation relation(contact, solver);
+  return surface_newton(relation, law, held, state, settings);
 }
 
 ActiveSetResult surface_newton(const CondensedContact& contact,
@@ -180,7 +205,8 @@ ActiveSetResult surface_newton(const CondensedContact& contact,
                                const std::vector<char>& held,
                                const ContactRows& near, StepSolver& solver,
                                const NewtonSettings& settings) {
-  return Newton(contact, law, held, solver, settings).result(near);
+  CondensedRelation relation(contact, solver);
+  return surface_newton(relation, law, held, near, settings);
 }
 
 }  // namespace ffcontact

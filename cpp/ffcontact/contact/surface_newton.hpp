@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/contact/active_set.hpp"
+#include "ffcontact/contact/newton_relation.hpp"
 #include "ffcontact/contact/step_solver.hpp"
 
 namespace ffcontact {
@@ -45,6 +46,46 @@ ActiveSetResult surface_newton(const CondensedContact& contact,
                                const std::vector<char>& held,
                                const ContactRows& near, StepSolver& solver,
                                const NewtonSettings& settings = {});
+
+/// Likewise on any relation.
+ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const std::vector<ContactState>& state,
+                               const NewtonSettings& settings);
+ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
+                               const std::vector<char>& held,
+                               const ContactRows& near,
+                               const NewtonSettings& settings);
+
+/// CondensedContact with a solver of its steps.
+class CondensedRelation : public NewtonRelation {
+ public:
+  /// Both stay with the caller.
+  CondensedRelation(const CondensedContact& contact, StepSolver& solver)
+      : contact_(contact), solver_(solver) {}
+
+  Index row_count() const override { return contact_.position.size(); }
+  NaturalMap natural_map(const std::vector<char>& held) const override {
+    return {contact_, held};
+  }
+  LawScales scales(const VectorXd& v) const override {
+    return law_scales(contact_, v);
+  }
+  SystemKind step(const SurfaceEquations& equations,
+                  ContactRows& rows) override {
+    return solver_.solve(contact_, equations, rows);
+  }
+
+ private:
+  const CondensedContact& contact_;
+  StepSolver& solver_;
+};
+
+/// surface_violation of an answer, relative to the relation's scales; of rows beyond the
+/// nodes' P relative to the largest.
+double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
+                         const std::vector<char>& held,
+                         const ContactRows& rows);
 
 /// surface_violation of an answer, relative to law_scales.
 double surface_violation(const CondensedContact& contact, const NodalLaw& law,

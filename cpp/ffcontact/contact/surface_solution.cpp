@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/balance.hpp"
-#include "ffcontact/contact/coarse_start.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
+#include "ffcontact/contact/product_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
-#include "ffcontact/contact/surface_answer.hpp"
-#include "ffcontact/contact/surface_newton.hpp"
-#include "ffcontact/contact/surface_trace.hpp"
+#include "ffcontact/contact/surface_relation.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/elastic/scaled_stiffness.hpp"
 
 namespace ffcontact {
 
@@ -68,48 +67,17 @@ void put_multipliers(const ContactSurface& surface, const SurfaceLaw& law,
                                       surface.area.cwiseInverse().asDiagonal());
 }
 
-/// The problem as it was stated, and how its surface moves.
-struct StatedSurface {
-  const ContactSurface& surface;
-  const SurfaceLaw& law;
-  const ElasticSystem& system;
-  const ContactSettings& settings;
-  const SurfaceTrace& trace;
-  const NodalLaw cones = nodal_law(law, surface);
-
-  /// Forces of the nodes on all dofs.
-  VectorXd load_of(const Matrix3Xd& force) const {
-    return nodal_load(surface, force, system.dof_count());
-  }
-  /// v of a displacement on all dofs.
-  VectorXd v_of(const VectorXd& displacement) const {
-    return trace.weight *
-           displacement_against_foundation(surface, law, displacement)
-               .reshaped();
-  }
-};
-
 /// An answer on the condensed relation, and what the whole body makes of it.
 class Answer {
  public:
   Answer(const StatedSurface& stated,
          std::shared_ptr<const CondensedStiffness> stiffness)
-      : stated_(stated),
-        contact_(condensed_contact(stated.trace.trace, stated.trace.primary,
-                                   stated.system.load, *stiffness)) {
+      : stated_(stated), relation_(surface_relation(stated, stiffness)) {
     solution_.stiffness = std::move(stiffness);
     solution_.displacement = stated.system.prescribed_value;
-    const auto& held = stated.trace.held;
-    if (solution_.stiffness->precision() == Precision::single) {
-      solver_ = StepSolver(contact_, held);
-      take(rough_answer(contact_, stated.cones, held, start(), stated.settings,
-                        solver_));
-    } else {
-      FixedPointResult condensed =
-          surface_answer(contact_, stated.cones, held, stated.settings);
-      solution_.history = std::move(condensed.history);
-      take(std::move(condensed.answer));
-    }
+    FixedPointResult condensed = relation_->answer();
+    solution_.history = std::move(condensed.history);
+    take(std::move(condensed.answer));
   }
 
   /// Corrects the answer of an inexact factor K~: with u the last displacement
@@ -120,12 +88,10 @@ class Answer {
     for (int k = 0; k < most_corrections && can_gain(); ++k) {
       const SurfaceSolution last = solution_;
       const ContactRows rows{condensed_.P, condensed_.v};
-      contact_ = with_loads(
-          std::move(contact_), *solution_.stiffness,
+      relation_->put_loads(
           force_residual(stated_.system, solution_.displacement, no_forces()),
           stated_.v_of(solution_.displacement));
-      take(surface_newton(contact_, stated_.cones, stated_.trace.held, rows,
-                          solver_, limits()));
+      take(relation_->answer_near(rows, limits()));
       solution_.iterations += last.iterations;
       if (missed_by(solution_) < missed_by(last) / least_gain) continue;
       solution_ = last;
@@ -142,14 +108,6 @@ class Answer {
   /// What a violation may be of the residual before a correction, which gains more.
   static constexpr double beside_residual = 1e-3;
 
-  /// Where no states are given that are better.
-  std::optional<ContactRows> start() const {
-    const ContactSettings& settings = stated_.settings;
-    if (!settings.initial_state.empty() && !settings.state_of_another_mesh)
-      return std::nullopt;
-    return coarse_start(contact_, stated_.cones, stated_.surface,
-                        stated_.law.multiplier, stated_.trace.weight);
-  }
   VectorXd no_forces() const {
     return VectorXd::Zero(stated_.system.dof_count());
   }
@@ -175,14 +133,15 @@ class Answer {
     condensed_ = std::move(answer);
     solution_.iterations = condensed_.iterations;
     solution_.state = condensed_.state;
-    const VectorXd kept =
-        kept_displacement(contact_, condensed_.v(contact_.primary),
-                          condensed_.P(contact_.dependent));
     solution_.displacement +=
-        solution_.stiffness->extended(contact_.load, kept);
-    put_multipliers(stated_.surface, stated_.law, stated_.trace, condensed_.P,
-                    solution_);
+        relation_->displacement({condensed_.P, condensed_.v});
+    put_multipliers(stated_.surface, stated_.law, stated_.trace,
+                    on_nodes(condensed_.P), solution_);
     judge();
+  }
+
+  VectorXd on_nodes(const VectorXd& rows) const {
+    return rows.head(3 * stated_.surface.node_count());
   }
 
   /// What the theory promises, measured.
@@ -192,20 +151,19 @@ class Answer {
     solution_.residual =
         equilibrium_defect(system, u, stated_.load_of(solution_.force),
                            largest_displacement(law, VectorXd::Zero(1)));
-    LawScales scales = law_scales(contact_, condensed_.v);
+    LawScales scales = relation_->scales(on_nodes(condensed_.v));
     scales.v = std::max(
         scales.v, largest_weight(law, surface) * largest_displacement(law, u));
-    solution_.complementarity =
-        surface_violation(cones, condensed_.P, stated_.v_of(u), scales);
+    solution_.complementarity = surface_violation(cones, on_nodes(condensed_.P),
+                                                  stated_.v_of(u), scales);
     solution_.status =
         judged_status(condensed_.status, solution_.complementarity,
                       solution_.residual, settings.tolerance);
   }
 
   const StatedSurface& stated_;
-  CondensedContact contact_;
+  std::unique_ptr<SurfaceRelation> relation_;
   ActiveSetResult condensed_;
-  StepSolver solver_;
   SurfaceSolution solution_;
 };
 
@@ -219,19 +177,32 @@ bool takes_single_precision(const SolidMesh& mesh, const ElasticSystem& system,
          free_rigid_motions(mesh, system.prescribed).cols() == 0;
 }
 
+SurfaceSolution corrected_solution(const StatedSurface& stated,
+                                   Precision precision) {
+  const auto stiffness = prepared_stiffness(
+      stated.trace.trace.kept_dofs, stated.system, stated.settings, precision);
+  Answer answer(stated, stiffness);
+  if (!stiffness->is_exact()) answer.correct();
+  return std::move(answer).solution();
+}
+
 /// Nothing where single precision is not enough.
 std::optional<SurfaceSolution> roughly_factored_solution(
     const StatedSurface& stated) {
   try {
-    Answer answer(
-        stated, prepared_stiffness(stated.trace.trace.kept_dofs, stated.system,
-                                   stated.settings, Precision::single));
-    answer.correct();
-    SurfaceSolution solution = std::move(answer).solution();
+    SurfaceSolution solution = corrected_solution(stated, Precision::single);
     if (solution.accepted(stated.settings)) return solution;
   } catch (const std::runtime_error&) {
   }
   return std::nullopt;
+}
+
+/// Distributed where that is asked for or where one matrix has no room.
+SchurStorage storage_of(const ContactSettings& settings, int kept) {
+  if (settings.stiffness) return settings.stiffness->storage();
+  const bool has_room =
+      has_room_for_schur(kept, SchurStorage::whole, memory_of_the_machine());
+  return has_room ? settings.storage : SchurStorage::distributed;
 }
 
 }  // namespace
@@ -240,10 +211,14 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
                               const ContactSurface& surface,
                               const SurfaceLaw& law,
                               const ElasticSystem& system,
-                              const ContactSettings& settings) {
-  require_sound(mesh, surface, law, system, settings);
+                              const ContactSettings& given) {
+  require_sound(mesh, surface, law, system, given);
   const SurfaceTrace trace = surface_trace(surface, law, system);
   require_clear(mesh, surface, law, system, trace.held);
+  ContactSettings settings = given;
+  settings.storage = storage_of(given, count_of(trace.trace.kept_dofs));
+  if (settings.storage == SchurStorage::distributed)
+    require_forces(law.multiplier);
   const StatedSurface stated{surface, law, system, settings, trace};
   const bool is_rough =
       settings.stiffness ? settings.stiffness->precision() == Precision::single
@@ -252,11 +227,8 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
     if (std::optional<SurfaceSolution> solution =
             roughly_factored_solution(stated))
       return *std::move(solution);
-  ContactSettings in_full = settings;
-  if (is_rough) in_full.stiffness = nullptr;
-  return Answer(stated,
-                prepared_stiffness(trace.trace.kept_dofs, system, in_full))
-      .solution();
+  if (is_rough) settings.stiffness = nullptr;
+  return corrected_solution(stated, Precision::full);
 }
 
 }  // namespace ffcontact

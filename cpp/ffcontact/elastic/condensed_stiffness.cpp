@@ -89,9 +89,10 @@ struct CondensedStiffness::Factor {
   std::vector<int> place;  ///< of each dof in it; -1 where prescribed
   AnyCholesky cholesky;
   MatrixXd schur;
+  SchurStorage storage;
 
   Factor(const ElasticSystem& system, const std::vector<int>& kept_dofs,
-         Precision precision)
+         Precision precision, SchurStorage schur_storage)
       : kept(kept_dofs),
         scale(inverse_roots(system)),
         order(elimination_order(system, kept)),
@@ -99,7 +100,8 @@ struct CondensedStiffness::Factor {
         cholesky(factorised(
             Eliminated{system.stiffness, order, place, scale}.lower_triangle(),
             static_cast<int>(kept.size()), precision)),
-        schur(schur_of(cholesky, scale(kept))) {}
+        schur(schur_of(cholesky, scale(kept))),
+        storage(schur_storage) {}
 
   Index kept_count() const { return static_cast<Index>(kept.size()); }
 
@@ -128,9 +130,10 @@ struct CondensedStiffness::Factor {
 
 CondensedStiffness::CondensedStiffness(const ElasticSystem& system,
                                        const std::vector<int>& kept,
-                                       Precision precision)
-    : factor_(std::make_unique<Factor>(system, required_kept(system, kept),
-                                       precision)) {}
+                                       Precision precision,
+                                       SchurStorage storage)
+    : factor_(std::make_unique<Factor>(
+          system, required_kept(system, kept, storage), precision, storage)) {}
 
 CondensedStiffness::CondensedStiffness() = default;
 CondensedStiffness::~CondensedStiffness() = default;
@@ -144,7 +147,16 @@ Precision CondensedStiffness::precision() const {
              : Precision::single;
 }
 
-const MatrixXd& CondensedStiffness::schur() const { return factor_->schur; }
+SchurStorage CondensedStiffness::storage() const { return factor_->storage; }
+
+const MatrixXd& CondensedStiffness::schur() const {
+  require_whole(storage());
+  return factor_->schur;
+}
+
+std::unique_ptr<const SchurProducts> CondensedStiffness::products() const {
+  return std::make_unique<const WholeSchur>(factor_->schur);
+}
 
 CondensedStiffness::Load CondensedStiffness::condensed(
     const Ref<const VectorXd>& load) const {

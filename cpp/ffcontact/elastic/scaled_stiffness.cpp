@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -25,28 +26,40 @@ void require_free(const ElasticSystem& system, int dof) {
     refuse("kept dof ", dof, " is prescribed or does not exist");
 }
 
+/// Of double precision [bytes].
+double memory_for_schur(int kept, SchurStorage storage, int processes) {
+  const double copies = storage == SchurStorage::whole ? 3 : 2.0 / processes;
+  return copies * kept * kept * sizeof(double);
+}
+
+}  // namespace
+
 double memory_of_the_machine() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
          static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-}  // namespace
+bool has_room_for_schur(int kept, SchurStorage storage, double memory,
+                        int processes) {
+  return memory_for_schur(kept, storage, processes) <= memory / 2;
+}
 
-void require_room_for_schur(int kept, double memory) {
+void require_room_for_schur(int kept, SchurStorage storage, double memory,
+                            int processes) {
   constexpr double gigabyte = 1e9;
-  const double needed = 3.0 * kept * kept * sizeof(double);
-  if (needed > memory / 2)
+  if (!has_room_for_schur(kept, storage, memory, processes))
     refuse(kept, " free dofs where bodies may touch need dense matrices of ",
-           needed / gigabyte, " GB, more than half of the memory (",
-           memory / gigabyte,
+           memory_for_schur(kept, storage, processes) / gigabyte,
+           " GB, more than half of the memory (", memory / gigabyte,
            " GB): state contact on a smaller part of the boundary, or on a "
            "coarser mesh");
 }
 
 const std::vector<int>& required_kept(const ElasticSystem& system,
-                                      const std::vector<int>& kept) {
-  require_room_for_schur(static_cast<int>(kept.size()),
-                         memory_of_the_machine());
+                                      const std::vector<int>& kept,
+                                      SchurStorage storage, int processes) {
+  require_room_for_schur(count_of(kept), storage, memory_of_the_machine(),
+                         processes);
   std::vector<char> met(system.dof_count(), 0);
   for (int dof : kept) {
     require_free(system, dof);

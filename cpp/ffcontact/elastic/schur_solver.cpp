@@ -3,13 +3,12 @@
 
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/aggregates.hpp"
-#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/conjugate_gradients.hpp"
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/base/symmetric_product.hpp"
 
 namespace ffcontact {
 
@@ -46,9 +45,10 @@ SparseMatrix neighbours(const ElasticSystem& system,
   return packed(count, count, pairs);
 }
 
-/// R [kept x components of aggregates].
-SparseMatrix prolongation(const ElasticSystem& system,
-                          const std::vector<int>& kept) {
+}  // namespace
+
+SparseMatrix aggregated_motions(const ElasticSystem& system,
+                                const std::vector<int>& kept) {
   const KeptVertices vertices(system, kept);
   const Aggregates gathered = aggregates(neighbours(system, kept, vertices));
   std::map<std::pair<int, int>, int> column;  // where a dof is kept
@@ -62,22 +62,22 @@ SparseMatrix prolongation(const ElasticSystem& system,
   return packed(count_of(kept), count_of(column), entries);
 }
 
-}  // namespace
-
 struct SchurSolver::TwoLevels {
   VectorXd inverse_diagonal;
   SparseMatrix R;
   DenseCholesky coarse;
 
-  TwoLevels(const MatrixXd& S, const MatrixXd& motions, SparseMatrix prolonged)
+  TwoLevels(const SchurProducts& S, const VectorXd& diagonal,
+            const MatrixXd& motions, SparseMatrix prolonged)
       : inverse_diagonal(
-            (S.diagonal() + motions.rowwise().squaredNorm()).cwiseInverse()),
+            (diagonal + motions.rowwise().squaredNorm()).cwiseInverse()),
         R(std::move(prolonged)),
         coarse(coarse_matrix(S, motions)) {}
 
-  MatrixXd coarse_matrix(const MatrixXd& S, const MatrixXd& motions) const {
+  MatrixXd coarse_matrix(const SchurProducts& S,
+                         const MatrixXd& motions) const {
     const MatrixXd Z = R.transpose() * motions;
-    MatrixXd matrix = congruent(S, R);
+    MatrixXd matrix = S.congruent(R);
     matrix.noalias() += Z * Z.transpose();
     return matrix;
   }
@@ -92,14 +92,17 @@ SchurSolver::SchurSolver(const ElasticSystem& system,
                          const std::vector<int>& kept,
                          const CondensedStiffness& stiffness,
                          const MatrixXd& motions, int most_steps)
-    : stiffness_(stiffness), most_steps_(most_steps), motions_(motions) {
-  const MatrixXd& S = stiffness.schur();
+    : stiffness_(stiffness),
+      S_(stiffness.products()),
+      most_steps_(most_steps),
+      motions_(motions) {
+  const VectorXd diagonal = S_->diagonal();
   if (motions.cols() > 0)
     motions_ *=
-        std::sqrt(S.diagonal().mean() / motions.colwise().squaredNorm().mean());
-  if (stiffness.precision() == Precision::full) return;
+        std::sqrt(diagonal.mean() / motions.colwise().squaredNorm().mean());
+  if (stiffness.is_exact()) return;
   auto two_levels = std::make_unique<const TwoLevels>(
-      S, motions_, prolongation(system, kept));
+      *S_, diagonal, motions_, aggregated_motions(system, kept));
   if (two_levels->coarse.is_positive_definite())
     preconditioner_ = std::move(two_levels);
 }
@@ -107,21 +110,32 @@ SchurSolver::SchurSolver(const ElasticSystem& system,
 SchurSolver::~SchurSolver() = default;
 
 VectorXd SchurSolver::solve(const VectorXd& g) const {
-  const MatrixXd& S = stiffness_.schur();
   if (preconditioner_ && direct_.size() == 0) {
     const auto product = [&](const VectorXd& x) -> VectorXd {
-      return symmetric_product(S, x) + motions_ * (motions_.transpose() * x);
+      return S_->product(x) + motions_ * (motions_.transpose() * x);
     };
     const auto x = conjugate_gradients(product, *preconditioner_, g,
-                                       {tolerance, most_steps_});
+                                       {tolerance, steps_allowed()});
     if (x) return *x;
   }
-  if (direct_.size() == 0) {
-    MatrixXd regular = S;
-    regular.noalias() += motions_ * motions_.transpose();
-    direct_ = DenseCholesky(std::move(regular));
-  }
+  if (direct_.size() == 0) direct_ = DenseCholesky(regular_matrix());
   return direct_.solve(g);
+}
+
+int SchurSolver::steps_allowed() const {
+  constexpr int without_factor = 1000;
+  return stiffness_.storage() == SchurStorage::whole ? most_steps_
+                                                     : without_factor;
+}
+
+MatrixXd SchurSolver::regular_matrix() const {
+  if (stiffness_.storage() != SchurStorage::whole)
+    throw std::runtime_error(
+        "conjugate gradients with the distributed Schur complement do not "
+        "converge");
+  MatrixXd regular = stiffness_.schur();
+  regular.noalias() += motions_ * motions_.transpose();
+  return regular;
 }
 
 }  // namespace ffcontact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/rebalancing.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
@@ -30,7 +31,7 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
   constexpr int most_corrections = 10;
   constexpr double of_rounding = 1e-14, least_gain = 4;
   VectorXd u = solved(force_change);
-  if (stiffness_->precision() == Precision::full) return u;
+  if (stiffness_->is_exact()) return u;
   double last = max_norm(force_change);
   const double wanted = of_rounding * last;
   for (int k = 0; k < most_corrections; ++k) {
@@ -43,6 +44,10 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
     last = size;
   }
   if (last <= 1e3 * wanted) return u;
+  if (stiffness_->storage() == SchurStorage::distributed)
+    throw std::runtime_error(
+        "the distributed Schur complement does not balance the tractions to "
+        "rounding");
   return Rebalancing(system_, contact_dofs_, motions_)
       .displacement(force_change);
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/surface_trace.hpp"
+
+namespace ffcontact {
+
+/// The problem as it was stated, and how its surface moves.
+struct StatedSurface {
+  const ContactSurface& surface;
+  const SurfaceLaw& law;
+  const ElasticSystem& system;
+  const ContactSettings& settings;
+  const SurfaceTrace& trace;
+  const NodalLaw cones = nodal_law(law, surface);
+
+  /// Forces of the nodes on all dofs.
+  VectorXd load_of(const Matrix3Xd& force) const {
+    return nodal_load(surface, force, system.dof_count());
+  }
+  /// v of a displacement on all dofs.
+  VectorXd v_of(const VectorXd& displacement) const {
+    return trace.weight *
+           displacement_against_foundation(surface, law, displacement)
+               .reshaped();
+  }
+};
+
+}  // namespace ffcontact
