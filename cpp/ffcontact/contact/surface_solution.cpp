@@ -8,11 +8,11 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/coarse_start.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_answer.hpp"
+#include "ffcontact/contact/surface_balance.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 #include "ffcontact/contact/surface_trace.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
