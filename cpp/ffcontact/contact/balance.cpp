@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/balance.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/singular_values.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
 namespace ffcontact {
@@ -76,16 +76,13 @@ MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
                         const ElasticSystem& system) {
   const MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
   if (motions.cols() == 0) return motions;
-  const MatrixXd forces = relative_forces(system, motions);
-  // descending
-  const Eigen::JacobiSVD<MatrixXd> svd(
-      forces, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const SingularValues forces =
+      singular_values(relative_forces(system, motions));
+  const double least =
+      motion_rounding * std::sqrt(static_cast<double>(motions.rows()));
   Index held = 0;
-  while (held < motions.cols() &&
-         svd.singularValues()[held] >
-             motion_rounding * std::sqrt(static_cast<double>(forces.rows())))
-    ++held;
-  return motions * svd.matrixV().rightCols(motions.cols() - held);
+  while (held < motions.cols() && forces.values[held] > least) ++held;
+  return motions * forces.V.rightCols(motions.cols() - held);
 }
 
 template MatrixXd unheld_motions(const Mesh&, const ElasticSystem&);
