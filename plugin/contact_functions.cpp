@@ -2,8 +2,7 @@
 #include "guard.hpp"
 #include "plane_solve.hpp"
 #include "registration.hpp"
-#include "shared_solve.hpp"
-#include "solid_solve.hpp"
+#include "solids.hpp"
 
 namespace ffcontact::plugin {
 
@@ -85,9 +84,9 @@ class ContactSolve : public E_F0mps {
                          load_,
                          values_of<KN<double>*>(stack, displacement_),
                          start};
-    if (contact.shared) return solve_shared(call, contact);
-    return contact.solid.problem ? solve_solid(call, contact.solid)
-                                 : solve_plane(call, contact);
+    return contact.shared || contact.solid.problem
+               ? solids().solve(call, contact)
+               : solve_plane(call, contact);
   }
 
   NamedArguments named_;

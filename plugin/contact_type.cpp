@@ -7,37 +7,23 @@
 #include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
-#include "shared_statement.hpp"
+#include "result_names.hpp"
+#include "solids.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
 
-/// The value of contact(Th, ...), for an assignment: null is what there is not.
-struct ContactStatement {
-  std::shared_ptr<ContactProblem> plane;
-  std::shared_ptr<SolidProblem> solid;
-  std::shared_ptr<SharedContact> shared;
-};
-
 ContactStatement stated(Stack stack, const NamedArguments& named,
                         const std::vector<pmesh>& meshes) {
-  if (const auto team = stated_team(stack, named)) {
-    SharedStatement<2> shared = state_shared<2>(stack, named, meshes, team);
-    return {std::move(shared.problem), nullptr, std::move(shared.contact)};
-  }
+  if (named.given("comm")) return solids().stated(stack, named, meshes);
   return {std::make_shared<ContactProblem>(stack, named, meshes), nullptr,
           nullptr};
 }
 
 ContactStatement stated(Stack stack, const NamedArguments& named,
                         const std::vector<pmesh3>& meshes) {
-  if (const auto team = stated_team(stack, named)) {
-    SharedStatement<3> shared = state_shared<3>(stack, named, meshes, team);
-    return {nullptr, std::move(shared.problem), std::move(shared.contact)};
-  }
-  return {nullptr, std::make_shared<SolidProblem>(stack, named, meshes),
-          nullptr};
+  return solids().stated(stack, named, meshes);
 }
 
 /// The meshes and named parameters of a statement, from its first mesh on.
@@ -194,10 +180,6 @@ const ContactProblem& plane_problem(const Contact& contact) {
         "the contact is that of a mesh3, but this is for plane bodies so far");
   require_stated(contact);
   return *contact.problem;
-}
-
-void refuse_unsolved() {
-  refuse("the contact is not solved: call contactsolve first");
 }
 
 const SolvedContact& solved_contact(const Contact& contact) {

@@ -75,7 +75,5 @@ const SolvedContact& solved_contact(const Contact& contact);
 const ContactProblem& plane_problem(const Contact& contact);
 /// @throws std::invalid_argument  if the contact was never stated
 void require_stated(const Contact& contact);
-/// Says that a contact is not solved.
-[[noreturn]] void refuse_unsolved();
 
 }  // namespace ffcontact::plugin

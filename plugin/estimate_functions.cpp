@@ -4,9 +4,8 @@
 #include "guard.hpp"
 #include "plane_error.hpp"
 #include "registration.hpp"
-#include "shared_error.hpp"
-#include "solid_error.hpp"
-#include "solid_loads.hpp"
+#include "shared_contact.hpp"
+#include "solids.hpp"
 #include "systems.hpp"
 
 namespace ffcontact::plugin {
@@ -96,38 +95,29 @@ class ContactErrorFunction : public E_F0mps {
 
   double run(Stack stack) const {
     Contact& contact = contact_of_processes(stack, contact_);
-    if (contact.shared) return shared_run(stack, contact);
-    if (contact.solid.problem) {
+    if (contact.shared)
+      require_own_solution(
+          "one of several processes, which contacterror judges by what "
+          "contactsolve found: contacterror(C, lambda=, G=, ...)");
+    else if (contact.solid.problem)
       require_own_solution(
           "that of a mesh3, which contacterror judges by what contactsolve "
           "found: contacterror(C, lambda=, G=, ...)");
-      require_names_of_bodies(named_, estimates_of_bodies,
-                              contact.solid.problem->body_count());
-      return solid_error(stack, named_, contact.solid, solid_reader(stack));
-    }
-    require_names_of_bodies(named_, estimates_of_bodies,
-                            contact.problem->body_count());
-    return plane_run(stack, contact, plane_reader(stack));
+    require_names_of_bodies(named_, estimates_of_bodies, body_count(contact));
+    const JudgePlane judge = [&](const ReadPlane& read) {
+      return plane_run(stack, contact, read);
+    };
+    return contact.shared || contact.solid.problem
+               ? solids().error(stack, named_, contact, judge)
+               : judge(plane_reader(stack));
   }
 
-  double shared_run(Stack stack, Contact& contact) const {
-    SharedContact& shared = *contact.shared;
-    require_own_solution(
-        "one of several processes, which contacterror judges by what "
-        "contactsolve found: contacterror(C, lambda=, G=, ...)");
-    const int bodies = shared.plane ? shared.plane->own.body_count()
-                                    : shared.solid->own.body_count();
-    require_names_of_bodies(named_, estimates_of_bodies, bodies);
-    if (shared.plane)
-      return error_shared(stack, named_, shared, plane_reader(stack),
-                          [&](const ReadPlane& read) {
-                            return plane_run(stack, contact, read);
-                          });
-    return error_shared(stack, named_, shared, solid_reader(stack),
-                        [&](const ReadSolids& read) {
-                          return solid_error(stack, named_, contact.solid, read,
-                                             relax_shared(shared));
-                        });
+  static int body_count(const Contact& contact) {
+    if (const SharedContact* shared = contact.shared.get())
+      return shared->plane ? shared->plane->own.body_count()
+                           : shared->solid->own.body_count();
+    return contact.problem ? contact.problem->body_count()
+                           : contact.solid.problem->body_count();
   }
 
   void require_own_solution(const char* kind) const {
@@ -138,13 +128,6 @@ class ContactErrorFunction : public E_F0mps {
     return [this, stack](const PlaneBodies& bodies, SolvedBody& body) {
       return read_material_and_loads(stack, named_, bodies, body);
     };
-  }
-
-  ReadSolids solid_reader(Stack stack) const {
-    return
-        [this, stack](const SolidBodies& bodies, ffcontact::SolvedSolid& body) {
-          return read_material_and_loads(stack, named_, bodies, body);
-        };
   }
 
   double plane_run(Stack stack, Contact& contact, const ReadPlane& read) const {

@@ -4,7 +4,7 @@
 #include "guard.hpp"
 #include "picture_files.hpp"
 #include "registration.hpp"
-#include "solid_picture_files.hpp"
+#include "solids.hpp"
 
 namespace ffcontact::plugin {
 
@@ -39,10 +39,7 @@ class ContactPicture : public E_F0mps {
     const std::string& folder = *value_of<string*>(stack, folder_);
     if (folder.empty()) refuse("the folder has no name");
     if (contact.solid.problem) {
-      if (!contact.solid.solved) refuse_unsolved();
-      if (mpirank == 0)
-        write_pictures(folder, step, *contact.solid.problem,
-                       *contact.solid.solved);
+      solids().draw(folder, step, contact.solid);
     } else {
       const SolvedContact& solved = solved_contact(contact);
       if (mpirank == 0) write_pictures(folder, step, *contact.problem, solved);

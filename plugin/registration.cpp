@@ -15,7 +15,7 @@ void register_all() {
   ffcontact::plugin::register_sizing_functions();
   ffcontact::plugin::register_gmsh_functions();
   ffcontact::plugin::register_remesh_functions();
-  ffcontact::plugin::register_solid_mesh_functions();
+  ffcontact::plugin::register_mesh_functions();
   ffcontact::plugin::register_script_functions();
 }
 

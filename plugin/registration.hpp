@@ -13,7 +13,7 @@ void register_picture_functions();     ///< contactpicture
 void register_sizing_functions();      ///< optimalsize
 void register_gmsh_functions();        ///< gmshmesh, gmshlabel
 void register_remesh_functions();  ///< contactmeshparts, -angle, -moved, -labelled
-void register_solid_mesh_functions();  ///< contactmeshsolid, meshquality
-void register_script_functions();      ///< contactstop, wallclock
+void register_mesh_functions();    ///< contactmeshsolid, meshquality
+void register_script_functions();  ///< contactstop, wallclock
 
 }  // namespace ffcontact::plugin

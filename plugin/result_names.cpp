@@ -28,4 +28,8 @@ void refuse_result_of_plane_bodies() {
       "place of pt, ft, slip, and there is no abscissa");
 }
 
+void refuse_unsolved() {
+  refuse("the contact is not solved: call contactsolve first");
+}
+
 }  // namespace ffcontact::plugin

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/mesh/hinges.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"
 //
 #include "contact_type.hpp"
 #include "guard.hpp"
 #include "registration.hpp"
-#include "shared_error.hpp"
+#include "shared_contact.hpp"
+#include "solids.hpp"
 
 namespace ffcontact::plugin {
 
@@ -86,12 +86,13 @@ class OptimalSizeFunction : public E_F0mps {
                  ? run(stack, contact, given(stack, *contact.problem))
                  : run(stack, contact, given(stack, *contact.solid.problem));
     SharedContact& shared = *contact.shared;
-    return sizes_shared(stack, named_, shared,
-                        shared.plane ? given(stack, shared.plane->own)
-                                     : given(stack, shared.solid->own),
-                        [&](const std::vector<VectorXd>& whole) {
-                          return run(stack, contact, whole);
-                        });
+    return solids().sizes_of_parts(stack, named_, shared,
+                                   shared.plane
+                                       ? given(stack, shared.plane->own)
+                                       : given(stack, shared.solid->own),
+                                   [&](const std::vector<VectorXd>& whole) {
+                                     return run(stack, contact, whole);
+                                   });
   }
 
   /// Error and rate of all cells of the bodies.
@@ -111,21 +112,18 @@ class OptimalSizeFunction : public E_F0mps {
 
   double run(Stack stack, const Contact& contact,
              const std::vector<VectorXd>& arrays) const {
-    if (contact.problem)
-      return run(stack, contact.problem->joined,
-                 contact.problem->edges.vertices, arrays);
+    const SizeSettings bounds = settings(stack);
+    if (const ContactProblem* plane = contact.problem.get())
+      return answer(stack, plane->joined,
+                    optimal_size(plane->mesh, plane->edges.vertices, arrays[0],
+                                 arrays[1], bounds));
     const SolidProblem& solid = *contact.solid.problem;
-    return run(stack, solid.joined, hinges_of(solid.mesh, solid.faces).vertices,
-               arrays);
+    return answer(stack, solid.joined, solids().sizes(solid, arrays, bounds));
   }
 
-  /// @param edges  their vertices
   template <int dim>
-  double run(Stack stack, const JoinedBodies<dim>& all,
-             const Ref<const Matrix2Xi>& edges,
-             const std::vector<VectorXd>& arrays) const {
-    const OptimalSize optimal =
-        optimal_size(all.mesh, edges, arrays[0], arrays[1], settings(stack));
+  double answer(Stack stack, const JoinedBodies<dim>& all,
+                const OptimalSize& optimal) const {
     put(stack, all, optimal);
     report(stack, words_of(all), optimal);
     return optimal.predicted_count;

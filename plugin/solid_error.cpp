@@ -9,8 +9,8 @@
 #include "ffcontact/estimate/solid_coulomb.hpp"
 #include "ffcontact/sizing/edge_rates.hpp"
 //
-#include "contact_type.hpp"
 #include "coulomb.hpp"
+#include "result_names.hpp"
 #include "solid_stress.hpp"
 
 namespace ffcontact::plugin {

@@ -268,8 +268,6 @@ std::shared_ptr<Team> team_of(void* communicator) {
   return team;
 }
 
-}  // namespace ffcontact::plugin
+void use_processes(MakeProcesses make) { maker() = make; }
 
-void ffcontact_use_processes(ffcontact::plugin::MakeProcesses make) {
-  ffcontact::plugin::maker() = make;
-}
+}  // namespace ffcontact::plugin

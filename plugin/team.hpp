@@ -145,7 +145,10 @@ void together(Team& team, Lead&& lead, Follow&& follow) {
   }
 }
 
-/// @throws std::invalid_argument  if the module ffcontact_mpi is not loaded
+/// What the module ffcontact_mpi makes processes with.
+void use_processes(MakeProcesses make);
+
+/// @throws std::invalid_argument  if that module is not loaded
 std::shared_ptr<Team> team_of(void* communicator);
 
 }  // namespace ffcontact::plugin

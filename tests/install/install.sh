@@ -23,6 +23,15 @@ if [ -f "$build/freefem" ]; then
   [ "$(installed load.edp -nw -ne -v 0 -word hello)" = "loaded with hello" ]
   [ "$(installed "$prefix/share/ffcontact/examples/block_pressed.edp" -nw -ne -v 0 | grep -c '^result ')" -gt 1 ]
 
+  # Without the module for solids plane bodies have all, and solids a sentence.
+  mv "$prefix"/lib*/ffcontact/ffcontact_solids.so "$scratch"
+  printf '%s\n' 'load "msh3"' 'include "ffcontact.idp"' 'mesh3 Th = cube(1, 1, 1);' 'contact C(Th, label=1, friction=0);' >"$scratch/solid.edp"
+  [ "$(installed "$prefix/share/ffcontact/examples/block_pressed.edp" -nw -ne -v 0 | grep -c '^result ')" -gt 1 ]
+  ! answer=$(installed solid.edp -nw -ne -v 0)
+  [[ $answer = *"contact: a mesh3, and comm=, need the module ffcontact_solids beside ffcontact.so"* ]]
+  mv "$scratch/ffcontact_solids.so" "$prefix"/lib*/ffcontact
+  installed solid.edp -nw -ne -v 0
+
   printf '%s\n' '#!/bin/sh' 'echo 9.9' >"$scratch/other"
   chmod +x "$scratch/other"
   ! answer=$(FREEFEM_PROGRAM=$scratch/other installed load.edp)

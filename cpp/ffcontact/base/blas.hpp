@@ -40,6 +40,17 @@ struct Blas;
   void letter##getrs_(const char* transpose, const int* n, const int* columns,                   \
                       const Scalar* lu, const int* stride, const int* pivots, Scalar* b,         \
                       const int* stride_b, int* info);                                           \
+  void letter##syev_(const char* vectors, const char* triangle, const int* n, Scalar* a,         \
+                     const int* stride, Scalar* values, Scalar* work, const int* work_size,      \
+                     int* info);                                                                 \
+  void letter##geev_(const char* left, const char* right, const int* n, Scalar* a,               \
+                     const int* stride, Scalar* real, Scalar* imaginary, Scalar* left_vectors,   \
+                     const int* stride_l, Scalar* right_vectors, const int* stride_r,            \
+                     Scalar* work, const int* work_size, int* info);                             \
+  void letter##gesvd_(const char* left, const char* right, const int* rows,                      \
+                      const int* columns, Scalar* a, const int* stride, Scalar* values,          \
+                      Scalar* u, const int* stride_u, Scalar* vt, const int* stride_v,           \
+                      Scalar* work, const int* work_size, int* info);                            \
   }                                                                                              \
   namespace ffcontact {                                                                          \
   template <>                                                                                    \
@@ -53,6 +64,9 @@ struct Blas;
     static constexpr auto getrf = letter##getrf_;                                                \
     static constexpr auto gecon = letter##gecon_;                                                \
     static constexpr auto getrs = letter##getrs_;                                                \
+    static constexpr auto syev = letter##syev_;                                                  \
+    static constexpr auto geev = letter##geev_;                                                  \
+    static constexpr auto gesvd = letter##gesvd_;                                                \
   };                                                                                             \
   }
 // NOLINTEND(bugprone-macro-parentheses)

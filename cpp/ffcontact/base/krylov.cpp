@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/krylov.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
+#include "ffcontact/base/blas.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
 
 namespace ffcontact {
@@ -96,6 +96,31 @@ RitzValue first_accurate(
   }
 }
 
+/// An eigenvalue of H, and the modulus of the last component of its unit vector.
+struct HessenbergEigen {
+  double real, imaginary, last;
+};
+
+std::vector<HessenbergEigen> eigenvalues(MatrixXd H) {
+  const int n = static_cast<int>(H.rows()), work_size = 34 * n, one = 1;
+  VectorXd values(n), imaginary(n), work(work_size);
+  MatrixXd vectors(n, n);
+  int info = 0;
+  Blas<double>::geev("N", "V", &n, H.data(), &n, values.data(),
+                     imaginary.data(), nullptr, &one, vectors.data(), &n,
+                     work.data(), &work_size, &info);
+  std::vector<HessenbergEigen> eigen;
+  for (int k = 0; k < n;) {
+    // a complex pair has the real and the imaginary part of its vectors side by side
+    const int parts = imaginary[k] == 0 ? 1 : 2;
+    const auto vector = vectors.middleCols(k, parts);
+    const double last = vector.row(n - 1).norm() / vector.norm();
+    for (int part = 0; part < parts; ++part, ++k)
+      eigen.push_back({values[k], imaginary[k], last});
+  }
+  return eigen;
+}
+
 }  // namespace
 
 double largest_eigenvalue(const LinearMap& A, Index size) {
@@ -112,16 +137,12 @@ double largest_eigenvalue(const LinearMap& A, Index size) {
 double largest_real_eigenvalue(const LinearMap& A, Index size, double below) {
   constexpr double tolerance = 1e-9;
   const auto wanted = [below](const KrylovSpace& space) {
-    const Eigen::EigenSolver<MatrixXd> ritz(space.projection());
-    const Eigen::VectorXcd theta = ritz.eigenvalues();
-    const Eigen::MatrixXcd Y = ritz.eigenvectors();
     RitzValues values;
-    for (Index k = 0; k < theta.size(); ++k)
-      if (std::abs(theta[k].imag()) <= real * std::abs(theta[k]) &&
-          theta[k].real() < below && theta[k].real() > 0)
-        values.push_back(
-            {theta[k].real(), space.remainder() * std::abs(Y(Y.rows() - 1, k)) /
-                                  Y.col(k).norm()});
+    for (const HessenbergEigen& theta : eigenvalues(space.projection()))
+      if (std::abs(theta.imaginary) <=
+              real * std::hypot(theta.real, theta.imaginary) &&
+          theta.real < below && theta.real > 0)
+        values.push_back({theta.real, space.remainder() * theta.last});
     std::sort(values.begin(), values.end(),
               [](const RitzValue& a, const RitzValue& b) {
                 return a.value > b.value;

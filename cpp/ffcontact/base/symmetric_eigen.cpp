@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/symmetric_eigen.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <utility>
+
+#include "ffcontact/base/blas.hpp"
 
 namespace ffcontact {
 
-SymmetricEigen symmetric_eigen(const MatrixXd& A) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(A);
-  return {eigen.eigenvalues(), eigen.eigenvectors()};
+SymmetricEigen symmetric_eigen(MatrixXd A) {
+  const int n = static_cast<int>(A.rows()), work_size = 34 * n;
+  SymmetricEigen eigen{VectorXd(n), std::move(A)};
+  if (n == 0) return eigen;
+  VectorXd work(work_size);
+  int info = 0;
+  Blas<double>::syev("V", "L", &n, eigen.vectors.data(), &n,
+                     eigen.values.data(), work.data(), &work_size, &info);
+  return eigen;
 }
 
 }  // namespace ffcontact

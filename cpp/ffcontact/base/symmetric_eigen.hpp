@@ -5,14 +5,13 @@
 
 namespace ffcontact {
 
-/// Eigenvalues, ascending, and orthonormal eigenvectors, one column each; compiled
-/// once, as least_squares.
+/// Eigenvalues, ascending, and orthonormal eigenvectors, one column each, by LAPACK.
 struct SymmetricEigen {
   VectorXd values;
   MatrixXd vectors;
 };
 
 /// @param A  symmetric, n x n, its lower triangle used
-SymmetricEigen symmetric_eigen(const MatrixXd& A);
+SymmetricEigen symmetric_eigen(MatrixXd A);
 
 }  // namespace ffcontact

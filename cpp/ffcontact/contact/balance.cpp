@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/balance.hpp"
 
-#include <Eigen/SVD>
 #include <cmath>
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/unbalanced_motion.hpp"
+#include "ffcontact/base/singular_values.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
 namespace ffcontact {
@@ -70,51 +69,29 @@ MatrixXd relative_forces(const ElasticSystem& system, const MatrixXd& motions) {
   return forces;
 }
 
-/// Forces that span the cone of a node, from a thousandth outside [3 x k].
-Matrix3Xd spanning_forces(const FrictionCone& cone) {
-  constexpr int sides = 64;
-  if (cone.frictionless()) return Vector3d(-1, 0, 0);
-  const bool given = !cone.depends_on_contact();
-  const double radius = (given ? 1 : cone.friction) / std::cos(M_PI / sides);
-  Matrix3Xd forces(3, sides + 1);
-  for (int k = 0; k < sides; ++k) {
-    const double angle = 2 * M_PI * k / sides;
-    forces.col(k) = Vector3d(given ? 0 : -1, radius * std::cos(angle),
-                             radius * std::sin(angle));
-  }
-  forces.col(sides) = Vector3d(-1, 0, 0);
-  return forces;
+}  // namespace
+
+template <int dim>
+MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
+                        const ElasticSystem& system) {
+  const MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
+  if (motions.cols() == 0) return motions;
+  const SingularValues forces =
+      singular_values(relative_forces(system, motions));
+  const double least =
+      motion_rounding * std::sqrt(static_cast<double>(motions.rows()));
+  Index held = 0;
+  while (held < motions.cols() && forces.values[held] > least) ++held;
+  return motions * forces.V.rightCols(motions.cols() - held);
 }
 
-/// Their work along each motion, one column a force.
-MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
-                        const MatrixXd& motions) {
-  const NodalLaw cones = nodal_law(law, surface);
-  std::vector<MatrixXd> work;
-  Index columns = 0;
-  MatrixXd trace(3 * surface.node_count(), motions.cols());
-  for (Index k = 0; k < motions.cols(); ++k)
-    trace.col(k) = contact_components(surface, motions.col(k)).reshaped();
-  trace = weight_of_rows(law, surface) * trace;
-  for (int i = 0; i < surface.node_count(); ++i) {
-    work.push_back(trace.middleRows<3>(3 * i).transpose() *
-                   spanning_forces(cones.cone[i]));
-    columns += work.back().cols();
-  }
-  MatrixXd all(motions.cols(), columns);
-  Index next = 0;
-  for (const MatrixXd& of_node : work) {
-    all.middleCols(next, of_node.cols()) = of_node;
-    next += of_node.cols();
-  }
-  return all;
-}
+template MatrixXd unheld_motions(const Mesh&, const ElasticSystem&);
+template MatrixXd unheld_motions(const SolidMesh&, const ElasticSystem&);
 
-/// @param line     or surface
-/// @param extreme  forces(motions): what they do on each of the motions
-template <int dim, class Line, class Forces>
-void require_balance(const SimplexMesh<dim>& mesh, const Line& line,
-                     const ElasticSystem& system, const Forces& extreme) {
+template <int dim>
+void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
+                     const ContactForcesOn& extreme,
+                     const AlongNormals& along_n) {
   const MatrixXd motions = unheld_motions(mesh, system);
   if (motions.cols() == 0) return;
   const VectorXd pushed = motions.transpose() * system.load;
@@ -125,41 +102,26 @@ void require_balance(const SimplexMesh<dim>& mesh, const Line& line,
   const VectorXd left =
       pushed + forces * nonnegative_least_squares(forces, -pushed);
   if (left.norm() <= unbalanced * scale) return;
-  const auto along_n = [&](const VectorXd& field) -> VectorXd {
-    return contact_components(line, field).row(0);
-  };
   refuse_unbalanced(
       mesh, unbalanced_motion(mesh, {motions, system.load, extreme, along_n},
                               motions * (left / max_norm(left))));
 }
 
-}  // namespace
-
-template <int dim>
-MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
-                        const ElasticSystem& system) {
-  const MatrixXd motions = free_rigid_motions(mesh, system.prescribed);
-  if (motions.cols() == 0) return motions;
-  const MatrixXd forces = relative_forces(system, motions);
-  // descending
-  const Eigen::JacobiSVD<MatrixXd> svd(
-      forces, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  Index held = 0;
-  while (held < motions.cols() &&
-         svd.singularValues()[held] >
-             motion_rounding * std::sqrt(static_cast<double>(forces.rows())))
-    ++held;
-  return motions * svd.matrixV().rightCols(motions.cols() - held);
-}
-
-template MatrixXd unheld_motions(const Mesh&, const ElasticSystem&);
-template MatrixXd unheld_motions(const SolidMesh&, const ElasticSystem&);
+template void require_balance(const Mesh&, const ElasticSystem&,
+                              const ContactForcesOn&, const AlongNormals&);
+template void require_balance(const SolidMesh&, const ElasticSystem&,
+                              const ContactForcesOn&, const AlongNormals&);
 
 void require_balance(const Mesh& mesh, const ContactLine& line,
                      const ContactLaw& law, const ElasticSystem& system) {
-  require_balance(mesh, line, system, [&](const MatrixXd& motions) {
-    return extreme_forces(line, law, motions);
-  });
+  require_balance(
+      mesh, system,
+      [&](const MatrixXd& motions) {
+        return extreme_forces(line, law, motions);
+      },
+      [&](const VectorXd& field) -> VectorXd {
+        return contact_components(line, field).row(0);
+      });
 }
 
 void require_balance(const Mesh& mesh, const ContactLine& line,
@@ -179,13 +141,6 @@ void require_balance(const Mesh& mesh, const ContactLine& line,
         "no contact forces in the cone have the force and the moment of push= "
         "and moment=, or they push the body where nothing holds it: the tool "
         "is drawn away, slides, or tips over an end of the contact line");
-}
-
-void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
-                     const SurfaceLaw& law, const ElasticSystem& system) {
-  require_balance(mesh, surface, system, [&](const MatrixXd& motions) {
-    return extreme_forces(surface, law, motions);
-  });
 }
 
 }  // namespace ffcontact

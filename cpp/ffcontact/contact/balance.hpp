@@ -3,7 +3,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
-#include "ffcontact/contact/surface_law.hpp"
+#include "ffcontact/contact/unbalanced_motion.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
 namespace ffcontact {
@@ -35,9 +35,10 @@ void require_balance(const Mesh& mesh, const ContactLine& line,
                      const ContactLaw& law, const ElasticSystem& system,
                      const MatrixXd& motions, const VectorXd& push);
 
-/// Likewise on a surface. The cones are taken a thousandth wider, with 64 sides: what they
-/// cannot balance no force in the cones can.
-void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
-                     const SurfaceLaw& law, const ElasticSystem& system);
+/// Likewise for contact that is known by what its forces can do.
+template <int dim>
+void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
+                     const ContactForcesOn& extreme,
+                     const AlongNormals& along_n);
 
 }  // namespace ffcontact

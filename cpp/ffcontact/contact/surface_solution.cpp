@@ -12,6 +12,7 @@
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/product_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
+#include "ffcontact/contact/surface_balance.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/elastic/scaled_stiffness.hpp"

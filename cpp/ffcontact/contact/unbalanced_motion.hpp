@@ -19,14 +19,17 @@ struct NoEquilibrium : std::invalid_argument {
   int vertex;  ///< of that body
 };
 
+/// Work of the extreme contact forces on motions [motions x forces].
+using ContactForcesOn = std::function<MatrixXd(const MatrixXd& motions)>;
+/// Components along n of a vertex field at the nodes.
+using AlongNormals = std::function<VectorXd(const VectorXd& field)>;
+
 /// What acts on rigid motions that nothing but contact holds.
 struct Pushed {
   MatrixXd motions;  ///< [dofs x k]
   VectorXd load;     ///< on all dofs
-  /// work of the extreme contact forces on motions [motions x forces]
-  std::function<MatrixXd(const MatrixXd&)> forces;
-  /// components along n of a vertex field at the nodes
-  std::function<VectorXd(const VectorXd&)> normal_components;
+  ContactForcesOn forces;
+  AlongNormals normal_components;
 };
 
 /// A motion that says why there is no equilibrium.

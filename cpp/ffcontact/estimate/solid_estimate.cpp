@@ -14,7 +14,7 @@
 #include "ffcontact/estimate/first_surface_tractions.hpp"
 #include "ffcontact/estimate/law_of_matrix.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
-#include "ffcontact/estimate/sound_problem.hpp"
+#include "ffcontact/estimate/sound_solid.hpp"
 #include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 #include "ffcontact/estimate/traction_oscillation.hpp"

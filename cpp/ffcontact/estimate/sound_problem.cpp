@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/sound_problem.hpp"
 
-#include <string>
-
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/relaxation_progress.hpp"
+#include "ffcontact/estimate/sound_body.hpp"
 
 namespace ffcontact {
 
@@ -17,25 +16,6 @@ void require_valid(const LinearStresses& initial, int triangles) {
     if (!initial.at_vertices(t).allFinite())
       refuse("the initial strain or stress on triangle ", t,
              " is not a finite number");
-}
-
-/// What bodies in the plane and solids have in common.
-/// @param multiplier  what the contact carries at its nodes, of the name given
-template <class Solved>
-void require_sound_body(const Solved& solved, Index nodes,
-                        const std::string& name,
-                        const Ref<const MatrixXd>& multiplier) {
-  const auto& mesh = solved.topology.mesh;
-  const auto& body = solved.body;
-  const Index dofs = mesh.vertices.size();
-  require_elliptic(body.hooke, mesh.cell_count());
-  require_size("A", solved.system.dof_count(), dofs);
-  require_size("u", body.displacement.size(), dofs);
-  require_finite("u", body.displacement);
-  require_size(name + "s", multiplier.cols(), nodes);
-  require_finite(name, multiplier.reshaped());
-  require_size("body loads", body.body_loads.cols(), mesh.cell_count());
-  require_finite("body load", body.body_loads.reshaped());
 }
 
 }  // namespace
@@ -55,16 +35,6 @@ void require_sound(const SolvedProblem& solved,
   if (settings.relaxation.sweeps < 0)
     refuse("sweeps must not be negative, got ", settings.relaxation.sweeps);
   require_tightness(settings.relaxation.tightness);
-}
-
-void require_sound(const SolvedSolidProblem& solved,
-                   const SolidRelaxationSettings& settings) {
-  const auto& [topology, surface, system, body] = solved;
-  require_sound_body(solved, surface.node_count(), "contact force", body.force);
-  require_valid(body.law, surface);
-  if (settings.steps && *settings.steps < 0)
-    refuse("steps must not be negative, got ", *settings.steps);
-  require_tightness(settings.tightness);
 }
 
 }  // namespace ffcontact

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/solid_relaxation.hpp"
 #include "ffcontact/estimate/estimate_settings.hpp"
-#include "ffcontact/estimate/first_surface_tractions.hpp"
 #include "ffcontact/estimate/matched_bodies.hpp"
 
 namespace ffcontact {
@@ -12,7 +10,5 @@ namespace ffcontact {
 /// @throws std::invalid_argument  with what does not
 void require_sound(const SolvedProblem& solved,
                    const EstimateSettings& settings);
-void require_sound(const SolvedSolidProblem& solved,
-                   const SolidRelaxationSettings& settings);
 
 }  // namespace ffcontact

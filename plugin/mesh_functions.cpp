@@ -5,30 +5,21 @@
 //
 #include "arguments.hpp"
 #include "guard.hpp"
-#include "new_mesh.hpp"
 #include "registration.hpp"
-#include "solid_remesh.hpp"
-#include "solid_views.hpp"
+#include "solids.hpp"
 #include "views.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
 
-Solid solid_of(pmesh3 Th) {
-  Solid solid{solid_mesh_of(Th), VectorXi(Th->nt)};
-  for (int t = 0; t < Th->nt; ++t) solid.regions[t] = (*Th)[t].lab;
-  return solid;
-}
-
 /// Tn = contactmeshsolid(Th, size, corner): what contactmesh of ffcontact.idp is for a
 /// mesh3
 pmesh3 contactmeshsolid(Stack stack, pmesh3 const& Th, KN<double>* const& size,
                         const double& corner) {
   return GetAny<pmesh3>(guarded("contactmesh", [&] {
-    const Solid fine =
-        remeshed(solid_of(Th), vector_of(size), corner * M_PI / 180);
-    return SetAny<pmesh3>(fem_mesh_of(stack, fine.mesh, fine.regions));
+    return SetAny<pmesh3>(
+        solids().remeshed(stack, Th, vector_of(size), corner * M_PI / 180));
   }));
 }
 
@@ -50,8 +41,7 @@ class MeshQuality : public E_F0mps {
 
   AnyType operator()(Stack stack) const override {
     return guarded("meshquality", [&] {
-      const VectorXd quality =
-          cell_quality(view(value_of<MeshPointer>(stack, mesh_)));
+      const VectorXd quality = quality_of(value_of<MeshPointer>(stack, mesh_));
       named_.put(stack, "mean", quality.mean());
       named_.put(stack, "quality", quality);
       return SetAny<double>(quality.minCoeff());
@@ -59,8 +49,8 @@ class MeshQuality : public E_F0mps {
   }
 
  private:
-  static Mesh view(pmesh Th) { return mesh_of(Th); }
-  static SolidMesh view(pmesh3 Th) { return solid_mesh_of(Th); }
+  static VectorXd quality_of(pmesh Th) { return cell_quality(mesh_of(Th)); }
+  static VectorXd quality_of(pmesh3 Th) { return solids().quality(Th); }
 
   NamedArguments named_;
   Expression mesh_;
@@ -68,7 +58,7 @@ class MeshQuality : public E_F0mps {
 
 }  // namespace
 
-void register_solid_mesh_functions() {
+void register_mesh_functions() {
   Global.Add("contactmeshsolid", "(",
              new OneOperator3s_<pmesh3, pmesh3, KN<double>*, double>(
                  contactmeshsolid));

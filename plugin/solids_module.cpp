@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The module ffcontact_solids.
+#include "ffcontact/mesh/cell_quality.hpp"
+#include "ffcontact/mesh/hinges.hpp"
+//
+#include "material_and_loads.hpp"
+#include "new_mesh.hpp"
+#include "result_names.hpp"
+#include "shared_error.hpp"
+#include "shared_solve.hpp"
+#include "shared_statement.hpp"
+#include "solid_error.hpp"
+#include "solid_loads.hpp"
+#include "solid_picture_files.hpp"
+#include "solid_remesh.hpp"
+#include "solid_solve.hpp"
+#include "solids.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+template <int dim>
+ContactStatement statement_of(SharedStatement<dim> shared) {
+  ContactStatement statement;
+  if constexpr (dim == 2)
+    statement.plane = std::move(shared.problem);
+  else
+    statement.solid = std::move(shared.problem);
+  statement.shared = std::move(shared.contact);
+  return statement;
+}
+
+template <int dim>
+ContactStatement statement(
+    Stack stack, const NamedArguments& named,
+    const std::vector<typename OfDimension<dim>::FemMesh>& meshes) {
+  if (const auto team = stated_team(stack, named))
+    return statement_of(state_shared<dim>(stack, named, meshes, team));
+  return statement_of<dim>(
+      {std::make_shared<ProblemOf<dim>>(stack, named, meshes), nullptr});
+}
+
+Solid solid_of(pmesh3 Th) {
+  Solid solid{solid_mesh_of(Th), VectorXi(Th->nt)};
+  for (int t = 0; t < Th->nt; ++t) solid.regions[t] = (*Th)[t].lab;
+  return solid;
+}
+
+class SolidsModule : public Solids {
+ public:
+  ContactStatement stated(Stack stack, const NamedArguments& named,
+                          const std::vector<pmesh3>& meshes) const override {
+    return statement<3>(stack, named, meshes);
+  }
+
+  ContactStatement stated(Stack stack, const NamedArguments& named,
+                          const std::vector<pmesh>& meshes) const override {
+    return statement<2>(stack, named, meshes);
+  }
+
+  long solve(const SolveCall& call, Contact& contact) const override {
+    return contact.shared ? solve_shared(call, contact)
+                          : solve_solid(call, contact.solid);
+  }
+
+  double error(Stack stack, const NamedArguments& named, Contact& contact,
+               const JudgePlane& judge) const override {
+    const ReadPlane plane = [&](const PlaneBodies& bodies, SolvedBody& body) {
+      return read_material_and_loads(stack, named, bodies, body);
+    };
+    const ReadSolids read = [&](const SolidBodies& bodies,
+                                ffcontact::SolvedSolid& body) {
+      return read_material_and_loads(stack, named, bodies, body);
+    };
+    if (!contact.shared) return solid_error(stack, named, contact.solid, read);
+    SharedContact& shared = *contact.shared;
+    if (shared.plane) return error_shared(stack, named, shared, plane, judge);
+    return error_shared(stack, named, shared, read,
+                        [&](const ReadSolids& whole) {
+                          return solid_error(stack, named, contact.solid, whole,
+                                             relax_shared(shared));
+                        });
+  }
+
+  OptimalSize sizes(const SolidProblem& problem,
+                    const std::vector<VectorXd>& arrays,
+                    const SizeSettings& settings) const override {
+    return optimal_size(problem.mesh,
+                        hinges_of(problem.mesh, problem.faces).vertices,
+                        arrays[0], arrays[1], settings);
+  }
+
+  double sizes_of_parts(
+      Stack stack, const NamedArguments& named, SharedContact& contact,
+      const std::vector<VectorXd>& arrays,
+      const std::function<double(const std::vector<VectorXd>&)>& sizes)
+      const override {
+    return sizes_shared(stack, named, contact, arrays, sizes);
+  }
+
+  void draw(const std::filesystem::path& folder, long step,
+            const SolidContact& contact) const override {
+    if (!contact.solved) refuse_unsolved();
+    if (mpirank == 0)
+      write_pictures(folder, step, *contact.problem, *contact.solved);
+  }
+
+  VectorXd quality(pmesh3 mesh) const override {
+    return cell_quality(solid_mesh_of(mesh));
+  }
+
+  pmesh3 remeshed(Stack stack, pmesh3 mesh, const Ref<const VectorXd>& size,
+                  double corner) const override {
+    const Solid fine = plugin::remeshed(solid_of(mesh), size, corner);
+    return fem_mesh_of(stack, fine.mesh, fine.regions);
+  }
+
+  void use_processes(MakeProcesses make) const override {
+    plugin::use_processes(make);
+  }
+};
+
+}  // namespace
+
+}  // namespace ffcontact::plugin
+
+const ffcontact::plugin::Solids* ffcontact_solids() {
+  static const ffcontact::plugin::SolidsModule module;
+  return &module;
+}
