@@ -79,6 +79,20 @@ SparseMatrix to_components(const SparseMatrix& to_kept,
          SparseMatrix(to_kept.transpose());
 }
 
+/// 1 / (1 / S_kk + sum_j (A_o)_kj^2 / S_jj) [f]
+VectorXd series_stiffness(const SparseMatrix& to_kept, const SparseMatrix& S,
+                          const SparseMatrix& A_primary) {
+  const Index f = A_primary.rows();
+  const VectorXd diagonal =
+      SparseMatrix(to_kept.transpose() * (S * to_kept)).diagonal();
+  VectorXd compliance = diagonal.head(f).cwiseMax(1e-300).cwiseInverse();
+  for (Index j = f; j < A_primary.cols(); ++j)
+    for (SparseMatrix::InnerIterator e(A_primary, j); e; ++e)
+      if (diagonal[j] > 0)
+        compliance[e.row()] += e.value() * e.value() / diagonal[j];
+  return compliance.cwiseInverse();
+}
+
 /// The largest entry on the diagonal at the vertex of each unknown.
 VectorXd stiffest_components(const ProductRelation& relation) {
   const VectorXd diagonal = relation.blocks.diagonal();
@@ -119,8 +133,8 @@ ProductRelation product_relation(
   relation.primary = std::move(numbered.primary);
   relation.dependent = std::move(numbered.dependent);
   relation.position = std::move(numbered.position);
-  const SparseMatrix M =
-      from_unknowns(selected_rows(moved.A, relation.primary));
+  const SparseMatrix A = selected_rows(moved.A, relation.primary),
+                     M = from_unknowns(A);
   relation.T = moved.to_kept * M;
   relation.E = (selected_rows(moved.A, relation.dependent) * M).transpose();
   const std::vector<int>& kept = moved.kept_dofs;
@@ -128,6 +142,7 @@ ProductRelation product_relation(
   const SparseMatrix S = relation.S->diagonal_blocks(vertices_of(kept));
   relation.blocks = within_vertices(
       SparseMatrix(relation.T.transpose() * (S * relation.T)), relation.vertex);
+  relation.row_stiffness = series_stiffness(moved.to_kept, S, A);
   relation.motions = to_components(moved.to_kept, relation.vertex) *
                      aggregated_motions(system, kept);
   put_loads(system.load, moved.v_prescribed, relation);

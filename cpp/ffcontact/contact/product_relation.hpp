@@ -33,6 +33,9 @@ struct ProductRelation {
   /// out there [f + o x f + o]
   SparseMatrix blocks;
   std::vector<int> vertex;  ///< of each unknown [f + o]
+  /// that a force on a primary row alone meets, by diagonals: its own in series with what
+  /// it faces, near diag(S) of CondensedContact [f]
+  VectorXd row_stiffness;
   /// x of aggregates of vertices that move along an axis (aggregated_motions)
   SparseMatrix motions;
   CondensedStiffness::Load load;

@@ -105,8 +105,7 @@ class OfProducts : public SurfaceRelation, private NewtonRelation {
  private:
   Index row_count() const override { return relation_.row_count(); }
   NaturalMap natural_map(const std::vector<char>& held) const override {
-    return {relation_.blocks.diagonal().head(count_of(relation_.primary)),
-            relation_.position, held};
+    return {relation_.row_stiffness, relation_.position, held};
   }
   SystemKind step(const SurfaceEquations& equations,
                   ContactRows& rows) override {
@@ -122,8 +121,12 @@ class OfProducts : public SurfaceRelation, private NewtonRelation {
     return all;
   }
 
+  /// As with dense algebra none where bodies are held by contact alone, which are those in
+  /// full precision: sticking nodes hold them.
   std::optional<ContactRows> start() const {
-    if (!takes_coarse_start(stated_.settings)) return std::nullopt;
+    if (relation_.stiffness->precision() == Precision::full ||
+        !takes_coarse_start(stated_.settings))
+      return std::nullopt;
     const auto coarse = [this](const SparseMatrix& Q) {
       return coarse_relation(relation_, Q);
     };
