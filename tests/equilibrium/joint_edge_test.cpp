@@ -93,7 +93,7 @@ RC_GTEST_PROP(JointEdge, corrections_are_balanced_in_all_bodies,
 
     double energy = 0;
     for (int t = 0; t < topology.mesh.cell_count(); ++t) {
-      const Vector36f of_cell = unknowns_at(topology.faces, unknowns, t);
+      const Vector36d of_cell = unknowns_at(topology.faces, unknowns, t);
       energy += of_cell.dot(forms.times(t, of_cell));
     }
     const MatrixXd A = joint_form(topology, joint, forms);

@@ -15,11 +15,12 @@ RC_GTEST_PROP(TiledFactor, solves_in_single_precision, (Random random)) {
                  A = B * B.transpose() + n * MatrixXd::Identity(n, n);
   const VectorXd b = random_vector(n, random);
   const Cholesky cholesky(A);
-  std::vector<float> factor(factor_size(n)), x(tiled(n), 0);
+  std::vector<float> factor(factor_size(n));
+  VectorXd x = VectorXd::Zero(tiled(n));
   put_tiles(cholesky.lower(), factor.data());
-  Map<Eigen::VectorXf>(x.data(), n) = b.cast<float>();
+  x.head(n) = b;
   solve_tiles(factor.data(), n, x.data());
-  const VectorXd found = Map<Eigen::VectorXf>(x.data(), n).cast<double>();
+  const VectorXd found = x.head(n);
   RC_ASSERT((found - cholesky.solve(b)).norm() < 1e-6);
   for (int i = n; i < tiled(n); ++i) RC_ASSERT(x[i] == 0);
 }

@@ -360,6 +360,22 @@ double elastic_part(const SolidEstimate& found) {
   return found.elastic * found.relative / found.e;
 }
 
+/// Last digits of u, which several processes do not have in common, are last digits of e;
+/// where numbers are rounded to single precision on the way they are 1e-9 of it.
+TEST(SolidEstimate, turns_last_digits_into_last_digits) {
+  std::mt19937 random(1);
+  for (BlockCase loads :
+       {BlockCase::press, BlockCase::press_x, BlockCase::shear}) {
+    const SolidProblem problem = block_problem(block(8), loads, 0.5);
+    SurfaceSolution solution = problem.solve();
+    const double e = estimate(problem, solution).e;
+    const VectorXd change =
+        1e-13 * random_vector(solution.displacement.size(), random);
+    solution.displacement += solution.displacement.cwiseProduct(change);
+    EXPECT_NEAR(estimate(problem, solution).e, e, 1e-11 * e);
+  }
+}
+
 TEST(SolidEstimate, has_the_same_digits_on_two_threads) {
   expect_same_digits_on_two_threads(
       block_problem(block(8), BlockCase::shear, 0.5));

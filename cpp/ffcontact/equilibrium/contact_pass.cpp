@@ -87,14 +87,13 @@ void ContactPass::add(int edge, const VectorXd& x, Matrix9Xd& corrections,
   for (int i = 0; i < count_of(faces); ++i)
     corrections.col(faces[i]) += of_face(i);
   for (const Wedge& wedge : wedges_of(topology_, edge)) {
-    Vector36f of_wedge = Vector36f::Zero();
+    Vector36d of_wedge = Vector36d::Zero();
     for (int side = 0; side < 2; ++side)
-      of_wedge.segment<9>(9 * wedge.local[side]) =
-          of_face(wedge.place[side]).cast<float>();
-    const Vector36f image = forms_.times(wedge.cell, of_wedge);
+      of_wedge.segment<9>(9 * wedge.local[side]) = of_face(wedge.place[side]);
+    const Vector36d image = forms_.times(wedge.cell, of_wedge);
     for (int k = 0; k < 4; ++k)
       residual.col(topology_.faces.of_cell(k, wedge.cell)) -=
-          image.segment<9>(9 * k).cast<double>();
+          image.segment<9>(9 * k);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "ffcontact/base/huge_pages.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
 #include "ffcontact/equilibrium/tiled_factor.hpp"
@@ -59,8 +60,11 @@ EdgeStars::EdgeStars(const SolidTopology& topology, const FaceShare& share,
         if (edges.of_facet(k, face) == e) place_(k, face) = i;
     }
   }
-  x_.setZero(first_.back());
+  x_.resize(first_.back());
+  use_huge_pages(x_);
+  x_.setZero();
   factors_.reset(new float[first_of_factor_.back()]);
+  use_huge_pages(factors_.get(), first_of_factor_.back() * sizeof(float));
 #pragma omp parallel for
   for (int e = 0; e < edges.count(); ++e)
     if (share.edge[e])
@@ -73,29 +77,29 @@ const WrenchShift& EdgeStars::shift(int edge, int place) const {
 }
 
 /// x = Z' g
-void EdgeStars::restrict_to(int edge, const Matrix9Xd& g, float* x) const {
+void EdgeStars::restrict_to(int edge, const Matrix9Xd& g, double* x) const {
   const Hinges<3>& edges = topology_.edges;
   Vector6d wrench = Vector6d::Zero();
   for (int i = 0; i < edges.facet_count(edge); ++i) {
     const auto of_face = g.col(edges.facet[edges.facet_start[edge] + i]);
     wrench += shift(edge, i).transposed_times(of_face.head<6>());
-    Map<Eigen::Vector3f>(x + 6 + 3 * i) = of_face.tail<3>().cast<float>();
+    Map<Vector3d>(x + 6 + 3 * i) = of_face.tail<3>();
   }
-  Map<Matrix<float, 6, 1>>{x} = wrench.cast<float>();
+  Map<Vector6d>{x} = wrench;
 }
 
 /// x <- A^-1 basis' x
-void EdgeStars::solve(int edge, float* x) const {
+void EdgeStars::solve(int edge, double* x) const {
   const auto& [basis, size] = stars_[edge];
-  Map<Eigen::VectorXf> all(x, unknowns_around(topology_.edges, edge));
+  Map<VectorXd> all(x, unknowns_around(topology_.edges, edge));
   if (size == 0) {
     all.setZero();
     return;
   }
   if (basis.size() > 0) {
-    const VectorXd inside = basis.transpose() * all.cast<double>();
+    const VectorXd inside = basis.transpose() * all;
     all.setZero();
-    all.head(size) = inside.cast<float>();
+    all.head(size) = inside;
   }
   solve_tiles(factors_.get() + first_of_factor_[edge], size, x);
 }
@@ -103,16 +107,16 @@ void EdgeStars::solve(int edge, float* x) const {
 /// What an edge has for one of its faces: Z basis x.
 Vector9d EdgeStars::of_face(int edge, int place) const {
   const auto& [basis, size] = stars_[edge];
-  const float* x = x_.data() + first_[edge];
+  const double* x = x_.data() + first_[edge];
   Vector6d wrench;
   Vector3d bars;
   if (basis.size() > 0) {
-    const VectorXd inside = Map<const Eigen::VectorXf>(x, size).cast<double>();
+    const Map<const VectorXd> inside(x, size);
     wrench = basis.topRows<6>() * inside;
     bars = basis.middleRows<3>(6 + 3 * place) * inside;
   } else {
-    wrench = Map<const Matrix<float, 6, 1>>(x).cast<double>();
-    bars = Map<const Eigen::Vector3f>(x + 6 + 3 * place).cast<double>();
+    wrench = Map<const Vector6d>(x);
+    bars = Map<const Vector3d>(x + 6 + 3 * place);
   }
   Vector9d unknowns;
   unknowns << shift(edge, place).times(wrench), bars;
@@ -131,7 +135,7 @@ void EdgeStars::operator()(const Matrix9Xd& g, Matrix9Xd& z) {
 #pragma omp parallel for
   for (int e = 0; e < topology_.edges.count(); ++e) {
     if (!share_.edge[e]) continue;
-    float* own = x_.data() + first_[e];
+    double* own = x_.data() + first_[e];
     restrict_to(e, g, own);
     solve(e, own);
   }

@@ -17,9 +17,8 @@ namespace ffcontact {
 /// with Z of wrench_shift. At a boundary edge only those x count that leave known
 /// tractions of its two boundary faces alone; where nothing is left the edge has no part.
 ///
-/// Factors (tiled_factor) and x are kept in single precision: they only steer. The basis of
-/// what leaves known tractions alone is not, with which they are left alone but for
-/// rounding. Each loop writes what is its own: the result does not depend on the number
+/// Factors (tiled_factor) are kept in single precision: they only steer. x is not, so that
+/// last digits of g, as several processes leave them, turn last digits of z alone. Each loop writes what is its own: the result does not depend on the number
 /// of threads.
 class EdgeStars {
  public:
@@ -41,8 +40,8 @@ class EdgeStars {
   Star star(int edge, const FaceTractions& boundary, const FaceForms& forms,
             float* factor) const;
   const WrenchShift& shift(int edge, int place) const;
-  void restrict_to(int edge, const Matrix9Xd& g, float* x) const;
-  void solve(int edge, float* x) const;
+  void restrict_to(int edge, const Matrix9Xd& g, double* x) const;
+  void solve(int edge, double* x) const;
   Vector9d of_face(int edge, int place) const;
   Vector9d gathered(int face) const;
 
@@ -53,7 +52,7 @@ class EdgeStars {
   std::vector<Star> stars_;
   // All edges in a row, each in whole tiles.
   std::vector<Index> first_, first_of_factor_;
-  Eigen::VectorXf x_;  ///< unknowns
+  VectorXd x_;  ///< unknowns
   std::unique_ptr<float[]> factors_;
 };
 

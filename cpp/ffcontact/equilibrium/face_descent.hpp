@@ -65,9 +65,14 @@ class FaceDescent {
   Matrix9Xd& residual() { return residual_; }
 
  private:
-  void gather(Matrix9Xd& y) const;
-  double dot(const Matrix9Xd& a, const Matrix9Xd& b) const;
-  void add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const;
+  Vector9d gathered(int face) const;
+  auto image() const {
+    return [this](int face) { return gathered(face); };
+  }
+  template <class OfFace>
+  double dot(const Matrix9Xd& a, const OfFace& y) const;
+  template <class OfFace>
+  void add(double factor, const OfFace& y, Matrix9Xd& x) const;
   void turn_direction();
 
   const FaceSetting& setting_;
@@ -76,15 +81,15 @@ class FaceDescent {
   FaceForms forms_;
   EdgeStars stars_;
   Matrix9Xd corrections_, residual_, direction_, next_;
-  FaceImages images_;  ///< slopes, then H p
-  Matrix9Xd image_;    ///< H p
+  FaceImages images_;  ///< slopes, then H p, gathered anew wherever it is used
   double square_ = 0;  ///< p'Hp; 0: no direction yet
   double of_share_ =
       0;  ///< |sigma_hat - sigma|^2 on its own tetrahedra at first
 };
 
-/// The moments of corrections (w, y) [N, 9 x faces], 0 on components known but for contact.
-FaceMoments moments_of(const FaceSetting& setting,
-                       const Matrix9Xd& corrections);
+/// Adds the moments of corrections (w, y), but for those of components that are known and
+/// not of contact.
+void add_corrections(const FaceSetting& setting, const Matrix9Xd& corrections,
+                     FaceMoments& moments);
 
 }  // namespace ffcontact

@@ -6,7 +6,7 @@
 namespace ffcontact {
 
 /// Loads, slopes or energies by the four faces of each tetrahedron [36 x tetrahedra].
-using FaceImages = Matrix<float, 36, Dynamic>;
+using FaceImages = Matrix<double, 36, Dynamic>;
 
 /// How descents on the shares of one solid go together.
 class FaceExchange {

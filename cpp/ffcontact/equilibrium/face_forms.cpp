@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <array>
 
+#include "ffcontact/base/huge_pages.hpp"
 #include "ffcontact/equilibrium/face_tractions.hpp"
 
 namespace ffcontact {
@@ -12,7 +13,10 @@ namespace {
 
 using Matrix36f = Matrix<float, 36, 36>;
 using Matrix4f = Matrix<float, 4, 4>;
-using Vector4f = Matrix<float, 4, 1>;
+
+Matrix4d tile_at(const float* numbers) {
+  return Map<const Matrix4f>(numbers).cast<double>();
+}
 
 /// Where an entry of the lower triangle is in its tiles.
 constexpr int place_in_tiles(int row, int column) {
@@ -34,7 +38,9 @@ struct PlacesInTiles {
 FaceForms::FaceForms(const SolidTopology& topology,
                      const HookeTensors<3>& hooke) {
   const int cells = topology.mesh.cell_count();
-  forms_.reset(new float[static_cast<std::size_t>(packed) * cells]);
+  const std::size_t size = static_cast<std::size_t>(packed) * cells;
+  forms_.reset(new float[size]);
+  use_huge_pages(forms_.get(), size * sizeof(float));
 #pragma omp parallel for
   for (int t = 0; t < cells; ++t) {
     const Matrix36f H =
@@ -47,18 +53,18 @@ FaceForms::FaceForms(const SolidTopology& topology,
   }
 }
 
-Vector36f FaceForms::times(int cell, const Vector36f& x) const {
+Vector36d FaceForms::times(int cell, const Vector36d& x) const {
   const float* next = form(cell);
-  Vector36f y = Vector36f::Zero();
+  Vector36d y = Vector36d::Zero();
   for (int J = 0; J < tiles; ++J) {
-    const Vector4f x_J = x.segment<4>(4 * J);
+    const Vector4d x_J = x.segment<4>(4 * J);
     // of H' x, column by column; the tile on the diagonal counts once
-    Matrix4f below = Matrix4f::Zero();
-    y.segment<4>(4 * J) += Map<const Matrix4f>(next) * x_J;
+    Matrix4d below = Matrix4d::Zero();
+    y.segment<4>(4 * J) += tile_at(next) * x_J;
     next += 16;
     for (int I = J + 1; I < tiles; ++I, next += 16) {
-      const Map<const Matrix4f> tile(next);
-      const Vector4f x_I = x.segment<4>(4 * I);
+      const Matrix4d tile = tile_at(next);
+      const Vector4d x_I = x.segment<4>(4 * I);
       y.segment<4>(4 * I) += tile * x_J;
       below.array() += tile.array().colwise() * x_I.array();
     }

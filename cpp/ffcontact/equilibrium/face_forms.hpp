@@ -10,17 +10,18 @@ namespace ffcontact {
 
 using Matrix9Xd = Matrix<double, 9, Dynamic>;
 
-using Vector36f = Matrix<float, 36, 1>;
+using Vector36d = Matrix<double, 36, 1>;
 
-/// face_energy of every tetrahedron in the wrenches and bars of its faces, in single
+/// face_energy of every tetrahedron in the wrenches and bars of its faces, stored in single
 /// precision: the forms only steer a descent, whose corrections are balanced by
-/// themselves.
+/// themselves. Products are of double precision: last digits of x turn last digits of H x
+/// alone.
 class FaceForms {
  public:
   FaceForms(const SolidTopology& topology, const HookeTensors<3>& hooke);
 
   /// H x of one tetrahedron.
-  Vector36f times(int cell, const Vector36f& x) const;
+  Vector36d times(int cell, const Vector36d& x) const;
 
   /// Block (k, l) of H: the unknowns of face k with those of face l.
   Matrix<float, 9, 9> block(int cell, int k, int l) const;
@@ -36,12 +37,11 @@ class FaceForms {
 };
 
 /// The unknowns of a tetrahedron's faces among those of all.
-inline Vector36f unknowns_at(const Facets<3>& faces, const Matrix9Xd& of_all,
+inline Vector36d unknowns_at(const Facets<3>& faces, const Matrix9Xd& of_all,
                              int cell) {
-  Vector36f unknowns;
+  Vector36d unknowns;
   for (int k = 0; k < 4; ++k)
-    unknowns.segment<9>(9 * k) =
-        of_all.col(faces.of_cell(k, cell)).cast<float>();
+    unknowns.segment<9>(9 * k) = of_all.col(faces.of_cell(k, cell));
   return unknowns;
 }
 

@@ -168,7 +168,7 @@ std::vector<double> LeadingRelaxation::relax(
     receive_numbers(messages_, r, of_part);
     corrections(Eigen::all, counted) = of_part;
   }
-  moments += moments_of(setting_, corrections);
+  add_corrections(setting_, corrections, moments);
   return falls;
 }
 

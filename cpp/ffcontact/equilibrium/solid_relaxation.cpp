@@ -68,7 +68,7 @@ std::vector<double> relax_faces(const FaceSetting& setting,
   ContactPass contact(setting.topology, setting.boundary, descent.forms(),
                       setting.contact, moments);
   const std::vector<double> falls = relax(descent, contact, settings);
-  moments += moments_of(setting, descent.corrections());
+  add_corrections(setting, descent.corrections(), moments);
   return falls;
 }
 

@@ -8,13 +8,14 @@ namespace ffcontact {
 namespace {
 
 using Tile = Matrix<float, tile_size, tile_size>;
-using PartOfTile = Matrix<float, tile_size, 1>;
+using WideTile = Matrix<double, tile_size, tile_size>;
+using PartOfTile = Matrix<double, tile_size, 1>;
 constexpr int numbers_in_tile = tile_size * tile_size;
 
-Map<const Tile> tile_at(const float* numbers) {
-  return Map<const Tile>(numbers);
+WideTile tile_at(const float* numbers) {
+  return Map<const Tile>(numbers).cast<double>();
 }
-Map<PartOfTile> part_at(float* x, int tile) {
+Map<PartOfTile> part_at(double* x, int tile) {
   return Map<PartOfTile>(x + tile_size * tile);
 }
 
@@ -45,7 +46,7 @@ void put_tiles(const Ref<const MatrixXd>& L, float* factor) {
     }
 }
 
-void solve_tiles(const float* factor, int n, float* x) {
+void solve_tiles(const float* factor, int n, double* x) {
   const int tiles = tiled(n) / tile_size;
   const float* next = factor;
   for (int J = 0; J < tiles; ++J) {
@@ -57,7 +58,8 @@ void solve_tiles(const float* factor, int n, float* x) {
   }
   for (int J = tiles - 1; J >= 0; --J) {
     next -= numbers_in_tile * (tiles - J);
-    Tile products = Tile::Zero();  // of the columns below the diagonal with x
+    WideTile products =
+        WideTile::Zero();  // of the columns below the diagonal with x
     for (int I = J + 1; I < tiles; ++I)
       products.array() +=
           tile_at(next + numbers_in_tile * (I - J)).array().colwise() *

@@ -5,8 +5,9 @@
 
 namespace ffcontact {
 
-/// The Cholesky factor L of a small matrix A = L L' in single precision, in tiles of 4 x 4
-/// that processors multiply at once: for an A that only steers. The tiles of the lower
+/// The Cholesky factor L of a small matrix A = L L' stored in single precision, in tiles of
+/// 4 x 4 that processors multiply at once: for an A that only steers. What it solves for is
+/// of double precision, so that last digits of x do not become those of a float. The tiles of the lower
 /// triangle stand column by column, those on the diagonal inverted; unknowns that are
 /// missing in the last ones count as 1.
 
@@ -30,6 +31,6 @@ void put_tiles(const Ref<const MatrixXd>& L, float* factor);
 /// x <- A^-1 x
 /// @param n  unknowns
 /// @param x  [tiled(n)], what is beyond n unknowns finite
-void solve_tiles(const float* factor, int n, float* x);
+void solve_tiles(const float* factor, int n, double* x);
 
 }  // namespace ffcontact
