@@ -18,8 +18,8 @@ namespace ffcontact {
 /// tractions of its two boundary faces alone; where nothing is left the edge has no part.
 ///
 /// Factors (tiled_factor) are kept in single precision: they only steer. x is not, so that
-/// last digits of g, as several processes leave them, turn last digits of z alone. Each loop writes what is its own: the result does not depend on the number
-/// of threads.
+/// last digits of g, as several processes leave them, turn last digits of z alone. Each
+/// loop writes what is its own: the result does not depend on the number of threads.
 class EdgeStars {
  public:
   /// @param share  whose edges the stars are; stays where it is

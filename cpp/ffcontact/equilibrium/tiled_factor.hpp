@@ -5,11 +5,11 @@
 
 namespace ffcontact {
 
-/// The Cholesky factor L of a small matrix A = L L' stored in single precision, in tiles of
-/// 4 x 4 that processors multiply at once: for an A that only steers. What it solves for is
-/// of double precision, so that last digits of x do not become those of a float. The tiles of the lower
-/// triangle stand column by column, those on the diagonal inverted; unknowns that are
-/// missing in the last ones count as 1.
+/// The Cholesky factor L of a small matrix A = L L' stored in single precision, in tiles
+/// of 4 x 4 that processors multiply at once: for an A that only steers. What it solves
+/// for is of double precision, so that last digits of x do not become those of a float.
+/// The tiles of the lower triangle stand column by column, those on the diagonal inverted;
+/// unknowns that are missing in the last ones count as 1.
 
 constexpr int tile_size = 4;
 
