@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ffcontact/base/huge_pages.hpp"
-
 namespace ffcontact {
 
 namespace {
@@ -30,7 +28,6 @@ FactorBlocks<Scalar>::FactorBlocks(Supernodes of_nodes)
                      static_cast<std::size_t>(nodes.row_count(s)) *
                          nodes.column_count(s));
   values_.reset(new Scalar[start_.back()]);
-  use_huge_pages(values_.get(), start_.back() * sizeof(Scalar));
 }
 
 template <class Scalar>

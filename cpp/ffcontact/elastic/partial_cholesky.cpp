@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "ffcontact/base/blas.hpp"
-#include "ffcontact/base/huge_pages.hpp"
 #include "ffcontact/base/serial_blas.hpp"
 #include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/elastic/factor_blocks.hpp"
@@ -140,9 +139,7 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   }
 
   void compute_schur(const SparseMatrix& lower, Work& work) {
-    schur.resize(kept, kept);
-    use_huge_pages(schur);
-    schur.setZero();
+    schur = Square::Zero(kept, kept);
     for (int j = 0; j < kept; ++j)
       for (SparseMatrix::InnerIterator e(lower, eliminated + j); e; ++e)
         schur(e.row() - eliminated, j) = static_cast<Scalar>(e.value());

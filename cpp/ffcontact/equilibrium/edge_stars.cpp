@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 
-#include "ffcontact/base/huge_pages.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
 #include "ffcontact/equilibrium/tiled_factor.hpp"
@@ -60,11 +59,8 @@ EdgeStars::EdgeStars(const SolidTopology& topology, const FaceShare& share,
         if (edges.of_facet(k, face) == e) place_(k, face) = i;
     }
   }
-  x_.resize(first_.back());
-  use_huge_pages(x_);
-  x_.setZero();
+  x_.setZero(first_.back());
   factors_.reset(new float[first_of_factor_.back()]);
-  use_huge_pages(factors_.get(), first_of_factor_.back() * sizeof(float));
 #pragma omp parallel for
   for (int e = 0; e < edges.count(); ++e)
     if (share.edge[e])

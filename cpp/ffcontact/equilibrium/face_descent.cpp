@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 
-#include "ffcontact/base/huge_pages.hpp"
 #include "ffcontact/base/parted_sum.hpp"
 
 namespace ffcontact {
@@ -28,14 +27,6 @@ SolidStress difference_stress(const FaceSetting& setting,
                           setting.body_loads.col(cell).reshaped(3, 4));
 }
 
-namespace {
-
-auto column_of(const Matrix9Xd& y) {
-  return [&y](int face) { return y.col(face); };
-}
-
-}  // namespace
-
 FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments,
                          const FaceShare& share, const FaceExchange& exchange)
     : setting_(setting),
@@ -43,16 +34,12 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments,
       exchange_(exchange),
       forms_(setting.topology, setting.hooke),
       stars_(setting.topology, share, setting.boundary, forms_),
-      corrections_(9, moments.cols()),
+      corrections_(Matrix9Xd::Zero(9, moments.cols())),
       residual_(9, moments.cols()),
       direction_(9, moments.cols()),
       next_(9, moments.cols()),
-      images_(36, setting.topology.mesh.cell_count()) {
-  for (const Matrix9Xd* of_faces :
-       {&corrections_, &residual_, &direction_, &next_})
-    use_huge_pages(*of_faces);
-  use_huge_pages(images_);
-  corrections_.setZero();
+      images_(36, setting.topology.mesh.cell_count()),
+      image_(9, moments.cols()) {
   const SolidTopology& topology = setting.topology;
   const int cells = topology.mesh.cell_count();
   VectorXd squares = VectorXd::Zero(cells);
@@ -71,40 +58,37 @@ FaceDescent::FaceDescent(const FaceSetting& setting, const FaceMoments& moments,
 
 double FaceDescent::begin() {
   exchange_.complete(images_);
-  residual_.setZero();
-  add(1, image(), residual_);
+  gather(residual_);
   return exchange_.sum(of_share_);
 }
 
-/// What the tetrahedra beside a face have for it in images_.
-Vector9d FaceDescent::gathered(int face) const {
+/// y = sum of what the tetrahedra beside each face have for it in images_.
+void FaceDescent::gather(Matrix9Xd& y) const {
   const Facets<3>& faces = setting_.topology.faces;
-  Vector9d sum = Vector9d::Zero();
-  for (int t : faces.cells.col(face))
-    for (int k = 0; k < 4 && t >= 0; ++k)
-      if (faces.of_cell(k, t) == face) sum += images_.col(t).segment<9>(9 * k);
-  return sum;
+#pragma omp parallel for
+  for (int f = 0; f < faces.count(); ++f) {
+    Vector9d sum = Vector9d::Zero();
+    for (int t : faces.cells.col(f))
+      for (int k = 0; k < 4 && t >= 0; ++k)
+        if (faces.of_cell(k, t) == f) sum += images_.col(t).segment<9>(9 * k);
+    y.col(f) = sum;
+  }
 }
 
-/// @param y  of a face: column or gathered
-template <class OfFace>
-double FaceDescent::dot(const Matrix9Xd& a, const OfFace& y) const {
+double FaceDescent::dot(const Matrix9Xd& a, const Matrix9Xd& b) const {
   return exchange_.sum(parted_sum(static_cast<int>(a.cols()), [&](int f) {
-    return share_.counted[f] ? a.col(f).dot(y(f)) : 0;
+    return share_.counted[f] ? a.col(f).dot(b.col(f)) : 0;
   }));
 }
 
-template <class OfFace>
-void FaceDescent::add(double factor, const OfFace& y, Matrix9Xd& x) const {
+void FaceDescent::add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const {
 #pragma omp parallel for
-  for (int f = 0; f < static_cast<int>(x.cols()); ++f)
-    x.col(f) += factor * y(f);
+  for (Index f = 0; f < x.cols(); ++f) x.col(f) += factor * y.col(f);
 }
 
 void FaceDescent::turn_direction() {
   stars_(residual_, next_);
-  if (square_ > 0)
-    add(-dot(next_, image()) / square_, column_of(direction_), next_);
+  if (square_ > 0) add(-dot(next_, image_) / square_, direction_, next_);
   direction_.swap(next_);
 
   const SolidTopology& topology = setting_.topology;
@@ -114,16 +98,16 @@ void FaceDescent::turn_direction() {
       images_.col(t) =
           forms_.times(t, unknowns_at(topology.faces, direction_, t));
   exchange_.complete(images_);
-  square_ = dot(direction_, image());
+  gather(image_);
+  square_ = dot(direction_, image_);
 }
 
 double FaceDescent::step() {
   turn_direction();
   if (!(square_ > 0)) return 0;
-  const auto direction = column_of(direction_);
-  const double slope = dot(residual_, direction), length = slope / square_;
-  add(length, direction, corrections_);
-  add(-length, image(), residual_);
+  const double slope = dot(residual_, direction_), length = slope / square_;
+  add(length, direction_, corrections_);
+  add(-length, image_, residual_);
   return length * slope;
 }
 

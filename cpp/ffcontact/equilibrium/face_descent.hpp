@@ -65,14 +65,9 @@ class FaceDescent {
   Matrix9Xd& residual() { return residual_; }
 
  private:
-  Vector9d gathered(int face) const;
-  auto image() const {
-    return [this](int face) { return gathered(face); };
-  }
-  template <class OfFace>
-  double dot(const Matrix9Xd& a, const OfFace& y) const;
-  template <class OfFace>
-  void add(double factor, const OfFace& y, Matrix9Xd& x) const;
+  void gather(Matrix9Xd& y) const;
+  double dot(const Matrix9Xd& a, const Matrix9Xd& b) const;
+  void add(double factor, const Matrix9Xd& y, Matrix9Xd& x) const;
   void turn_direction();
 
   const FaceSetting& setting_;
@@ -81,7 +76,8 @@ class FaceDescent {
   FaceForms forms_;
   EdgeStars stars_;
   Matrix9Xd corrections_, residual_, direction_, next_;
-  FaceImages images_;  ///< slopes, then H p, gathered anew wherever it is used
+  FaceImages images_;  ///< slopes, then H p
+  Matrix9Xd image_;    ///< H p
   double square_ = 0;  ///< p'Hp; 0: no direction yet
   double of_share_ =
       0;  ///< |sigma_hat - sigma|^2 on its own tetrahedra at first

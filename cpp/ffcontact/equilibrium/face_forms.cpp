@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <array>
 
-#include "ffcontact/base/huge_pages.hpp"
 #include "ffcontact/equilibrium/face_tractions.hpp"
 
 namespace ffcontact {
@@ -38,9 +37,7 @@ struct PlacesInTiles {
 FaceForms::FaceForms(const SolidTopology& topology,
                      const HookeTensors<3>& hooke) {
   const int cells = topology.mesh.cell_count();
-  const std::size_t size = static_cast<std::size_t>(packed) * cells;
-  forms_.reset(new float[size]);
-  use_huge_pages(forms_.get(), size * sizeof(float));
+  forms_.reset(new float[static_cast<std::size_t>(packed) * cells]);
 #pragma omp parallel for
   for (int t = 0; t < cells; ++t) {
     const Matrix36f H =
