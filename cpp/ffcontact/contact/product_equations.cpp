@@ -59,17 +59,7 @@ ContactRows ProductEquations::increment(const VectorXd& scaled) const {
            q = VectorXd::Zero(relation.E.cols());
   x(unknown) = values.head(n);
   q(dependent) = values.tail(count_of(dependent));
-  const VectorXd P = ffcontact::product(relation, x) - relation.E * q,
-                 v_dependent = relation.E.transpose() * x;
-  ContactRows rows{VectorXd::Zero(relation.row_count()),
-                   VectorXd::Zero(relation.row_count())};
-  for (Index k = 0; k < relation.size(); ++k) {
-    rows.P[relation.row(k)] = P[k];
-    rows.v[relation.row(k)] = x[k];
-  }
-  rows.P(relation.dependent) = q;
-  rows.v(relation.dependent) = v_dependent;
-  return rows;
+  return change_of_rows(relation, x, q);
 }
 
 VectorXd ProductEquations::product(const VectorXd& scaled) const {

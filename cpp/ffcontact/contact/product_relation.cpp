@@ -165,11 +165,9 @@ VectorXd product(const ProductRelation& relation, const VectorXd& x) {
   return relation.T.transpose() * relation.S->product(relation.T * x);
 }
 
-ContactRows rows_of(const ProductRelation& relation, const VectorXd& x,
-                    const VectorXd& q) {
-  const VectorXd P = product(relation, x) - relation.g - relation.E * q;
-  const VectorXd v_dependent =
-      relation.E.transpose() * x + relation.dependent_offset;
+ContactRows change_of_rows(const ProductRelation& relation, const VectorXd& x,
+                           const VectorXd& q) {
+  const VectorXd P = product(relation, x) - relation.E * q;
   ContactRows rows{VectorXd::Zero(relation.row_count()),
                    VectorXd::Zero(relation.row_count())};
   for (Index k = 0; k < relation.size(); ++k) {
@@ -177,7 +175,16 @@ ContactRows rows_of(const ProductRelation& relation, const VectorXd& x,
     rows.v[relation.row(k)] = x[k];
   }
   rows.P(relation.dependent) = q;
-  rows.v(relation.dependent) = v_dependent;
+  rows.v(relation.dependent) = relation.E.transpose() * x;
+  return rows;
+}
+
+ContactRows rows_of(const ProductRelation& relation, const VectorXd& x,
+                    const VectorXd& q) {
+  ContactRows rows = change_of_rows(relation, x, q);
+  for (Index k = 0; k < relation.size(); ++k)
+    rows.P[relation.row(k)] -= relation.g[k];
+  rows.v(relation.dependent) += relation.dependent_offset;
   return rows;
 }
 

@@ -67,6 +67,10 @@ void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
 /// T' S T x
 VectorXd product(const ProductRelation& relation, const VectorXd& x);
 
+/// What a change of the unknowns makes of P and v of all rows [row_count].
+ContactRows change_of_rows(const ProductRelation& relation, const VectorXd& x,
+                           const VectorXd& q);
+
 /// P and v of all rows that the unknowns make [row_count].
 ContactRows rows_of(const ProductRelation& relation, const VectorXd& x,
                     const VectorXd& q);
