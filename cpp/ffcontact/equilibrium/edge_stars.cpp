@@ -2,8 +2,10 @@
 #include "ffcontact/equilibrium/edge_stars.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
 #include "ffcontact/equilibrium/tiled_factor.hpp"
 
@@ -44,23 +46,17 @@ EdgeStars::EdgeStars(const SolidTopology& topology, const FaceShare& share,
       share_(share),
       place_(3, topology.faces.count()),
       shifts_(topology.edges.facet.size()),
+      parts_(Matrix9Xd::Zero(9, count_of(topology.edges.facet))),
       stars_(topology.edges.count()),
-      first_(1, 0),
       first_of_factor_(1, 0) {
   const Hinges<3>& edges = topology.edges;
   for (int e = 0; e < edges.count(); ++e) {
     const int size = share.edge[e] ? unknowns_around(edges, e) : 0;
-    first_.push_back(first_.back() + tiled(size));
+    largest_ = std::max(largest_, tiled(size));
     first_of_factor_.push_back(first_of_factor_.back() + factor_size(size));
-    for (int i = 0; i < edges.facet_count(e); ++i) {
-      const int face = edges.facet[edges.facet_start[e] + i];
-      shifts_[edges.facet_start[e] + i] = wrench_shift(topology, face, e);
-      for (int k = 0; k < 3; ++k)
-        if (edges.of_facet(k, face) == e) place_(k, face) = i;
-    }
   }
-  x_.setZero(first_.back());
   factors_.reset(new float[first_of_factor_.back()]);
+  place_faces();
 #pragma omp parallel for
   for (int e = 0; e < edges.count(); ++e)
     if (share.edge[e])
@@ -68,18 +64,28 @@ EdgeStars::EdgeStars(const SolidTopology& topology, const FaceShare& share,
           star(e, boundary, forms, factors_.get() + first_of_factor_[e]);
 }
 
-const WrenchShift& EdgeStars::shift(int edge, int place) const {
-  return shifts_[topology_.edges.facet_start[edge] + place];
+void EdgeStars::place_faces() {
+  const Hinges<3>& edges = topology_.edges;
+#pragma omp parallel for
+  for (int e = 0; e < edges.count(); ++e)
+    for (int i = edges.facet_start[e]; i < edges.facet_start[e + 1]; ++i) {
+      const int face = edges.facet[i];
+      shifts_[i] = wrench_shift(topology_, face, e);
+      for (int k = 0; k < 3; ++k)
+        if (edges.of_facet(k, face) == e) place_(k, face) = i;
+    }
 }
 
 /// x = Z' g
 void EdgeStars::restrict_to(int edge, const Matrix9Xd& g, double* x) const {
   const Hinges<3>& edges = topology_.edges;
   Vector6d wrench = Vector6d::Zero();
-  for (int i = 0; i < edges.facet_count(edge); ++i) {
-    const auto of_face = g.col(edges.facet[edges.facet_start[edge] + i]);
-    wrench += shift(edge, i).transposed_times(of_face.head<6>());
-    Map<Vector3d>(x + 6 + 3 * i) = of_face.tail<3>();
+  double* bars = x + 6;
+  for (int i = edges.facet_start[edge]; i < edges.facet_start[edge + 1];
+       ++i, bars += 3) {
+    const auto of_face = g.col(edges.facet[i]);
+    wrench += shifts_[i].transposed_times(of_face.head<6>());
+    Map<Vector3d>{bars} = of_face.tail<3>();
   }
   Map<Vector6d>{x} = wrench;
 }
@@ -87,57 +93,54 @@ void EdgeStars::restrict_to(int edge, const Matrix9Xd& g, double* x) const {
 /// x <- A^-1 basis' x
 void EdgeStars::solve(int edge, double* x) const {
   const auto& [basis, size] = stars_[edge];
-  Map<VectorXd> all(x, unknowns_around(topology_.edges, edge));
-  if (size == 0) {
-    all.setZero();
-    return;
-  }
   if (basis.size() > 0) {
+    Map<VectorXd> all(x, unknowns_around(topology_.edges, edge));
     const VectorXd inside = basis.transpose() * all;
-    all.setZero();
     all.head(size) = inside;
   }
   solve_tiles(factors_.get() + first_of_factor_[edge], size, x);
 }
 
 /// What an edge has for one of its faces: Z basis x.
-Vector9d EdgeStars::of_face(int edge, int place) const {
+Vector9d EdgeStars::of_face(int edge, int face, const double* x) const {
   const auto& [basis, size] = stars_[edge];
-  const double* x = x_.data() + first_[edge];
+  const int bars_of_face = 6 + 3 * (face - topology_.edges.facet_start[edge]);
   Vector6d wrench;
   Vector3d bars;
   if (basis.size() > 0) {
     const Map<const VectorXd> inside(x, size);
     wrench = basis.topRows<6>() * inside;
-    bars = basis.middleRows<3>(6 + 3 * place) * inside;
+    bars = basis.middleRows<3>(bars_of_face) * inside;
   } else {
     wrench = Map<const Vector6d>(x);
-    bars = Map<const Vector3d>(x + 6 + 3 * place);
+    bars = Map<const Vector3d>(x + bars_of_face);
   }
   Vector9d unknowns;
-  unknowns << shift(edge, place).times(wrench), bars;
+  unknowns << shifts_[face].times(wrench), bars;
   return unknowns;
 }
 
-/// What the edges of a face have for it.
-Vector9d EdgeStars::gathered(int face) const {
-  Vector9d sum = Vector9d::Zero();
-  for (int k = 0; k < 3; ++k)
-    sum += of_face(topology_.edges.of_facet(k, face), place_(k, face));
-  return sum;
-}
-
 void EdgeStars::operator()(const Matrix9Xd& g, Matrix9Xd& z) {
-#pragma omp parallel for
-  for (int e = 0; e < topology_.edges.count(); ++e) {
-    if (!share_.edge[e]) continue;
-    double* own = x_.data() + first_[e];
-    restrict_to(e, g, own);
-    solve(e, own);
+  const std::vector<int>& start = topology_.edges.facet_start;
+#pragma omp parallel
+  {
+    VectorXd x = VectorXd::Zero(largest_);
+#pragma omp for
+    for (int e = 0; e < topology_.edges.count(); ++e) {
+      if (stars_[e].size == 0) continue;
+      restrict_to(e, g, x.data());
+      solve(e, x.data());
+      for (int i = start[e]; i < start[e + 1]; ++i)
+        parts_.col(i) = of_face(e, i, x.data());
+    }
+#pragma omp for
+    for (int f = 0; f < topology_.faces.count(); ++f)
+      if (share_.face[f])
+        z.col(f) = parts_.col(place_(0, f)) + parts_.col(place_(1, f)) +
+                   parts_.col(place_(2, f));
+      else
+        z.col(f).setZero();
   }
-#pragma omp parallel for
-  for (int f = 0; f < topology_.faces.count(); ++f)
-    z.col(f) = share_.face[f] ? gathered(f) : Vector9d::Zero();
 }
 
 }  // namespace ffcontact

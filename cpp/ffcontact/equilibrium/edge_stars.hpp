@@ -39,20 +39,20 @@ class EdgeStars {
 
   Star star(int edge, const FaceTractions& boundary, const FaceForms& forms,
             float* factor) const;
-  const WrenchShift& shift(int edge, int place) const;
+  void place_faces();
   void restrict_to(int edge, const Matrix9Xd& g, double* x) const;
   void solve(int edge, double* x) const;
-  Vector9d of_face(int edge, int place) const;
-  Vector9d gathered(int face) const;
+  Vector9d of_face(int edge, int face, const double* x) const;
 
   const SolidTopology& topology_;
   const FaceShare& share_;
+  // The faces around an edge, all edges in a row: Hinges::facet.
   Matrix3Xi place_;  ///< of a face around each of its edges [3 x faces]
-  std::vector<WrenchShift> shifts_;  ///< of all faces around all edges
+  std::vector<WrenchShift> shifts_;
+  Matrix9Xd parts_;  ///< what the edge has for the face
   std::vector<Star> stars_;
-  // All edges in a row, each in whole tiles.
-  std::vector<Index> first_, first_of_factor_;
-  VectorXd x_;  ///< unknowns
+  int largest_ = 0;                     ///< unknowns of a star, in whole tiles
+  std::vector<Index> first_of_factor_;  ///< all edges in a row
   std::unique_ptr<float[]> factors_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/wrench_basis.hpp"
@@ -12,26 +13,38 @@ using Matrix9Xd = Matrix<double, 9, Dynamic>;
 
 using Vector36d = Matrix<double, 36, 1>;
 
-/// face_energy of every tetrahedron in the wrenches and bars of its faces, stored in single
-/// precision: the forms only steer a descent, whose corrections are balanced by
-/// themselves. Products are of double precision: last digits of x turn last digits of H x
-/// alone.
+/// face_energy of every tetrahedron in the wrenches and bars of its faces, while it stays
+/// balanced: the wrench w_d on one face is what balances the others (balancing_shift),
+///     x = T z,   z = x without w_d [30],   x' H x = z' (T' H T) z.
+/// That face is the largest, to which shifts are small: where w_d vanishes, as around an
+/// edge of the three others, terms of their square cancel.
+///
+/// Stored in single precision: the forms only steer a descent, whose corrections are
+/// balanced by themselves. Products are of double precision: last digits of x turn last
+/// digits of H x alone.
 class FaceForms {
  public:
   FaceForms(const SolidTopology& topology, const HookeTensors<3>& hooke);
 
-  /// H x of one tetrahedron.
+  /// H x of one tetrahedron that x leaves balanced, but for what no such x has a product
+  /// with: it is 0 for w_d.
   Vector36d times(int cell, const Vector36d& x) const;
 
-  /// Block (k, l) of H: the unknowns of face k with those of face l.
+  /// Block (k, l) of the form: the unknowns of face k with those of face l, 0 for w_d.
   Matrix<float, 9, 9> block(int cell, int k, int l) const;
 
  private:
-  /// H in tiles of 4 x 4, those of the lower triangle column by column of tiles
-  static constexpr int tiles = 9, packed = 16 * tiles * (tiles + 1) / 2;
-  const float* form(int cell) const {
-    return forms_.get() + static_cast<std::size_t>(packed) * cell;
-  }
+  /// T' H T in tiles of 4 x 4, those of the lower triangle column by column of tiles: the
+  /// unknowns of the three faces after d, then the bars of d.
+  static constexpr int tiles = 8;
+  static constexpr std::size_t packed = 16 * tiles * (tiles + 1) / 2;
+  using InTiles = Matrix<double, 4 * tiles, 1>;
+
+  void put_form(const Matrix<float, 36, 36>& H, int cell);
+  InTiles product(int cell, const InTiles& z) const;
+  const float* form(int cell) const { return forms_.get() + packed * cell; }
+
+  std::vector<char> dependent_;  ///< d, 0 to 3
   // Not a vector, which would be filled with zeros by one thread first.
   std::unique_ptr<float[]> forms_;
 };

@@ -70,6 +70,16 @@ WrenchShift wrench_shift(const SolidTopology& topology, int face, int edge) {
   return {arm / size, length / size, sign};
 }
 
+WrenchShift balancing_shift(const SolidTopology& topology, int cell, int k,
+                            int d) {
+  const Facets<3>& faces = topology.faces;
+  const Matrix3d given = corners_of_face(topology, faces.of_cell(k, cell)),
+                 other = corners_of_face(topology, faces.of_cell(d, cell));
+  const double size = size_of_face(other);
+  return {(other.rowwise().mean() - given.rowwise().mean()) / size,
+          size_of_face(given) / size, -faces.eta(k, cell) * faces.eta(d, cell)};
+}
+
 std::array<Matrix9d, 4> wrench_bases(const SolidTopology& topology, int cell) {
   const auto& [mesh, faces, edges, stars] = topology;
   std::array<Matrix9d, 4> bases;

@@ -49,6 +49,12 @@ struct WrenchShift {
 };
 WrenchShift wrench_shift(const SolidTopology& topology, int face, int edge);
 
+/// The wrench on a face d of a tetrahedron that balances one on its face k:
+///     w_d = s Shift w_k,   m_d = (h_k m_k - (x_d - x_k) x f_k) / h_d,   s = -eta_k eta_d.
+/// @param k, d  0 to 3
+WrenchShift balancing_shift(const SolidTopology& topology, int cell, int k,
+                            int d);
+
 /// The columns of face_energy on a tetrahedron for its four faces' (w, y), as these are
 /// stored: of the face's own normal, in the order of its vertices.
 std::array<Matrix9d, 4> wrench_bases(const SolidTopology& topology, int cell);

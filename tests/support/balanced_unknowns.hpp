@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/equilibrium/face_forms.hpp"
+#include "support/random.hpp"
+
+/// Wrenches and bars on the faces of one tetrahedron.
+namespace ffcontact::test {
+
+/// Unknowns of a tetrahedron's faces that balance on it: any wrenches and bars on three of
+/// its faces, and what they ask of a fourth one.
+inline Vector36d balanced_unknowns(const SolidTopology& topology, int cell,
+                                   int d, std::mt19937& random) {
+  Vector36d x = random_vector(36, random);
+  x.segment<6>(9 * d).setZero();
+  for (int k = 0; k < 4; ++k)
+    if (k != d)
+      x.segment<6>(9 * d) +=
+          balancing_shift(topology, cell, k, d).times(x.segment<6>(9 * k));
+  return x;
+}
+
+}  // namespace ffcontact::test
