@@ -40,6 +40,15 @@ struct Blas;
   void letter##getrs_(const char* transpose, const int* n, const int* columns,                   \
                       const Scalar* lu, const int* stride, const int* pivots, Scalar* b,         \
                       const int* stride_b, int* info);                                           \
+  void letter##gelsy_(const int* rows, const int* columns, const int* count, Scalar* a,          \
+                      const int* stride_a, Scalar* b, const int* stride_b, int* order,           \
+                      const Scalar* rcond, int* rank, Scalar* work, const int* work_size,        \
+                      int* info);                                                                \
+  void letter##geqrf_(const int* rows, const int* columns, Scalar* a, const int* stride,         \
+                      Scalar* factors, Scalar* work, const int* work_size, int* info);           \
+  void letter##orgqr_(const int* rows, const int* columns, const int* reflectors, Scalar* a,     \
+                      const int* stride, const Scalar* factors, Scalar* work,                    \
+                      const int* work_size, int* info);                                          \
   void letter##syev_(const char* vectors, const char* triangle, const int* n, Scalar* a,         \
                      const int* stride, Scalar* values, Scalar* work, const int* work_size,      \
                      int* info);                                                                 \
@@ -64,6 +73,9 @@ struct Blas;
     static constexpr auto getrf = letter##getrf_;                                                \
     static constexpr auto gecon = letter##gecon_;                                                \
     static constexpr auto getrs = letter##getrs_;                                                \
+    static constexpr auto gelsy = letter##gelsy_;                                                \
+    static constexpr auto geqrf = letter##geqrf_;                                                \
+    static constexpr auto orgqr = letter##orgqr_;                                                \
     static constexpr auto syev = letter##syev_;                                                  \
     static constexpr auto geev = letter##geev_;                                                  \
     static constexpr auto gesvd = letter##gesvd_;                                                \

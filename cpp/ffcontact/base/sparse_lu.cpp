@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/sparse_lu.hpp"
 
-#include <Eigen/SparseLU>
+#include <klu.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,15 +14,59 @@
 
 namespace ffcontact {
 
-/// Order of elimination by A + A', which is symmetric but for frames that turn.
-struct MinimumDegree {
-  using PermutationType = Eigen::PermutationMatrix<Dynamic, Dynamic, int>;
-  template <class Given>
-  void operator()(const Given& A, PermutationType& order) const {
-    PermutationType inverse;
-    Eigen::AMDOrdering<int>()(SparseMatrix(A), inverse);
-    order = inverse.inverse();
+struct Factors {
+  SparseMatrix L, U;
+  VectorXi rows, columns;  ///< A(rows, columns) = L U
+};
+
+/// SuiteSparse's KLU of the whole matrix as one block, with partial pivoting.
+class Klu {
+ public:
+  explicit Klu(SparseMatrix A) {
+    klu_defaults(&common_);
+    common_.btf = 0;
+    common_.scale = 0;
+    common_.tol = 1;
+    symbolic_ = klu_analyze(static_cast<int>(A.rows()), A.outerIndexPtr(),
+                            A.innerIndexPtr(), &common_);
+    numeric_ = klu_factor(A.outerIndexPtr(), A.innerIndexPtr(), A.valuePtr(),
+                          symbolic_, &common_);
   }
+  ~Klu() {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+  }
+  Klu(const Klu&) = delete;
+  Klu& operator=(const Klu&) = delete;
+
+  bool is_regular() const { return numeric_ != nullptr; }
+
+  MatrixXd solve(MatrixXd B) {
+    klu_solve(symbolic_, numeric_, symbolic_->n, static_cast<int>(B.cols()),
+              B.data(), &common_);
+    return B;
+  }
+  VectorXd solve_transposed(VectorXd b) {
+    klu_tsolve(symbolic_, numeric_, symbolic_->n, 1, b.data(), &common_);
+    return b;
+  }
+
+  Factors factors() {
+    const int n = symbolic_->n;
+    Factors f{SparseMatrix(n, n), SparseMatrix(n, n), VectorXi(n), VectorXi(n)};
+    f.L.resizeNonZeros(numeric_->lnz);
+    f.U.resizeNonZeros(numeric_->unz);
+    klu_extract(numeric_, symbolic_, f.L.outerIndexPtr(), f.L.innerIndexPtr(),
+                f.L.valuePtr(), f.U.outerIndexPtr(), f.U.innerIndexPtr(),
+                f.U.valuePtr(), nullptr, nullptr, nullptr, f.rows.data(),
+                f.columns.data(), nullptr, nullptr, &common_);
+    return f;
+  }
+
+ private:
+  klu_common common_;
+  klu_symbolic* symbolic_ = nullptr;
+  klu_numeric* numeric_ = nullptr;
 };
 
 namespace {
@@ -53,33 +99,27 @@ struct FactorColumn {
   std::vector<Entry<Scalar>> upper, lower;
   Scalar diagonal = 0;
 
-  void put(int row, int column, double value) {
-    const auto rounded = static_cast<Scalar>(value);
+  void put_upper(int row, int column, double value) {
     if (row == column)
-      diagonal = rounded;
+      diagonal = static_cast<Scalar>(value);
     else
-      (row < column ? upper : lower).push_back({row, rounded});
+      upper.push_back({row, static_cast<Scalar>(value)});
+  }
+  void put_lower(int row, int column, double value) {
+    if (row != column) lower.push_back({row, static_cast<Scalar>(value)});
   }
 };
 
-using EigenLu = Eigen::SparseLU<SparseMatrix, MinimumDegree>;
-
-/// L and U / size, with the blocks on U's diagonal that Eigen keeps among the columns of L.
+/// The columns of L and U / size.
 template <class Scalar>
-std::vector<FactorColumn<Scalar>> columns_of(const EigenLu& lu, double size) {
-  const auto U = lu.matrixU();
-  using InL = std::decay_t<decltype(U.m_mapL)>;
-  using InU = std::decay_t<decltype(U.m_mapU)>;
-  std::vector<FactorColumn<Scalar>> columns(lu.cols());
-  for (int j = 0; j < lu.cols(); ++j) {
-    const auto put = [&](Index row, double value) {
-      const auto i = static_cast<int>(row);
-      columns[j].put(i, j, i <= j ? value / size : value);
-    };
-    for (typename InL::InnerIterator e(U.m_mapL, j); e; ++e)
-      put(e.row(), e.value());
-    for (typename InU::InnerIterator e(U.m_mapU, j); e; ++e)
-      put(e.index(), e.value());
+std::vector<FactorColumn<Scalar>> columns_of(const Factors& factors,
+                                             double size) {
+  std::vector<FactorColumn<Scalar>> columns(factors.L.cols());
+  for (int j = 0; j < factors.L.cols(); ++j) {
+    for (SparseMatrix::InnerIterator e(factors.U, j); e; ++e)
+      columns[j].put_upper(e.row(), j, e.value() / size);
+    for (SparseMatrix::InnerIterator e(factors.L, j); e; ++e)
+      columns[j].put_lower(e.row(), j, e.value());
   }
   return columns;
 }
@@ -105,31 +145,30 @@ void solve_transposed(const std::vector<FactorColumn<Scalar>>& LU,
 
 /// B' becomes (A / size)'^-1 B', row by row of B.
 template <class Scalar, class Rows>
-void solve_rows(const std::vector<FactorColumn<Scalar>>& LU, const EigenLu& lu,
-                Rows& B) {
-  const VectorXi from = lu.colsPermutation().indices(),
-                 to = lu.rowsPermutation().indices();
+void solve_rows(const std::vector<FactorColumn<Scalar>>& LU,
+                const Factors& factors, Rows& B) {
+  const VectorXi &from = factors.columns, &to = factors.rows;
   const Index count = B.rows(), n = B.cols(), at_once = together<Scalar>;
 #pragma omp parallel for schedule(dynamic, 1)
   for (Index first = 0; first < count; first += at_once) {
     const Index rows = std::min(at_once, count - first);
     Together<Scalar> X = Together<Scalar>::Zero(at_once, n);
     for (Index i = 0; i < n; ++i)
-      X.col(from[i]).head(rows) = B.col(i).segment(first, rows);
+      X.col(i).head(rows) = B.col(from[i]).segment(first, rows);
     solve_transposed(LU, X);
     for (Index i = 0; i < n; ++i)
-      B.col(i).segment(first, rows) = X.col(to[i]).head(rows);
+      B.col(to[i]).segment(first, rows) = X.col(i).head(rows);
   }
 }
 
 /// S becomes (A / size)'^-1 S (A / size)^-1.
 template <class Scalar>
-void transform(const EigenLu& lu, double size,
+void transform(const Factors& factors, double size,
                Matrix<Scalar, Dynamic, Dynamic>& S) {
-  const auto LU = columns_of<Scalar>(lu, size);
-  solve_rows(LU, lu, S);
+  const auto LU = columns_of<Scalar>(factors, size);
+  solve_rows(LU, factors, S);
   S.transposeInPlace();
-  solve_rows(LU, lu, S);
+  solve_rows(LU, factors, S);
   mirror_lower(S);
 }
 
@@ -151,16 +190,14 @@ double scale_of(double largest) { return std::exp2(std::ilogb(largest)); }
 }  // namespace
 
 struct SparseLu::Factor {
-  bool identity;
-  double largest;  ///< |A_ij|
-  EigenLu lu;
+  double largest;          ///< |A_ij|
+  std::optional<Klu> klu;  ///< but of the identity
 };
 
 SparseLu::SparseLu(SparseMatrix A) : factor_(std::make_unique<Factor>()) {
   A.makeCompressed();
-  factor_->identity = equals_identity(A);
   factor_->largest = A.coeffs().abs().maxCoeff();
-  if (!factor_->identity) factor_->lu.compute(A);
+  if (!equals_identity(A)) factor_->klu.emplace(std::move(A));
 }
 
 SparseLu::~SparseLu() = default;
@@ -168,43 +205,40 @@ SparseLu::~SparseLu() = default;
 SparseLu::SparseLu(SparseLu&&) noexcept = default;
 
 bool SparseLu::is_regular() const {
-  return factor_->identity || factor_->lu.info() == Eigen::Success;
+  return is_identity() || factor_->klu->is_regular();
 }
 
-bool SparseLu::is_identity() const { return factor_->identity; }
+bool SparseLu::is_identity() const { return !factor_->klu; }
 
-VectorXd SparseLu::solve(const VectorXd& b) const {
-  return factor_->identity ? b : VectorXd(factor_->lu.solve(b));
+VectorXd SparseLu::solve(const VectorXd& b) const { return solve_columns(b); }
+
+MatrixXd SparseLu::solve_columns(const MatrixXd& B) const {
+  return is_identity() ? B : factor_->klu->solve(B);
 }
 
 VectorXd SparseLu::solve_transposed(const VectorXd& b) const {
-  return factor_->identity ? b : VectorXd(factor_->lu.transpose().solve(b));
-}
-
-// Eigen's SparseLU does not take zero columns.
-MatrixXd SparseLu::solve_columns(const MatrixXd& B) const {
-  if (B.cols() == 0 || factor_->identity) return B;
-  return factor_->lu.solve(B);
+  return is_identity() ? b : factor_->klu->solve_transposed(b);
 }
 
 MatrixXd SparseLu::solve_transposed_columns(const MatrixXd& B) const {
-  if (B.cols() == 0 || factor_->identity) return B;
+  if (is_identity()) return B;
+  const Factors factors = factor_->klu->factors();
   MatrixXd rows = B.transpose();
-  solve_rows(columns_of<double>(factor_->lu, 1), factor_->lu, rows);
+  solve_rows(columns_of<double>(factors, 1), factors, rows);
   return rows.transpose();
 }
 
 MatrixXd SparseLu::congruent(MatrixXd S) const {
-  if (!factor_->identity) transform(factor_->lu, 1, S);
+  if (!is_identity()) transform(factor_->klu->factors(), 1, S);
   return S;
 }
 
 MatrixXd SparseLu::congruent_in_single_precision(MatrixXd S) const {
-  if (factor_->identity) return S;
+  if (is_identity()) return S;
   const double a = scale_of(factor_->largest),
                s = scale_of(S.cwiseAbs().maxCoeff());
   auto rough = scaled(S, 1 / s, MatrixXf());
-  transform(factor_->lu, a, rough);
+  transform(factor_->klu->factors(), a, rough);
   return scaled(rough, s / a / a, std::move(S));
 }
 

@@ -7,8 +7,8 @@
 
 namespace ffcontact {
 
-/// P A Q = L U of a sparse square matrix by Eigen, compiled once, as least_squares. That
-/// of the identity costs nothing.
+/// P A Q = L U of a sparse square matrix by SuiteSparse's KLU. That of the identity costs
+/// nothing. One thread at a time may solve.
 class SparseLu {
  public:
   /// @param A  square, not empty

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/unbalanced_motion.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>
 #include <vector>
 
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
@@ -46,10 +46,8 @@ VectorXd translation(const Vertices& part, const Matrix<double, dim, 1>& along,
 /// Motions in an orthonormal basis.
 class Balance {
  public:
-  explicit Balance(const Pushed& pushed) : load_(pushed.load) {
-    const Eigen::HouseholderQR<MatrixXd> qr(pushed.motions);
-    basis_ = qr.householderQ() *
-             MatrixXd::Identity(pushed.motions.rows(), pushed.motions.cols());
+  explicit Balance(const Pushed& pushed)
+      : load_(pushed.load), basis_(orthonormal_basis(pushed.motions)) {
     forces_ = pushed.forces(basis_);
     work_of_load_ = basis_.transpose() * load_;
   }

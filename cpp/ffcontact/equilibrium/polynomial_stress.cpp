@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/polynomial_stress.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
@@ -15,9 +14,8 @@ namespace {
 
 constexpr int monomials = 15, unknowns = 2 * monomials;
 using Products = Matrix<double, monomials, monomials>;
-using LongProducts = Matrix<long double, monomials, monomials>;
-template <int columns>
-using LongColumns = Matrix<long double, monomials, columns>;
+using LongColumn = Matrix<long double, monomials, 1>;
+using LongColumns = Matrix<long double, monomials, Dynamic>;
 
 struct Powers {
   int p, q;
@@ -71,8 +69,8 @@ struct Reference {
 };
 
 /// int d_a m_i d_b m_j
-LongProducts products_of_derivatives(int a, int b) {
-  LongProducts products;
+LongColumns products_of_derivatives(int a, int b) {
+  LongColumns products(monomials, monomials);
   for (int i = 0; i < monomials; ++i)
     for (int j = 0; j < monomials; ++j) {
       const auto [di, m] = derivative(i, a);
@@ -84,8 +82,8 @@ LongProducts products_of_derivatives(int a, int b) {
 }
 
 /// int m_i m_j
-LongProducts mass_matrix() {
-  LongProducts mass;
+LongColumns mass_matrix() {
+  LongColumns mass(monomials, monomials);
   for (int i = 0; i < monomials; ++i)
     for (int j = 0; j < monomials; ++j)
       mass(i, j) = integral(exponents[i].p + exponents[j].p,
@@ -94,8 +92,8 @@ LongProducts mass_matrix() {
 }
 
 /// int phi_v m_i
-LongColumns<3> hat_integrals() {
-  LongColumns<3> hats;
+LongColumns hat_integrals() {
+  LongColumns hats(monomials, 3);
   for (int i = 0; i < monomials; ++i) {
     const auto [p, q] = exponents[i];
     hats(i, 1) = integral(p + 1, q);
@@ -105,62 +103,86 @@ LongColumns<3> hat_integrals() {
   return hats;
 }
 
-LongColumns<1> monomials_at(const Point& x) {
-  LongColumns<1> values;
+LongColumn monomials_at(const Point& x) {
+  LongColumn values;
   for (int i = 0; i < monomials; ++i)
     values[i] = monomial(exponents[i].p, exponents[i].q, x);
   return values;
 }
 
-/// int (1 - s) m_i ds and int s m_i ds along a straight line, by Gauss points that are
-/// exact up to degree 5.
-LongColumns<2> line_integrals(const Point& from, const Point& to) {
+/// Adds int (1 - s) m_i ds and int s m_i ds along a straight line to two columns, by Gauss
+/// points that are exact up to degree 5.
+void add_line_integrals(const Point& from, const Point& to, int first,
+                        LongColumns& sums) {
   const long double root = std::sqrt(0.15L),
                     gauss[] = {0.5L - root, 0.5L, 0.5L + root};
   const long double weight[] = {5.0L / 18, 8.0L / 18, 5.0L / 18};
-  LongColumns<2> sums = LongColumns<2>::Zero();
   for (int g = 0; g < 3; ++g) {
     const long double s = gauss[g];
-    const LongColumns<1> values =
-        weight[g] * monomials_at((1 - s) * from + s * to);
-    sums.col(0) += (1 - s) * values;
-    sums.col(1) += s * values;
+    const LongColumn values = weight[g] * monomials_at((1 - s) * from + s * to);
+    sums.col(first) += (1 - s) * values;
+    sums.col(first + 1) += s * values;
   }
-  return sums;
 }
 
 /// Those on the three edges.
-LongColumns<6> edge_integrals() {
+LongColumns edge_integrals() {
   const Matrix<long double, 2, 3> vertex =
       reference_triangle().cast<long double>();
-  LongColumns<6> edges;
+  LongColumns edges = LongColumns::Zero(monomials, 6);
   for (int k = 0; k < 3; ++k)
-    edges.middleCols<2>(2 * k) =
-        line_integrals(vertex.col((k + 1) % 3), vertex.col((k + 2) % 3));
+    add_line_integrals(vertex.col((k + 1) % 3), vertex.col((k + 2) % 3), 2 * k,
+                       edges);
   return edges;
 }
 
-/// int phi_v phi_w
-Matrix<long double, 3, 3> hat_mass() {
-  using Square = Matrix<long double, 3, 3>;
-  return (Square::Ones() + Square::Identity()) / 24;
+/// int f_v m_i of the f_v with unit moment at vertex v: int phi_v phi_w is (1 + delta) / 24,
+/// and its inverse 24 delta - 6.
+LongColumns body_integrals() {
+  const LongColumns hats = hat_integrals();
+  const LongColumn sum = hats.rowwise().sum();
+  LongColumns body = 24 * hats;
+  for (int v = 0; v < 3; ++v) body.col(v) -= 6 * sum;
+  return body;
+}
+
+/// A B without the kernels of large products, which take seconds to compile.
+LongColumns product(const LongColumns& A, const LongColumns& B) {
+  return A.lazyProduct(B);
+}
+
+/// T', a basis function a column, by Gram and Schmidt.
+LongColumns orthonormal_columns(const LongColumns& gram) {
+  LongColumns columns = LongColumns::Identity(monomials, monomials);
+  for (int i = 0; i < monomials; ++i) {
+    LongColumn column = columns.col(i);
+    for (int j = 0; j < i; ++j) {
+      const LongColumn other = columns.col(j);
+      column -= other.dot(product(gram, column).col(0)) * other;
+    }
+    columns.col(i) =
+        column / std::sqrt(column.dot(product(gram, column).col(0)));
+  }
+  return columns;
 }
 
 Reference integrate_reference() {
-  const LongProducts gram = mass_matrix() + products_of_derivatives(0, 0) +
-                            products_of_derivatives(1, 1);
-  const Eigen::LLT<LongProducts> llt(gram);
-  const LongProducts L = llt.matrixL(),
-                     T = llt.matrixL().solve(LongProducts::Identity());
+  const LongColumns gram = mass_matrix() + products_of_derivatives(0, 0) +
+                           products_of_derivatives(1, 1);
+  const LongColumns columns = orthonormal_columns(gram),
+                    T = columns.transpose();
   Reference result;
   result.basis = T.cast<double>();
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b)
       result.gradients[a][b] =
-          (T * products_of_derivatives(a, b) * T.transpose()).cast<double>();
-  result.edges = (T * edge_integrals()).cast<double>();
-  result.body = (T * hat_integrals() * hat_mass().inverse()).cast<double>();
-  result.linear = L.topRows<3>().transpose().cast<double>();  // m = L b
+          product(product(T, products_of_derivatives(a, b)), columns)
+              .cast<double>();
+  result.edges = product(T, edge_integrals()).cast<double>();
+  result.body = product(T, body_integrals()).cast<double>();
+  // m = gram T' b
+  result.linear =
+      product(gram, columns).topRows<3>().transpose().cast<double>();
   return result;
 }
 
