@@ -19,4 +19,8 @@ MatrixXd congruent(const MatrixXd& S, const SparseMatrix& Q) {
   return result;
 }
 
+MatrixXd congruent(const MatrixXd& S, const MatrixXd& Q) {
+  return Q.transpose() * S * Q;
+}
+
 }  // namespace ffcontact

@@ -9,4 +9,7 @@ namespace ffcontact {
 /// once. The threads of OpenMP share the columns, the digits do not depend on them.
 MatrixXd congruent(const MatrixXd& S, const SparseMatrix& Q);
 
+/// The same of a dense Q with some dozen columns.
+MatrixXd congruent(const MatrixXd& S, const MatrixXd& Q);
+
 }  // namespace ffcontact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/singular_system.hpp"
 
-#include <Eigen/LU>
 #include <optional>
 
 #include "ffcontact/base/dense_lu.hpp"
@@ -36,7 +35,7 @@ VectorXd solved(const MatrixXd& transposed, const VectorXd& b,
   if ((A * smallest - b).norm() <= fulfilled * b.norm()) return smallest;
   kind = SystemKind::inconsistent;
   A.diagonal().head(displacements).array() += leash;
-  return A.partialPivLu().solve(b);
+  return DenseLu(A).solve(b);
 }
 
 }  // namespace ffcontact

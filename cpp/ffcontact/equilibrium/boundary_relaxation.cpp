@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
+#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/boundary_corrections.hpp"
 
@@ -124,7 +125,7 @@ std::optional<VectorXd> best_corrections(const EnergyChange& change,
                                          ContactTerms terms) {
   restrict(Z, terms);
   const auto x =
-      quadratic_minimum(2 * Z.transpose() * change.H * Z,
+      quadratic_minimum(2 * congruent(change.H, Z),
                         Z.transpose() * change.slope, terms.C, terms.d);
   if (!x) return std::nullopt;
   return Z * *x;

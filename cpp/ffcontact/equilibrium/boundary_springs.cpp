@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_springs.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/symmetric_eigen.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 
 namespace ffcontact {
@@ -13,27 +12,18 @@ namespace {
 /// Stiffnesses below this part of the largest one at a point are none.
 constexpr double negligible_stiffness = 1e-12;
 
-using SpringAxes = Eigen::SelfAdjointEigenSolver<Matrix2d>;
-
-/// Stiffnesses along the principal axes, ascending.
-SpringAxes axes_of(const Matrix2d& K) {
-  SpringAxes axes;
-  axes.computeDirect(K);
-  return axes;
-}
-
-bool answers(const SpringAxes& axes, int k) {
-  return axes.eigenvalues()[k] > negligible_stiffness * axes.eigenvalues()[1];
+bool answers(const SymmetricEigen& axes, int k) {
+  return axes.values[k] > negligible_stiffness * axes.values[1];
 }
 
 /// The sum of f(stiffness) n n' over the axes n along which K answers.
 template <class Function>
 Matrix2d over_axes(const Matrix2d& K, Function&& f) {
-  const SpringAxes axes = axes_of(K);
+  const SymmetricEigen axes = symmetric_eigen(K);
   Matrix2d sum = Matrix2d::Zero();
   for (int k = 0; k < 2; ++k) {
-    const Vector2d n = axes.eigenvectors().col(k);
-    if (answers(axes, k)) sum += f(axes.eigenvalues()[k]) * n * n.transpose();
+    const Vector2d n = axes.vectors.col(k);
+    if (answers(axes, k)) sum += f(axes.values[k]) * n * n.transpose();
   }
   return sum;
 }
@@ -124,7 +114,7 @@ void require_stiffness(const Matrix2d& K, const Vector2d& rest,
   if (!K.allFinite() || !rest.allFinite())
     refuse("the springs at (", place.x(), ", ", place.y(),
            ") are not finite numbers");
-  const Vector2d k = axes_of(K).eigenvalues();
+  const Vector2d k = symmetric_eigen(K).values;
   if (k[0] < -negligible_stiffness * k.cwiseAbs().maxCoeff())
     refuse("the stiffness of the springs must not be negative; at (", place.x(),
            ", ", place.y(), ") it is ", k[0], " in one direction");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/equilibrium/boundary_corrections.hpp"
 
 namespace ffcontact {
@@ -85,8 +86,7 @@ void StarSolves::factorise_on_boundary(int vertex) {
   if (Z.cols() == 0) return;
   const StarEnergy<Dynamic> energy(setting_, vertex);
   const MatrixXd H = energy.H.selfadjointView<Eigen::Lower>();
-  const MatrixXd on_Z = Z.transpose() * H * Z;
-  Cholesky factor(on_Z);
+  Cholesky factor(congruent(H, Z));
   if (factor.is_positive_definite())
     on_boundary_[vertex].reset(
         new BoundaryStar{std::move(Z), std::move(factor)});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/edge_projection.hpp"
 
+#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
@@ -58,7 +59,7 @@ EdgeProjection::EdgeProjection(const ContactLine& line, const ContactLaw& law,
       mass_(mass_of(line, e)),
       motions_(motions_on_edge(line, motions, e)),
       basis_(free_end_values(cone_)),
-      free_mass_(basis_.transpose() * mass_ * basis_),
+      free_mass_(congruent(mass_, basis_)),
       half_(free_mass_),
       moving_(half_.half_solve(basis_.transpose() * mass_ * motions_)) {}
 
