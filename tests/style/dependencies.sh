@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# FreeFEM's headers are included in plugin/ only; CHOLMOD's in exactly one .cpp file of the core
-# (the benchmarks compare with it).
+# FreeFEM's headers are included in plugin/ only; CHOLMOD's and KLU's in exactly one .cpp file of the core each
+# (the benchmarks compare with CHOLMOD).
 set -euo pipefail
 includes() { grep -rlE "^ *# *include *[<\"]($1)" "${@:2}" --include='*.?pp' --exclude-dir=bench || true; }
 
@@ -9,6 +9,11 @@ failed=0
 freefem=$(includes 'ff\+\+\.hpp|AFunction|RNM|fem\.hpp|FESpace' cpp tests)
 [ -z "$freefem" ] || { echo "FreeFEM's headers outside plugin/:" $freefem; failed=1; }
 
-cholmod=$(includes '(suitesparse/)?(cholmod|SuiteSparse|amd|camd|colamd|metis|umfpack)[A-Za-z_]*\.h|Eigen/\w*Support' cpp plugin tests)
-[[ $(wc -w <<<"$cholmod") = 1 && $cholmod = cpp/*.cpp ]] || { echo "not one .cpp file with CHOLMOD:" $cholmod; failed=1; }
+in_one_file() {
+  local files
+  files=$(includes "(suitesparse/)?$2" cpp plugin tests)
+  [[ $(wc -w <<<"$files") = 1 && $files = cpp/*.cpp ]] || { echo "not one .cpp file with $1:" $files; failed=1; }
+}
+in_one_file CHOLMOD '(cholmod|SuiteSparse|amd|camd|colamd|metis|umfpack)[A-Za-z_]*\.h|Eigen/\w*Support'
+in_one_file KLU '(klu|btf)\.h'
 exit $failed
