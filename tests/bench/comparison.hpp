@@ -129,7 +129,7 @@ inline void print_table(const ShortestTimes& times,
   }
 }
 
-/// Memory that is freed stays with the process. The first touch of a page takes from 1 to 7
+/// Memory that is freed stays with the process. The first touch of a page takes from 1 to 5
 /// microseconds on a virtual machine, as its host has the page at hand or not: without
 /// this it is measured again in every run of a large case.
 inline void keep_memory() {

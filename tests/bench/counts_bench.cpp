@@ -81,7 +81,8 @@ double bytes_of_relaxation(const SolidTopology& topology) {
   for (int e = 0; e < topology.edges.count(); ++e)
     factors +=
         static_cast<double>(factor_size(unknowns_around(topology.edges, e)));
-  constexpr double form = 4 * 576, images = 8 * 36, unknowns = 8 * 9 * 5,
+  constexpr double form = 4 * FaceForms::stored, images = 8 * 36,
+                   unknowns = 8 * 9 * 5,
                    around_an_edge = 8 * 9 + sizeof(WrenchShift);
   return (form + images) * topology.mesh.cell_count() + 4 * factors +
          unknowns * topology.faces.count() +

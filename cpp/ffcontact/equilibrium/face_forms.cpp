@@ -14,16 +14,14 @@ using Matrix36f = Matrix<float, 36, 36>;
 using Matrix6f = Matrix<float, 6, 6>;
 using Matrix4f = Matrix<float, 4, 4>;
 
-constexpr int free_unknowns = 30, none = -1;
-
-Matrix4d tile_at(const float* numbers) {
-  return Map<const Matrix4f>(numbers).cast<double>();
-}
+constexpr int free_unknowns = FaceForms::free_unknowns,
+              tiles = tiled(free_unknowns) / tile_size, none = -1;
 
 /// Where an entry of the lower triangle is in its tiles.
 constexpr int place_in_tiles(int row, int column) {
-  const int I = row / 4, J = column / 4;
-  return 16 * (8 * J - J * (J - 1) / 2 + I - J) + 4 * (column % 4) + row % 4;
+  const int I = row / tile_size, J = column / tile_size;
+  return numbers_in_tile * (tiles * J - J * (J - 1) / 2 + I - J) +
+         tile_size * (column % tile_size) + row % tile_size;
 }
 
 /// Where an unknown of a face is in z.
@@ -79,7 +77,7 @@ Matrix36f balanced_form(const SolidTopology& topology, int cell, int d,
 FaceForms::FaceForms(const SolidTopology& topology,
                      const HookeTensors<3>& hooke)
     : dependent_(topology.mesh.cell_count()) {
-  forms_.reset(new float[packed * dependent_.size()]);
+  forms_.reset(new float[stored * topology.mesh.cell_count()]);
 #pragma omp parallel for
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     const TetrahedronCorners corners = corners_of(topology.mesh, t);
@@ -94,13 +92,13 @@ FaceForms::FaceForms(const SolidTopology& topology,
 
 void FaceForms::put_form(const Matrix36f& H, int cell) {
   const auto& in_x = places.in_x[dependent_[cell]];
-  Matrix<float, 4 * tiles, 4 * tiles> form;
+  Matrix<float, tiled(free_unknowns), tiled(free_unknowns)> form;
   form.setZero();
   form.topLeftCorner<free_unknowns, free_unknowns>() = H(in_x, in_x);
   form.triangularView<Eigen::StrictlyUpper>() = form.transpose();
-  float* next = forms_.get() + packed * static_cast<std::size_t>(cell);
+  float* next = forms_.get() + stored * cell;
   for (int J = 0; J < tiles; ++J)
-    for (int I = J; I < tiles; ++I, next += 16)
+    for (int I = J; I < tiles; ++I, next += numbers_in_tile)
       Map<Matrix4f>{next} = form.block<4, 4>(4 * I, 4 * J);
 }
 
@@ -112,8 +110,8 @@ FaceForms::InTiles FaceForms::product(int cell, const InTiles& z) const {
     // of the transposed form, column by column; the tile on the diagonal counts once
     Matrix4d below = Matrix4d::Zero();
     y.segment<4>(4 * J) += tile_at(next) * z_J;
-    next += 16;
-    for (int I = J + 1; I < tiles; ++I, next += 16) {
+    next += numbers_in_tile;
+    for (int I = J + 1; I < tiles; ++I, next += numbers_in_tile) {
       const Matrix4d tile = tile_at(next);
       const Vector4d z_I = z.segment<4>(4 * I);
       y.segment<4>(4 * I) += tile * z_J;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/tiled_factor.hpp"
 #include "ffcontact/equilibrium/wrench_basis.hpp"
 
 namespace ffcontact {
@@ -24,6 +25,11 @@ using Vector36d = Matrix<double, 36, 1>;
 /// digits of H x alone.
 class FaceForms {
  public:
+  /// Unknowns in z, and the numbers that are stored of a tetrahedron: T' H T in the tiles of
+  /// tiled_factor, the unknowns of the three faces after d, then the bars of d.
+  static constexpr int free_unknowns = 30;
+  static constexpr Index stored = factor_size(free_unknowns);
+
   FaceForms(const SolidTopology& topology, const HookeTensors<3>& hooke);
 
   /// H x of one tetrahedron that x leaves balanced, but for what no such x has a product
@@ -34,15 +40,11 @@ class FaceForms {
   Matrix<float, 9, 9> block(int cell, int k, int l) const;
 
  private:
-  /// T' H T in tiles of 4 x 4, those of the lower triangle column by column of tiles: the
-  /// unknowns of the three faces after d, then the bars of d.
-  static constexpr int tiles = 8;
-  static constexpr std::size_t packed = 16 * tiles * (tiles + 1) / 2;
-  using InTiles = Matrix<double, 4 * tiles, 1>;
+  using InTiles = Matrix<double, tiled(free_unknowns), 1>;
 
   void put_form(const Matrix<float, 36, 36>& H, int cell);
   InTiles product(int cell, const InTiles& z) const;
-  const float* form(int cell) const { return forms_.get() + packed * cell; }
+  const float* form(int cell) const { return forms_.get() + stored * cell; }
 
   std::vector<char> dependent_;  ///< d, 0 to 3
   // Not a vector, which would be filled with zeros by one thread first.

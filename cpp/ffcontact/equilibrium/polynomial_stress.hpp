@@ -3,6 +3,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/equilibrium/polynomial_basis.hpp"
 
 namespace ffcontact {
 
@@ -13,15 +14,13 @@ namespace ffcontact {
 /// that the stress is not admissible and its distance to C eps(u_h) is no bound. On
 /// example 1 of the paper it is 13 % smaller than that of the composite stress for the
 /// first densities, and 0.6 % after two sweeps of star relaxation. Left out: any control
-/// of the jumps between triangles.
-///
-/// All integrals are exact: those of the monomials xi^p eta^q, p + q <= 4, of the
-/// reference coordinates x = B (xi, eta) + x_0 are p! q! / (p + q + 2)!.
+/// of the jumps between triangles. All integrals are exact (PolynomialBasis), in reference
+/// coordinates x = B (xi, eta) + x_0.
 struct PolynomialStress {
   TriangleCorners corners;
   Matrix3d hooke;  ///< C in Voigt order with engineering shear [MPa]
-  /// coefficients of w on an orthonormal basis, without rigid motion [mm]
-  Matrix<double, 2, 15> displacement;
+  /// coefficients of w on the orthonormal basis, without rigid motion [mm]
+  Matrix<double, 2, polynomial_count> displacement;
 };
 
 /// @param on_edges    moments of linear densities F, as for composite_stress, in balance

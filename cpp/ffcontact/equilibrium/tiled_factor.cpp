@@ -8,13 +8,8 @@ namespace ffcontact {
 namespace {
 
 using Tile = Matrix<float, tile_size, tile_size>;
-using WideTile = Matrix<double, tile_size, tile_size>;
 using PartOfTile = Matrix<double, tile_size, 1>;
-constexpr int numbers_in_tile = tile_size * tile_size;
 
-WideTile tile_at(const float* numbers) {
-  return Map<const Tile>(numbers).cast<double>();
-}
 Map<PartOfTile> part_at(double* x, int tile) {
   return Map<PartOfTile>(x + tile_size * tile);
 }
@@ -58,8 +53,8 @@ void solve_tiles(const float* factor, int n, double* x) {
   }
   for (int J = tiles - 1; J >= 0; --J) {
     next -= numbers_in_tile * (tiles - J);
-    WideTile products =
-        WideTile::Zero();  // of the columns below the diagonal with x
+    Matrix4d products =
+        Matrix4d::Zero();  // of the columns below the diagonal with x
     for (int I = J + 1; I < tiles; ++I)
       products.array() +=
           tile_at(next + numbers_in_tile * (I - J)).array().colwise() *

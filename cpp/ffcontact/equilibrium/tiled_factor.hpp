@@ -11,7 +11,7 @@ namespace ffcontact {
 /// The tiles of the lower triangle stand column by column, those on the diagonal inverted;
 /// unknowns that are missing in the last ones count as 1.
 
-constexpr int tile_size = 4;
+constexpr int tile_size = 4, numbers_in_tile = tile_size * tile_size;
 
 /// Numbers that hold n unknowns in whole tiles.
 constexpr int tiled(int n) {
@@ -21,7 +21,12 @@ constexpr int tiled(int n) {
 /// Numbers in the factor of n unknowns.
 constexpr Index factor_size(int n) {
   const Index tiles = tiled(n) / tile_size;
-  return tile_size * tile_size * tiles * (tiles + 1) / 2;
+  return numbers_in_tile * tiles * (tiles + 1) / 2;
+}
+
+/// A tile as it is multiplied.
+inline Matrix4d tile_at(const float* numbers) {
+  return Map<const Matrix<float, tile_size, tile_size>>(numbers).cast<double>();
 }
 
 /// @param L       lower triangle of n unknowns
