@@ -11,7 +11,7 @@ namespace ffcontact {
 
 /// Pivots below this part of the largest one count as zero.
 struct PivotThreshold {
-  double value = 0;  ///< 0: as many rounding errors as the matrix has columns
+  double value = 0;  ///< 0: as many rounding errors as the matrix has pivots
 };
 
 /// The smallest of the x that make |A x - b| smallest, by LAPACK's complete orthogonal

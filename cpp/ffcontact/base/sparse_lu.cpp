@@ -14,7 +14,7 @@
 
 namespace ffcontact {
 
-struct Factors {
+struct KluFactors {
   SparseMatrix L, U;
   VectorXi rows, columns;  ///< A(rows, columns) = L U
 };
@@ -51,9 +51,10 @@ class Klu {
     return b;
   }
 
-  Factors factors() {
+  KluFactors factors() {
     const int n = symbolic_->n;
-    Factors f{SparseMatrix(n, n), SparseMatrix(n, n), VectorXi(n), VectorXi(n)};
+    KluFactors f{SparseMatrix(n, n), SparseMatrix(n, n), VectorXi(n),
+                 VectorXi(n)};
     f.L.resizeNonZeros(numeric_->lnz);
     f.U.resizeNonZeros(numeric_->unz);
     klu_extract(numeric_, symbolic_, f.L.outerIndexPtr(), f.L.innerIndexPtr(),
@@ -112,7 +113,7 @@ struct FactorColumn {
 
 /// The columns of L and U / size.
 template <class Scalar>
-std::vector<FactorColumn<Scalar>> columns_of(const Factors& factors,
+std::vector<FactorColumn<Scalar>> columns_of(const KluFactors& factors,
                                              double size) {
   std::vector<FactorColumn<Scalar>> columns(factors.L.cols());
   for (int j = 0; j < factors.L.cols(); ++j) {
@@ -146,7 +147,7 @@ void solve_transposed(const std::vector<FactorColumn<Scalar>>& LU,
 /// B' becomes (A / size)'^-1 B', row by row of B.
 template <class Scalar, class Rows>
 void solve_rows(const std::vector<FactorColumn<Scalar>>& LU,
-                const Factors& factors, Rows& B) {
+                const KluFactors& factors, Rows& B) {
   const VectorXi &from = factors.columns, &to = factors.rows;
   const Index count = B.rows(), n = B.cols(), at_once = together<Scalar>;
 #pragma omp parallel for schedule(dynamic, 1)
@@ -163,7 +164,7 @@ void solve_rows(const std::vector<FactorColumn<Scalar>>& LU,
 
 /// S becomes (A / size)'^-1 S (A / size)^-1.
 template <class Scalar>
-void transform(const Factors& factors, double size,
+void transform(const KluFactors& factors, double size,
                Matrix<Scalar, Dynamic, Dynamic>& S) {
   const auto LU = columns_of<Scalar>(factors, size);
   solve_rows(LU, factors, S);
@@ -222,7 +223,7 @@ VectorXd SparseLu::solve_transposed(const VectorXd& b) const {
 
 MatrixXd SparseLu::solve_transposed_columns(const MatrixXd& B) const {
   if (is_identity()) return B;
-  const Factors factors = factor_->klu->factors();
+  const KluFactors factors = factor_->klu->factors();
   MatrixXd rows = B.transpose();
   solve_rows(columns_of<double>(factors, 1), factors, rows);
   return rows.transpose();

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
@@ -26,7 +27,7 @@ EdgeStars::Star EdgeStars::star(int edge, const FaceTractions& boundary,
     const MatrixXd known = edge_conditions(topology_, edge, boundary.known);
     if (known.rows() > 0) {
       const MatrixXd basis = kernel_basis(known, dependent_conditions);
-      A = (basis.transpose() * A * basis).eval();
+      A = congruent(A, basis);
       star.basis = basis;
     }
   }
