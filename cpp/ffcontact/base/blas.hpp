@@ -34,6 +34,8 @@ struct Blas;
                       int* info);                                                                \
   void letter##getrf_(const int* rows, const int* columns, Scalar* a, const int* stride,         \
                       int* pivots, int* info);                                                   \
+  void letter##laswp_(const int* columns, Scalar* a, const int* stride, const int* first,        \
+                      const int* last, const int* pivots, const int* step);                      \
   void letter##gecon_(const char* norm, const int* n, const Scalar* lu, const int* stride,       \
                       const Scalar* norm_of_a, Scalar* rcond, Scalar* work, int* iwork,          \
                       int* info);                                                                \
@@ -71,6 +73,7 @@ struct Blas;
     static constexpr auto potrf = letter##potrf_;                                                \
     static constexpr auto potrs = letter##potrs_;                                                \
     static constexpr auto getrf = letter##getrf_;                                                \
+    static constexpr auto laswp = letter##laswp_;                                                \
     static constexpr auto gecon = letter##gecon_;                                                \
     static constexpr auto getrs = letter##getrs_;                                                \
     static constexpr auto gelsy = letter##gelsy_;                                                \

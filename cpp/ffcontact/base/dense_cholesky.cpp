@@ -5,17 +5,15 @@
 #include <utility>
 
 #include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/dense_factors.hpp"
+#include "ffcontact/base/serial_blas.hpp"
 
 namespace ffcontact {
 
 template <class Scalar>
 LapackCholesky<Scalar>::LapackCholesky(Square H) : factor_(std::move(H)) {
   assert(factor_.rows() == factor_.cols());
-  const int n = size();
-  int info = 0;
-  // LAPACK asks for a stride of 1 at least
-  if (n > 0) Blas<Scalar>::potrf("L", &n, factor_.data(), &n, &info);
-  is_positive_definite_ = info == 0;
+  is_positive_definite_ = factorise_cholesky(size(), factor_.data());
 }
 
 template <class Scalar>
@@ -24,6 +22,8 @@ typename LapackCholesky<Scalar>::Column LapackCholesky<Scalar>::solve(
   assert(right.size() == factor_.rows());
   const int n = size(), one = 1;
   int info = 0;
+  const SerialBlas serial;
+  // LAPACK asks for a stride of 1 at least
   if (n > 0)
     Blas<Scalar>::potrs("L", &n, &one, factor_.data(), &n, right.data(), &n,
                         &info);

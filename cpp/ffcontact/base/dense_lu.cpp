@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/dense_factors.hpp"
+#include "ffcontact/base/serial_blas.hpp"
 
 namespace ffcontact {
 
@@ -15,9 +17,8 @@ LapackLu<Scalar>::LapackLu(Square matrix)
       pivots_(factors_.rows()),
       norm_(factors_.cwiseAbs().colwise().sum().maxCoeff()) {
   assert(factors_.rows() == factors_.cols() && factors_.rows() > 0);
-  const int n = size();
-  int info = 0;  // a zero pivot shows in the condition number
-  Blas<Scalar>::getrf(&n, &n, factors_.data(), &n, pivots_.data(), &info);
+  // a zero pivot shows in the condition number
+  factorise_lu(size(), factors_.data(), pivots_.data());
 }
 
 template <class Scalar>
@@ -27,6 +28,7 @@ Scalar LapackLu<Scalar>::reciprocal_condition() const {
   VectorXi integer_work(n);
   Scalar result = 0;
   int info = 0;
+  const SerialBlas serial;
   Blas<Scalar>::gecon("1", &n, factors_.data(), &n, &norm_, &result,
                       work.data(), integer_work.data(), &info);
   return info == 0 && std::isfinite(norm_) ? result : 0;
@@ -46,6 +48,7 @@ typename LapackLu<Scalar>::Column LapackLu<Scalar>::solved(
   assert(right.size() == factors_.rows());
   const int n = size(), one = 1;
   int info = 0;
+  const SerialBlas serial;
   Blas<Scalar>::getrs(transpose, &n, &one, factors_.data(), &n, pivots_.data(),
                       right.data(), &n, &info);
   return right;

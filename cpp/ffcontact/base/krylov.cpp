@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/serial_blas.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
 
 namespace ffcontact {
@@ -106,6 +107,7 @@ std::vector<HessenbergEigen> eigenvalues(MatrixXd H) {
   VectorXd values(n), imaginary(n), work(work_size);
   MatrixXd vectors(n, n);
   int info = 0;
+  const SerialBlas serial;
   Blas<double>::geev("N", "V", &n, H.data(), &n, values.data(),
                      imaginary.data(), nullptr, &one, vectors.data(), &n,
                      work.data(), &work_size, &info);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/serial_blas.hpp"
 
 namespace ffcontact {
 
@@ -36,6 +37,7 @@ MatrixXd minimum_norm_solution(MatrixXd A, const MatrixXd& B, double rcond) {
   VectorXd work(work_size);
   VectorXi order = VectorXi::Zero(n);
   int rank = 0, info = 0;
+  const SerialBlas serial;
   Blas<double>::gelsy(&m, &n, &count, A.data(), &m, X.data(), &stride,
                       order.data(), &rcond, &rank, work.data(), &work_size,
                       &info);
@@ -68,6 +70,7 @@ MatrixXd orthonormal_basis(MatrixXd A) {
   if (n == 0) return A;
   VectorXd factors(n), work(work_size);
   int info = 0;
+  const SerialBlas serial;
   Blas<double>::geqrf(&m, &n, A.data(), &m, factors.data(), work.data(),
                       &work_size, &info);
   Blas<double>::orgqr(&m, &n, &n, A.data(), &m, factors.data(), work.data(),

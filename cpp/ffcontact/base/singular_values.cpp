@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/serial_blas.hpp"
 
 namespace ffcontact {
 
@@ -14,6 +15,7 @@ SingularValues singular_values(MatrixXd A) {
   VectorXd values(n), work(work_size);
   MatrixXd Vt(n, n);
   int info = 0;
+  const SerialBlas serial;
   Blas<double>::gesvd("N", "A", &m, &n, A.data(), &m, values.data(), nullptr,
                       &one, Vt.data(), &n, work.data(), &work_size, &info);
   return {values, Vt.transpose()};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/serial_blas.hpp"
 
 namespace ffcontact {
 
@@ -13,6 +14,7 @@ SymmetricEigen symmetric_eigen(MatrixXd A) {
   if (n == 0) return eigen;
   VectorXd work(work_size);
   int info = 0;
+  const SerialBlas serial;
   Blas<double>::syev("V", "L", &n, eigen.vectors.data(), &n,
                      eigen.values.data(), work.data(), &work_size, &info);
   return eigen;

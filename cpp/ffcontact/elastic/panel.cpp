@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/panel.hpp"
 
-#include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/dense_factors.hpp"
 
 namespace ffcontact {
 
@@ -10,20 +10,6 @@ namespace {
 template <class Scalar>
 Scalar* column_of(const Panel<Scalar>& panel, int column) {
   return panel.values + static_cast<Index>(column - panel.first) * panel.stride;
-}
-
-/// target = beta target - L L_c', below the diagonal.
-template <class Scalar>
-void subtract_dense(const FactorRows<Scalar>& L, Scalar beta, Scalar* target,
-                    int stride) {
-  const Scalar minus = -1;
-  const int below = L.rows - L.columns;
-  Blas<Scalar>::syrk("L", "N", &L.columns, &L.depth, &minus, L.values,
-                     &L.stride, &beta, target, &stride);
-  if (below > 0)
-    Blas<Scalar>::gemm("N", "T", &below, &L.columns, &L.depth, &minus,
-                       L.values + L.columns, &L.stride, L.values, &L.stride,
-                       &beta, target + L.columns, &stride);
 }
 
 template <class Scalar>
@@ -43,11 +29,14 @@ void subtract_product(const FactorRows<Scalar>& L, const Panel<Scalar>& panel,
   const int top = panel.place[L.row[0]],
             bottom = panel.place[L.row[L.rows - 1]];
   if (bottom - top == L.rows - 1) {
-    subtract_dense<Scalar>(L, 1, column_of(panel, L.row[0]) + top,
-                           panel.stride);
+    subtract_lower_product<Scalar>(L.rows, L.columns, L.depth, L.values,
+                                   L.stride, 1,
+                                   column_of(panel, L.row[0]) + top,
+                                   panel.stride);
     return;
   }
-  subtract_dense<Scalar>(L, 0, product.data(), L.rows);
+  subtract_lower_product<Scalar>(L.rows, L.columns, L.depth, L.values, L.stride,
+                                 0, product.data(), L.rows);
   scatter(L, product.data(), panel);
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ffcontact/base/blas.hpp"
+#include "ffcontact/base/dense_factors.hpp"
 #include "ffcontact/base/serial_blas.hpp"
 #include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/elastic/factor_blocks.hpp"
@@ -20,8 +20,9 @@ namespace {
 
 /// Columns that are updated at once where threads share a supernode or S.
 constexpr int shared_width = 128, schur_width = 256;
-/// A subtree is at most this share of a thread's work.
-constexpr double subtree_share = 0.125;
+/// A subtree is at most this share of the work: what is computed how does not depend on
+/// the number of threads.
+constexpr double subtree_share = 0.0625;
 
 /// Products from which on threads pay.
 constexpr double least_shared_work = 1e8;
@@ -82,9 +83,9 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   }
 
   void factorise(const SparseMatrix& lower) {
-    const int threads = thread_count();
-    const Subtrees tree = subtrees(nodes, subtree_share / threads);
-    Work work(threads);
+    const SerialBlas serial;
+    const Subtrees tree = subtrees(nodes, subtree_share);
+    Work work(thread_count());
     for (Workspace<Scalar>& own : work) {
       own.product.resize(largest_product());
       own.place.resize(size());
@@ -109,7 +110,6 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
 
   void factorise_subtrees(const SparseMatrix& lower, const Subtrees& tree,
                           Work& work) {
-    const SerialBlas serial;
     const int count = static_cast<int>(tree.supernodes.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
     for (int k = 0; k < count; ++k) {
@@ -128,13 +128,10 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   void factorise_above(const SparseMatrix& lower, int s, Work& work) {
     assemble(lower, s);
     put_places(s, work[0].place);
-    {
-      const SerialBlas serial;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
-      for (int first = 0; first < nodes.column_count(s); first += shared_width)
-        subtract_products(s, panel_of(s, first, shared_width, work[0].place),
-                          work[omp_get_thread_num()].product);
-    }
+    for (int first = 0; first < nodes.column_count(s); first += shared_width)
+      subtract_products(s, panel_of(s, first, shared_width, work[0].place),
+                        work[omp_get_thread_num()].product);
     factorise_block(s);
   }
 
@@ -145,13 +142,10 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
         schur(e.row() - eliminated, j) = static_cast<Scalar>(e.value());
     for (int row = eliminated; row < size(); ++row)
       work[0].place[row] = row - eliminated;
-    {
-      const SerialBlas serial;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
-      for (int first = 0; first < kept; first += schur_width)
-        subtract_products(nodes.count(), schur_panel(first, work[0].place),
-                          work[omp_get_thread_num()].product);
-    }
+    for (int first = 0; first < kept; first += schur_width)
+      subtract_products(nodes.count(), schur_panel(first, work[0].place),
+                        work[omp_get_thread_num()].product);
     mirror_lower(schur);
   }
 
@@ -211,17 +205,9 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
 
   /// L_ss and the rows below it; a first entry of 0 tells that there is none.
   void factorise_block(int s) {
-    const int n = nodes.column_count(s), stride = nodes.row_count(s),
-              rows = stride - n;
+    const int rows = nodes.row_count(s);
     Scalar* L = values_of(s);
-    int info = 0;
-    Blas<Scalar>::potrf("L", &n, L, &stride, &info);
-    const Scalar one = 1;
-    if (info != 0)
-      L[0] = 0;
-    else if (rows > 0)
-      Blas<Scalar>::trsm("R", "L", "T", "N", &rows, &n, &one, L, &stride, L + n,
-                         &stride);
+    if (!factorise_columns(rows, nodes.column_count(s), L, rows)) L[0] = 0;
   }
 };
 
