@@ -79,5 +79,13 @@ RC_GTEST_PROP(krylov, largest_real_eigenvalue_among_complex_ones,
   RC_ASSERT(largest_real_eigenvalue(times(A), n, 0) == 0);
 }
 
+/// Rounding makes some of them positive.
+RC_GTEST_PROP(krylov, eigenvalue_0_is_none, (Random random)) {
+  VectorXd values = -random_vector(20, random).cwiseAbs();
+  values.head(3).setZero();
+  const MatrixXd A = in_other_basis(values.asDiagonal(), random);
+  RC_ASSERT(largest_real_eigenvalue(times(A), 20, no_limit) == 0);
+}
+
 }  // namespace
 }  // namespace ffcontact::test

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/symmetric_product.hpp"
 
-#include <omp.h>
-
 #include <limits>
 
 #include "support/random.hpp"
+#include "support/threads.hpp"
 
 namespace ffcontact {
 namespace {
@@ -43,11 +42,8 @@ TEST(SymmetricProduct, has_the_same_digits_for_any_number_of_threads) {
   std::mt19937 random;
   const MatrixXd S = random_lower(500, random);
   const VectorXd x = random_vector(500, random);
-  const VectorXd one = symmetric_product(S, x);
-  omp_set_num_threads(2);
-  const VectorXd two = symmetric_product(S, x);
-  omp_set_num_threads(1);
-  EXPECT_EQ(one, two);
+  const auto product = [&] { return symmetric_product(S, x); };
+  EXPECT_EQ(on_threads(2, product), on_threads(1, product));
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 #include "ffcontact/contact/inexact_step.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "support/any_step.hpp"
+#include "support/threads.hpp"
 
 namespace ffcontact {
 namespace {
@@ -59,10 +59,9 @@ TEST(SingleStiffness, products_do_not_depend_on_threads) {
     if (random() % 3 > 0) places.push_back(p);
   const auto n = static_cast<Index>(places.size());
   const VectorXf x = random_vector(n, random).cast<float>();
-  const VectorXf one = S.product(places, x);
-  omp_set_num_threads(2);
-  EXPECT_EQ(S.product(places, x), one);
-  omp_set_num_threads(1);
+  const auto product = [&] { return S.product(places, x); };
+  const VectorXf one = on_threads(1, product);
+  EXPECT_EQ(on_threads(2, product), one);
   VectorXd v = VectorXd::Zero(S.size());
   for (Index k = 0; k < n; ++k)
     v[any.contact.position[S.row(places[k])]] =

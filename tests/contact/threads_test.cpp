@@ -1,36 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/threads.hpp"
+
 #include <gtest/gtest.h>
 
 #include "support/problems.hpp"
-
-extern "C" {
-int openblas_get_num_threads() __attribute__((weak));
-void openblas_set_num_threads(int) __attribute__((weak));
-}
+#include "support/solid_problems.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
 
-/// OpenBLAS splits its products by threads, so that the answers agree to rounding, not to
-/// the bit; states agree exactly.
-TEST(Threads, do_not_change_the_answer) {
-  if (!openblas_set_num_threads) GTEST_SKIP() << "another BLAS";
-  const int threads = openblas_get_num_threads();
-  for (const Multiplier multiplier :
-       {Multiplier::force, Multiplier::pressure}) {
+TEST(Threads, do_not_change_a_digit_of_contact) {
+  for (const Multiplier multiplier : both_multipliers) {
     const Problem problem = example_1(multiplier, 64);
-    openblas_set_num_threads(1);
-    const ContactSolution one = solved(problem), again = solved(problem);
-    openblas_set_num_threads(2);
-    const ContactSolution two = solved(problem);
-    EXPECT_EQ(again.displacement, one.displacement);
+    const auto solve = [&] { return solved(problem); };
+    const ContactSolution one = on_threads(1, solve),
+                          two = on_threads(2, solve);
     EXPECT_EQ(two.state, one.state);
-    EXPECT_LT(relative_difference(two.displacement, one.displacement), 1e-12);
-    EXPECT_LT(relative_difference(two.pressure, one.pressure), 1e-11);
+    EXPECT_EQ(two.displacement, one.displacement);
+    EXPECT_EQ(two.pressure, one.pressure);
   }
-  openblas_set_num_threads(threads);
+}
+
+/// Large enough for threads to share the factor; in both precisions, and by products.
+TEST(Threads, do_not_change_a_digit_of_contact_of_solids) {
+  const SolidProblem problem =
+      block_problem(brick({24, 12, 12}, {80, 40, 40}), BlockCase::press_x, 0.5);
+  ContactSettings in_double, in_single, by_products;
+  in_single.single_precision_from = 0;
+  by_products.storage = SchurStorage::distributed;
+  for (const ContactSettings& settings : {in_double, in_single, by_products}) {
+    const auto solve = [&] { return problem.solve(settings); };
+    const SurfaceSolution one = on_threads(1, solve),
+                          two = on_threads(2, solve);
+    EXPECT_EQ(two.displacement, one.displacement);
+    EXPECT_EQ(two.force, one.force);
+  }
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 #include "ffcontact/elastic/schur_block.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <numeric>
 
 #include "ffcontact/elastic/schur_products.hpp"
 #include "support/random.hpp"
+#include "support/threads.hpp"
 
 namespace ffcontact {
 namespace {
@@ -92,10 +92,8 @@ TEST(SchurBlock, products_do_not_depend_on_threads) {
   block.column = block.row;
   block.values = MatrixXf(symmetric_matrix(700, random).cast<float>());
   const VectorXd x = random_vector(700, random);
-  const VectorXd one = product_part(block, x);
-  omp_set_num_threads(2);
-  EXPECT_EQ(product_part(block, x), one);
-  omp_set_num_threads(1);
+  const auto product = [&] { return product_part(block, x); };
+  EXPECT_EQ(on_threads(2, product), on_threads(1, product));
 }
 
 }  // namespace

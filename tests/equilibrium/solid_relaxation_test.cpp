@@ -2,7 +2,6 @@
 #include "ffcontact/equilibrium/solid_relaxation.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <Eigen/LU>
 #include <set>
@@ -10,6 +9,7 @@
 #include "support/relaxed_solid.hpp"
 #include "support/slivers.hpp"
 #include "support/smooth_solid.hpp"
+#include "support/threads.hpp"
 
 namespace ffcontact {
 namespace {
@@ -206,9 +206,9 @@ TEST(SolidRelaxation, has_the_same_digits_on_two_threads) {
   Random random(6);
   RelaxedSolid one(any_solid(random));
   FaceMoments two = one.moments;
-  omp_set_num_threads(2);
-  const std::vector<double> falls = relax_faces(one.setting, {5, 0}, two);
-  omp_set_num_threads(1);
+  const std::vector<double> falls = on_threads(2, [&] {
+    return relax_faces(one.setting, {5, 0}, two);
+  });
   EXPECT_EQ(one.relax(5), falls);
   EXPECT_EQ(one.moments, two);
 }

@@ -2,12 +2,12 @@
 #include "ffcontact/equilibrium/star_relaxation.hpp"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "ffcontact/contact/cone_correction.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/smooth_problem.hpp"
+#include "support/threads.hpp"
 
 namespace ffcontact {
 namespace {
@@ -85,10 +85,8 @@ RC_GTEST_PROP(StarRelaxation, falls_of_several_sweeps_add_up, ()) {
 /// Runs a relaxation with one thread and with two.
 template <class Fields, class Relax>
 void with_one_and_two_threads(Fields& one, Fields& two, Relax&& relax) {
-  omp_set_num_threads(2);
-  relax(two);
-  omp_set_num_threads(1);
-  relax(one);
+  on_threads(2, [&] { relax(two); });
+  on_threads(1, [&] { relax(one); });
 }
 
 TEST(StarRelaxation, does_not_depend_on_the_number_of_threads) {

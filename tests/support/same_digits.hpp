@@ -2,19 +2,19 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "support/solid_estimates.hpp"
+#include "support/threads.hpp"
 
 namespace ffcontact::test {
 
 /// The estimate does not depend on the number of threads, to the last digit.
 inline void expect_same_digits_on_two_threads(const SolidProblem& problem) {
   const SurfaceSolution solution = problem.solve();
-  const SolidEstimate one = estimate(problem, solution);
-  omp_set_num_threads(2);
-  const SolidEstimate two = estimate(problem, solution);
-  omp_set_num_threads(1);
+  const auto on = [&](int threads) {
+    return on_threads(threads, [&] { return estimate(problem, solution); });
+  };
+  const SolidEstimate one = on(1), two = on(2);
   EXPECT_EQ(one.e, two.e);
   EXPECT_EQ(one.history, two.history);
   EXPECT_EQ(one.moments, two.moments);

@@ -102,11 +102,11 @@ void factorise_lu(int n, Scalar* A, int* pivots) {
   }
 }
 
-#define FFCONTACT_FACTORS(Scalar)                                            \
-  template bool factorise_cholesky(int, Scalar*);                            \
-  template void factorise_lu(int, Scalar*, int*);                            \
-  template bool factorise_columns(int, int, Scalar*, int);                   \
-  template void subtract_lower_product(int, int, int, const Scalar*, int,    \
+#define FFCONTACT_FACTORS(Scalar)                                         \
+  template bool factorise_cholesky(int, Scalar*);                         \
+  template void factorise_lu(int, Scalar*, int*);                         \
+  template bool factorise_columns(int, int, Scalar*, int);                \
+  template void subtract_lower_product(int, int, int, const Scalar*, int, \
                                        Scalar, Scalar*, int);
 FFCONTACT_FACTORS(double)
 FFCONTACT_FACTORS(float)

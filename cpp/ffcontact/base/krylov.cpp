@@ -19,6 +19,8 @@ constexpr Index most_steps = 200;
 constexpr Index first_look = 12;
 /// What is left of A q beside its norm when the space is invariant.
 constexpr double invariant = 1e-13;
+/// Ritz value beside the norm of H below which it is a rounded 0.
+constexpr double rounded = 1e-12;
 /// Imaginary part, beside the modulus, below which a Ritz value is real.
 constexpr double real = 1e-8;
 
@@ -140,10 +142,12 @@ double largest_real_eigenvalue(const LinearMap& A, Index size, double below) {
   constexpr double tolerance = 1e-9;
   const auto wanted = [below](const KrylovSpace& space) {
     RitzValues values;
-    for (const HessenbergEigen& theta : eigenvalues(space.projection()))
+    const MatrixXd H = space.projection();
+    const double least = rounded * H.norm();
+    for (const HessenbergEigen& theta : eigenvalues(H))
       if (std::abs(theta.imaginary) <=
               real * std::hypot(theta.real, theta.imaginary) &&
-          theta.real < below && theta.real > 0)
+          theta.real < below && theta.real > least)
         values.push_back({theta.real, space.remainder() * theta.last});
     std::sort(values.begin(), values.end(),
               [](const RitzValue& a, const RitzValue& b) {

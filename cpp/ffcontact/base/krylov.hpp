@@ -20,7 +20,7 @@ double largest_eigenvalue(const LinearMap& A, Index size);
 /// residual of its Ritz vector is 1e-9 of it after at most 200 steps; 0 if there is none.
 /// Up to 200 unknowns none is missed, beyond that those among complex eigenvalues that
 /// are farther from 0 may be. A Ritz value is real when its imaginary part is less than
-/// 1e-8 of its modulus.
+/// 1e-8 of its modulus, and 0 when it is less than 1e-12 of the norm of A.
 double largest_real_eigenvalue(const LinearMap& A, Index size, double below);
 
 }  // namespace ffcontact

@@ -29,10 +29,9 @@ void subtract_product(const FactorRows<Scalar>& L, const Panel<Scalar>& panel,
   const int top = panel.place[L.row[0]],
             bottom = panel.place[L.row[L.rows - 1]];
   if (bottom - top == L.rows - 1) {
-    subtract_lower_product<Scalar>(L.rows, L.columns, L.depth, L.values,
-                                   L.stride, 1,
-                                   column_of(panel, L.row[0]) + top,
-                                   panel.stride);
+    subtract_lower_product<Scalar>(
+        L.rows, L.columns, L.depth, L.values, L.stride, 1,
+        column_of(panel, L.row[0]) + top, panel.stride);
     return;
   }
   subtract_lower_product<Scalar>(L.rows, L.columns, L.depth, L.values, L.stride,
