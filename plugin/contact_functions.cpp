@@ -76,14 +76,14 @@ class ContactSolve : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const double start = CPUtime();
+    const Stopwatch watch;
     Contact& contact = contact_of_processes(stack, contact_);
     const SolveCall call{stack,
                          named_,
                          matrix_,
                          load_,
                          values_of<KN<double>*>(stack, displacement_),
-                         start};
+                         watch};
     return contact.shared || contact.solid.problem
                ? solids().solve(call, contact)
                : solve_plane(call, contact);

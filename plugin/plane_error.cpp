@@ -12,6 +12,7 @@
 //
 #include "estimate_arrays.hpp"
 #include "progress_lines.hpp"
+#include "stopwatch.hpp"
 
 namespace ffcontact::plugin {
 
@@ -131,7 +132,7 @@ bool wants_bound(const NamedArguments& named) {
 Estimate plane_error(Stack stack, const NamedArguments& named,
                      const ContactProblem& problem, const JudgedOf& judged_of,
                      const ReadPlane& read) {
-  const double start = CPUtime();
+  const Stopwatch watch;
   require_parameters_of_plane_bodies(named);
   const EstimateSettings settings = estimate_settings(stack, named);
   const StuckNodes stuck = stuck_nodes_of(stack, named);
@@ -144,7 +145,7 @@ Estimate plane_error(Stack stack, const NamedArguments& named,
   put_rates(stack, named, problem, system, judged.body);
   named.put(stack, "oscillation", oscillation.force);
   named.put(stack, "strainoscillation", oscillation.strain);
-  const double seconds = CPUtime() - start;
+  const double seconds = watch.seconds();
   std::optional<CoulombBound> bound;
   if (wants_bound(named)) {
     bound = coulomb_bound_of(problem.line, judged, estimate, stuck);

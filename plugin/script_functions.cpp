@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What FreeFEM's language lacks for ffcontact.idp and its examples.
-#include <chrono>
-
 #include "freefem.hpp"
 #include "registration.hpp"
+#include "stopwatch.hpp"
 
 namespace ffcontact::plugin {
 
@@ -14,14 +13,6 @@ namespace {
 long contactstop(string* const& sentence) {
   ExecError(sentence->c_str());
   return 0;
-}
-
-/// Seconds on a wall clock, with fractions: FreeFEM's time() counts whole seconds, its
-/// clock() those of all threads together.
-double wallclock() {
-  return std::chrono::duration<double>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
 }
 
 }  // namespace

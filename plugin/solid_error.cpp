@@ -12,6 +12,7 @@
 #include "coulomb.hpp"
 #include "result_names.hpp"
 #include "solid_stress.hpp"
+#include "stopwatch.hpp"
 
 namespace ffcontact::plugin {
 
@@ -144,7 +145,7 @@ void put_bound(Stack stack, const NamedArguments& named,
 double solid_error(Stack stack, const NamedArguments& named,
                    SolidContact& contact, const ReadSolids& read,
                    const RelaxFaces& relax) {
-  const double start = CPUtime();
+  const Stopwatch watch;
   require_parameters_of_solids(named);
   const SolidRelaxationSettings settings = solid_settings(stack, named);
   const StuckNodes stuck = stuck_nodes_of(stack, named);
@@ -167,7 +168,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   put_solid_stress(stack, named, problem, topology, estimate, body);
   put_solid_rates(stack, named, topology, problem, *contact.solved, body);
   named.put(stack, "oscillation", oscillation);
-  report(stack, named, estimate, CPUtime() - start);
+  report(stack, named, estimate, watch.seconds());
   put_bound(stack, named, topology, problem, *contact.solved, body, estimate,
             stuck);
   const double relative = estimate.relative;

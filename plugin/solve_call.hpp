@@ -8,6 +8,7 @@
 //
 #include "arguments.hpp"
 #include "body_dofs.hpp"
+#include "stopwatch.hpp"
 
 namespace ffcontact::plugin {
 
@@ -24,7 +25,7 @@ struct SolveCall {
   const NamedArguments& named;
   const std::vector<Expression>&matrix, &load;
   std::vector<KN<double>*> u;
-  double start;                    ///< CPUtime
+  Stopwatch watch;                 ///< since the call
   SharedSystem* shared = nullptr;  ///< null: A, b, u are those of the whole
 
   long verbosity() const { return named.verbosity_level(stack); }

@@ -163,7 +163,7 @@ void report_solution(const SolveCall& call, const BodyDofs& bodies,
        << open + stick + slip << " contact nodes" << sides(side) << ", "
        << answer.iterations << " iterations, " << open << " open, " << stick
        << " stick, " << slip << " slip, " << in_words(answer.status) << ", "
-       << CPUtime() - call.start << " s" << endl;
+       << call.watch.seconds() << " s" << endl;
   if (call.verbosity() > 1) report_details(answer);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# progress.sh FREEFEM: what takes long says so at verbosity 1, and nothing is printed at verbosity 0.
+# progress.sh FREEFEM: what takes long says so, and how long it took, at verbosity 1, and nothing is printed at verbosity 0.
 set -euo pipefail
 script=progress.edp
 cat >$script <<'EOF'
@@ -16,7 +16,9 @@ real[int] b = elasticity(0, Vh);
 Vh [u, v];
 for (int level = 0; level < 2; ++level) {
   contact C(Th, label=1, friction=0.2);
+  real start = wallclock();
   contactsolve(C, A, b, u[], verbosity=level);
+  if (level > 0) cout << "took " << wallclock() - start << endl;
   contacterror(C, lambda=1, G=1, verbosity=level);
   if (level == 0) cout << "talk" << endl;
 }
@@ -27,4 +29,7 @@ echo "$printed"
 [[ $printed = talk* ]] || fails 'printed at verbosity 0'
 grep -q '^contactsolve: factorisation, dofs 32' <<<"$printed" || fails 'contactsolve says nothing of its factorisation'
 grep -q '^contacterror: admissible fields, dofs 32' <<<"$printed" || fails 'contacterror says nothing of its fields'
+awk '/^contactsolve: .* nodes/ { said = $(NF - 1) }
+     /^took/ { took = $2 }
+     END { exit !(said > 0 && said <= took) }' <<<"$printed" || fails 'contactsolve says that it took longer than it did'
 if "$1" $script | grep 'so far'; then fails 'what takes no time says what it does'; fi

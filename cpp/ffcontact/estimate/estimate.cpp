@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/estimate.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
@@ -51,7 +52,7 @@ FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
 }
 
 RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
-                         const FirstTractions& first,
+                         FirstTractions first,
                          const EstimateSettings& settings,
                          const VectorXd& u_hat, bool contact_is_free) {
   const auto& [mesh, edges, stars] = bodies.topology();
@@ -66,7 +67,10 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
   const BoundaryTractions without_springs = released(boundary, springs);
 
   RelaxedTractions result{
-      difference_loads(mesh, edges, first.moments, compared.stress), {}, {}};
+      difference_loads(mesh, edges, std::exchange(first.moments, {}),
+                       compared.stress),
+      {},
+      {}};
   FreeTractions tractions =
       free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions,
@@ -223,14 +227,14 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
           : compared(bodies, estimate.displacement);
 
   // 2., 3. Contact tractions in the cone, edge tractions in equilibrium with them.
-  const FirstTractions first =
+  FirstTractions first =
       first_tractions(solved, bodies, terms, settings.tractions);
   estimate.shift = first.contact.shift;
   estimate.unmended = first.contact.unmended;
 
   // 4. Star relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
   RelaxedTractions tractions =
-      relaxed(bodies, u_hat, first, settings, estimate.displacement,
+      relaxed(bodies, u_hat, std::move(first), settings, estimate.displacement,
               settings.tractions == Tractions::free && !terms.unstressed);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
