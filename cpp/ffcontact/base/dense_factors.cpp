@@ -14,7 +14,7 @@ namespace {
 /// Columns of a factor that are computed at once, and of a tile that they update.
 constexpr int width_of_cholesky = 256, width_of_lu = 128;
 /// Rows below a diagonal block that are solved for at once.
-constexpr int height = 512;
+constexpr int rows_of_tile = 512;
 
 template <class Scalar>
 Scalar* entry(Scalar* A, int n, int row, int column) {
@@ -62,8 +62,8 @@ bool factorise_columns(int rows, int columns, Scalar* A, int stride) {
   Blas<Scalar>::potrf("L", &columns, A, &stride, &info);
   if (info != 0) return false;
 #pragma omp parallel for schedule(dynamic, 1)
-  for (int first = columns; first < rows; first += height) {
-    const int count = std::min(height, rows - first);
+  for (int first = columns; first < rows; first += rows_of_tile) {
+    const int count = std::min(rows_of_tile, rows - first);
     Blas<Scalar>::trsm("R", "L", "T", "N", &count, &columns, &one, A, &stride,
                        A + first, &stride);
   }

@@ -9,6 +9,12 @@ namespace ffcontact {
 
 namespace {
 
+/// A subtree is at most this share of the work: what is computed how does not depend on
+/// the number of threads.
+constexpr double subtree_share = 0.0625;
+/// Of a product of a block.
+constexpr Index rows_at_once = 1024;
+
 /// A power of 2 by which numbers of any size become such as single precision has.
 double scale_of(const VectorXd& x) {
   const double largest = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
@@ -21,7 +27,14 @@ double scale_of(const VectorXd& x) {
 
 template <class Scalar>
 FactorBlocks<Scalar>::FactorBlocks(Supernodes of_nodes)
-    : nodes(std::move(of_nodes)) {
+    : nodes(std::move(of_nodes)),
+      tree(subtrees(nodes, subtree_share)),
+      place_above_(nodes.first_column.back(), -1) {
+  for (int s : tree.above)
+    for (int j = nodes.first_column[s]; j < nodes.first_column[s + 1]; ++j) {
+      place_above_[j] = static_cast<int>(above_.size());
+      above_.push_back(j);
+    }
   start_.push_back(0);
   for (int s = 0; s < nodes.count(); ++s)
     start_.push_back(start_.back() +
@@ -45,19 +58,72 @@ double FactorBlocks<Scalar>::reciprocal_condition() const {
 }
 
 template <class Scalar>
+typename FactorBlocks<Scalar>::Column FactorBlocks<Scalar>::eliminate(
+    int s, VectorXd& b) const {
+  const auto L = block(s);
+  const Index n = L.cols(), below = L.rows() - n;
+  auto own = b.segment(nodes.first_column[s], n);
+  Column x = own.template cast<Scalar>(), product(below);
+  L.topRows(n).template triangularView<Eigen::Lower>().solveInPlace(x);
+  own = x.template cast<double>();
+#pragma omp parallel for if (below > rows_at_once)
+  for (Index first = 0; first < below; first += rows_at_once) {
+    const Index count = std::min(rows_at_once, below - first);
+    product.segment(first, count).noalias() =
+        L.middleRows(n + first, count) * x;
+  }
+  return product;
+}
+
+template <class Scalar>
+void FactorBlocks<Scalar>::substitute(int s, Column& y) const {
+  const auto L = block(s);
+  const Index n = L.cols(), below = L.rows() - n,
+              parts = (below + rows_at_once - 1) / rows_at_once;
+  const Column known = y(Map<const VectorXi>(nodes.rows_below(s), below));
+  Square products(n, parts);
+#pragma omp parallel for if (parts > 1)
+  for (Index part = 0; part < parts; ++part) {
+    const Index first = part * rows_at_once,
+                count = std::min(rows_at_once, below - first);
+    products.col(part).noalias() = L.middleRows(n + first, count).transpose() *
+                                   known.segment(first, count);
+  }
+  auto x = y.segment(nodes.first_column[s], n);
+  x -= products.rowwise().sum();
+  L.topRows(n).transpose().template triangularView<Eigen::Upper>().solveInPlace(
+      x);
+}
+
+template <class Scalar>
 VectorXd FactorBlocks<Scalar>::half_solve(const VectorXd& right) const {
   const double scale = scale_of(right);
   VectorXd b = right / scale;
-  for (int s = 0; s < nodes.count(); ++s) {
-    const auto L = block(s);
-    const Index n = L.cols(), below = L.rows() - n;
-    auto own = b.segment(nodes.first_column[s], n);
-    Column x = own.template cast<Scalar>();
-    L.topRows(n).template triangularView<Eigen::Lower>().solveInPlace(x);
-    own = x.template cast<double>();
-    const Column product = L.bottomRows(below) * x;
+  const Index eliminated = nodes.first_column.back(), columns = above_.size(),
+              kept = b.size() - eliminated;
+  const auto subtrees = static_cast<Index>(tree.supernodes.size());
+  MatrixXd on_others = MatrixXd::Zero(columns + kept, subtrees);
+  const auto subtract = [&](int s, const Column& product, double* sum) {
     const int* row = nodes.rows_below(s);
-    for (Index i = 0; i < below; ++i) b[row[i]] -= product[i];
+    for (Index i = 0; i < product.size(); ++i, ++row)
+      if (*row >= eliminated)
+        sum[columns + *row - eliminated] -= product[i];
+      else if (const int place = place_above_[*row]; place >= 0)
+        sum[place] -= product[i];
+      else
+        b[*row] -= product[i];
+  };
+#pragma omp parallel for schedule(dynamic, 1)
+  for (Index k = 0; k < subtrees; ++k)
+    for (int s : tree.supernodes[k])
+      subtract(s, eliminate(s, b), on_others.col(k).data());
+  const VectorXd sum = on_others.rowwise().sum();
+  b(above_) += sum.head(columns);
+  b.tail(kept) += sum.tail(kept);
+  for (int s : tree.above) {
+    const Column product = eliminate(s, b);
+    const int* row = nodes.rows_below(s);
+    for (double p : product) b[*row++] -= p;
   }
   return scale * b;
 }
@@ -66,17 +132,13 @@ template <class Scalar>
 VectorXd FactorBlocks<Scalar>::other_half_solve(const VectorXd& right) const {
   const double scale = scale_of(right);
   Column y = (right / scale).template cast<Scalar>();
-  for (int s = nodes.count() - 1; s >= 0; --s) {
-    const auto L = block(s);
-    const Index n = L.cols(), below = L.rows() - n;
-    const Map<const VectorXi> rows(nodes.rows_below(s), below);
-    auto x = y.segment(nodes.first_column[s], n);
-    const Column known = y(rows);
-    x.noalias() -= L.bottomRows(below).transpose() * known;
-    L.topRows(n)
-        .transpose()
-        .template triangularView<Eigen::Upper>()
-        .solveInPlace(x);
+  for (auto s = tree.above.rbegin(); s != tree.above.rend(); ++s)
+    substitute(*s, y);
+  const auto subtrees = static_cast<Index>(tree.supernodes.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (Index k = 0; k < subtrees; ++k) {
+    const std::vector<int>& own = tree.supernodes[k];
+    for (auto s = own.rbegin(); s != own.rend(); ++s) substitute(*s, y);
   }
   return scale * y.template cast<double>();
 }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ffcontact/elastic/supernodes.hpp"
+#include "ffcontact/elastic/subtrees.hpp"
 
 namespace ffcontact {
 
@@ -16,6 +16,7 @@ struct FactorBlocks {
   using Column = Matrix<Scalar, Dynamic, 1>;
 
   Supernodes nodes;
+  Subtrees tree;  ///< which threads share
 
   /// Values are not set: each page is first touched by the thread that fills it.
   explicit FactorBlocks(Supernodes of_nodes);
@@ -34,7 +35,15 @@ struct FactorBlocks {
   VectorXd other_half_solve(const VectorXd& right) const;  ///< L'^-1 y
 
  private:
+  /// x = L_ss^-1 b_s in place of b_s.
+  /// @return L_rs x, r the rows below the diagonal block
+  Column eliminate(int s, VectorXd& b) const;
+  /// L_ss'^-1 (y_s - L_rs' y_r) in place of y_s.
+  void substitute(int s, Column& y) const;
+
   std::vector<std::size_t> start_;  ///< of the values of each supernode
+  std::vector<int> above_;          ///< the columns above all subtrees
+  std::vector<int> place_above_;    ///< of each column among these, or -1
   std::unique_ptr<Scalar[]> values_;
 };
 

@@ -12,7 +12,6 @@
 #include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/elastic/factor_blocks.hpp"
 #include "ffcontact/elastic/panel.hpp"
-#include "ffcontact/elastic/subtrees.hpp"
 
 namespace ffcontact {
 
@@ -20,10 +19,6 @@ namespace {
 
 /// Columns that are updated at once where threads share a supernode or S.
 constexpr int shared_width = 128, schur_width = 256;
-/// A subtree is at most this share of the work: what is computed how does not depend on
-/// the number of threads.
-constexpr double subtree_share = 0.0625;
-
 /// Products from which on threads pay.
 constexpr double least_shared_work = 1e8;
 
@@ -40,6 +35,7 @@ template <class Scalar>
 struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   using Work = std::vector<Workspace<Scalar>>;
   using FactorBlocks<Scalar>::nodes;
+  using FactorBlocks<Scalar>::tree;
   using FactorBlocks<Scalar>::values_of;
 
   int eliminated, kept;
@@ -84,13 +80,12 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
 
   void factorise(const SparseMatrix& lower) {
     const SerialBlas serial;
-    const Subtrees tree = subtrees(nodes, subtree_share);
     Work work(thread_count());
     for (Workspace<Scalar>& own : work) {
       own.product.resize(largest_product());
       own.place.resize(size());
     }
-    factorise_subtrees(lower, tree, work);
+    factorise_subtrees(lower, work);
     for (int s : tree.above) factorise_above(lower, s, work);
     compute_schur(lower, work);
   }
@@ -108,8 +103,7 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
     return rows * std::max(widest_supernode, schur_width);
   }
 
-  void factorise_subtrees(const SparseMatrix& lower, const Subtrees& tree,
-                          Work& work) {
+  void factorise_subtrees(const SparseMatrix& lower, Work& work) {
     const int count = static_cast<int>(tree.supernodes.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
     for (int k = 0; k < count; ++k) {

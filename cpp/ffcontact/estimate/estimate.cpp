@@ -52,8 +52,7 @@ FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
 }
 
 RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
-                         FirstTractions first,
-                         const EstimateSettings& settings,
+                         FirstTractions first, const EstimateSettings& settings,
                          const VectorXd& u_hat, bool contact_is_free) {
   const auto& [mesh, edges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
