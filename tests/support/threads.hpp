@@ -3,10 +3,7 @@
 
 #include <omp.h>
 
-extern "C" {
-int openblas_get_num_threads();
-void openblas_set_num_threads(int threads);
-}
+#include "ffcontact/base/serial_blas.hpp"
 
 namespace ffcontact::test {
 

@@ -61,7 +61,7 @@ bool factorise_columns(int rows, int columns, Scalar* A, int stride) {
   int info = 0;
   Blas<Scalar>::potrf("L", &columns, A, &stride, &info);
   if (info != 0) return false;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (rows - columns > rows_of_tile)
   for (int first = columns; first < rows; first += rows_of_tile) {
     const int count = std::min(rows_of_tile, rows - first);
     Blas<Scalar>::trsm("R", "L", "T", "N", &count, &columns, &one, A, &stride,
@@ -76,7 +76,7 @@ bool factorise_cholesky(int n, Scalar* A) {
   for (int k = 0; k < n; k += width_of_cholesky) {
     const int width = std::min(width_of_cholesky, n - k);
     if (!factorise_columns(n - k, width, entry(A, n, k, k), n)) return false;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (n - k - width > width)
     for (int first = k + width; first < n; first += width_of_cholesky)
       subtract_lower_product<Scalar>(
           n - first, std::min(width_of_cholesky, n - first), width,
@@ -94,7 +94,7 @@ void factorise_lu(int n, Scalar* A, int* pivots) {
     Blas<Scalar>::getrf(&rows, &width, entry(A, n, k, k), &n, pivots + k,
                         &info);
     for (int j = k; j < k + width; ++j) pivots[j] += k;
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (n > width)
     for (int first = 0; first < n; first += width_of_lu)
       if (first != k)
         update_columns(n, A, pivots, k, width, first,

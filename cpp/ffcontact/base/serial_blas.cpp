@@ -3,11 +3,6 @@
 
 #include <mutex>
 
-extern "C" {
-int openblas_get_num_threads();
-void openblas_set_num_threads(int threads);
-}
-
 namespace ffcontact {
 
 namespace {

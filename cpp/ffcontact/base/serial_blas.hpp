@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+extern "C" {
+int openblas_get_num_threads();
+void openblas_set_num_threads(int threads);
+}
+
 namespace ffcontact {
 
 /// While one lives, OpenBLAS does not use threads of its own, which would split sums by

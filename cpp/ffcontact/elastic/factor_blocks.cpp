@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/factor_blocks.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -12,8 +14,16 @@ namespace {
 /// A subtree is at most this share of the work: what is computed how does not depend on
 /// the number of threads.
 constexpr double subtree_share = 0.0625;
+/// Products of an elimination from which on threads pay.
+constexpr double least_shared_work = 1e8;
 /// Of a product of a block.
 constexpr Index rows_at_once = 1024;
+
+double work_of(const Supernodes& nodes) {
+  double work = 0;
+  for (int s = 0; s < nodes.count(); ++s) work += work_of(nodes, s);
+  return work;
+}
 
 /// A power of 2 by which numbers of any size become such as single precision has.
 double scale_of(const VectorXd& x) {
@@ -29,6 +39,7 @@ template <class Scalar>
 FactorBlocks<Scalar>::FactorBlocks(Supernodes of_nodes)
     : nodes(std::move(of_nodes)),
       tree(subtrees(nodes, subtree_share)),
+      worth_threads_(work_of(nodes) >= least_shared_work),
       place_above_(nodes.first_column.back(), -1) {
   for (int s : tree.above)
     for (int j = nodes.first_column[s]; j < nodes.first_column[s + 1]; ++j) {
@@ -41,6 +52,11 @@ FactorBlocks<Scalar>::FactorBlocks(Supernodes of_nodes)
                      static_cast<std::size_t>(nodes.row_count(s)) *
                          nodes.column_count(s));
   values_.reset(new Scalar[start_.back()]);
+}
+
+template <class Scalar>
+int FactorBlocks<Scalar>::thread_count() const {
+  return worth_threads_ ? omp_get_max_threads() : 1;
 }
 
 template <class Scalar>
@@ -113,7 +129,7 @@ VectorXd FactorBlocks<Scalar>::half_solve(const VectorXd& right) const {
       else
         b[*row] -= product[i];
   };
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count())
   for (Index k = 0; k < subtrees; ++k)
     for (int s : tree.supernodes[k])
       subtract(s, eliminate(s, b), on_others.col(k).data());
@@ -135,7 +151,7 @@ VectorXd FactorBlocks<Scalar>::other_half_solve(const VectorXd& right) const {
   for (auto s = tree.above.rbegin(); s != tree.above.rend(); ++s)
     substitute(*s, y);
   const auto subtrees = static_cast<Index>(tree.supernodes.size());
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(thread_count())
   for (Index k = 0; k < subtrees; ++k) {
     const std::vector<int>& own = tree.supernodes[k];
     for (auto s = own.rbegin(); s != own.rend(); ++s) substitute(*s, y);

@@ -21,6 +21,9 @@ struct FactorBlocks {
   /// Values are not set: each page is first touched by the thread that fills it.
   explicit FactorBlocks(Supernodes of_nodes);
 
+  /// That its work is worth.
+  int thread_count() const;
+
   /// Of a supernode, by columns [rows x columns].
   Scalar* values_of(int s) const { return values_.get() + start_[s]; }
   Map<const Square> block(int s) const {
@@ -41,6 +44,7 @@ struct FactorBlocks {
   /// L_ss'^-1 (y_s - L_rs' y_r) in place of y_s.
   void substitute(int s, Column& y) const;
 
+  bool worth_threads_;
   std::vector<std::size_t> start_;  ///< of the values of each supernode
   std::vector<int> above_;          ///< the columns above all subtrees
   std::vector<int> place_above_;    ///< of each column among these, or -1

@@ -19,9 +19,6 @@ namespace {
 
 /// Columns that are updated at once where threads share a supernode or S.
 constexpr int shared_width = 128, schur_width = 256;
-/// Products from which on threads pay.
-constexpr double least_shared_work = 1e8;
-
 /// What a thread needs for itself.
 template <class Scalar>
 struct Workspace {
@@ -35,6 +32,7 @@ template <class Scalar>
 struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   using Work = std::vector<Workspace<Scalar>>;
   using FactorBlocks<Scalar>::nodes;
+  using FactorBlocks<Scalar>::thread_count;
   using FactorBlocks<Scalar>::tree;
   using FactorBlocks<Scalar>::values_of;
 
@@ -88,12 +86,6 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
     factorise_subtrees(lower, work);
     for (int s : tree.above) factorise_above(lower, s, work);
     compute_schur(lower, work);
-  }
-
-  int thread_count() const {
-    double work = 0;
-    for (int s = 0; s < nodes.count(); ++s) work += work_of(nodes, s);
-    return work < least_shared_work ? 1 : omp_get_max_threads();
   }
 
   Index largest_product() const {
