@@ -43,15 +43,15 @@ void update_columns(int n, Scalar* A, const int* pivots, int k, int width,
 
 template <class Scalar>
 void subtract_lower_product(int rows, int columns, int depth, const Scalar* L,
-                            int stride_L, Scalar beta, Scalar* C,
-                            int stride_C) {
+                            int stride_l, Scalar beta, Scalar* C,
+                            int stride_c) {
   const Scalar minus = -1;
   const int below = rows - columns;
-  Blas<Scalar>::syrk("L", "N", &columns, &depth, &minus, L, &stride_L, &beta, C,
-                     &stride_C);
+  Blas<Scalar>::syrk("L", "N", &columns, &depth, &minus, L, &stride_l, &beta, C,
+                     &stride_c);
   if (below > 0)
     Blas<Scalar>::gemm("N", "T", &below, &columns, &depth, &minus, L + columns,
-                       &stride_L, L, &stride_L, &beta, C + columns, &stride_C);
+                       &stride_l, L, &stride_l, &beta, C + columns, &stride_c);
 }
 
 template <class Scalar>

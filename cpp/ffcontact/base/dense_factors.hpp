@@ -26,6 +26,6 @@ bool factorise_columns(int rows, int columns, Scalar* A, int stride);
 /// @param columns  of C and rows of L_1, the first of L
 template <class Scalar>
 void subtract_lower_product(int rows, int columns, int depth, const Scalar* L,
-                            int stride_L, Scalar beta, Scalar* C, int stride_C);
+                            int stride_l, Scalar beta, Scalar* C, int stride_c);
 
 }  // namespace ffcontact

@@ -57,18 +57,26 @@ ContactState next_closed_state(const FrictionCone& cone, ContactState now,
                                           : closed_state(slip);
 }
 
+/// v_t = u_t - previous is rounded like `previous` where a step moves little.
+Rounding of_slip(Rounding rounding, double previous) {
+  rounding.v = std::max(rounding.v, relative_rounding * std::abs(previous));
+  return rounding;
+}
+
 /// @param P, v  of the node
+/// @param previous  v_t without u_t
 ContactState next_state(const FrictionCone& cone, ContactState now,
-                        const Vector2d& P, const Vector2d& v,
+                        const Vector2d& P, const Vector2d& v, double previous,
                         const Rounding& rounding) {
   const bool open = next_open(P[0], v[0], is_open(now), rounding);
   if (cone.frictionless())
     return open ? ContactState::open : ContactState::slip_forward;
   if (!cone.depends_on_contact())
     return next_state_with_bound(cone.cohesion, open, now, P[1], v[1],
-                                 rounding);
+                                 of_slip(rounding, previous));
   return open ? ContactState::open
-              : next_closed_state(cone, now, P, v[1], rounding);
+              : next_closed_state(cone, now, P, v[1],
+                                  of_slip(rounding, previous));
 }
 
 /// The sticking row that moves a dependent row most, -1 if none does.
@@ -145,7 +153,8 @@ States next_states(const CondensedContact& contact, const NodalLaw& law,
   States next(state.size());
   for (int i = 0; i < law.node_count(); ++i)
     next[i] = next_state(law.cone[i], state[i], rows.P.segment<2>(2 * i),
-                         rows.v.segment<2>(2 * i), rounding);
+                         rows.v.segment<2>(2 * i),
+                         contact.v_prescribed[2 * i + 1], rounding);
   release_sticks(contact, state, rows, rounding, next);
   return next;
 }
