@@ -105,17 +105,20 @@ TEST(ToolWork, what_is_missed_is_out_of_equilibrium) {
       0);
 }
 
-/// |sigma - sigma_hat|^2 + |u - u_hat|^2 over e^2, of the reference with its own motion.
+/// |sigma - sigma_hat|^2 + |u - u_hat|^2 over its bound, of the reference with its own
+/// motion.
 double part_of_bound(const PushedBlock& block, int finer) {
+  Problem on_finer_mesh = block.on(subdivided(block.mesh, finer));
+  on_finer_mesh.law.multiplier = Multiplier::force;
   const Pushed coarse(block.on(block.mesh), block.tool),
-      fine(block.on(subdivided(block.mesh, finer)), block.tool);
+      fine(std::move(on_finer_mesh), block.tool);
   EXPECT_EQ(coarse.found.solution.status, ContactStatus::converged);
   EXPECT_EQ(fine.found.solution.status, ContactStatus::converged);
   const Estimate estimate = coarse.estimate(sweeps(2));
   EXPECT_EQ(estimate.reason, "");
-  const SquaredDistances squares = squared_distances(
+  const BoundByReference found = bound_by_reference(
       coarse.problem, estimate, fine.problem, fine.found.solution.displacement);
-  return (squares.stress + squares.displacement) / (estimate.e * estimate.e);
+  return found.errors / found.bound;
 }
 
 PushedBlock closed_block(Random& random) {

@@ -182,6 +182,65 @@ inline SquaredDistances squared_distances(const Problem& coarse,
   return squares;
 }
 
+/// Values at the nodes of a nested finer contact line of what is linear on the edges of a
+/// coarse one.
+inline VectorXd on_finer_line(const ContactLine& coarse, const VectorXd& values,
+                              const ContactLine& fine) {
+  VectorXd finer(fine.node_count());
+  for (int i = 0; i < fine.node_count(); ++i) {
+    int j = 1;
+    while (j < coarse.node_count() - 1 && coarse.abscissa[j] < fine.abscissa[i])
+      ++j;
+    const double begin = coarse.abscissa[j - 1],
+                 x = (fine.abscissa[i] - begin) / (coarse.abscissa[j] - begin);
+    finer[i] = (1 - x) * values[j - 1] + x * values[j];
+  }
+  return finer;
+}
+
+/// sum of l_i |w_i| - int |w| of a slip that is linear on the edges [mm^2]: nothing but on
+/// edges where it changes sign.
+inline double excess_of_lumping(const ContactLine& line, const VectorXd& slip) {
+  double sum = 0;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const double a = slip[line.edge_node(0, e)], b = slip[line.edge_node(1, e)];
+    if (a * b < 0) sum += line.length[e] * a * b / -std::abs(a - b);
+  }
+  return sum;
+}
+
+/// Both sides of (2.20) without friction or with Tresca's law of a constant k, and a
+/// solution for nodal forces on a nested finer mesh in place of the exact one. Its law has
+/// sum of k l_i |w_i| where the exact one has int k |w_t|; from the one for u_hat and the
+/// other for the solution follows
+///     |sigma - sigma_hat|^2 + |u - u_hat|^2 <= e^2 + 2 k (excess of u_hat - excess of u).
+struct BoundByReference {
+  double errors;  ///< left
+  double bound;   ///< right
+};
+
+inline BoundByReference bound_by_reference(const Problem& coarse,
+                                           const Estimate& estimate,
+                                           const Problem& fine,
+                                           const VectorXd& reference) {
+  const SquaredDistances squares =
+      squared_distances(coarse, estimate, fine, reference);
+  const auto slip = [](const Problem& problem, const VectorXd& u) {
+    return VectorXd(
+        displacement_against_foundation(problem.line, problem.law, u).row(1));
+  };
+  double excess = 0;
+  if (fine.law.tresca())
+    excess = fine.law.slip_bound[0] *
+             (excess_of_lumping(
+                  fine.line, on_finer_line(coarse.line,
+                                           slip(coarse, estimate.displacement),
+                                           fine.line)) -
+              excess_of_lumping(fine.line, slip(fine, reference)));
+  return {squares.stress + squares.displacement,
+          estimate.e * estimate.e + 2 * excess};
+}
+
 /// A block on any mesh, pressed on the foundation by its clamped top and loaded on its
 /// sides.
 struct RandomBlock {
