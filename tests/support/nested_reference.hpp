@@ -182,8 +182,8 @@ inline SquaredDistances squared_distances(const Problem& coarse,
   return squares;
 }
 
-/// Values at the nodes of a nested finer contact line of what is linear on the edges of a
-/// coarse one.
+/// Values at the nodes of a nested finer contact line, which is one straight line, of what
+/// is linear on the edges of a coarse one.
 inline VectorXd on_finer_line(const ContactLine& coarse, const VectorXd& values,
                               const ContactLine& fine) {
   VectorXd finer(fine.node_count());
@@ -204,7 +204,7 @@ inline double excess_of_lumping(const ContactLine& line, const VectorXd& slip) {
   double sum = 0;
   for (int e = 0; e < line.edge_count(); ++e) {
     const double a = slip[line.edge_node(0, e)], b = slip[line.edge_node(1, e)];
-    if (a * b < 0) sum += line.length[e] * a * b / -std::abs(a - b);
+    if (a * b < 0) sum += line.length[e] * std::abs(a * b / (a - b));
   }
   return sum;
 }
