@@ -23,16 +23,13 @@ Bodies blocks() {
   return two;
 }
 
-/// But for rounding: a point may lie on the side of two.
 bool contains(const Matrix<double, 2, 3>& corners, const Vector2d& x) {
   const auto twice_area = [](const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
   };
-  const double rounding = 1e-12 * twice_area(corners.col(1) - corners.col(0),
-                                             corners.col(2) - corners.col(0));
   for (int k = 0; k < 3; ++k)
     if (twice_area(corners.col((k + 1) % 3) - corners.col(k),
-                   x - corners.col(k)) < -rounding)
+                   x - corners.col(k)) < 0)
       return false;
   return true;
 }

@@ -12,8 +12,9 @@ namespace {
 
 /// The smallest of these coordinates says how far inside a point is.
 Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
-  const Vector2d last = piola_matrix(corners).inverse() * (x - corners.col(0));
-  return {1 - last.sum(), last.x(), last.y()};
+  Matrix3d system;
+  system << corners, Eigen::RowVector3d::Ones();
+  return system.partialPivLu().solve(Vector3d(x.x(), x.y(), 1));
 }
 
 TriangleCorners subtriangle(const TriangleCorners& corners, int k) {
