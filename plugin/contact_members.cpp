@@ -84,17 +84,6 @@ KN<long>* states(Stack stack, ContactVariable* const& variable) {
   });
 }
 
-KN<long>* nodes(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    const Contact& contact = stated_contact_of(*variable);
-    if (contact.shared)
-      return array_of<long>(stack, contact.shared->shown.own_vertex);
-    const SolidProblem* solid = contact.solid.problem.get();
-    return array_of<long>(
-        stack, solid ? solid->own_vertex : contact.problem->own_vertex);
-  });
-}
-
 template <int component>
 KN<double>* normals(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
@@ -118,24 +107,16 @@ KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
   });
 }
 
-KN<long>* sides(Stack stack, ContactVariable* const& variable) {
+/// Numbers that plane bodies and solids have, and what a process shows of them.
+template <auto shown, auto plane, auto solid>
+KN<long>* numbers(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
     if (contact.shared)
-      return array_of<long>(stack, contact.shared->shown.side);
-    return array_of<long>(stack, contact.problem ? contact.problem->side
-                                                 : contact.solid.problem->side);
-  });
-}
-
-KN<long>* first_nodes(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    const Contact& contact = stated_contact_of(*variable);
-    if (contact.shared)
-      return array_of<long>(stack, contact.shared->shown.first_node);
+      return array_of<long>(stack, contact.shared->shown.*shown);
     return array_of<long>(stack, contact.problem
-                                     ? contact.problem->first_node
-                                     : contact.solid.problem->first_node);
+                                     ? *contact.problem.*plane
+                                     : *contact.solid.problem.*solid);
   });
 }
 
@@ -168,10 +149,16 @@ void register_contact_members() {
   add_member("ny", normals<1>);
   add_member("nz", normals<2>);
   add_member("state", states);
-  add_member("node", nodes);
+  add_member("node",
+             numbers<&ShownNodes::own_vertex, &ContactProblem::own_vertex,
+                     &SolidProblem::own_vertex>);
   add_member("abscissa", abscissae);
-  add_member("first", first_nodes);
-  add_member("side", sides);
+  add_member("first",
+             numbers<&ShownNodes::first_node, &ContactProblem::first_node,
+                     &SolidProblem::first_node>);
+  add_member(
+      "side",
+      numbers<&ShownNodes::side, &ContactProblem::side, &SolidProblem::side>);
 }
 
 }  // namespace ffcontact::plugin

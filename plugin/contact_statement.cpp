@@ -17,13 +17,12 @@ namespace {
 /// by more than their contact edges.
 void require_apart(const Mesh& mesh, const ContactLine& line,
                    const VectorXd& gap) {
-  for (int i = 0; i < gap.size(); ++i) {
-    const Vector2d x = mesh.place(line.vertex[i]);
+  for (int i = 0; i < gap.size(); ++i)
     if (gap[i] < -line.length.maxCoeff())
-      refuse("the bodies overlap by ", -gap[i], " at (", x.x(), ", ", x.y(),
-             "), more than a contact edge: is the facing edge behind the "
+      refuse("the bodies overlap by ", -gap[i], " at ",
+             in_words(mesh.place(line.vertex[i])),
+             ", more than a contact edge: is the facing edge behind the "
              "contact line? Give gap= if it is meant");
-  }
 }
 
 VectorXd stated_gap(Stack stack, const NamedArguments& named,

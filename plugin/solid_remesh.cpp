@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/near_origin.hpp"
@@ -18,9 +19,8 @@ namespace {
 
 /// The power of 2 that makes a body about 100 large: gmsh's tolerances are lengths.
 double scale_to_hundred(const SolidMesh& mesh) {
-  const Vector3d extents =
-      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
-  return std::exp2(std::round(std::log2(100 / extents.maxCoeff())));
+  const double extent = box_sides(mesh.vertices).maxCoeff();
+  return std::exp2(std::round(std::log2(100 / extent)));
 }
 
 void require_sizes(const SolidMesh& mesh, const Ref<const VectorXd>& size) {

@@ -86,12 +86,15 @@ class FaceByFace {
     return step;
   }
 
+  bool is_blocked(Index i, double step) const {
+    return (x_[i] <= low_[i] && step < 0) || (x_[i] >= high_[i] && step > 0);
+  }
+
   /// Fixes unknowns at a bound that a step would move out of it.
   bool fix_blocked(const VectorXd& step) {
     bool any = false;
     for (Index i = 0; i < x_.size(); ++i)
-      if ((x_[i] <= low_[i] && step[i] < 0) ||
-          (x_[i] >= high_[i] && step[i] > 0)) {
+      if (is_blocked(i, step[i])) {
         fixed_[i] = 1;
         any = true;
       }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/base/norms.hpp"
 
 namespace ffcontact {
 
@@ -34,7 +35,7 @@ VectorXd step_inside(const VectorXd& x, const VectorXd& z,
     if (passive[j] && z[j] <= 0) step = std::min(step, x[j] / (x[j] - z[j]));
   VectorXd next = x + step * (z - x);
   for (Index j = 0; j < x.size(); ++j)
-    if (passive[j] && z[j] <= 0 && next[j] <= 1e-14 * x.cwiseAbs().maxCoeff()) {
+    if (passive[j] && z[j] <= 0 && next[j] <= 1e-14 * max_norm(x)) {
       passive[j] = 0;
       next[j] = 0;
     }

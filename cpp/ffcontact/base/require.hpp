@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/words.hpp"
 
 /// Refusals: every bad input ends in one sentence that names what was wrong and where.
 namespace ffcontact {
@@ -15,7 +16,7 @@ namespace ffcontact {
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
   std::ostringstream sentence;
-  sentence.precision(10);
+  sentence.precision(digits_of_refusals);
   (sentence << ... << parts);
   throw std::invalid_argument(sentence.str());
 }

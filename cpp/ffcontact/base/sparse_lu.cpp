@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/single.hpp"
 #include "ffcontact/base/symmetric.hpp"
 
@@ -236,8 +237,7 @@ MatrixXd SparseLu::congruent(MatrixXd S) const {
 
 MatrixXd SparseLu::congruent_in_single_precision(MatrixXd S) const {
   if (is_identity()) return S;
-  const double a = scale_of(factor_->largest),
-               s = scale_of(S.cwiseAbs().maxCoeff());
+  const double a = scale_of(factor_->largest), s = scale_of(max_norm(S));
   auto rough = scaled(S, 1 / s, MatrixXf());
   transform(factor_->klu->factors(), a, rough);
   return scaled(rough, s / a / a, std::move(S));

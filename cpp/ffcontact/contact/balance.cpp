@@ -18,20 +18,12 @@ constexpr double unbalanced = 1e-9;
 /// |z|.
 constexpr double motion_rounding = 1e-11;
 
-/// W [z] of motions z, one column each.
-MatrixXd weighted_traces(const ContactLine& line, const ContactLaw& law,
-                         const MatrixXd& motions) {
-  MatrixXd trace(2 * line.node_count(), motions.cols());
-  for (Index k = 0; k < motions.cols(); ++k)
-    trace.col(k) = contact_components(line, motions.col(k)).reshaped();
-  return weight_of_rows(law.multiplier, line) * trace;
-}
-
 /// Work of the extreme contact multipliers along each motion, one column per multiplier
 /// [motions x multipliers].
 MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
                         const MatrixXd& motions) {
-  const MatrixXd weighted = weighted_traces(line, law, motions);
+  const MatrixXd weighted =
+      weight_of_rows(law.multiplier, line) * traces_of(line, motions);
   MatrixXd work(motions.cols(), (law.tresca() ? 3 : 2) * line.node_count());
   Index next = 0;
   for (int i = 0; i < line.node_count(); ++i) {
@@ -119,9 +111,7 @@ void require_balance(const Mesh& mesh, const ContactLine& line,
       [&](const MatrixXd& motions) {
         return extreme_forces(line, law, motions);
       },
-      [&](const VectorXd& field) -> VectorXd {
-        return contact_components(line, field).row(0);
-      });
+      along_normals(line));
 }
 
 void require_balance(const Mesh& mesh, const ContactLine& line,

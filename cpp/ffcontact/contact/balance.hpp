@@ -41,4 +41,21 @@ void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
                      const ContactForcesOn& extreme,
                      const AlongNormals& along_n);
 
+/// u . n at the nodes of a contact line or surface.
+template <class Nodes>
+AlongNormals along_normals(const Nodes& nodes) {
+  return [&nodes](const VectorXd& field) -> VectorXd {
+    return contact_components(nodes, field).row(0);
+  };
+}
+
+/// [z] of motions z at all nodes, one column each [dim p x motions].
+template <class Nodes>
+MatrixXd traces_of(const Nodes& nodes, const MatrixXd& motions) {
+  MatrixXd traces(nodes.normal.size(), motions.cols());
+  for (Index k = 0; k < motions.cols(); ++k)
+    traces.col(k) = contact_components(nodes, motions.col(k)).reshaped();
+  return traces;
+}
+
 }  // namespace ffcontact

@@ -46,8 +46,8 @@ std::shared_ptr<const CondensedStiffness> prepared_stiffness(
 FixedPointResult condensed_answer(const CondensedContact& contact,
                                   const NodalLaw& law,
                                   const ContactSettings& settings) {
-  std::vector<ContactState> start = settings.initial_state;
-  if (start.empty()) start.assign(law.node_count(), ContactState::stick);
+  const std::vector<ContactState> start =
+      settings.first_states(law.node_count());
   const NewtonSettings limits{settings.max_iterations, settings.tolerance,
                               settings.report};
   return settings.solver == ContactSolver::newton

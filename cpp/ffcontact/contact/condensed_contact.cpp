@@ -173,10 +173,7 @@ void number_rows(const std::vector<int>& primary, int row_count,
 
 std::vector<int> contact_dofs(const ContactLine& line,
                               const ElasticSystem& system) {
-  std::vector<int> vertices(line.vertex.begin(), line.vertex.end());
-  const std::vector<int> opposite = opposite_vertices(line);
-  vertices.insert(vertices.end(), opposite.begin(), opposite.end());
-  return free_dofs_at(vertices, system);
+  return free_dofs_at(contact_vertices(line), system);
 }
 
 CondensedContact condensed_contact(ContactTrace trace,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
 
 namespace ffcontact {
 
@@ -24,8 +25,7 @@ void require_fitting(const ContactLine& line, const std::string& name,
 
 void require_fixed_direction(const ContactLine& line) {
   for (int e = 0; e < line.edge_count(); ++e)
-    if (line.normal.col(line.edge_node(0, e)) !=
-        line.normal.col(line.edge_node(1, e)))
+    if (turns(line, e))
       refuse("the contact direction turns along contact edge ", e,
              ": its tractions need a fixed normal=");
 }

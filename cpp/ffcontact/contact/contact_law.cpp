@@ -52,13 +52,18 @@ void require_given(const char* name, const VectorXd& values,
   require_finite(name, values);
 }
 
+/// Nothing, or end values of every edge.
+void require_on_edges(const char* name, const Matrix2Xd& bound,
+                      const ContactLine& line) {
+  if (bound.size() == 0) return;
+  require_size(name, bound.cols(), line.edge_count());
+  require_nonnegative(name, bound.reshaped());
+}
+
 void require_valid(const char* name, const EdgeRange& range,
                    const ContactLine& line) {
-  for (const Matrix2Xd* bound : {&range.least, &range.most}) {
-    if (bound->size() == 0) continue;
-    require_size(name, bound->cols(), line.edge_count());
-    require_nonnegative(name, bound->reshaped());
-  }
+  require_on_edges(name, range.least, line);
+  require_on_edges(name, range.most, line);
 }
 
 /// Adds the weight of node j in the rows of node i, its directions turned into theirs.
@@ -128,11 +133,7 @@ Matrix2Xd displacement_against_foundation(
 }
 
 double largest_given(const ContactLaw& law) {
-  double largest = 0;
-  for (const VectorXd* given : {&law.gap, &law.previous})
-    if (given->size() > 0)
-      largest = std::max(largest, given->cwiseAbs().maxCoeff());
-  return largest;
+  return std::max(max_norm(law.gap), max_norm(law.previous));
 }
 
 double largest_displacement(const ContactLaw& law,

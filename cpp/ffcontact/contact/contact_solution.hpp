@@ -45,6 +45,11 @@ struct ContactSettings {
   int single_precision_from = 30000;
   /// told of the factorisation and of every step, with its violation; of a solid of none
   ProgressReport report{};
+
+  std::vector<ContactState> first_states(int nodes) const {
+    if (!initial_state.empty()) return initial_state;
+    return std::vector<ContactState>(nodes, ContactState::stick);
+  }
 };
 
 /// @throws std::invalid_argument  if maxit is not positive, or the initial states are not

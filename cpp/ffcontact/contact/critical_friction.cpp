@@ -23,14 +23,17 @@ NodalLaw with_friction(NodalLaw law, double factor) {
   return law;
 }
 
+bool is_frictionless(const NodalLaw& law) {
+  return std::all_of(law.cone.begin(), law.cone.end(),
+                     [](const FrictionCone& c) { return c.frictionless(); });
+}
+
 /// The law with a largest coefficient of 1.
 NodalLaw normalised(NodalLaw law) {
   const double largest = largest_friction(law);
-  const bool frictionless =
-      std::all_of(law.cone.begin(), law.cone.end(),
-                  [](const FrictionCone& c) { return c.frictionless(); });
   if (largest > 0) return with_friction(std::move(law), 1 / largest);
-  for (FrictionCone& cone : law.cone) cone.friction = frictionless ? 1 : 0;
+  const double coefficient = is_frictionless(law) ? 1 : 0;
+  for (FrictionCone& cone : law.cone) cone.friction = coefficient;
   return law;
 }
 
@@ -41,12 +44,15 @@ ContactState at_limit(ContactState state) {
                   : ContactState::limited_backward;
 }
 
+bool slips_by_friction(const FrictionCone& cone, ContactState state) {
+  return slip_sign(state) != 0 && !is_limited(state) &&
+         cone.depends_on_contact();
+}
+
 bool slips_by_friction(const NodalLaw& law,
                        const std::vector<ContactState>& state) {
   for (std::size_t i = 0; i < state.size(); ++i)
-    if (slip_sign(state[i]) != 0 && !is_limited(state[i]) &&
-        law.cone[i].depends_on_contact())
-      return true;
+    if (slips_by_friction(law.cone[i], state[i])) return true;
   return false;
 }
 

@@ -129,16 +129,21 @@ double largest_given(const Station& station, const ElasticSystem& system) {
   return largest;
 }
 
+double largest_given(const std::vector<Station>& stations,
+                     const ElasticSystem& system) {
+  double largest = 0;
+  for (const Station& station : stations)
+    largest = std::max(largest, largest_given(station, system));
+  return largest;
+}
+
 /// Penetration that rounding explains [mm].
 double accepted_penetration(const Mesh& mesh,
                             const std::vector<Station>& stations,
                             const ElasticSystem& system) {
-  const Vector2d extent =
-      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
-  double scale = 0;
-  for (const Station& station : stations)
-    scale = std::max(scale, largest_given(station, system));
-  return penetration_rounding * scale + coordinate_rounding * extent.maxCoeff();
+  const double extent = box_sides(mesh.vertices).maxCoeff();
+  return penetration_rounding * largest_given(stations, system) +
+         coordinate_rounding * extent;
 }
 
 /// Are there vertices on the line that are prescribed, and against another body some on
@@ -250,8 +255,8 @@ VectorXd shares_in_contradiction(const Clearance& clearance,
                               double inside) {
   const bool bodies = line.against_a_body();
   refuse("prescribed displacements hold ", bodies ? "contact node " : "vertex ",
-         bodies ? station.node : line.vertex[station.node], " at (",
-         station.point.x(), ", ", station.point.y(), ") ", inside, " inside ",
+         bodies ? station.node : line.vertex[station.node], " at ",
+         in_words(station.point), " ", inside, " inside ",
          bodies ? "the opposite body" : "the foundation",
          ": change them or gap= there, or free a dof that moves it along n");
 }

@@ -53,12 +53,20 @@ double largest_value(Quadratic&& f) {
   return peak_inside ? std::max(ends, f(-slope / (4 * bend))) : ends;
 }
 
+/// The cone at the place s on an edge, without its limit.
+FrictionCone cone_at(const ConesAtEnds& ends, double s) {
+  FrictionCone cone;
+  cone.cohesion = between(ends[0].cohesion, ends[1].cohesion, s);
+  cone.friction = between(ends[0].friction, ends[1].friction, s);
+  return cone;
+}
+
 /// c + mu p at the place s on an edge.
 double friction_bound(const ConesAtEnds& cones, const Vector2d& normal,
                       double s) {
+  const FrictionCone cone = cone_at(cones, s);
   const double p = std::max(-between(normal[0], normal[1], s), 0.0);
-  return between(cones[0].cohesion, cones[1].cohesion, s) +
-         between(cones[0].friction, cones[1].friction, s) * p;
+  return cone.cohesion + cone.friction * p;
 }
 
 /// Largest |r_t| - c - mu p on an edge.

@@ -64,19 +64,12 @@ double FrictionCurve::violation(const VectorXd& z) const {
 }
 
 std::vector<NodeState> FrictionCurve::states(const VectorXd& z) const {
-  const NodalLaw law = this->law(z);
-  const ContactRows rows = this->rows(z);
-  std::vector<NodeState> states;
-  for (int i = 0; i < law.node_count(); ++i)
-    states.push_back(node_state(law.cone[i], map_.tau(rows, i)));
-  return states;
+  return map_.states(law(z), rows(z));
 }
 
 std::vector<ContactState> FrictionCurve::contact_states(
     const VectorXd& z) const {
-  std::vector<ContactState> result;
-  for (const NodeState& node : states(z)) result.push_back(contact_state(node));
-  return result;
+  return ffcontact::contact_states(states(z));
 }
 
 std::optional<FrictionCurve::Line> FrictionCurve::line_at(const VectorXd& z) {

@@ -37,10 +37,10 @@ std::vector<char> held_rows(const ContactLine& line,
                             const std::vector<char>& prescribed) {
   std::vector<char> held(2 * line.node_count(), 1);
   for (int i = 0; i < line.node_count(); ++i) {
-    const Vector2d direction[2] = {line.normal.col(i), line.tangent(i)};
+    const Matrix2d frame = line.frame(i);
     const auto moves_with = [&](int vertex, double weight) {
       for (int c = 0; c < 2; ++c)
-        if (moves_along(direction[c], vertex, weight, prescribed))
+        if (moves_along(frame.col(c), vertex, weight, prescribed))
           held[2 * i + c] = 0;
     };
     moves_with(line.vertex[i], 1);

@@ -186,7 +186,7 @@ bool InexactStep::solve(const CondensedContact& contact,
 
 bool InexactStep::advance(const System& system, ContactRows& rows) {
   const VectorXd right = system.residual(rows);
-  const double size = right.size() == 0 ? 0 : max_norm(right);
+  const double size = max_norm(right);
   if (size == 0) return true;
   if (needs_new_factor(system.places())) factor_ = system.factor();
   if (!factor_->cholesky.is_positive_definite()) return false;

@@ -54,6 +54,12 @@ ContactState contact_state(const NodeState& node) {
   return node.slips ? ContactState::slip_forward : ContactState::stick;
 }
 
+std::vector<ContactState> contact_states(const std::vector<NodeState>& nodes) {
+  std::vector<ContactState> states;
+  for (const NodeState& node : nodes) states.push_back(contact_state(node));
+  return states;
+}
+
 NaturalMap::NaturalMap(const CondensedContact& contact,
                        const std::vector<char>& held)
     : NaturalMap(contact.S.diagonal(), contact.position, held) {}
@@ -71,6 +77,14 @@ NaturalMap::NaturalMap(const VectorXd& diagonal, const VectorXi& position,
 Vector3d NaturalMap::tau(const ContactRows& rows, int node) const {
   return rows.P.segment<3>(3 * node) -
          stiffness_[node] * rows.v.segment<3>(3 * node);
+}
+
+std::vector<NodeState> NaturalMap::states(const NodalLaw& law,
+                                          const ContactRows& rows) const {
+  std::vector<NodeState> states;
+  for (int i = 0; i < law.node_count(); ++i)
+    states.push_back(node_state(law.cone[i], tau(rows, i)));
+  return states;
 }
 
 double NaturalMap::merit(const NodalLaw& law, const ContactRows& rows) const {

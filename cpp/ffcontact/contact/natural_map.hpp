@@ -22,6 +22,7 @@ NodeState node_state(const FrictionCone& cone, const Vector3d& tau);
 /// Of a first guess; a slip without direction has no force.
 NodeState node_state(const FrictionCone& cone, ContactState start);
 ContactState contact_state(const NodeState& node);
+std::vector<ContactState> contact_states(const std::vector<NodeState>& nodes);
 
 /// P - Pi(tau), tau = P - c v, which is 0 where P and v are in the law; rows 3 i + c.
 class NaturalMap {
@@ -37,6 +38,9 @@ class NaturalMap {
   /// c, the mean of diag(S) at a node.
   double stiffness(int node) const { return stiffness_[node]; }
   Vector3d tau(const ContactRows& rows, int node) const;
+  /// What the nodes do by their rows [p].
+  std::vector<NodeState> states(const NodalLaw& law,
+                                const ContactRows& rows) const;
   /// sum |P - Pi(tau)|^2 / c over the rows that are not held, and P^2 / c over those beyond
   /// the nodes', where P = 0 is the condition.
   double merit(const NodalLaw& law, const ContactRows& rows) const;

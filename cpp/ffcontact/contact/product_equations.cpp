@@ -62,11 +62,15 @@ ContactRows ProductEquations::increment(const VectorXd& scaled) const {
   return change_of_rows(relation, x, q);
 }
 
-VectorXd ProductEquations::product(const VectorXd& scaled) const {
-  const ContactRows rows = increment(scaled);
+VectorXd ProductEquations::sums(const ContactRows& rows) const {
   VectorXd sums(size());
   for (Index e = 0; e < size(); ++e)
     sums[e] = scale[e] * sum_of(equation[e], rows);
+  return sums;
+}
+
+VectorXd ProductEquations::product(const VectorXd& scaled) const {
+  VectorXd sums = this->sums(increment(scaled));
   const Index d = count_of(dependent);
   sums.tail(d) += proximal_share * scaled.tail(d);
   return sums;

@@ -29,6 +29,8 @@ struct ProductEquations {
   VectorXd residual(const ContactRows& at) const;
   /// P and v of all rows that an increment makes.
   ContactRows increment(const VectorXd& scaled) const;
+  /// The equations' left sides of P and v, scaled.
+  VectorXd sums(const ContactRows& rows) const;
   /// The equations' left sides of an increment.
   VectorXd product(const VectorXd& scaled) const;
 };

@@ -59,7 +59,7 @@ ProductStep solve_product_step(const ProductRelation& relation,
   const ProductEquations equations(relation, law);
   ContactRows next = start(equations, rows);
   const VectorXd right = equations.residual(next);
-  const double size = right.size() == 0 ? 0 : max_norm(right);
+  const double size = max_norm(right);
   ProductStep step;
   if (!(size > 0)) {
     rows = std::move(next);

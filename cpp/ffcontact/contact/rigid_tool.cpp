@@ -59,7 +59,7 @@ Matrix2Xd tool_components(const Mesh& mesh, const ContactLine& line,
   for (int i = 0; i < line.node_count(); ++i) {
     const Vector2d z =
         place_moves(tool, motion, mesh.vertices.col(line.vertex[i]));
-    components.col(i) << line.normal.col(i).dot(z), line.tangent(i).dot(z);
+    components.col(i) = line.frame(i).transpose() * z;
   }
   return components;
 }

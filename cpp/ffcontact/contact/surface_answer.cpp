@@ -52,12 +52,6 @@ ActiveSetResult newton_answer(Relation& relation, const NodalLaw& law,
   return best;
 }
 
-std::vector<ContactState> first_states(const NodalLaw& law,
-                                       const ContactSettings& settings) {
-  if (!settings.initial_state.empty()) return settings.initial_state;
-  return std::vector<ContactState>(law.node_count(), ContactState::stick);
-}
-
 }  // namespace
 
 ActiveSetResult rough_answer(const CondensedContact& contact,
@@ -72,15 +66,17 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
       {},
       enough};
   return near ? surface_newton(contact, law, held, *near, solver, limits)
-              : surface_newton(contact, law, held, first_states(law, settings),
-                               solver, limits);
+              : surface_newton(contact, law, held,
+                               settings.first_states(law.node_count()), solver,
+                               limits);
 }
 
 FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
                                 const std::vector<char>& held,
                                 const std::optional<ContactRows>& near,
                                 const ContactSettings& settings) {
-  const std::vector<ContactState> start = first_states(law, settings);
+  const std::vector<ContactState> start =
+      settings.first_states(law.node_count());
   NewtonSettings limits{settings.max_iterations, settings.tolerance};
   FixedPointResult result;
   if (settings.solver == ContactSolver::newton) {
@@ -104,7 +100,8 @@ FixedPointResult surface_answer(const CondensedContact& contact,
                                 const NodalLaw& law,
                                 const std::vector<char>& held,
                                 const ContactSettings& settings) {
-  const std::vector<ContactState> start = first_states(law, settings);
+  const std::vector<ContactState> start =
+      settings.first_states(law.node_count());
   const NewtonSettings limits{settings.max_iterations, settings.tolerance};
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);

@@ -32,12 +32,10 @@ MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
   const NodalLaw cones = nodal_law(law, surface);
   std::vector<MatrixXd> work;
   Index columns = 0;
-  MatrixXd trace(3 * surface.node_count(), motions.cols());
-  for (Index k = 0; k < motions.cols(); ++k)
-    trace.col(k) = contact_components(surface, motions.col(k)).reshaped();
-  trace = weight_of_rows(law, surface) * trace;
+  const MatrixXd weighted =
+      weight_of_rows(law, surface) * traces_of(surface, motions);
   for (int i = 0; i < surface.node_count(); ++i) {
-    work.push_back(trace.middleRows<3>(3 * i).transpose() *
+    work.push_back(weighted.middleRows<3>(3 * i).transpose() *
                    spanning_forces(cones.cone[i]));
     columns += work.back().cols();
   }
@@ -59,9 +57,7 @@ void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
       [&](const MatrixXd& motions) {
         return extreme_forces(surface, law, motions);
       },
-      [&](const VectorXd& field) -> VectorXd {
-        return contact_components(surface, field).row(0);
-      });
+      along_normals(surface));
 }
 
 }  // namespace ffcontact

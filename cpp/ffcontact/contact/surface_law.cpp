@@ -99,11 +99,8 @@ Matrix3Xd displacement_against_foundation(
 
 double largest_displacement(const SurfaceLaw& law,
                             const Ref<const VectorXd>& displacement) {
-  double largest = max_norm(displacement);
-  if (law.gap.size() > 0) largest = std::max(largest, max_norm(law.gap));
-  if (law.previous.size() > 0)
-    largest = std::max(largest, max_norm(law.previous));
-  return largest;
+  return std::max(
+      {max_norm(displacement), max_norm(law.gap), max_norm(law.previous)});
 }
 
 double surface_violation(const NodalLaw& law, const Ref<const VectorXd>& P,

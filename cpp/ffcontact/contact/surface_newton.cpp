@@ -53,7 +53,7 @@ class Newton {
 
   ActiveSetResult result(const ContactRows& near) && {
     rows_ = near;
-    put_states();
+    states_ = map_.states(law_, rows_);
     return run();
   }
 
@@ -66,13 +66,6 @@ class Newton {
     if (result_.status == ContactStatus::converged)
       put_into_law(law_, held_, result_);
     return std::move(result_);
-  }
-
-  /// Those of the last rows.
-  void put_states() {
-    for (std::size_t i = 0; i < states_.size(); ++i)
-      states_[i] =
-          node_state(law_.cone[i], map_.tau(rows_, static_cast<int>(i)));
   }
 
   bool ends() {
@@ -90,7 +83,7 @@ class Newton {
     if (better || result_.iterations == 1) keep(violation);
     failures_ = gains ? 0 : failures_ + 1;
     if (violation <= settings_.enough) return true;
-    put_states();
+    states_ = map_.states(law_, rows_);
     const bool cycles = failures_ > (result_.violation <= settings_.tolerance
                                          ? patience_with_rounding
                                          : patience);
@@ -125,11 +118,7 @@ class Newton {
   }
 
   void keep(double violation) {
-    std::vector<ContactState> states;
-    for (std::size_t i = 0; i < states_.size(); ++i)
-      states.push_back(contact_state(
-          node_state(law_.cone[i], map_.tau(rows_, static_cast<int>(i)))));
-    result_.keep(std::move(states), rows_, violation);
+    result_.keep(contact_states(map_.states(law_, rows_)), rows_, violation);
   }
 
   NewtonRelation& relation_;
@@ -154,7 +143,7 @@ double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
     if (held[row]) v[row] = 0;
   const LawScales scales = relation.scales(v);
   const auto beyond = rows.P.tail(rows.P.size() - nodal);
-  const double missed = beyond.size() > 0 ? max_norm(beyond) : 0,
+  const double missed = max_norm(beyond),
                size = std::max(scales.P, max_norm(rows.P));
   return std::max(surface_violation(law, rows.P, v, scales),
                   missed > 0 ? missed / size : 0);

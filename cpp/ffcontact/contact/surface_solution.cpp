@@ -33,14 +33,12 @@ void require_clear(const SolidMesh& mesh, const ContactSurface& surface,
   const double least =
       penetration_of_rounding * largest_displacement(law, given);
   for (int i = 0; i < surface.node_count(); ++i)
-    if (held[3 * i] && v(0, i) > least) {
-      const Vector3d x = mesh.place(surface.vertex[i]);
+    if (held[3 * i] && v(0, i) > least)
       refuse(
           "no admissible displacement: prescribed displacements hold vertex ",
-          surface.vertex[i], " (", x.x(), ", ", x.y(), ", ", x.z(), ") ",
+          surface.vertex[i], " ", in_words(mesh.place(surface.vertex[i])), " ",
           v(0, i),
           " inside the foundation; prescribe less there, or a larger gap=");
-    }
 }
 
 void require_sound(const SolidMesh& mesh, const ContactSurface& surface,

@@ -28,13 +28,6 @@ struct Motion {
   Directions directions;
 };
 
-Directions free_directions(int vertex, const std::vector<char>& prescribed) {
-  std::vector<Vector3d> axes;
-  for (int c = 0; c < 3; ++c)
-    if (!prescribed[dof_of<3>(vertex, c)]) axes.push_back(Vector3d::Unit(c));
-  return packed(axes);
-}
-
 /// The components of a frame that free axes move, as many as these are, the normal one
 /// first: what is left of a component without those before must move.
 std::vector<int> moved_components(const Matrix3d& frame,
@@ -63,7 +56,7 @@ class TraceBuilder {
     held_.assign(3 * surface.node_count(), 1);
     for (int i = 0; i < surface.node_count(); ++i) add_vertex(i);
     for (int v : opposite_vertices(surface)) {
-      const Directions axes = free_directions(v, prescribed);
+      const Directions axes = free_axes<3>(v, prescribed);
       if (motions_.emplace(v, Motion{components_, axes}).second)
         components_ += static_cast<int>(axes.cols());
     }
@@ -86,7 +79,7 @@ class TraceBuilder {
   void add_vertex(int node) {
     const int vertex = surface_.vertex[node];
     const Matrix3d frame = surface_.frame(node);
-    const Directions axes = free_directions(vertex, prescribed_);
+    const Directions axes = free_axes<3>(vertex, prescribed_);
     const std::vector<int> rows = moved_components(frame, axes);
     for (int c : rows) held_[3 * node + c] = 0;
     const Directions moving = frame(Eigen::all, rows);
@@ -189,11 +182,8 @@ class TraceBuilder {
 
 SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
                            const ElasticSystem& system) {
-  std::vector<int> vertices(surface.vertex.begin(), surface.vertex.end());
-  const std::vector<int> opposite = opposite_vertices(surface);
-  vertices.insert(vertices.end(), opposite.begin(), opposite.end());
-  SurfaceTrace result = TraceBuilder(surface, system.prescribed)
-                            .trace(free_dofs_at(vertices, system));
+  const std::vector<int> kept = free_dofs_at(contact_vertices(surface), system);
+  SurfaceTrace result = TraceBuilder(surface, system.prescribed).trace(kept);
   if (result.primary.empty())
     refuse("every dof of the contact surface is prescribed");
   result.weight = weight_of_rows(law, surface);

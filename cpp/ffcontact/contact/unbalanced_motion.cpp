@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 
@@ -182,13 +182,6 @@ std::vector<Vertices> moved_parts(const SimplexMesh<dim>& mesh,
   return parts;
 }
 
-std::string in_digits(double value) {
-  std::ostringstream text;
-  text.precision(4);
-  text << value;
-  return text.str();
-}
-
 /// "the body", or, of several, where it is.
 template <int dim>
 std::string body_in_words(const SimplexMesh<dim>& mesh, const Vertices& part) {
@@ -198,10 +191,7 @@ std::string body_in_words(const SimplexMesh<dim>& mesh, const Vertices& part) {
   auto middle = mesh.origin;
   for (int v : part)
     middle += mesh.vertices.col(v) / static_cast<double>(part.size());
-  std::string words = "the body about (";
-  for (int c = 0; c < dim; ++c)
-    words += (c > 0 ? ", " : "") + in_digits(middle[c]);
-  return words + ")";
+  return "the body about " + in_words(middle, digits_of_figures);
 }
 
 template <int dim>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
 
@@ -14,25 +15,15 @@ namespace {
 /// is below this.
 constexpr double tangential = 1e-3;
 
-/// Unit vectors of the free dofs of a vertex.
-Matrix<double, 2, Dynamic> free_axes(int vertex,
-                                     const std::vector<char>& prescribed) {
-  std::vector<Vector2d> axes;
-  for (int c = 0; c < 2; ++c)
-    if (!prescribed[2 * vertex + c]) axes.push_back(Vector2d::Unit(c));
-  return packed(axes);
-}
-
 VertexMotion motion_at_node(const ContactLine& line, int node,
                             const std::vector<char>& prescribed) {
-  const Vector2d n = line.normal.col(node), t = line.tangent(node);
   VertexMotion motion;
-  motion.directions = free_axes(line.vertex[node], prescribed);
+  motion.directions = free_axes<2>(line.vertex[node], prescribed);
   if (motion.directions.cols() == 2) {
     motion.rows = {2 * node, 2 * node + 1};
-    motion.directions << n, t;
+    motion.directions = line.frame(node);
   } else if (motion.directions.cols() == 1) {
-    const double normal = n.dot(motion.directions.col(0));
+    const double normal = line.normal.col(node).dot(motion.directions.col(0));
     motion.rows = {2 * node + (std::abs(normal) < tangential ? 1 : 0)};
   }
   return motion;
@@ -49,10 +40,10 @@ void add(int vertex, VertexMotion motion, VertexMotions& all) {
 /// The part that a vertex has in the trace at a node.
 void add_trace(const ContactLine& line, const std::vector<char>& held, int node,
                const VertexMotion& motion, double factor, Triplets& entries) {
-  const Vector2d direction[2] = {line.normal.col(node), line.tangent(node)};
+  const Matrix2d frame = line.frame(node);
   for (Index k = 0; k < motion.directions.cols(); ++k)
     for (int c = 0; c < 2; ++c) {
-      const double component = direction[c].dot(motion.directions.col(k));
+      const double component = frame.col(c).dot(motion.directions.col(k));
       if (!held[2 * node + c])
         entries.emplace_back(2 * node + c, motion.column + k,
                              factor * component);
@@ -69,7 +60,7 @@ VertexMotions vertex_motions(const ContactLine& line,
       add(line.vertex[i], motion_at_node(line, i, prescribed), motions);
   for (const int v : opposite_vertices(line))
     if (!motions.of_vertex.count(v))
-      add(v, {0, {}, free_axes(v, prescribed)}, motions);
+      add(v, {0, {}, free_axes<2>(v, prescribed)}, motions);
   return motions;
 }
 

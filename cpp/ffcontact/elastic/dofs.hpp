@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/packed.hpp"
 
 /// The numbering of dofs, FreeFEM's of [P1, P1] and [P1, P1, P1]: component c at vertex v
 /// is dof dim v + c.
@@ -16,6 +19,18 @@ constexpr int dof_of(int vertex, int component) {
 template <int dim, class Field>
 auto vector_at(Field& field, int vertex) {
   return field.template segment<dim>(dof_of<dim>(vertex, 0));
+}
+
+/// Unit vectors of the free dofs of a vertex, one column each.
+/// @param prescribed  1 where the dof is prescribed [dofs]
+template <int dim>
+Matrix<double, dim, Dynamic> free_axes(int vertex,
+                                       const std::vector<char>& prescribed) {
+  using Axis = Matrix<double, dim, 1>;
+  std::vector<Axis> axes;
+  for (int c = 0; c < dim; ++c)
+    if (!prescribed[dof_of<dim>(vertex, c)]) axes.push_back(Axis::Unit(c));
+  return packed(axes);
 }
 
 }  // namespace ffcontact

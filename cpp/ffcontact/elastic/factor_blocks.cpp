@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ffcontact/base/norms.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -27,7 +29,7 @@ double work_of(const Supernodes& nodes) {
 
 /// A power of 2 by which numbers of any size become such as single precision has.
 double scale_of(const VectorXd& x) {
-  const double largest = x.size() == 0 ? 0 : x.cwiseAbs().maxCoeff();
+  const double largest = max_norm(x);
   return largest > 0 && std::isfinite(largest)
              ? std::exp2(std::floor(std::log2(largest)))
              : 1;

@@ -76,13 +76,18 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
     return s < nodes.count() ? nodes.first_column[s + 1] : size();
   }
 
-  void factorise(const SparseMatrix& lower) {
-    const SerialBlas serial;
+  Work work_of_threads() const {
     Work work(thread_count());
     for (Workspace<Scalar>& own : work) {
       own.product.resize(largest_product());
       own.place.resize(size());
     }
+    return work;
+  }
+
+  void factorise(const SparseMatrix& lower) {
+    const SerialBlas serial;
+    Work work = work_of_threads();
     factorise_subtrees(lower, work);
     for (int s : tree.above) factorise_above(lower, s, work);
     compute_schur(lower, work);

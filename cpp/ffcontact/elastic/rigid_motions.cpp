@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 #include "ffcontact/base/symmetric_eigen.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
@@ -187,22 +187,12 @@ Motion motion_of(const SimplexMesh<dim>& mesh, const Vertices& part,
   return motion;
 }
 
-std::string in_digits(double value) {
-  std::ostringstream digits;
-  digits.precision(4);
-  digits << value;
-  return digits.str();
-}
-
 double without_rounding(double x) { return std::abs(x) < 1e-9 ? 0 : x; }
 
-/// "(0, 1)"
 template <int dim>
-std::string in_words(const Vector3d& v) {
-  std::string words;
-  for (int c = 0; c < dim; ++c)
-    words += (c == 0 ? "(" : ", ") + in_digits(without_rounding(v[c]));
-  return words + ")";
+std::string components_in_words(const Vector3d& v) {
+  return in_words(v.head<dim>().unaryExpr(&without_rounding),
+                  digits_of_figures);
 }
 
 /// ", 3 mm a turn", or nothing where the axis stays where it is.
@@ -213,9 +203,10 @@ std::string pitch_in_words(const Motion& motion) {
 
 template <int dim>
 std::string rotation_in_words(const Motion& motion, const Vector3d& origin) {
-  const std::string point = in_words<dim>(origin + motion.axis_point());
+  const std::string point =
+      components_in_words<dim>(origin + motion.axis_point());
   if (dim == 2) return "rotation about " + point;
-  const std::string axis = in_words<dim>(motion.turn.normalized());
+  const std::string axis = components_in_words<dim>(motion.turn.normalized());
   return "rotation about " + axis + " through " + point +
          pitch_in_words(motion);
 }
@@ -257,7 +248,8 @@ std::string motion_in_words(const SimplexMesh<dim>& mesh,
   const Motion rigid = motion_of(mesh, part, motion);
   if (rigid.turns())
     return rotation_in_words<dim>(rigid, in_space(mesh.origin));
-  return "translation along " + in_words<dim>(rigid.shift.normalized());
+  return "translation along " +
+         components_in_words<dim>(rigid.shift.normalized());
 }
 
 template MatrixXd free_rigid_motions(const Mesh&, const std::vector<char>&);

@@ -78,14 +78,22 @@ CompositeStress exchanged(const CompositeStress& stress, int p, int q) {
   return dual;
 }
 
+/// int s_p t_q + s_q t_p over the reference triangle of a stress s and each of the unknowns,
+/// once where p = q.
+Matrix<double, 12, 1> products_with(const CompositeStress& stress, int p,
+                                    int q) {
+  constexpr double area = 0.5;
+  const CompositeStress dual = massed(exchanged(stress, p, q), area);
+  return reference_stress().transpose() * dual.reshaped();
+}
+
 /// S_pq with x' S_pq x = int s_p s_q over the reference triangle for Voigt components p
 /// <= q, the products p q and q p added up.
 ReferenceEnergy reference_product(int p, int q) {
   ReferenceEnergy S;
   for (int c = 0; c < 12; ++c) {
     const Map<const CompositeStress> stress(reference_stress().col(c).data());
-    const CompositeStress dual = massed(exchanged(stress, p, q), 0.5);
-    S.col(c) = reference_stress().transpose() * dual.reshaped();
+    S.col(c) = products_with(stress, p, q);
   }
   return S;
 }

@@ -90,8 +90,8 @@ void keep_work(const std::vector<BoundarySpoke>& spokes,
   Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns);
   double terms = 0;
   for (const BoundarySpoke& spoke : spokes) {
-    const int e = free_edge(spoke, &contact);
-    if (e < 0 || !carries_multipliers(spoke, e, contact)) continue;
+    const int e = own_edge(spoke, contact);
+    if (e < 0) continue;
     const Eigen::RowVector4d work =
         along_spoke(spoke, e, contact.line, z).transpose() * spoke.moments();
     terms += work.norm();
@@ -117,6 +117,11 @@ int free_edge(const BoundarySpoke& spoke, const FreeContact* contact) {
 bool carries_multipliers(const BoundarySpoke& spoke, int contact_edge,
                          const FreeContact& contact) {
   return contact.line.edge[contact_edge] == spoke.edge();
+}
+
+int own_edge(const BoundarySpoke& spoke, const FreeContact& contact) {
+  const int e = free_edge(spoke, &contact);
+  return e >= 0 && carries_multipliers(spoke, e, contact) ? e : -1;
 }
 
 MatrixXd admissible_corrections(const StarGroup& group,

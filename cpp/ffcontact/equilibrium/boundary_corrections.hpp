@@ -62,6 +62,9 @@ int free_edge(const BoundarySpoke& spoke, const FreeContact* contact);
 bool carries_multipliers(const BoundarySpoke& spoke, int contact_edge,
                          const FreeContact& contact);
 
+/// The contact edge whose multipliers the body of a spoke carries, or -1.
+int own_edge(const BoundarySpoke& spoke, const FreeContact& contact);
+
 /// Basis of the corrections of a group that leave known boundary tractions alone, r_t
 /// where friction may vanish and what r_hat must keep of its work, and load both bodies of
 /// a contact edge oppositely [unknowns x n].

@@ -43,9 +43,8 @@ std::vector<EdgeEnds> free_ends(const StarGroup& group,
                                 const FreeContact& contact) {
   std::vector<EdgeEnds> ends;
   for (const BoundarySpoke& spoke : boundary_spokes(group)) {
-    const int e = free_edge(spoke, &contact);
-    if (e >= 0 && carries_multipliers(spoke, e, contact))
-      ends.emplace_back(spoke, e, contact.line, group.unknowns());
+    const int e = own_edge(spoke, contact);
+    if (e >= 0) ends.emplace_back(spoke, e, contact.line, group.unknowns());
   }
   return ends;
 }

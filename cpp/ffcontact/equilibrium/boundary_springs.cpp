@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_springs.hpp"
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
@@ -112,12 +113,11 @@ SpringError quadratic_form(const Mesh& mesh, const BoundarySprings& springs,
 void require_stiffness(const Matrix2d& K, const Vector2d& rest,
                        const Vector2d& place) {
   if (!K.allFinite() || !rest.allFinite())
-    refuse("the springs at (", place.x(), ", ", place.y(),
-           ") are not finite numbers");
+    refuse("the springs at ", in_words(place), " are not finite numbers");
   const Vector2d k = symmetric_eigen(K).values;
-  if (k[0] < -negligible_stiffness * k.cwiseAbs().maxCoeff())
-    refuse("the stiffness of the springs must not be negative; at (", place.x(),
-           ", ", place.y(), ") it is ", k[0], " in one direction");
+  if (k[0] < -negligible_stiffness * max_norm(k))
+    refuse("the stiffness of the springs must not be negative; at ",
+           in_words(place), " it is ", k[0], " in one direction");
 }
 
 }  // namespace
@@ -134,12 +134,11 @@ Matrix2d answered_directions(const Mesh& mesh, const BoundarySprings& springs,
   constexpr double parallel = 1e-9;
   const Matrix2d P = projector(springs.stiffness_at(0, column));
   for (int q = 1; q < 3; ++q)
-    if (!(P - projector(springs.stiffness_at(q, column))).isZero(parallel)) {
-      const Vector2d x = mesh.place(mesh.boundary(0, column));
-      refuse("the springs on the boundary edge at (", x.x(), ", ", x.y(),
-             ") answer other directions at one end than at the other: along "
+    if (!(P - projector(springs.stiffness_at(q, column))).isZero(parallel))
+      refuse("the springs on the boundary edge at ",
+             in_words(mesh.place(mesh.boundary(0, column))),
+             " answer other directions at one end than at the other: along "
              "each edge a stiffness must be zero or positive all the way");
-    }
   return P;
 }
 

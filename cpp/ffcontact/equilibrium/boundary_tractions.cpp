@@ -31,14 +31,6 @@ void put_edge(int edge, const Components& free, const Vector4d& neumann,
   }
 }
 
-void require_fitting(const Mesh& mesh, const std::vector<char>& prescribed,
-                     const Ref<const Matrix4Xd>& neumann) {
-  require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
-               2 * mesh.vertices.cols());
-  require_size("tractions", neumann.cols(), mesh.boundary.cols());
-  require_finite("traction", neumann.reshaped());
-}
-
 }  // namespace
 
 Vector4d reversed(const Vector4d& moments) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
@@ -115,14 +116,14 @@ EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges,
   for (int e = 0; e < edges.count(); ++e) {
     const Vector4d left =
         traction_beside(mesh, edges, e, edges.cells(0, e), stress);
-    largest_traction = std::max(largest_traction, left.cwiseAbs().maxCoeff());
+    largest_traction = std::max(largest_traction, max_norm(left));
     if (edges.on_boundary(e)) {
       at_boundary = std::max(at_boundary,
                              boundary_defect(mesh, edges, e, boundary, left));
     } else {
       const Vector4d right =
           traction_beside(mesh, edges, e, edges.cells(1, e), stress);
-      jump = std::max(jump, (left - right).cwiseAbs().maxCoeff());
+      jump = std::max(jump, max_norm(left - right));
     }
   }
   const double largest = std::max(largest_traction, least_scale),

@@ -16,17 +16,20 @@ constexpr int packed_place(int row, int column) {
   return row * (row + 1) / 2 + column;
 }
 
-/// Stresses of the unit loads on the reference tetrahedron's faces, those that they
-/// balance in the body included [6 x 16, column-major].
+/// The stress of a unit load on the reference tetrahedron's faces, with what it balances
+/// in the body.
+SolidStress unit_stress(int unit) {
+  FaceLoads loads = FaceLoads::Zero();
+  loads.reshaped()[unit] = 1;
+  return composite_stress(reference_tetrahedron(), loads,
+                          balancing_body_loads(loads));
+}
+
+/// Of all unit loads [6 x 16, column-major].
 Matrix<double, 96, 36> unit_stresses() {
   Matrix<double, 96, 36> stresses;
-  for (int unit = 0; unit < 36; ++unit) {
-    FaceLoads loads = FaceLoads::Zero();
-    loads.reshaped()[unit] = 1;
-    stresses.col(unit) = composite_stress(reference_tetrahedron(), loads,
-                                          balancing_body_loads(loads))
-                             .reshaped();
-  }
+  for (int unit = 0; unit < 36; ++unit)
+    stresses.col(unit) = unit_stress(unit).reshaped();
   return stresses;
 }
 

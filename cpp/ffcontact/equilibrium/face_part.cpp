@@ -93,12 +93,16 @@ std::vector<int> FaceParts::contact_counted(int process) const {
                    [&](int f) { return counts(process, f); });
 }
 
-std::vector<int> FaceParts::contact_known(int process) const {
-  const Facets<3>& faces = setting_.topology.faces;
-  return places_in(contact_, contact_, [&](int f) {
-    return has(cells_[process], faces.cells(0, f)) ||
-           (faces.cells(1, f) >= 0 && has(cells_[process], faces.cells(1, f)));
+bool FaceParts::has_side(int process, int face) const {
+  const Vector2i sides = setting_.topology.faces.cells.col(face);
+  return std::any_of(sides.begin(), sides.end(), [&](int cell) {
+    return cell >= 0 && has(cells_[process], cell);
   });
+}
+
+std::vector<int> FaceParts::contact_known(int process) const {
+  return places_in(contact_, contact_,
+                   [&](int f) { return has_side(process, f); });
 }
 
 }  // namespace ffcontact

@@ -62,6 +62,8 @@ class FaceParts {
   bool counts(int process, int face) const {
     return owner_[setting_.topology.faces.cells(0, face)] == process;
   }
+  /// Is a cell beside the face one of the process's, its halo included?
+  bool has_side(int process, int face) const;
 
   const FaceSetting& setting_;
   const FaceMoments& moments_;

@@ -9,14 +9,6 @@ namespace ffcontact {
 
 namespace {
 
-void require_fitting(const SolidMesh& mesh, const std::vector<char>& prescribed,
-                     const Ref<const FaceMoments>& neumann) {
-  require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
-               3 * mesh.vertices.cols());
-  require_size("tractions", neumann.cols(), mesh.boundary.cols());
-  require_finite("traction", neumann.reshaped());
-}
-
 /// What one boundary face carries.
 /// @param free    components that the support answers
 /// @param column  of SolidMesh::boundary

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "ffcontact/base/norms.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 constexpr double on_axis = 1e-12;
 
 bool is_diagonal(const Matrix2d& K) {
-  return std::abs(K(0, 1)) <= on_axis * K.cwiseAbs().maxCoeff();
+  return std::abs(K(0, 1)) <= on_axis * max_norm(K);
 }
 
 bool is_diagonal(const BoundarySprings& springs, Index column) {

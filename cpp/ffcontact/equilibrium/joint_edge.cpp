@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
 
@@ -131,10 +132,7 @@ class JointNumbering {
 std::vector<JointEdge> joint_edges(const SolidTopology& topology,
                                    const std::vector<ContactFace>& contact) {
   if (contact.empty()) return {};
-  const auto& vertices = topology.mesh.vertices;
-  const double size =
-      (vertices.rowwise().maxCoeff() - vertices.rowwise().minCoeff())
-          .maxCoeff();
+  const double size = box_sides(topology.mesh.vertices).maxCoeff();
   std::multimap<RoundedPlace, std::vector<int>> in_order;
   EdgeLinks links = linked_edges(topology, contact);
   while (!links.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/linear_stress.hpp"
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
@@ -11,10 +12,6 @@ namespace {
 /// Values of a constant stress differ by less than this part of the largest.
 constexpr double rounding = 1e-14;
 
-double largest(const Ref<const MatrixXd>& values) {
-  return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
-}
-
 }  // namespace
 
 LinearStresses LinearStresses::of_values(
@@ -24,7 +21,7 @@ LinearStresses LinearStresses::of_values(
       (values.topRows<3>() + values.middleRows<3>(3) + values.bottomRows<3>()) /
       3;
   result.variation = values - result.mean.replicate<3, 1>();
-  if (largest(result.variation) <= rounding * largest(values))
+  if (max_norm(result.variation) <= rounding * max_norm(values))
     result.variation.resize(9, 0);
   return result;
 }

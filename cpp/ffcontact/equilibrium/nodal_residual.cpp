@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 
 namespace ffcontact {
@@ -90,12 +91,12 @@ NodalResidual nodal_residual(const Topology& topology,
   const int vertices = topology.mesh.vertex_count();
   NodalResidual residual{Matrix2Xd::Zero(2, vertices),
                          supported_components(topology, boundary), 0};
-  double scale = boundary.moments.cwiseAbs().maxCoeff();
+  double scale = max_norm(boundary.moments);
 #pragma omp parallel for reduction(max : scale)
   for (int v = 0; v < vertices; ++v) {
     if (topology.stars.triangle_count(v) == 0) continue;
     const Matrix2Xd loads = star_loads(topology, v, stress, body_loads);
-    scale = std::max(scale, loads.cwiseAbs().maxCoeff());
+    scale = std::max(scale, max_norm(loads));
     add_force(boundary_forces(topology, v, boundary) - loads.rowwise().sum(), v,
               residual);
   }
@@ -106,7 +107,7 @@ NodalResidual nodal_residual(const Topology& topology,
 NodalResidual with_forces(NodalResidual residual, const VectorXd& forces) {
   const Matrix2Xd added = forces.reshaped(2, residual.missing.cols());
   residual.missing += residual.supported.select(0, added);
-  residual.scale = std::max(residual.scale, forces.cwiseAbs().maxCoeff());
+  residual.scale = std::max(residual.scale, max_norm(forces));
   return residual;
 }
 

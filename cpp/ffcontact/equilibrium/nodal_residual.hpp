@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 #include "ffcontact/mesh/topology.hpp"
@@ -83,13 +83,12 @@ void require_balanced(const SimplexMesh<dim>& mesh, const Residual& residual,
       residual.missing.cwiseAbs().maxCoeff(&component, &vertex);
   if (worst <= unbalanced * std::max(least_scale, residual.scale)) return;
   const int v = static_cast<int>(vertex);
-  std::ostringstream sentence;
-  sentence.precision(10);
-  sentence << "the loads do not balance the stresses at vertex " << v << " ("
-           << mesh.place(v)[0];
-  for (int c = 1; c < dim; ++c) sentence << ", " << mesh.place(v)[c];
-  sentence << "): " << worst << (dim == 2 ? " N/mm" : " N") << " are left over";
-  throw Imbalance(sentence.str(), v, static_cast<int>(component));
+  const std::string unit = dim == 2 ? " N/mm" : " N";
+  throw Imbalance("the loads do not balance the stresses at vertex " +
+                      std::to_string(v) + " " + in_words(mesh.place(v)) + ": " +
+                      in_digits(worst, digits_of_refusals) + unit +
+                      " are left over",
+                  v, static_cast<int>(component));
 }
 
 }  // namespace ffcontact

@@ -45,6 +45,10 @@ long double integral(int p, int q) {
   return value;
 }
 
+long double integral_of_product(const Powers& m, const Powers& k) {
+  return integral(m.p + k.p, m.q + k.q);
+}
+
 /// Derivative of monomial i along axis a as factor and powers.
 std::pair<double, Powers> derivative(int i, int a) {
   const Powers m = exponents[i];
@@ -59,8 +63,7 @@ LongColumns products_of_derivatives(int a, int b) {
     for (int j = 0; j < monomials; ++j) {
       const auto [di, m] = derivative(i, a);
       const auto [dj, k] = derivative(j, b);
-      products(i, j) =
-          di * dj == 0 ? 0 : di * dj * integral(m.p + k.p, m.q + k.q);
+      products(i, j) = di * dj == 0 ? 0 : di * dj * integral_of_product(m, k);
     }
   return products;
 }
@@ -70,8 +73,7 @@ LongColumns mass_matrix() {
   LongColumns mass(monomials, monomials);
   for (int i = 0; i < monomials; ++i)
     for (int j = 0; j < monomials; ++j)
-      mass(i, j) = integral(exponents[i].p + exponents[j].p,
-                            exponents[i].q + exponents[j].q);
+      mass(i, j) = integral_of_product(exponents[i], exponents[j]);
   return mass;
 }
 

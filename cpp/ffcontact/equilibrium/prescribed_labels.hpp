@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
@@ -29,6 +30,19 @@ PrescribedLabels<dim> prescribed_labels(const SimplexMesh<dim>& mesh,
         if (!prescribed[dof_of<dim>(vertex, c)])
           labels[mesh.boundary_label[f]][c] = false;
   return labels;
+}
+
+/// @param neumann  one column for each of the boundary
+/// @throws std::invalid_argument  if sizes are not those of the mesh, or a traction is not
+///                                finite
+template <int dim, class Tractions>
+void require_fitting(const SimplexMesh<dim>& mesh,
+                     const std::vector<char>& prescribed,
+                     const Tractions& neumann) {
+  require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
+               dim * mesh.vertices.cols());
+  require_size("tractions", neumann.cols(), mesh.boundary.cols());
+  require_finite("traction", neumann.reshaped());
 }
 
 }  // namespace ffcontact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 
 namespace ffcontact {
@@ -67,12 +68,12 @@ SolidResidual nodal_residual(const SolidTopology& topology,
   const int vertices = topology.mesh.vertex_count();
   SolidResidual residual{Matrix3Xd::Zero(3, vertices), {}, 0};
   residual.supported.setConstant(3, vertices, false);
-  double scale = boundary.moments.cwiseAbs().maxCoeff();
+  double scale = max_norm(boundary.moments);
 #pragma omp parallel for reduction(max : scale)
   for (int v = 0; v < vertices; ++v) {
     if (topology.stars.count(v) == 0) continue;
     const Matrix3Xd loads = star_loads(topology, v, stress, body_loads);
-    scale = std::max(scale, loads.cwiseAbs().maxCoeff());
+    scale = std::max(scale, max_norm(loads));
     Vector3d force = -loads.rowwise().sum();
     for_boundary_faces(topology, v, [&](int face) {
       const int place = place_of(topology.faces, face, v);
@@ -89,7 +90,7 @@ SolidResidual nodal_residual(const SolidTopology& topology,
 SolidResidual with_forces(SolidResidual residual, const VectorXd& forces) {
   const Matrix3Xd added = forces.reshaped(3, residual.missing.cols());
   residual.missing += residual.supported.select(0, added);
-  residual.scale = std::max(residual.scale, forces.cwiseAbs().maxCoeff());
+  residual.scale = std::max(residual.scale, max_norm(forces));
   return residual;
 }
 

@@ -60,12 +60,15 @@ StarDescent::StarDescent(const StarSetting& setting)
   gather(-1, slope, residual_);
 }
 
+double StarDescent::product_with_image(const VectorXd& z) const {
+  return sum(
+      [&](int t) { return dot(local_airy(setting_.space, z, t), image_[t]); });
+}
+
 void StarDescent::turn_direction() {
   VectorXd z = solves_(residual_);
   if (square_ > 0) {
-    const double product = sum([&](int t) {
-      return dot(local_airy(setting_.space, z, t), image_[t]);
-    });
+    const double product = product_with_image(z);
     add(-product / square_, direction_, z);
   }
   direction_ = std::move(z);

@@ -37,6 +37,8 @@ class StarDescent {
   /// Sum over the triangles.
   template <class OfTriangle>
   double sum(const OfTriangle& of_triangle) const;
+  /// z'Kp
+  double product_with_image(const VectorXd& z) const;
   void turn_direction();
   double square_of_direction();
   /// r for x + added, which is 0 but on one triangle.

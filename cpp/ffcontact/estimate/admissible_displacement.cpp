@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/contact_groups.hpp"
 
@@ -45,7 +46,7 @@ class MovingVertices {
     const auto change =
         quadratic_minimum(MatrixXd::Identity(size, size), VectorXd::Zero(size),
                           away(prescribed), deep);
-    if (!change || change->cwiseAbs().maxCoeff() > largest) return std::nullopt;
+    if (!change || max_norm(*change) > largest) return std::nullopt;
     return Matrix2Xd(change->reshaped(2, size / 2));
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/compared.hpp"
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/unstressed.hpp"
 
@@ -38,7 +39,7 @@ Compared compared_change(const MatchedBodies& bodies, double stress_terms,
   change.law.previous.resize(0);
   Matrix3Xd& stress = change.stress.mean;
   stress = stresses(bodies.topology().mesh, body.hooke, change.displacement);
-  if (stress.cwiseAbs().maxCoeff() <= rounding_of_terms * stress_terms) {
+  if (max_norm(stress) <= rounding_of_terms * stress_terms) {
     change.displacement.setZero();
     stress.setZero();
   }

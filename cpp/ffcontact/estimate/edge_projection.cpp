@@ -15,15 +15,6 @@ namespace {
 /// projection.
 constexpr double tight = 1e-11;
 
-/// [z] at a node, one column per motion.
-Matrix2Xd jumps_at(const ContactLine& line, const MatrixXd& motions, int node) {
-  Matrix2Xd jumps = motions.middleRows<2>(2 * line.vertex[node]);
-  visit_opposite(line, node, [&](int vertex, double weight) {
-    jumps -= weight * motions.middleRows<2>(2 * vertex);
-  });
-  return jumps;
-}
-
 /// Basis of the end values that friction leaves free.
 MatrixXd free_end_values(const EdgeCone& cone) {
   MatrixXd basis = MatrixXd::Zero(4, 4 - cone.frictionless.count());
@@ -39,7 +30,7 @@ EndValues motions_on_edge(const ContactLine& line, const MatrixXd& motions,
   EndValues values(4, motions.cols());
   for (int end = 0; end < 2; ++end)
     values.middleRows<2>(2 * end) =
-        edge_frame(line, e) * jumps_at(line, motions, line.edge_node(end, e));
+        edge_frame(line, e) * jump_at(line, line.edge_node(end, e), motions);
   return values;
 }
 

@@ -23,7 +23,7 @@ namespace {
 double largest_value(const std::vector<CompositeStress>& stress) {
   double largest = 0;
   for (const CompositeStress& values : stress)
-    largest = std::max(largest, values.cwiseAbs().maxCoeff());
+    largest = std::max(largest, max_norm(values));
   return largest;
 }
 
@@ -165,9 +165,7 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
 double share_of_contact(const ContactDensities& densities,
                         const LinearStresses& stress) {
   const double contact = largest_traction(densities);
-  return contact > 0
-             ? contact / std::max(contact, stress.mean.cwiseAbs().maxCoeff())
-             : 0;
+  return contact > 0 ? contact / std::max(contact, max_norm(stress.mean)) : 0;
 }
 
 /// What equilibrium is judged against at least [MPa].
@@ -175,7 +173,7 @@ double stress_scale(const MatchedBodies& bodies, const Compared& compared,
                     const Estimate& estimate) {
   const double terms = largest_stress_terms(
       bodies.topology(), bodies.line(), bodies.body(), estimate.displacement);
-  return std::max({compared.stress.mean.cwiseAbs().maxCoeff(),
+  return std::max({max_norm(compared.stress.mean),
                    largest_value(estimate.stress),
                    least_part_of_terms * terms});
 }

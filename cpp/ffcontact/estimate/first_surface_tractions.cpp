@@ -25,14 +25,6 @@ FaceTractions tractions_without_contact(const SolvedSolidProblem& solved) {
                       Matrix3Xd::Zero(3, surface.node_count()));
 }
 
-/// The vertices of the nodes and those that these face.
-std::vector<int> contact_vertices(const ContactSurface& surface) {
-  std::vector<int> vertices(surface.vertex.begin(), surface.vertex.end());
-  const std::vector<int> opposite = opposite_vertices(surface);
-  vertices.insert(vertices.end(), opposite.begin(), opposite.end());
-  return vertices;
-}
-
 /// Why the stresses of u_h are not in equilibrium with the loads at a vertex.
 std::string cause_at(const Imbalance& imbalance,
                      const SolvedSolidProblem& solved) {

@@ -82,12 +82,11 @@ NodalResidual residual_without_contact(const SolvedProblem& solved,
   const Matrix2Xd forces = forces_of(solved.line, solved.body.pressure);
   forces.colwise().norm().maxCoeff(&node);
   const int v = solved.line.vertex[node];
-  const Vector2d x = solved.topology.mesh.place(v);
   refuse(
       "no tractions in the cone have the resultant and the moment of the "
       "loads; most of the contact force acts at vertex ",
-      v, " (", x.x(), ", ", x.y(),
-      "), as where a body stands on one end of its line; hold it otherwise, or "
+      v, " ", in_words(solved.topology.mesh.place(v)),
+      ", as where a body stands on one end of its line; hold it otherwise, or "
       "let the line go on there");
 }
 

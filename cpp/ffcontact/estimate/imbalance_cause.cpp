@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/elastic/inner_forces.hpp"
 #include "ffcontact/estimate/nodal_forces.hpp"
@@ -63,7 +64,7 @@ bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
                            const SolvedBody& body) {
   const VectorXd left =
       left_over_with_other_multiplier(mesh, line, system, body);
-  const double scale = inner_forces_of(mesh, body).cwiseAbs().maxCoeff();
+  const double scale = max_norm(inner_forces_of(mesh, body));
   return std::abs(left[2 * imbalance.vertex + imbalance.component]) <=
          unbalanced * scale;
 }

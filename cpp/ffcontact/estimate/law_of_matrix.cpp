@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
+#include <string>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/inner_forces.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 
@@ -43,13 +44,9 @@ double diagonal_of_law(const StatedForces& forces, Index dofs, Index dof) {
 }
 
 template <int dim>
-std::string in_words(const SimplexMesh<dim>& mesh, Index vertex) {
-  const Matrix<double, dim, 1> x = mesh.place(static_cast<int>(vertex));
-  std::ostringstream text;
-  text << "vertex " << vertex << " (" << x[0];
-  for (int c = 1; c < dim; ++c) text << ", " << x[c];
-  text << ")";
-  return text.str();
+std::string vertex_in_words(const SimplexMesh<dim>& mesh, Index vertex) {
+  const auto v = static_cast<int>(vertex);
+  return "vertex " + std::to_string(v) + " " + in_words(mesh.place(v));
 }
 
 /// What a row of A z is made of.
@@ -113,7 +110,7 @@ void require_no_penalty(const SimplexMesh<dim>& mesh,
       system.stiffness.coeff(dof, dof) - diagonal_of_law(forces, z.size(), dof);
   if (std::abs(more - added) <= 1e-3 * std::abs(added))
     refuse("A has ", added, " more on its diagonal at ",
-           in_words(mesh, dof / dim),
+           vertex_in_words(mesh, dof / dim),
            " than lambda and G (or hooke) give: a penalty in place of a "
            "prescribed displacement, or a spring at a point; prescribe with "
            "on() and tgv 1e30, -1 or -2, and spread springs over an edge");
@@ -131,15 +128,15 @@ void require_springs_of_matrix(const Mesh& mesh, const ElasticSystem& system,
   const double added = system.stiffness.coeff(dof, dof) -
                        diagonal_of_law(forces, comparison.z.size(), dof);
   if (given)
-    refuse("spring= is not that of A: at ", in_words(mesh, dof / 2), " A has ",
-           added,
+    refuse("spring= is not that of A: at ", vertex_in_words(mesh, dof / 2),
+           " A has ", added,
            " more on its diagonal; give the stiffness of the script's int1d on "
            "its labels, [kx, ky] or [kxx, kxy, kyy]");
   if (added > 0)
     refuse(
         "A is stiffer along the boundary than lambda and G (or hooke) make "
         "it, by ",
-        added, " on its diagonal at ", in_words(mesh, dof / 2),
+        added, " on its diagonal at ", vertex_in_words(mesh, dof / 2),
         ": where the script has springs, int1d of k u v, give "
         "spring=[kx*(label == ...), ky*(label == ...)]");
 }
@@ -189,7 +186,7 @@ void require_no_factor(const SimplexMesh<dim>& mesh,
   if (comparison.is_multiple())
     refuse("lambda and G (or hooke) are not those of A: A is ",
            comparison.factor(), " times the stiffness of the law at ",
-           in_words(mesh, dof / dim),
+           vertex_in_words(mesh, dof / dim),
            "; give the constants of the script's varf");
 }
 
@@ -197,7 +194,7 @@ template <int dim>
 [[noreturn]] void refuse_row(const SimplexMesh<dim>& mesh,
                              const Comparison& comparison, Index dof) {
   refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
-         in_words(mesh, dof / dim), " is off by ", comparison.off[dof],
+         vertex_in_words(mesh, dof / dim), " is off by ", comparison.off[dof],
          " of its terms; give the law of the script's varf in every region, "
          "and A without springs",
          dim == 2 ? " that spring= does not name" : "");

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/reason_against.hpp"
 
-#include <iomanip>
-#include <sstream>
+#include "ffcontact/base/words.hpp"
 
 namespace ffcontact {
 
@@ -12,24 +11,22 @@ constexpr double equilibrium_tolerance = 1e-10;
 constexpr double cone_tolerance = 1e-12;
 constexpr double penetration_tolerance = 1e-12;
 
-std::string in_digits(double value) {
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
+constexpr int digits_of_parts = 2;
+
+std::string part_in_words(double part) {
+  return in_digits(part, digits_of_parts);
 }
 
 std::string penetration_in_words(double depth,
                                  const Ref<const VectorXd>& deepest) {
-  std::string place = in_digits(deepest[0]);
-  for (Index c = 1; c < deepest.size(); ++c)
-    place += ", " + in_digits(deepest[c]);
-  return "u penetrates by " + in_digits(depth) +
-         " of the largest displacement at (" + place +
-         "), where displacements are prescribed";
+  return "u penetrates by " + part_in_words(depth) +
+         " of the largest displacement at " +
+         in_words(deepest, digits_of_parts) +
+         ", where displacements are prescribed";
 }
 
 std::string cone_in_words(double cone) {
-  return "contact tractions leave the friction cone by " + in_digits(cone) +
+  return "contact tractions leave the friction cone by " + part_in_words(cone) +
          " of the largest stress";
 }
 
@@ -45,10 +42,10 @@ std::string imbalance_in_words(const EquilibriumDefect& defect,
   if (construction == Construction::polynomial)
     return "the polynomial construction is in equilibrium in the mean only: "
            "its tractions jump by " +
-           in_digits(defect.jump) + " of the largest";
+           part_in_words(defect.jump) + " of the largest";
   if (defect.largest() > equilibrium_tolerance)
     return "the stress is out of equilibrium by " +
-           in_digits(defect.largest()) + " of the largest traction";
+           part_in_words(defect.largest()) + " of the largest traction";
   return {};
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 
@@ -10,14 +11,8 @@ namespace ffcontact {
 
 namespace {
 
-double largest_entry(const Ref<const MatrixXd>& values) {
-  return values.cwiseAbs().maxCoeff();
-}
-
 double largest_value(const LinearStresses& stresses) {
-  if (stresses.empty()) return 0;
-  return largest_entry(stresses.mean) +
-         (stresses.varies() ? largest_entry(stresses.variation) : 0);
+  return max_norm(stresses.mean) + max_norm(stresses.variation);
 }
 
 /// What a displacement of the length `given` along each contact edge would stress on
@@ -26,7 +21,7 @@ double terms_along_line(const Edges& edges, const ContactLine& line,
                         const Hooke& hooke, double given) {
   double largest = 0;
   const auto count = [&](int edge, int e) {
-    const double stiffness = largest_entry(hooke[edges.cells(0, edge)]);
+    const double stiffness = max_norm(hooke[edges.cells(0, edge)]);
     largest = std::max(largest, stiffness * given / line.length[e]);
   };
   for (int e = 0; e < line.edge_count(); ++e) count(line.edge[e], e);
@@ -48,7 +43,7 @@ double largest_terms_inside(const SimplexMesh<dim>& mesh,
     for (int k = 0; k <= dim; ++k)
       strain += gradients.col(k).norm() *
                 vector_at<dim>(displacement, mesh.cells(k, t)).norm();
-    largest = std::max(largest, largest_entry(hooke[t]) * strain);
+    largest = std::max(largest, max_norm(hooke[t]) * strain);
   }
   return largest;
 }
@@ -97,7 +92,7 @@ bool is_unstressed(const Topology& topology, const ContactLine& line,
   if (has_loads(topology, prescribed, body)) return false;
   const double stress =
       largest_value(total_stresses(topology.mesh, body, body.displacement));
-  const double traction = largest_entry(body.pressure);
+  const double traction = max_norm(body.pressure);
   return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
          !slides(line, body);
 }

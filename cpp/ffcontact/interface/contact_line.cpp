@@ -196,21 +196,10 @@ ContactLine built_line(const Mesh& mesh, const Edges& edges,
   return line;
 }
 
-/// [u] at a node.
-Vector2d jump_at(const ContactLine& line, int node,
-                 const Ref<const VectorXd>& field) {
-  Vector2d jump = field.segment<2>(2 * line.vertex[node]);
-  visit_opposite(line, node, [&](int vertex, double weight) {
-    jump -= weight * field.segment<2>(2 * vertex);
-  });
-  return jump;
-}
-
 [[noreturn]] void refuse_direction(const Mesh& mesh, int vertex,
                                    const Vector2d& d) {
-  const Vector2d x = mesh.place(vertex);
-  refuse("the contact direction (", d.x(), ", ", d.y(), ") at vertex ", vertex,
-         " (", x.x(), ", ", x.y(), ") does not point out of the body");
+  refuse("the contact direction ", in_words(d), " at vertex ", vertex, " ",
+         in_words(mesh.place(vertex)), " does not point out of the body");
 }
 
 }  // namespace
@@ -265,11 +254,8 @@ SparseMatrix contact_mass(const ContactLine& line) {
 Matrix2Xd contact_components(const ContactLine& line,
                              const Ref<const VectorXd>& field) {
   Matrix2Xd components(2, line.node_count());
-  for (int i = 0; i < line.node_count(); ++i) {
-    const Vector2d jump = jump_at(line, i, field);
-    components.col(i) << jump.dot(line.normal.col(i)),
-        jump.dot(line.tangent(i));
-  }
+  for (int i = 0; i < line.node_count(); ++i)
+    components.col(i) = line.frame(i).transpose() * jump_at(line, i, field);
   return components;
 }
 

@@ -85,6 +85,12 @@ struct ContactLine {
   Vector2d tangent(int node) const {
     return {-normal(1, node), normal(0, node)};
   }
+  /// n and t at a node, one column each.
+  Matrix2d frame(int node) const {
+    Matrix2d columns;
+    columns << normal.col(node), tangent(node);
+    return columns;
+  }
   /// Both nodes of a contact edge have the normal of its straight line, except on a line
   /// of given directions.
   Vector2d edge_normal(int e) const { return normal.col(edge_node(0, e)); }
@@ -114,6 +120,20 @@ ContactLine along_directions(const Mesh& mesh, const Edges& edges,
 
 /// Mass matrix on Gamma_C [mm], m_ij = int psi_i psi_j, tridiagonal [CHH01, (3.9)].
 SparseMatrix contact_mass(const ContactLine& line);
+
+/// [u] at a node, u less that of what it faces, of fields on all dofs, one column each
+/// [2 x columns].
+template <class Fields>
+Matrix<double, 2, Fields::ColsAtCompileTime> jump_at(const ContactLine& line,
+                                                     int node,
+                                                     const Fields& fields) {
+  Matrix<double, 2, Fields::ColsAtCompileTime> jump =
+      fields.template middleRows<2>(2 * line.vertex[node]);
+  visit_opposite(line, node, [&](int vertex, double weight) {
+    jump -= weight * fields.template middleRows<2>(2 * vertex);
+  });
+  return jump;
+}
 
 /// Normal and tangential components at the nodes [2 x p] of a vertex field (2 * vertex +
 /// component) against the opposite body: [u] . n and [u] . t for [u] = u - opposite u,

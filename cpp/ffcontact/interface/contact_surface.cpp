@@ -167,10 +167,10 @@ void require_outward(const SolidMesh& mesh, const Facets<3>& faces,
       const Vector3d n = surface.normal.col(node);
       const double outward = n.dot(facet_normal(mesh, faces, surface.face[m]));
       if (outward > 0) continue;
-      const Vector3d x = mesh.place(surface.vertex[node]);
-      refuse("the contact direction at vertex ", surface.vertex[node], " (",
-             x.x(), ", ", x.y(), ", ", x.z(),
-             ") is zero, not finite, or does not point out of the body");
+      const int v = surface.vertex[node];
+      refuse("the contact direction at vertex ", v, " ",
+             in_words(mesh.place(v)),
+             " is zero, not finite, or does not point out of the body");
     }
 }
 

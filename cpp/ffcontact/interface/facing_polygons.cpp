@@ -68,21 +68,18 @@ class FacePairing {
     for (int v : surface_.vertex) own[v] = 1;
     for (int face : target_)
       for (int v : faces_.vertices.col(face))
-        if (own[v]) {
-          const Vector3d x = mesh_.place(v);
-          refuse("vertex ", v, " (", x.x(), ", ", x.y(), ", ", x.z(),
-                 ") is on both contact surfaces: bodies that face each other "
+        if (own[v])
+          refuse("vertex ", v, " ", in_words(mesh_.place(v)),
+                 " is on both contact surfaces: bodies that face each other "
                  "share no vertex");
-        }
   }
 
   [[noreturn]] void refuse_unfaced() const {
     const auto corners = faces_.vertices.col(surface_.face[0]);
     const Vector3d x =
         mesh_.origin + mesh_.vertices(Eigen::all, corners).rowwise().mean();
-    refuse("no point of the contact surface, as (", x.x(), ", ", x.y(), ", ",
-           x.z(),
-           "), faces a face of the opposite body along its contact direction: "
+    refuse("no point of the contact surface, as ", in_words(x),
+           ", faces a face of the opposite body along its contact direction: "
            "give the labels of two sides that lie opposite to each other, or "
            "normal=");
   }

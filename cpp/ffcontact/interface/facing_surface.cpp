@@ -192,10 +192,15 @@ class Coupling {
     return number;
   }
 
-  void put_faces(const VectorXi& number, ContactSurface& part) const {
-    std::vector<int> kept;
+  std::vector<int> faced() const {
+    std::vector<int> faces;
     for (int m = 0; m < surface_.face_count(); ++m)
-      if (is_faced_[m]) kept.push_back(m);
+      if (is_faced_[m]) faces.push_back(m);
+    return faces;
+  }
+
+  void put_faces(const VectorXi& number, ContactSurface& part) const {
+    const std::vector<int> kept = faced();
     part.face = surface_.face(kept);
     part.face_node = surface_.face_node(Eigen::all, kept);
     for (int& node : part.face_node.reshaped()) node = number[node];

@@ -159,8 +159,8 @@ class Pairing {
 
   [[noreturn]] void refuse_unfaced() const {
     const Vector2d point = mesh_.origin + rays(0).edge.at(0.5);
-    refuse("no point of the contact line, as (", point.x(), ", ", point.y(),
-           "), faces an edge of the opposite body along its contact direction: "
+    refuse("no point of the contact line, as ", in_words(point),
+           ", faces an edge of the opposite body along its contact direction: "
            "give the labels of two sides that lie opposite to each other, or "
            "normal=");
   }

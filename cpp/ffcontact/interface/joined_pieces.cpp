@@ -45,10 +45,14 @@ class Joining {
   }
 
  private:
+  bool goes_on(const DirectedPiece& next) const {
+    if (runs_.empty()) return false;
+    const DirectedPiece& last = runs_.back().last;
+    return go_on(last, next) && same(last.n_end, next.n_begin);
+  }
+
   void append(const DirectedPiece& next) {
-    if (runs_.empty() || !go_on(runs_.back().last, next) ||
-        !same(runs_.back().last.n_end, next.n_begin))
-      runs_.push_back({next, next});
+    if (!goes_on(next)) runs_.push_back({next, next});
     runs_.back().last = next;
     pieces_.push_back(next.piece);
     pieces_.back().contact_edge = count_of(runs_) - 1;

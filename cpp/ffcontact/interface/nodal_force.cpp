@@ -15,9 +15,7 @@ VectorXd nodal_load(const ContactLine& line, const Ref<const Matrix2Xd>& force,
                     Index dofs) {
   VectorXd load = VectorXd::Zero(dofs);
   for (int i = 0; i < line.node_count(); ++i)
-    add_nodal_force(
-        line, i,
-        force(0, i) * line.normal.col(i) + force(1, i) * line.tangent(i), load);
+    add_nodal_force(line, i, line.frame(i) * force.col(i), load);
   return load;
 }
 

@@ -24,10 +24,9 @@ EdgeByEnds boundary_by_ends(const Edges& edges) {
 /// Rays that cross, as those of neighbours do whose directions differ where the line is
 /// hollow, have no common refinement.
 [[noreturn]] void refuse_shared(const Mesh& mesh, int vertex) {
-  const Vector2d x = mesh.place(vertex);
-  refuse("two contact edges face the same part of the opposite body near (",
-         x.x(), ", ", x.y(),
-         "), because the contact direction jumps between them: give one "
+  refuse("two contact edges face the same part of the opposite body near ",
+         in_words(mesh.place(vertex)),
+         ", because the contact direction jumps between them: give one "
          "direction for both with normal=[nx, ny]");
 }
 

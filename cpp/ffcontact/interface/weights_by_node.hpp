@@ -32,4 +32,13 @@ std::vector<int> opposite_vertices(const Nodes& nodes) {
   return {vertices.begin(), vertices.end()};
 }
 
+/// The vertices of the nodes, and those in `opposite`; some may come twice.
+template <class Nodes>
+std::vector<int> contact_vertices(const Nodes& nodes) {
+  std::vector<int> vertices(nodes.vertex.begin(), nodes.vertex.end());
+  const std::vector<int> opposite = opposite_vertices(nodes);
+  vertices.insert(vertices.end(), opposite.begin(), opposite.end());
+  return vertices;
+}
+
 }  // namespace ffcontact

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -85,7 +86,7 @@ void require_valid(const SimplexMesh<dim>& mesh) {
   if (mesh.cell_count() == 0) refuse("the mesh has no ", MeshWords<dim>::cells);
   if (!mesh.vertices.allFinite())
     refuse("the mesh has a vertex whose coordinates are not finite");
-  const double largest = mesh.vertices.cwiseAbs().maxCoeff();
+  const double largest = max_norm(mesh.vertices);
   if (largest > largest_coordinate)
     refuse("the mesh has a vertex with the coordinate ", largest,
            ", whose square is no number any more");

@@ -42,10 +42,9 @@ class VerticesByPlace {
 };
 
 bool are_stated(const std::vector<PartNumbers>& numbers) {
-  const auto none = [](const PartNumbers& n) {
-    return n.vertex.empty() && n.cell.empty();
-  };
-  const auto unknown = std::count_if(numbers.begin(), numbers.end(), none);
+  const auto unknown =
+      std::count_if(numbers.begin(), numbers.end(),
+                    [](const PartNumbers& part) { return part.empty(); });
   if (unknown > 0 && unknown < count_of(numbers))
     refuse("vertexnumbers= and cellnumbers= are given on some processes only");
   return unknown == 0;

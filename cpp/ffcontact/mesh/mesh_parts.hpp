@@ -10,6 +10,8 @@ namespace ffcontact {
 /// Where the vertices and cells of one part are in the whole mesh; both empty: not known.
 struct PartNumbers {
   std::vector<int> vertex, cell;
+
+  bool empty() const { return vertex.empty() && cell.empty(); }
 };
 
 /// A mesh that was cut into parts along facets, put together again.

@@ -96,9 +96,8 @@ std::pair<int, double> worst_triangle(const Mesh& before, const Mesh& after) {
 void require_none_turned(const Mesh& before, const Mesh& after) {
   const auto [triangle, kept] = worst_triangle(before, after);
   if (kept > 0) return;
-  const Vector2d x = before.place(before.cells(0, triangle));
-  refuse("the triangle at (", x.x(), ", ", x.y(),
-         ") turns over when the boundary is put on its curve: the curve has "
+  refuse("the triangle at ", in_words(before.place(before.cells(0, triangle))),
+         " turns over when the boundary is put on its curve: the curve has "
          "too few vertices for sizes that small");
 }
 

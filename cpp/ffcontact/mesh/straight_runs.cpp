@@ -176,7 +176,7 @@ double turn_at(const Ref<const Matrix2Xd>& points, Index before, Index at,
 }
 
 double extent(const Ref<const Matrix2Xd>& points) {
-  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  return box_sides(points).norm();
 }
 
 }  // namespace ffcontact

@@ -31,20 +31,27 @@ Vector2i boundary_faces(const SolidTopology& topology, int edge) {
   return {found[0], found[1]};
 }
 
+/// Does the surface turn, or its condition change, between the faces at a boundary edge?
+bool is_singular(const SolidTopology& topology, int edge,
+                 const KnownComponents& known,
+                 const std::vector<char>& is_contact) {
+  const auto& [mesh, faces, edges, stars] = topology;
+  const Vector2i sides = boundary_faces(topology, edge);
+  const int a = sides[0], b = sides[1];
+  const double cosine =
+      facet_normal(mesh, faces, a).dot(facet_normal(mesh, faces, b));
+  return cosine < blunt || (known.col(a) != known.col(b)).any() ||
+         is_contact[a] != is_contact[b];
+}
+
 std::vector<int> singular_edges(const SolidTopology& topology,
                                 const KnownComponents& known,
                                 const std::vector<char>& is_contact) {
-  const auto& [mesh, faces, edges, stars] = topology;
+  const Hinges<3>& edges = topology.edges;
   std::vector<int> result;
-  for (int e = 0; e < edges.count(); ++e) {
-    if (!edges.on_boundary[e]) continue;
-    const Vector2i sides = boundary_faces(topology, e);
-    const int a = sides[0], b = sides[1];
-    if (facet_normal(mesh, faces, a).dot(facet_normal(mesh, faces, b)) <
-            blunt ||
-        (known.col(a) != known.col(b)).any() || is_contact[a] != is_contact[b])
+  for (int e = 0; e < edges.count(); ++e)
+    if (edges.on_boundary[e] && is_singular(topology, e, known, is_contact))
       result.push_back(e);
-  }
   return result;
 }
 
@@ -129,37 +136,48 @@ struct MeasuredLine {
 };
 
 double distance_to(const SolidTopology& topology, int edge, const Vector3d& x) {
-  const Vector3d first = topology.mesh.vertices.col(
-                     topology.edges.vertices(0, edge)),
+  const int start = topology.edges.vertices(0, edge);
+  const Vector3d from = x - topology.mesh.vertices.col(start),
                  d = along(topology, edge);
-  const double place =
-      std::clamp((x - first).dot(d) / d.squaredNorm(), 0.0, 1.0);
-  return (x - first - place * d).norm();
+  const double place = std::clamp(from.dot(d) / d.squaredNorm(), 0.0, 1.0);
+  return (from - place * d).norm();
+}
+
+bool share_a_vertex(const SolidTopology& topology, int edge, int other) {
+  for (int v : topology.edges.vertices.col(edge))
+    for (int w : topology.edges.vertices.col(other))
+      if (v == w) return true;
+  return false;
 }
 
 bool touch(const SolidTopology& topology, const std::vector<int>& line,
            const std::vector<int>& other) {
   for (int e : line)
     for (int f : other)
-      for (int v : topology.edges.vertices.col(e))
-        for (int w : topology.edges.vertices.col(f))
-          if (v == w) return true;
+      if (share_a_vertex(topology, e, f)) return true;
   return false;
+}
+
+/// From the middle half.
+double distance_to(const SolidTopology& topology, const MeasuredLine& line,
+                   const Vector3d& x) {
+  double nearest = infinity;
+  for (std::size_t k = 0; k < line.edges.size(); ++k)
+    if (line.is_inside[k])
+      nearest = std::min(nearest, distance_to(topology, line.edges[k], x));
+  return nearest;
 }
 
 /// Half the way from the middle half to the next line that does not touch this one.
 double room_beside(const SolidTopology& topology, const MeasuredLine& line,
                    const std::vector<std::vector<int>>& lines) {
+  const auto& [mesh, faces, edges, stars] = topology;
   double nearest = infinity;
   for (const std::vector<int>& other : lines) {
     if (touch(topology, line.edges, other)) continue;
     for (int e : other)
-      for (std::size_t k = 0; k < line.edges.size(); ++k)
-        if (line.is_inside[k])
-          nearest = std::min(
-              nearest,
-              distance_to(topology, line.edges[k],
-                          edge_middle(topology.mesh, topology.edges, e)));
+      nearest = std::min(
+          nearest, distance_to(topology, line, edge_middle(mesh, edges, e)));
   }
   return nearest / 2;
 }
@@ -208,6 +226,22 @@ Eigen::AlignedBox3d box_around(const SolidTopology& topology,
   return {box.min() - around, box.max() + around};
 }
 
+/// The edge of a line that is nearest to a point, by its place in the line.
+struct NearestEdge {
+  std::size_t place = 0;
+  double distance = infinity;
+};
+
+NearestEdge nearest_edge(const SolidTopology& topology,
+                         const std::vector<int>& line, const Vector3d& x) {
+  NearestEdge nearest;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const double distance = distance_to(topology, line[k], x);
+    if (distance < nearest.distance) nearest = {k, distance};
+  }
+  return nearest;
+}
+
 /// What is nearer than `largest` to the middle half.
 Neighbourhood near(const SolidTopology& topology, const MeasuredLine& line,
                    const TetrahedronEnergies& tetrahedra, double largest) {
@@ -216,16 +250,9 @@ Neighbourhood near(const SolidTopology& topology, const MeasuredLine& line,
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     const Vector3d x = tetrahedra.centroid.col(t);
     if (!box.contains(x)) continue;
-    double nearest = infinity;
-    bool is_inside = false;
-    for (std::size_t k = 0; k < line.edges.size(); ++k) {
-      const double distance = distance_to(topology, line.edges[k], x);
-      if (distance >= nearest) continue;
-      nearest = distance;
-      is_inside = line.is_inside[k];
-    }
-    if (is_inside && nearest <= largest)
-      found.push_back({nearest, tetrahedra.energy[t]});
+    const auto [place, distance] = nearest_edge(topology, line.edges, x);
+    if (line.is_inside[place] && distance <= largest)
+      found.push_back({distance, tetrahedra.energy[t]});
   }
   return found;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/plane.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
 #include "ffcontact/sizing/energy_exponent.hpp"
@@ -20,7 +21,7 @@ constexpr double nearest_radius = 2, farthest_radius = 8;
 
 /// Between two boundary edges, by their normals.
 bool boundary_turns(const Vector2d& a, const Vector2d& b) {
-  return std::abs(a.x() * b.y() - a.y() * b.x()) > turning || a.dot(b) < 0;
+  return std::abs(cross(a, b)) > turning || a.dot(b) < 0;
 }
 
 bool condition_changes(int in, int out, const BoundaryTractions& boundary,
@@ -29,19 +30,26 @@ bool condition_changes(int in, int out, const BoundaryTractions& boundary,
          (contact_edges[in] >= 0) != (contact_edges[out] >= 0);
 }
 
+/// May the stress be singular at a boundary vertex?
+bool is_candidate(const Topology& topology, int v,
+                  const BoundaryTractions& boundary,
+                  const std::vector<int>& contact_edges) {
+  const auto& [mesh, edges, stars] = topology;
+  const auto [out, in] = end_spokes(stars, v);
+  return boundary_turns(edge_normal(mesh, edges, in),
+                        edge_normal(mesh, edges, out)) ||
+         condition_changes(in, out, boundary, contact_edges);
+}
+
 std::vector<int> candidates(const Topology& topology,
                             const BoundaryTractions& boundary,
                             const std::vector<int>& contact_edges) {
-  const auto& [mesh, edges, stars] = topology;
+  const Stars& stars = topology.stars;
   std::vector<int> result;
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    if (stars.triangle_count(v) == 0 || !stars.on_boundary(v)) continue;
-    const auto [out, in] = end_spokes(stars, v);
-    if (boundary_turns(edge_normal(mesh, edges, in),
-                       edge_normal(mesh, edges, out)) ||
-        condition_changes(in, out, boundary, contact_edges))
+  for (int v = 0; v < topology.mesh.vertex_count(); ++v)
+    if (stars.triangle_count(v) > 0 && stars.on_boundary(v) &&
+        is_candidate(topology, v, boundary, contact_edges))
       result.push_back(v);
-  }
   return result;
 }
 
@@ -52,12 +60,14 @@ double size_at(const Mesh& mesh, const Stars& stars, int v) {
   return std::sqrt(2 * area / stars.triangle_count(v));
 }
 
+double distance(const Mesh& mesh, int v, int w) {
+  return (mesh.vertices.col(w) - mesh.vertices.col(v)).norm();
+}
+
 double reach(const Mesh& mesh, const std::vector<int>& others, int v) {
   double nearest = infinity;
   for (int w : others)
-    if (w != v)
-      nearest = std::min(nearest,
-                         (mesh.vertices.col(w) - mesh.vertices.col(v)).norm());
+    if (w != v) nearest = std::min(nearest, distance(mesh, v, w));
   return std::isfinite(nearest) ? 0.5 * nearest : 0;
 }
 
@@ -70,10 +80,14 @@ struct TriangleEnergies {
                    const Ref<const Matrix3Xd>& stress)
       : energy(mesh.cells.cols()), centroid(2, mesh.cells.cols()) {
     for (int t = 0; t < mesh.cell_count(); ++t) {
-      energy[t] = signed_area(mesh, t) *
-                  stress.col(t).dot(hooke[t].inverse() * stress.col(t));
+      energy[t] =
+          signed_area(mesh, t) * energy_density(hooke[t], stress.col(t));
       centroid.col(t) = centroid_of(mesh, t);
     }
+  }
+  /// sigma : C^-1 sigma
+  static double energy_density(const Matrix3d& C, const Vector3d& stress) {
+    return stress.dot(C.inverse() * stress);
   }
 
   Neighbourhood within(double largest, const Vector2d& x) const {
@@ -96,15 +110,15 @@ std::vector<SingularVertex> singular_vertices(
   const std::vector<int> vertices =
       candidates(topology, boundary, contact_edges);
   const TriangleEnergies triangles(mesh, hooke, stress);
-  std::vector<SingularVertex> result;
-  for (int v : vertices) {
+  const auto exponent_at = [&](int v) {
     const double size = size_at(mesh, stars, v);
     const double largest =
         std::min(reach(mesh, vertices, v), farthest_radius * size);
     const Neighbourhood near = triangles.within(largest, mesh.vertices.col(v));
-    result.push_back(
-        {v, fitted_exponent(near, nearest_radius * size, largest)});
-  }
+    return fitted_exponent(near, nearest_radius * size, largest);
+  };
+  std::vector<SingularVertex> result;
+  for (int v : vertices) result.push_back({v, exponent_at(v)});
   return result;
 }
 

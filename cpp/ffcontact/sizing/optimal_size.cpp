@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
 #include "ffcontact/sizing/graded_size.hpp"
@@ -118,13 +119,6 @@ double predicted_error(const SimplexMesh<dim>& mesh, const VectorXd& size,
   return std::sqrt(square);
 }
 
-template <int dim>
-double extent_of(const SimplexMesh<dim>& mesh) {
-  const auto extents =
-      mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff();
-  return extents.maxCoeff();
-}
-
 /// Sizes between hmin and hmax; within the body's extent where these are not given.
 VectorXd bounded_size(const VectorXd& size, double extent,
                       const SizeSettings& settings) {
@@ -182,10 +176,11 @@ OptimalSize optimal_size(const SimplexMesh<dim>& mesh,
   result.wanted = wanted_error(local_error.norm(), settings);
   result.ratio = size_ratios<dim>(error, rates, result.wanted);
 
-  result.size = graded_size(
-      mesh, edges,
-      bounded_size(vertex_sizes(mesh, result.ratio), extent_of(mesh), settings),
-      settings.gradation);
+  result.size =
+      graded_size(mesh, edges,
+                  bounded_size(vertex_sizes(mesh, result.ratio),
+                               box_sides(mesh.vertices).maxCoeff(), settings),
+                  settings.gradation);
   result.predicted_count = predicted_cells(mesh, result.size);
   result.predicted_error = predicted_error(mesh, result.size, error, rates);
   return result;
