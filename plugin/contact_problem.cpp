@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/appended.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
@@ -11,7 +12,6 @@
 #include <map>
 #include <utility>
 
-#include "appended.hpp"
 #include "contact_problem.hpp"
 #include "contact_statement.hpp"
 

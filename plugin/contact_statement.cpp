@@ -56,19 +56,23 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
   return table;
 }
 
+/// @param label  in the joined mesh
+template <int dim>
+bool has_label(const JoinedBodies<dim>& joined, int body, int label) {
+  const auto* all = joined.mesh.boundary_label.data();
+  const auto* end = all + joined.first_boundary[body + 1];
+  return std::find(all + joined.first_boundary[body], end, label) != end;
+}
+
 template <int dim>
 std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
                                const std::string& name,
                                const JoinedBodies<dim>& joined, int body) {
   std::vector<int> labels = named.integers(stack, name);
   if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
-  const int first = joined.first_boundary[body],
-            end = joined.first_boundary[body + 1];
   for (int& label : labels) {
     const int own = std::exchange(label, joined.label(body, label));
-    const auto* all = joined.mesh.boundary_label.data();
-    if (joined.body_count() > 1 &&
-        std::find(all + first, all + end, label) == all + end)
+    if (joined.body_count() > 1 && !has_label(joined, body, label))
       refuse(name, " is ", own, ", which is on no boundary ",
              MeshWords<dim>::facet, " of mesh ", body + 1);
   }

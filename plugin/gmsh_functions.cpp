@@ -17,13 +17,15 @@ void report(const string& file, const GmshMesh& gmsh) {
          << " triangles, " << gmsh.mesh.vertex_count() << " vertices" << endl;
 }
 
+AnyType reported(Stack stack, const string& file, const GmshMesh& gmsh) {
+  report(file, gmsh);
+  return SetAny<pmesh>(fem_mesh_of(stack, gmsh.mesh, gmsh.regions));
+}
+
 /// Th = gmshmesh("part.geo"), or gmshmesh("part.msh")
 pmesh gmshmesh(Stack stack, string* const& file) {
-  return GetAny<pmesh>(guarded("gmshmesh", [&] {
-    const GmshMesh gmsh = gmsh_mesh(*file);
-    report(*file, gmsh);
-    return SetAny<pmesh>(fem_mesh_of(stack, gmsh.mesh, gmsh.regions));
-  }));
+  return GetAny<pmesh>(guarded(
+      "gmshmesh", [&] { return reported(stack, *file, gmsh_mesh(*file)); }));
 }
 
 /// Th = gmshmesh("part.geo", Th, size): edges of the lengths `size`, one value a vertex
@@ -31,10 +33,8 @@ pmesh gmshmesh(Stack stack, string* const& file) {
 pmesh gmshmesh_sized(Stack stack, string* const& geometry,
                      pmesh const& background, KN<double>* const& size) {
   return GetAny<pmesh>(guarded("gmshmesh", [&] {
-    const GmshMesh gmsh =
-        gmsh_mesh(*geometry, mesh_of(background), vector_of(size));
-    report(*geometry, gmsh);
-    return SetAny<pmesh>(fem_mesh_of(stack, gmsh.mesh, gmsh.regions));
+    return reported(stack, *geometry,
+                    gmsh_mesh(*geometry, mesh_of(background), vector_of(size)));
   }));
 }
 

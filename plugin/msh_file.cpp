@@ -70,15 +70,19 @@ class MshReader {
     }
   }
 
+  int index_of(long node, long element) const {
+    const auto found = index_.find(node);
+    if (found == index_.end())
+      refuse("element ", element, " of ", shown_, " names the node ", node,
+             ", which is not there");
+    return found->second;
+  }
+
   void read_nodes_of(long number, int count, MshElement& element) {
     for (int k = 0; k < count; ++k) {
       long node = 0;
       stream_ >> node;
-      const auto found = index_.find(node);
-      if (found == index_.end())
-        refuse("element ", number, " of ", shown_, " names the node ", node,
-               ", which is not there");
-      element.nodes[k] = found->second;
+      element.nodes[k] = index_of(node, number);
     }
   }
 

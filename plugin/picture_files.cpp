@@ -59,8 +59,18 @@ void write_body(const fs::path& folder, long step,
   write_vtu(folder / picture_file("step", step, body), triangles);
 }
 
-/// The three subtriangles k+1, k+2, centroid of each triangle, with corners of their own:
-/// the stress jumps between them.
+/// Of the three subtriangles k+1, k+2, centroid of a triangle.
+Matrix<double, 2, 9> corners_of_parts(const Mesh& mesh, int triangle) {
+  const TriangleCorners corners =
+      corners_of(mesh, triangle).colwise() + mesh.origin;
+  Matrix<double, 2, 9> points;
+  for (int k = 0; k < 3; ++k)
+    points.middleCols<3>(3 * k) << corners.col((k + 1) % 3),
+        corners.col((k + 2) % 3), corners.rowwise().mean();
+  return points;
+}
+
+/// The subtriangles have corners of their own: the stress jumps between them.
 void write_stress(const fs::path& folder, long step,
                   const ContactProblem& problem,
                   const std::vector<CompositeStress>& stress, int body) {
@@ -75,12 +85,8 @@ void write_stress(const fs::path& folder, long step,
       Eigen::VectorXi::LinSpaced(count, 0, static_cast<int>(count) - 1)
           .reshaped(3, count / 3);
   for (int t = 0; t < triangles; ++t) {
-    const TriangleCorners corners =
-        corners_of(problem.mesh, first + t).colwise() + problem.mesh.origin;
     at_corners.middleCols<9>(9 * t) = stress[first + t];
-    for (int k = 0; k < 3; ++k)
-      points.middleCols<3>(9 * t + 3 * k) << corners.col((k + 1) % 3),
-          corners.col((k + 2) % 3), corners.rowwise().mean();
+    points.middleCols<9>(9 * t) = corners_of_parts(problem.mesh, first + t);
   }
   parts.points = in_space(points);
   const std::array names = {"sxx", "syy", "sxy"};
@@ -89,11 +95,34 @@ void write_stress(const fs::path& folder, long step,
   write_vtu(folder / picture_file("stress", step, body), parts);
 }
 
+/// x, u and the place that faces x along n.
+void write_places(const ContactProblem& problem, const SolvedContact& solved,
+                  int i, TextFile& text) {
+  const int v = problem.line.vertex[i];
+  const Vector2d x = problem.mesh.place(v),
+                 u = solved.solution.displacement.segment<2>(2 * v);
+  const double gap = value_or(solved.law.gap, i, 0);
+  const Vector2d facing = x + gap * problem.line.normal.col(i);
+  for (const Vector2d& of_node : {x, u, facing})
+    text << " " << of_node.x() << " " << of_node.y();
+}
+
+void write_results(const NodalResults& nodes, int i, TextFile& text) {
+  text << " " << nodes.state[i] << " " << nodes.pn[i] << " " << nodes.pt[i]
+       << " " << nodes.fn[i] << " " << nodes.ft[i] << " " << nodes.gap[i] << " "
+       << nodes.slip[i];
+}
+
+void write_law(const ContactLaw& law, int i, TextFile& text) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const VectorXd& limit = law.tresca() ? law.slip_bound : law.shear_limit;
+  text << " " << value_or(law.friction, i, 0) << " "
+       << value_or(limit, i, none);
+}
+
 void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
                  const SolvedContact& solved) {
-  constexpr double none = std::numeric_limits<double>::infinity();
   const ContactLaw& law = solved.law;
-  const NodalResults& nodes = solved.nodes;
   TextFile text(file);
   text << "# step " << step << " law " << (law.tresca() ? "tresca" : "coulomb");
   if (solved.estimate)
@@ -101,19 +130,11 @@ void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
   text << "\n# abscissa x y ux uy facingx facingy state pn pt fn ft gap slip "
           "friction limit\n";
   for (int i = 0; i < problem.line.node_count(); ++i) {
-    const int v = problem.line.vertex[i];
-    const Vector2d x = problem.mesh.place(v),
-                   u = solved.solution.displacement.segment<2>(2 * v),
-                   facing =
-                       x + value_or(law.gap, i, 0) * problem.line.normal.col(i);
     text << problem.abscissa[i];
-    for (const Vector2d& of_node : {x, u, facing})
-      text << " " << of_node.x() << " " << of_node.y();
-    text << " " << nodes.state[i] << " " << nodes.pn[i] << " " << nodes.pt[i]
-         << " " << nodes.fn[i] << " " << nodes.ft[i] << " " << nodes.gap[i]
-         << " " << nodes.slip[i] << " " << value_or(law.friction, i, 0) << " "
-         << value_or(law.tresca() ? law.slip_bound : law.shear_limit, i, none)
-         << "\n";
+    write_places(problem, solved, i, text);
+    write_results(solved.nodes, i, text);
+    write_law(law, i, text);
+    text << "\n";
   }
   text.close();
 }

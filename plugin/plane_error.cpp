@@ -80,24 +80,47 @@ void put_stress(Stack stack, const NamedArguments& named,
                   stress_component(stress, c));
 }
 
-void put(Stack stack, const NamedArguments& named,
-         const ContactProblem& problem, const Estimate& estimate) {
-  put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
-  put_stress(stack, named, problem, estimate);
-  named.put(stack, "rabscissa", abscissae(problem, estimate));
+void put_error(Stack stack, const NamedArguments& named,
+               const Estimate& estimate) {
   named.put(stack, "e", estimate.e);
   named.put(stack, "elasticpart", estimate.elastic);
   named.put(stack, "contactpart", estimate.contact);
   named.put(stack, "springpart", estimate.springs);
   named.put(stack, "history", packed(estimate.history));
+}
+
+void put_tractions(Stack stack, const NamedArguments& named,
+                   const Estimate& estimate) {
   named.put(stack, "rn", estimate.tractions.normal.reshaped());
   named.put(stack, "rt", estimate.tractions.tangential.reshaped());
   named.put(stack, "corrected", static_cast<long>(estimate.corrected_count()));
   named.put(stack, "unmended", static_cast<long>(estimate.unmended.size()));
+}
+
+void put_defects(Stack stack, const NamedArguments& named,
+                 const Estimate& estimate) {
   named.put(stack, "balance", estimate.equilibrium.largest());
   named.put(stack, "cone", estimate.cone);
   named.put(stack, "penetration", estimate.penetration);
   named.put(stack, "admissible", estimate.admissible);
+}
+
+void put(Stack stack, const NamedArguments& named,
+         const ContactProblem& problem, const Estimate& estimate) {
+  put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
+  put_stress(stack, named, problem, estimate);
+  put_error(stack, named, estimate);
+  named.put(stack, "rabscissa", abscissae(problem, estimate));
+  put_tractions(stack, named, estimate);
+  put_defects(stack, named, estimate);
+}
+
+void report_parts(const Estimate& estimate) {
+  cout << "contacterror: elastic part " << estimate.elastic
+       << ", contact part of e^2 " << estimate.contact << ", that of springs "
+       << estimate.springs << ", equilibrium defect "
+       << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
+       << ", penetration " << estimate.penetration << endl;
 }
 
 void report(Stack stack, const NamedArguments& named,
@@ -115,12 +138,7 @@ void report(Stack stack, const NamedArguments& named,
     cout << "contacterror: mu kappa "
          << bound->constant.friction * bound->constant.kappa << ", bound "
          << bound->value << ", " << in_words(bound->stuck) << endl;
-  if (level > 1)
-    cout << "contacterror: elastic part " << estimate.elastic
-         << ", contact part of e^2 " << estimate.contact << ", that of springs "
-         << estimate.springs << ", equilibrium defect "
-         << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
-         << ", penetration " << estimate.penetration << endl;
+  if (level > 1) report_parts(estimate);
 }
 
 }  // namespace

@@ -55,20 +55,38 @@ void put_parts(Stack stack, const NamedArguments& named,
   }
 }
 
+/// Of the next body in the packets.
+template <int dim>
+MeshParts<dim> parts_in(std::vector<Packet>& packets) {
+  std::vector<SimplexMesh<dim>> meshes;
+  std::vector<PartNumbers> numbers;
+  for (Packet& packet : packets) {
+    meshes.push_back(mesh_in<dim>(packet));
+    const auto vertex = packet.take<std::vector<int>>(),
+               cell = packet.take<std::vector<int>>();
+    numbers.push_back({vertex, cell});
+  }
+  return joined_parts(meshes, numbers);
+}
+
+/// What a process holds of a body.
+template <int dim>
+void add_numbers(const JoinedBodies<dim>& joined, int body, std::size_t process,
+                 SharedBodies<dim>& shared) {
+  const MeshParts<dim>& parts = shared.parts[body];
+  append(parts.vertex[process], joined.first_vertex[body],
+         shared.vertex[process]);
+  append(parts.cell[process], joined.first_cell[body], shared.cell[process]);
+  append(parts.boundary[process], joined.first_boundary[body],
+         shared.boundary[process]);
+}
+
 template <int dim>
 JoinedBodies<dim> joined_bodies(std::vector<Packet>& packets, int bodies,
                                 SharedBodies<dim>& shared) {
   std::vector<SimplexMesh<dim>> wholes;
   for (int k = 0; k < bodies; ++k) {
-    std::vector<SimplexMesh<dim>> meshes;
-    std::vector<PartNumbers> numbers;
-    for (Packet& packet : packets) {
-      meshes.push_back(mesh_in<dim>(packet));
-      const auto vertex = packet.take<std::vector<int>>(),
-                 cell = packet.take<std::vector<int>>();
-      numbers.push_back({vertex, cell});
-    }
-    shared.parts.push_back(joined_parts(meshes, numbers));
+    shared.parts.push_back(parts_in<dim>(packets));
     wholes.push_back(std::exchange(shared.parts.back().whole, {}));
   }
   JoinedBodies<dim> joined = joined_mesh(wholes);
@@ -77,12 +95,7 @@ JoinedBodies<dim> joined_bodies(std::vector<Packet>& packets, int bodies,
   shared.cell.resize(processes);
   shared.boundary.resize(processes);
   for (std::size_t r = 0; r < processes; ++r)
-    for (int k = 0; k < bodies; ++k) {
-      const MeshParts<dim>& parts = shared.parts[k];
-      append(parts.vertex[r], joined.first_vertex[k], shared.vertex[r]);
-      append(parts.cell[r], joined.first_cell[k], shared.cell[r]);
-      append(parts.boundary[r], joined.first_boundary[k], shared.boundary[r]);
-    }
+    for (int k = 0; k < bodies; ++k) add_numbers(joined, k, r, shared);
   return joined;
 }
 

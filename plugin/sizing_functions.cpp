@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/appended.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"
 //
@@ -61,9 +62,7 @@ class OptimalSizeFunction : public E_F0mps {
     VectorXd values;
     for (Expression array : arrays) {
       if (!array) return {};
-      const VectorXd own = vector_of(value_of<KN<double>*>(stack, array));
-      values.conservativeResize(values.size() + own.size());
-      values.tail(own.size()) = own;
+      append(vector_of(value_of<KN<double>*>(stack, array)), values);
     }
     return values;
   }

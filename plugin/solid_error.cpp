@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid_error.hpp"
 
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -73,23 +74,46 @@ void put_solid_rates(Stack stack, const NamedArguments& named,
                                            is_contact)));
 }
 
-void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
-         const SolidEstimate& estimate) {
-  put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
+void put_error(Stack stack, const NamedArguments& named,
+               const SolidEstimate& estimate) {
   named.put(stack, "e", estimate.e);
   named.put(stack, "elasticpart", estimate.elastic);
   named.put(stack, "contactpart", estimate.contact);
+  named.put(stack, "tractionoscillation", estimate.oscillation);
   named.put(stack, "history", packed(estimate.history));
+}
+
+void put_tractions(Stack stack, const NamedArguments& named,
+                   const SolidEstimate& estimate) {
+  constexpr std::array parameter = {"rn", "rt1", "rt2"};
   const auto tractions =
       estimate.face_tractions.reshaped(3, 3 * estimate.face_tractions.cols());
-  named.put(stack, "rn", tractions.row(0).transpose());
-  named.put(stack, "rt1", tractions.row(1).transpose());
-  named.put(stack, "rt2", tractions.row(2).transpose());
+  for (int c = 0; c < 3; ++c)
+    named.put(stack, parameter[c], tractions.row(c).transpose());
+}
+
+void put_defects(Stack stack, const NamedArguments& named,
+                 const SolidEstimate& estimate) {
   named.put(stack, "balance", estimate.equilibrium.largest());
   named.put(stack, "cone", estimate.cone);
   named.put(stack, "penetration", estimate.penetration);
-  named.put(stack, "tractionoscillation", estimate.oscillation);
   named.put(stack, "admissible", estimate.admissible);
+}
+
+void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
+         const SolidEstimate& estimate) {
+  put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
+  put_error(stack, named, estimate);
+  put_tractions(stack, named, estimate);
+  put_defects(stack, named, estimate);
+}
+
+void report_parts(const SolidEstimate& estimate) {
+  cout << "contacterror: elastic part " << estimate.elastic
+       << ", contact part of e^2 " << estimate.contact
+       << ", equilibrium defect " << estimate.equilibrium.largest()
+       << ", cone defect " << estimate.cone << ", penetration "
+       << estimate.penetration << endl;
 }
 
 void report(Stack stack, const NamedArguments& named,
@@ -105,12 +129,7 @@ void report(Stack stack, const NamedArguments& named,
          << estimate.oscillation << " beside e" << endl;
   if (!estimate.admissible)
     cout << "contacterror: not admissible: " << estimate.reason << endl;
-  if (level > 1)
-    cout << "contacterror: elastic part " << estimate.elastic
-         << ", contact part of e^2 " << estimate.contact
-         << ", equilibrium defect " << estimate.equilibrium.largest()
-         << ", cone defect " << estimate.cone << ", penetration "
-         << estimate.penetration << endl;
+  if (level > 1) report_parts(estimate);
 }
 
 /// The nodes that slip nowhere, as stick= says.
@@ -140,6 +159,15 @@ void put_bound(Stack stack, const NamedArguments& named,
        << in_words(stuck) << endl;
 }
 
+ffcontact::SolvedSolid judged_body(const SolvedSolid& solved) {
+  ffcontact::SolvedSolid body;
+  body.displacement = solved.solution.displacement;
+  body.force = solved.solution.force;
+  body.law = solved.law;
+  body.stiffness = solved.solution.stiffness;
+  return body;
+}
+
 }  // namespace
 
 double solid_error(Stack stack, const NamedArguments& named,
@@ -151,13 +179,8 @@ double solid_error(Stack stack, const NamedArguments& named,
   const StuckNodes stuck = stuck_nodes_of(stack, named);
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;
-  const SurfaceSolution& solution = contact.solved->solution;
 
-  ffcontact::SolvedSolid body;
-  body.displacement = solution.displacement;
-  body.force = solution.force;
-  body.law = contact.solved->law;
-  body.stiffness = solution.stiffness;
+  ffcontact::SolvedSolid body = judged_body(*contact.solved);
   const double oscillation = read(problem, body);
 
   const SolidTopology topology = topology_of(problem.mesh);

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ffcontact/base/appended.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/joined_surfaces.hpp"
 //
-#include "appended.hpp"
 #include "contact_statement.hpp"
 
 namespace ffcontact::plugin {
@@ -25,14 +25,12 @@ constexpr double as_much = 0.9;
 /// not by more than their nodes are large.
 void require_apart(const SolidMesh& mesh, const FacingSurface& facing) {
   const double size = std::sqrt(facing.surface.area.maxCoeff());
-  for (int i = 0; i < facing.gap.size(); ++i) {
-    const Vector3d x = mesh.place(facing.surface.vertex[i]);
+  for (int i = 0; i < facing.gap.size(); ++i)
     if (facing.gap[i] < -size)
-      refuse("the bodies overlap by ", -facing.gap[i], " at (", x.x(), ", ",
-             x.y(), ", ", x.z(),
-             "), more than a contact face: is the facing face behind the "
+      refuse("the bodies overlap by ", -facing.gap[i], " at ",
+             in_words(mesh.place(facing.surface.vertex[i])),
+             ", more than a contact face: is the facing face behind the "
              "contact surface? Give gap= if it is meant");
-  }
 }
 
 }  // namespace
@@ -205,6 +203,17 @@ void SolidProblem::choose_sides(const ElasticSystem& system) {
   join_carriers();
 }
 
+/// But for the surface itself.
+void SolidProblem::append_carrier(const Carrier& carrier) {
+  own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
+                    carrier.own_vertex.end());
+  first_node.push_back(count_of(own_vertex));
+  for (VectorXd SurfaceLaw::*nodal :
+       {&SurfaceLaw::friction, &SurfaceLaw::slip_bound,
+        &SurfaceLaw::shear_limit, &SurfaceLaw::gap})
+    append(carrier.law.*nodal, law.*nodal);
+}
+
 void SolidProblem::join_carriers() {
   if (side.empty())
     for (const Pair& pair : pairs_)
@@ -217,13 +226,7 @@ void SolidProblem::join_carriers() {
     const bool on_other = !pairs_[k].polygons.empty() && side[k] == 2;
     const Carrier& carrier = on_other ? *pairs_[k].other : pairs_[k].own;
     surfaces.push_back(carrier.surface);
-    own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
-                      carrier.own_vertex.end());
-    first_node.push_back(count_of(own_vertex));
-    for (VectorXd SurfaceLaw::*nodal :
-         {&SurfaceLaw::friction, &SurfaceLaw::slip_bound,
-          &SurfaceLaw::shear_limit, &SurfaceLaw::gap})
-      append(carrier.law.*nodal, law.*nodal);
+    append_carrier(carrier);
   }
   surface = joined_surfaces(surfaces);
   if (previous_.size() > 0)

@@ -77,6 +77,7 @@ struct SolidProblem : SolidBodies {
   Carrier carrier(Stack stack, const NamedArguments& named, int body,
                   FacingSurface facing,
                   const std::vector<FacePlace>& places) const;
+  void append_carrier(const Carrier& carrier);
   void join_carriers();
 
   std::vector<Pair> pairs_;

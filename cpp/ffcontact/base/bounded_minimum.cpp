@@ -79,11 +79,14 @@ class FaceByFace {
     VectorXd step = VectorXd::Zero(x_.size());
     if (free.empty()) return step;
     ++steps_;
+    step(free) = solved(free);
+    return step;
+  }
+
+  VectorXd solved(const std::vector<Index>& free) const {
     const MatrixXd part = H_(free, free);
     const VectorXd right = -gradient_(free);
-    const VectorXd on_face = Cholesky(part).solve(right);
-    step(free) = on_face;
-    return step;
+    return Cholesky(part).solve(right);
   }
 
   bool is_blocked(Index i, double step) const {

@@ -45,14 +45,17 @@ ContactState next_state_with_bound(double bound, bool open, ContactState now,
   return open ? open_state(slip) : closed_state(slip);
 }
 
+int next_closed_slip(const FrictionCone& cone, ContactState now,
+                     const Vector2d& P, double vt, const Rounding& rounding) {
+  if (now == ContactState::open) return slip_direction(vt, rounding);
+  return next_slip(P[1], vt, cone.bound(P[0]), slip_sign(now), rounding);
+}
+
 /// With friction that grows with -P_n.
 ContactState next_closed_state(const FrictionCone& cone, ContactState now,
                                const Vector2d& P, double vt,
                                const Rounding& rounding) {
-  const int slip =
-      now == ContactState::open
-          ? slip_direction(vt, rounding)
-          : next_slip(P[1], vt, cone.bound(P[0]), slip_sign(now), rounding);
+  const int slip = next_closed_slip(cone, now, P, vt, rounding);
   return slip != 0 && cone.at_limit(P[0]) ? limited_state(slip)
                                           : closed_state(slip);
 }

@@ -145,13 +145,11 @@ ElasticSystem room_for(const std::vector<ElasticSystem>& bodies) {
   return joined;
 }
 
-/// Appends the rows of K from row and column `first` on.
-void append_block(const RowMatrix& K, Index first, RowMatrix& joined) {
-  for (Index row = 0; row < K.rows(); ++row) {
-    joined.startVec(first + row);
-    for (RowMatrix::InnerIterator e(K, row); e; ++e)
-      joined.insertBack(first + row, first + e.col()) = e.value();
-  }
+/// Appends a row of K, its rows and columns numbered from `first` on.
+void append_row(const RowMatrix& K, Index row, Index first, RowMatrix& joined) {
+  joined.startVec(first + row);
+  for (RowMatrix::InnerIterator e(K, row); e; ++e)
+    joined.insertBack(first + row, first + e.col()) = e.value();
 }
 
 }  // namespace
@@ -203,7 +201,8 @@ ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
     joined.prescribed_value.segment(first, size) = body.prescribed_value;
     joined.prescribed.insert(joined.prescribed.end(), body.prescribed.begin(),
                              body.prescribed.end());
-    append_block(body.stiffness, first, joined.stiffness);
+    for (Index row = 0; row < size; ++row)
+      append_row(body.stiffness, row, first, joined.stiffness);
     first += size;
   }
   joined.stiffness.finalize();

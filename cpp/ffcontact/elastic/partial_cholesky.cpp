@@ -54,13 +54,15 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   int size() const { return eliminated + kept; }
 
   void find_descendants() {
-    for (int d = 0; d < nodes.count(); ++d) {
-      const int *row = nodes.rows_below(d), *end = nodes.end_of_rows(d);
-      while (row != end) {
-        const int s = supernode_of(*row);
-        descendants[s].push_back(d);
-        row = std::lower_bound(row, end, end_of_columns(s));
-      }
+    for (int d = 0; d < nodes.count(); ++d) add_descendant(d);
+  }
+  /// One of each supernode that has a row of it among its columns.
+  void add_descendant(int d) {
+    const int *row = nodes.rows_below(d), *end = nodes.end_of_rows(d);
+    while (row != end) {
+      const int s = supernode_of(*row);
+      descendants[s].push_back(d);
+      row = std::lower_bound(row, end, end_of_columns(s));
     }
   }
 

@@ -46,6 +46,16 @@ void add_force(const Vector3d& force, int vertex, SolidResidual& residual) {
     if (!residual.supported(c, vertex)) residual.missing(c, vertex) += force[c];
 }
 
+/// A force with the moments of boundary tractions at its vertex.
+Vector3d with_tractions(Vector3d force, const SolidTopology& topology,
+                        int vertex, const FaceTractions& boundary) {
+  for_boundary_faces(topology, vertex, [&](int face) {
+    const int place = place_of(topology.faces, face, vertex);
+    force += boundary.moments.col(face).segment<3>(3 * place);
+  });
+  return force;
+}
+
 }  // namespace
 
 Matrix3Xd star_loads(const SolidTopology& topology, int vertex,
@@ -74,14 +84,12 @@ SolidResidual nodal_residual(const SolidTopology& topology,
     if (topology.stars.count(v) == 0) continue;
     const Matrix3Xd loads = star_loads(topology, v, stress, body_loads);
     scale = std::max(scale, max_norm(loads));
-    Vector3d force = -loads.rowwise().sum();
     for_boundary_faces(topology, v, [&](int face) {
-      const int place = place_of(topology.faces, face, v);
-      force += boundary.moments.col(face).segment<3>(3 * place);
       for (int c = 0; c < 3; ++c)
         if (!boundary.known(c, face)) residual.supported(c, v) = true;
     });
-    add_force(force, v, residual);
+    add_force(with_tractions(-loads.rowwise().sum(), topology, v, boundary), v,
+              residual);
   }
   residual.scale = scale;
   return residual;

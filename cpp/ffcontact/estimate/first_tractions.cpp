@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "ffcontact/base/appended.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
@@ -119,14 +120,10 @@ struct HeldMotions {
   VectorXd of_loads;   ///< that balances the loads, or pushes the tool
   VectorXd of_forces;  ///< that the contact forces of u_h do
 
-  void append(const HeldMotions& more) {
-    const Index k = of_loads.size(), n = more.of_loads.size();
-    fields.conservativeResize(Eigen::NoChange, k + n);
-    of_loads.conservativeResize(k + n);
-    of_forces.conservativeResize(k + n);
-    fields.rightCols(n) = more.fields;
-    of_loads.tail(n) = more.of_loads;
-    of_forces.tail(n) = more.of_forces;
+  void add(const HeldMotions& more) {
+    append(more.fields, fields);
+    append(more.of_loads, of_loads);
+    append(more.of_forces, of_forces);
   }
 };
 
@@ -187,7 +184,7 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
   const Matrix2Xd p = lumped_pressures(solved.line, solved.system.prescribed,
                                        forces_of(solved.line, body.pressure));
   HeldMotions held = held_motions(solved, bodies, motions);
-  if (body.tool) held.append(motions_of_tool(solved));
+  if (body.tool) held.add(motions_of_tool(solved));
   const auto near = [&](const Matrix2Xd& nodal) {
     return candidate(bodies.line(), bodies.body().law, held,
                      edge_densities(bodies.line(), bodies.nodal_values(nodal)));

@@ -51,11 +51,17 @@ Chain taken(const Edges& edges, int vertex, EdgeByVertex& leaving) {
   return chain;
 }
 
+std::set<int> second_vertices(const Edges& edges,
+                              const std::vector<int>& boundary) {
+  std::set<int> vertices;
+  for (int e : boundary) vertices.insert(edges.vertices(1, e));
+  return vertices;
+}
+
 /// The vertices that an edge leaves and none arrives at.
 std::vector<int> starts(const Edges& edges, const std::vector<int>& boundary,
                         const EdgeByVertex& leaving) {
-  std::set<int> arrived;
-  for (int e : boundary) arrived.insert(edges.vertices(1, e));
+  const std::set<int> arrived = second_vertices(edges, boundary);
   std::vector<int> result;
   for (const auto& [vertex, edge] : leaving)
     if (!arrived.count(vertex)) result.push_back(vertex);

@@ -25,12 +25,9 @@ enum class Shape { polygon, parts, curve };
 
 Matrix2Xd vertices_of(const Mesh& mesh, const Edges& edges,
                       const std::vector<int>& chain) {
-  Matrix2Xd points(2, count_of(chain) + 1);
-  points.col(0) = mesh.vertices.col(edges.vertices(0, chain.front()));
-  Index next = 1;
-  for (int edge : chain)
-    points.col(next++) = mesh.vertices.col(edges.vertices(1, edge));
-  return points;
+  std::vector<int> vertices{edges.vertices(0, chain.front())};
+  for (int edge : chain) vertices.push_back(edges.vertices(1, edge));
+  return mesh.vertices(Eigen::all, vertices);
 }
 
 /// The direction of the chord at every point.
@@ -55,11 +52,8 @@ Matrix2Xd normals_of(const Matrix2Xd& points, bool straight) {
 
 Matrix2Xd places_of(const Mesh& mesh, const Edges& edges,
                     const std::vector<int>& boundary) {
-  Matrix2Xd points(2, 2 * count_of(boundary));
-  Index next = 0;
-  for (int edge : boundary)
-    for (int v : edges.vertices.col(edge)) points.col(next++) = mesh.place(v);
-  return points;
+  const Matrix2Xi vertices = edges.vertices(Eigen::all, boundary);
+  return mesh.vertices(Eigen::all, vertices.reshaped()).colwise() + mesh.origin;
 }
 
 /// Appends nodes and edges to a line.
