@@ -55,12 +55,9 @@ void fill(Stack stack, Expression target, const Values& values) {
 
 /// "a", "b" or "c", in quotation marks.
 std::string quoted_list(const std::vector<std::string>& words) {
-  std::string list;
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    if (k > 0) list += k + 1 == words.size() ? " or " : ", ";
-    list += '"' + words[k] + '"';
-  }
-  return list;
+  std::vector<std::string> quoted;
+  for (const std::string& word : words) quoted.push_back('"' + word + '"');
+  return listed(quoted, " or ");
 }
 
 }  // namespace

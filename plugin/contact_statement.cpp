@@ -59,9 +59,10 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
 /// @param label  in the joined mesh
 template <int dim>
 bool has_label(const JoinedBodies<dim>& joined, int body, int label) {
-  const auto* all = joined.mesh.boundary_label.data();
-  const auto* end = all + joined.first_boundary[body + 1];
-  return std::find(all + joined.first_boundary[body], end, label) != end;
+  const int first = joined.first_boundary[body],
+            count = joined.first_boundary[body + 1] - first;
+  const auto labels = joined.mesh.boundary_label.segment(first, count);
+  return (labels.array() == label).any();
 }
 
 template <int dim>

@@ -47,10 +47,10 @@ VectorXd stress_component(const std::vector<CompositeStress>& stress,
 
 VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
   if (!estimate.refinement) return problem.edge_abscissa.reshaped();
-  VectorXd values(2 * estimate.refinement->line.edge_count());
-  for (int k = 0; k < values.size(); ++k)
-    values[k] = abscissa(problem, *estimate.refinement, k / 2, k % 2);
-  return values;
+  return VectorXd::NullaryExpr(
+      2 * estimate.refinement->line.edge_count(), [&](int k) {
+        return abscissa(problem, *estimate.refinement, k / 2, k % 2);
+      });
 }
 
 }  // namespace ffcontact::plugin

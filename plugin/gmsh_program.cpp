@@ -49,27 +49,29 @@ Matrix2Xd outward_directions(const Mesh& mesh, const Edges& edges) {
   return direction;
 }
 
-/// A view whose field is the size, linear in the triangles of the mesh. Where gmsh
-/// follows a curved boundary it asks for sizes outside the polygon too, so a strip is put
-/// around.
-void write_size_view(const path& file, const Mesh& mesh,
-                     const Ref<const VectorXd>& size) {
-  // of the edge, as the rise of an arc of 120 degrees
-  constexpr double strip_width = 0.3;
-  TextFile stream(file);
-  const auto put = [&](const std::array<Vector2d, 3>& x,
-                       const std::array<double, 3>& h) {
-    stream << "ST(";
-    for (int k = 0; k < 3; ++k)
-      stream << (k > 0 ? "," : "") << x[k].x() << ',' << x[k].y() << ",0";
-    stream << "){" << h[0] << ',' << h[1] << ',' << h[2] << "};\n";
-  };
-  stream << "View \"size\" {\n";
+/// One triangle of a view, with the values at its corners.
+void write_triangle(const std::array<Vector2d, 3>& x,
+                    const std::array<double, 3>& h, TextFile& view) {
+  view << "ST(";
+  for (int k = 0; k < 3; ++k)
+    view << (k > 0 ? "," : "") << x[k].x() << ',' << x[k].y() << ",0";
+  view << "){" << h[0] << ',' << h[1] << ',' << h[2] << "};\n";
+}
+
+void write_triangles(const Mesh& mesh, const Ref<const VectorXd>& size,
+                     TextFile& view) {
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const Vector3i v = mesh.cells.col(t);
-    put({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
-        {size[v[0]], size[v[1]], size[v[2]]});
+    write_triangle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)},
+                   {size[v[0]], size[v[1]], size[v[2]]}, view);
   }
+}
+
+/// Where gmsh follows a curved boundary it asks for sizes outside the polygon too.
+void write_strip_around(const Mesh& mesh, const Ref<const VectorXd>& size,
+                        TextFile& view) {
+  // of the edge, as the rise of an arc of 120 degrees
+  constexpr double strip_width = 0.3;
   const Edges edges = edges_of(mesh);
   const Matrix2Xd outward = outward_directions(mesh, edges);
   for (int e = 0; e < edges.count(); ++e) {
@@ -79,11 +81,20 @@ void write_size_view(const path& file, const Mesh& mesh,
     const Vector2d a = mesh.vertices.col(i), b = mesh.vertices.col(j);
     const Vector2d c = a + width * outward.col(i),
                    d = b + width * outward.col(j);
-    put({a, c, b}, {size[i], size[i], size[j]});
-    put({b, c, d}, {size[j], size[i], size[j]});
+    write_triangle({a, c, b}, {size[i], size[i], size[j]}, view);
+    write_triangle({b, c, d}, {size[j], size[i], size[j]}, view);
   }
-  stream << "};\n";
-  stream.close();
+}
+
+/// A view whose field is the size, linear in the triangles of the mesh.
+void write_size_view(const path& file, const Mesh& mesh,
+                     const Ref<const VectorXd>& size) {
+  TextFile view(file);
+  view << "View \"size\" {\n";
+  write_triangles(mesh, size, view);
+  write_strip_around(mesh, size, view);
+  view << "};\n";
+  view.close();
 }
 
 /// The geometry with the view as the only source of sizes. gmsh's edges are 4 % shorter

@@ -42,7 +42,15 @@ class PlaneMesh {
     mesh.vertices.resize(2, count_of(used_.node));
     for (int v = 0; v < count_of(used_.node); ++v)
       mesh.vertices.col(v) = file_.nodes[used_.node[v]].head<2>();
+    set_triangles(result);
+    set_boundary(mesh);
+    require_valid(mesh);
+    return result;
+  }
 
+ private:
+  void set_triangles(GmshMesh& result) const {
+    Mesh& mesh = result.mesh;
     const int surface_tag = tag_to_use(file_.triangles),
               count = count_of(file_.triangles);
     mesh.cells.resize(3, count);
@@ -55,12 +63,8 @@ class PlaneMesh {
         std::swap(mesh.cells(1, t), mesh.cells(2, t));
       result.regions[t] = triangle.tags[surface_tag];
     }
-    set_boundary(mesh);
-    require_valid(mesh);
-    return result;
   }
 
- private:
   /// gmsh writes an element of several physical groups once for each.
   void drop_repeated_triangles() {
     std::set<std::array<int, 4>> seen;
@@ -96,37 +100,52 @@ class PlaneMesh {
   /// Labelled lines that are edges of triangles, then the boundary edges that no line
   /// labels.
   void set_boundary(Mesh& mesh) const {
-    struct Use {
-      int first, second, triangles;  // as in the first triangle
-      bool labelled;
-    };
-    std::map<std::pair<int, int>, Use> edges;
+    UsedEdges edges = used_edges(mesh);
+    std::vector<BoundaryEdge> boundary;
+    add_lines(edges, boundary);
+    for (const auto& [ends, use] : edges)
+      if (use.triangles == 1 && !use.labelled)
+        boundary.push_back({use.vertices, 0});
+    mesh.boundary.resize(2, count_of(boundary));
+    mesh.boundary_label.resize(count_of(boundary));
+    for (int e = 0; e < count_of(boundary); ++e) {
+      mesh.boundary.col(e) = boundary[e].vertices;
+      mesh.boundary_label[e] = boundary[e].label;
+    }
+  }
+
+  struct BoundaryEdge {
+    Vector2i vertices;
+    int label;
+  };
+  struct UseOfEdge {
+    Vector2i vertices;  ///< as in the first triangle
+    int triangles = 0;
+    bool labelled = false;
+  };
+  using UsedEdges = std::map<std::pair<int, int>, UseOfEdge>;
+
+  static UsedEdges used_edges(const Mesh& mesh) {
+    UsedEdges edges;
     for (int t = 0; t < mesh.cell_count(); ++t)
       for (int k = 0; k < 3; ++k) {
         const int i = mesh.cells(k, t), j = mesh.cells((k + 1) % 3, t);
-        ++edges.try_emplace(std::minmax(i, j), Use{i, j, 0, false})
-              .first->second.triangles;
+        const auto edge =
+            edges.try_emplace(std::minmax(i, j), UseOfEdge{{i, j}}).first;
+        ++edge->second.triangles;
       }
+    return edges;
+  }
 
-    std::vector<std::array<int, 3>> boundary;
+  /// The labelled lines, each edge once.
+  void add_lines(UsedEdges& edges, std::vector<BoundaryEdge>& boundary) const {
     const int curve_tag = tag_to_use(file_.lines);
     for (const MshElement& line : file_.lines) {
       const auto edge = edges.find(std::minmax(used_.vertex[line.nodes[0]],
                                                used_.vertex[line.nodes[1]]));
       if (edge == edges.end() || edge->second.labelled) continue;
       edge->second.labelled = true;
-      boundary.push_back(
-          {edge->second.first, edge->second.second, line.tags[curve_tag]});
-    }
-    for (const auto& [ends, use] : edges)
-      if (use.triangles == 1 && !use.labelled)
-        boundary.push_back({use.first, use.second, 0});
-
-    mesh.boundary.resize(2, count_of(boundary));
-    mesh.boundary_label.resize(count_of(boundary));
-    for (std::size_t e = 0; e < boundary.size(); ++e) {
-      mesh.boundary.col(e) << boundary[e][0], boundary[e][1];
-      mesh.boundary_label[e] = boundary[e][2];
+      boundary.push_back({edge->second.vertices, line.tags[curve_tag]});
     }
   }
 

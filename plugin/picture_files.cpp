@@ -2,9 +2,9 @@
 #include "picture_files.hpp"
 
 #include <array>
-#include <limits>
 #include <string>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
@@ -114,10 +114,9 @@ void write_results(const NodalResults& nodes, int i, TextFile& text) {
 }
 
 void write_law(const ContactLaw& law, int i, TextFile& text) {
-  constexpr double none = std::numeric_limits<double>::infinity();
   const VectorXd& limit = law.tresca() ? law.slip_bound : law.shear_limit;
   text << " " << value_or(law.friction, i, 0) << " "
-       << value_or(limit, i, none);
+       << value_or(limit, i, infinity);
 }
 
 void write_nodes(const fs::path& file, long step, const ContactProblem& problem,

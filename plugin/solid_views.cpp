@@ -22,24 +22,35 @@ BoundaryPlace<3> on_boundary(const SolidPart& part, const FacePlace& place) {
   return {column - part.first_boundary, weights};
 }
 
-}  // namespace
-
-SolidMesh solid_mesh_of(const Fem2D::Mesh3* fem_mesh) {
-  if (!fem_mesh) refuse("the mesh3 is not set");
-  const Fem2D::Mesh3& Th = *fem_mesh;
-  SolidMesh mesh;
+void put_vertices(const Fem2D::Mesh3& Th, SolidMesh& mesh) {
   mesh.vertices.resize(3, Th.nv);
-  mesh.cells.resize(4, Th.nt);
-  mesh.boundary.resize(3, Th.nbe);
-  mesh.boundary_label.resize(Th.nbe);
   for (int v = 0; v < Th.nv; ++v)
     mesh.vertices.col(v) << Th(v).x, Th(v).y, Th(v).z;
+}
+
+void put_tetrahedra(const Fem2D::Mesh3& Th, SolidMesh& mesh) {
+  mesh.cells.resize(4, Th.nt);
   for (int t = 0; t < Th.nt; ++t)
     for (int k = 0; k < 4; ++k) mesh.cells(k, t) = Th(t, k);
+}
+
+void put_boundary(const Fem2D::Mesh3& Th, SolidMesh& mesh) {
+  mesh.boundary.resize(3, Th.nbe);
+  mesh.boundary_label.resize(Th.nbe);
   for (int e = 0; e < Th.nbe; ++e) {
     for (int k = 0; k < 3; ++k) mesh.boundary(k, e) = Th(Th.be(e)[k]);
     mesh.boundary_label[e] = Th.be(e).lab;
   }
+}
+
+}  // namespace
+
+SolidMesh solid_mesh_of(const Fem2D::Mesh3* fem_mesh) {
+  if (!fem_mesh) refuse("the mesh3 is not set");
+  SolidMesh mesh;
+  put_vertices(*fem_mesh, mesh);
+  put_tetrahedra(*fem_mesh, mesh);
+  put_boundary(*fem_mesh, mesh);
   require_valid(mesh);
   return mesh;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 //
 #include "progress_lines.hpp"
@@ -42,10 +43,8 @@ template <int dim>
 std::vector<int> inner_vertices(const SimplexMesh<dim>& mesh) {
   std::vector<char> on_boundary(mesh.vertices.cols(), 0);
   for (int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
-  std::vector<int> inner;
-  for (int v = 0; v < mesh.vertex_count(); ++v)
-    if (!on_boundary[v]) inner.push_back(v);
-  return inner;
+  return numbers_where(mesh.vertex_count(),
+                       [&](int v) { return !on_boundary[v]; });
 }
 
 /// Are b and u exchanged? Loads on the boundary alone are 0 inside, displacements are

@@ -113,23 +113,89 @@ void move_to_opposite(const ContactLine& line, const FacingPiece& piece,
   }
 }
 
+void put_vertices(const Fem2D::Mesh& Th, Mesh& mesh) {
+  mesh.vertices.resize(2, Th.nv);
+  for (int v = 0; v < Th.nv; ++v) mesh.vertices.col(v) << Th(v).x, Th(v).y;
+}
+
+void put_triangles(const Fem2D::Mesh& Th, Mesh& mesh) {
+  mesh.cells.resize(3, Th.nt);
+  for (int t = 0; t < Th.nt; ++t)
+    mesh.cells.col(t) << Th(t, 0), Th(t, 1), Th(t, 2);
+}
+
+void put_boundary(const Fem2D::Mesh& Th, Mesh& mesh) {
+  mesh.boundary.resize(2, Th.neb);
+  mesh.boundary_label.resize(Th.neb);
+  for (int e = 0; e < Th.neb; ++e) {
+    const Fem2D::Mesh::BorderElement& edge = Th.bedges[e];
+    mesh.boundary.col(e) << Th(edge[0]), Th(edge[1]);
+    mesh.boundary_label[e] = edge.lab;
+  }
+}
+
+/// A vector field, 0 where a component is not given.
+struct PlaneField {
+  Expression x, y;
+
+  bool given() const { return x || y; }
+  Vector2d at(const PlanePoint& point) const {
+    return {x ? point.value(x) : 0, y ? point.value(y) : 0};
+  }
+};
+
+/// Adds int F phi of a traction along one boundary edge.
+void add_moments(const PlaneField& F, int e, const Mesh& mesh,
+                 PlanePoint& point, Matrix4Xd& moments) {
+  const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;
+  const Vector2d side = mesh.vertices.col(mesh.boundary(1, e)) -
+                        mesh.vertices.col(mesh.boundary(0, e));
+  const double length = side.norm();
+  const int first_row = point.first_vertex(e) == mesh.boundary(0, e) ? 0 : 2;
+  for (int q = 0; q < quadrature.n; ++q) {
+    const double s = quadrature[q].x, weight = length * quadrature[q].a;
+    point.go_to_boundary(e, s);
+    const Vector2d value = F.at(point);
+    moments.block<2, 1>(first_row, e) += weight * s * value;
+    moments.block<2, 1>(2 - first_row, e) += weight * (1 - s) * value;
+  }
+}
+
+/// A body force and the hat functions at the quadrature points of one triangle.
+struct SampledForce {
+  Matrix2Xd f;
+  Matrix3Xd phi;
+  VectorXd weight;
+
+  SampledForce(const PlaneField& field, int t, double area, PlanePoint& point) {
+    const Fem2D::QuadratureFormular& quadrature = Fem2D::QuadratureFormular_T_5;
+    f.resize(2, quadrature.n);
+    phi.resize(3, quadrature.n);
+    weight.resize(quadrature.n);
+    for (int q = 0; q < quadrature.n; ++q) {
+      const R2 hat(quadrature[q].x, quadrature[q].y);
+      point.go_to_triangle(t, hat);
+      f.col(q) = field.at(point);
+      phi.col(q) << 1 - hat.x - hat.y, hat.x, hat.y;
+      weight[q] = area * quadrature[q].a;
+    }
+  }
+
+  BodyLoads loads() const {
+    const Matrix<double, 2, 3> of_vertices =
+        f * weight.asDiagonal() * phi.transpose();
+    return of_vertices.reshaped();
+  }
+};
+
 }  // namespace
 
 Mesh mesh_of(const Fem2D::Mesh* fem_mesh) {
   if (!fem_mesh) refuse("the mesh is not set");
-  const Fem2D::Mesh& Th = *fem_mesh;
   Mesh mesh;
-  mesh.vertices.resize(2, Th.nv);
-  mesh.cells.resize(3, Th.nt);
-  mesh.boundary.resize(2, Th.neb);
-  mesh.boundary_label.resize(Th.neb);
-  for (int v = 0; v < Th.nv; ++v) mesh.vertices.col(v) << Th(v).x, Th(v).y;
-  for (int t = 0; t < Th.nt; ++t)
-    mesh.cells.col(t) << Th(t, 0), Th(t, 1), Th(t, 2);
-  for (int e = 0; e < Th.neb; ++e) {
-    mesh.boundary.col(e) << Th(Th.bedges[e][0]), Th(Th.bedges[e][1]);
-    mesh.boundary_label[e] = Th.bedges[e].lab;
-  }
+  put_vertices(*fem_mesh, mesh);
+  put_triangles(*fem_mesh, mesh);
+  put_boundary(*fem_mesh, mesh);
   require_valid(mesh);
   return mesh;
 }
@@ -246,48 +312,28 @@ MatrixXd at_gauss_points(Stack stack, Expression expression,
 Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
                            const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
   Matrix4Xd moments = Matrix4Xd::Zero(4, mesh.boundary.cols());
-  if (!Fx && !Fy) return moments;
-  const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;
+  const PlaneField F{Fx, Fy};
+  if (!F.given()) return moments;
   PlanePoint point(stack, fem_mesh);
-  for (int e = 0; e < mesh.boundary.cols(); ++e) {
-    const double length = (mesh.vertices.col(mesh.boundary(1, e)) -
-                           mesh.vertices.col(mesh.boundary(0, e)))
-                              .norm();
-    const int first_row = point.first_vertex(e) == mesh.boundary(0, e) ? 0 : 2;
-    for (int q = 0; q < quadrature.n; ++q) {
-      const double s = quadrature[q].x, weight = length * quadrature[q].a;
-      point.go_to_boundary(e, s);
-      const Vector2d F(Fx ? point.value(Fx) : 0, Fy ? point.value(Fy) : 0);
-      moments.block<2, 1>(first_row, e) += weight * s * F;
-      moments.block<2, 1>(2 - first_row, e) += weight * (1 - s) * F;
-    }
-  }
+  for (int e = 0; e < mesh.boundary.cols(); ++e)
+    add_moments(F, e, mesh, point, moments);
   return moments;
 }
 
 BodyForce body_force_loads(Stack stack, Expression fx, Expression fy,
                            const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
   BodyForce force{BodyLoadsOfAll::Zero(6, mesh.cells.cols()), 0};
-  if (!fx && !fy) return force;
-  const Fem2D::QuadratureFormular& quadrature = Fem2D::QuadratureFormular_T_5;
+  const PlaneField field{fx, fy};
+  if (!field.given()) return force;
   PlanePoint point(stack, fem_mesh);
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const double area = signed_area(mesh, t);
-    Matrix<double, 2, Dynamic> f(2, quadrature.n);
-    Matrix<double, 3, Dynamic> phi(3, quadrature.n);
-    VectorXd weight(quadrature.n);
-    for (int q = 0; q < quadrature.n; ++q) {
-      const R2 hat(quadrature[q].x, quadrature[q].y);
-      point.go_to_triangle(t, hat);
-      f.col(q) << (fx ? point.value(fx) : 0), (fy ? point.value(fy) : 0);
-      phi.col(q) << 1 - hat.x - hat.y, hat.x, hat.y;
-      weight[q] = area * quadrature[q].a;
-    }
-    Map<Matrix<double, 2, 3>> loads(force.loads.col(t).data());
-    loads = f * weight.asDiagonal() * phi.transpose();
-    const BodyLoads of_triangle = force.loads.col(t);
-    force.oscillation += oscillation_square(
-        f, phi, weight, body_force_of(of_triangle, area), area);
+    const SampledForce sampled(field, t, area, point);
+    const BodyLoads loads = sampled.loads();
+    force.loads.col(t) = loads;
+    force.oscillation +=
+        oscillation_square(sampled.f, sampled.phi, sampled.weight,
+                           body_force_of(loads, area), area);
   }
   force.oscillation = std::sqrt(force.oscillation);
   return force;

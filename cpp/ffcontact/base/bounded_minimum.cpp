@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/over.hpp"
 
 namespace ffcontact {
 
@@ -66,16 +67,13 @@ class FaceByFace {
     return any;
   }
 
-  std::vector<Index> free_unknowns() const {
-    std::vector<Index> free;
-    for (Index i = 0; i < x_.size(); ++i)
-      if (!fixed_[i]) free.push_back(i);
-    return free;
+  std::vector<int> free_unknowns() const {
+    return numbers_where(x_.size(), [&](int i) { return !fixed_[i]; });
   }
 
   /// To the minimum over the free unknowns [all].
   VectorXd newton_step() {
-    const std::vector<Index> free = free_unknowns();
+    const std::vector<int> free = free_unknowns();
     VectorXd step = VectorXd::Zero(x_.size());
     if (free.empty()) return step;
     ++steps_;
@@ -83,7 +81,7 @@ class FaceByFace {
     return step;
   }
 
-  VectorXd solved(const std::vector<Index>& free) const {
+  VectorXd solved(const std::vector<int>& free) const {
     const MatrixXd part = H_(free, free);
     const VectorXd right = -gradient_(free);
     return Cholesky(part).solve(right);

@@ -66,10 +66,7 @@ class LeastDistance {
   }
 
   MatrixXd active_normals() const {
-    MatrixXd normals(G_.cols(), static_cast<Index>(active_.size()));
-    for (std::size_t k = 0; k < active_.size(); ++k)
-      normals.col(k) = G_.row(active_[k]).transpose();
-    return normals;
+    return G_(active_, Eigen::all).transpose();
   }
 
   /// Moves z until a condition is met; active ones whose multiplier reaches 0 on the way

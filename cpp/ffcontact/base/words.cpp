@@ -20,4 +20,12 @@ std::string in_words(const Ref<const VectorXd>& x, int digits) {
   return "(" + components + ")";
 }
 
+std::string listed(const std::vector<std::string>& words,
+                   const std::string& before_last) {
+  std::string list = words.front();
+  for (std::size_t k = 1; k < words.size(); ++k)
+    list += (k + 1 < words.size() ? ", " : before_last) + words[k];
+  return list;
+}
+
 }  // namespace ffcontact

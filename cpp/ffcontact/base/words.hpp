@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ffcontact/base/eigen.hpp"
 
@@ -17,5 +18,10 @@ std::string in_digits(double value, int digits = digits_of_figures);
 /// The components of a point or a vector: "(0, 1)".
 std::string in_words(const Ref<const VectorXd>& x,
                      int digits = digits_of_refusals);
+
+/// "a, b or c", with " or " before the last.
+/// @param words  not empty
+std::string listed(const std::vector<std::string>& words,
+                   const std::string& before_last);
 
 }  // namespace ffcontact

@@ -10,6 +10,7 @@
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
@@ -161,11 +162,10 @@ bool prescribed_on_both_sides(const ContactLine& line,
 
 /// How far to go along `moved` for what it clears, at most the farthest.
 double step_to_clear(const VectorXd& inside, const VectorXd& moved) {
-  double step = 0;
-  for (Index i = 0; i < moved.size(); ++i)
-    if (inside[i] > 0 && moved[i] < -held)
-      step = std::max(step, -inside[i] / moved[i]);
-  return step;
+  return largest_over(moved.size(), [&](int i) {
+    const bool clears = inside[i] > 0 && moved[i] < -held;
+    return clears ? -inside[i] / moved[i] : 0;
+  });
 }
 
 /// Is it enough that every free dof retreats, each as the mean of its rows asks for?

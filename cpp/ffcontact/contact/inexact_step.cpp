@@ -8,6 +8,7 @@
 
 #include "ffcontact/base/gmres.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
@@ -42,10 +43,8 @@ VectorXd free_part(const CondensedContact& contact,
 
 std::vector<int> unknown_places(const SingleStiffness& S,
                                 const SurfaceEquations& equations) {
-  std::vector<int> places;
-  for (int p = 0; p < S.size(); ++p)
-    if (!equations.is_fixed(S.row(p))) places.push_back(p);
-  return places;
+  return numbers_where(S.size(),
+                       [&](int p) { return !equations.is_fixed(S.row(p)); });
 }
 
 }  // namespace

@@ -46,10 +46,9 @@ ProductEquations::ProductEquations(const ProductRelation& of_relation,
 }
 
 VectorXd ProductEquations::residual(const ContactRows& at) const {
-  VectorXd missed(size());
-  for (Index e = 0; e < size(); ++e)
-    missed[e] = scale[e] * (equation[e].value - sum_of(equation[e], at));
-  return missed;
+  return VectorXd::NullaryExpr(size(), [&](Index e) {
+    return scale[e] * (equation[e].value - sum_of(equation[e], at));
+  });
 }
 
 ContactRows ProductEquations::increment(const VectorXd& scaled) const {
@@ -63,10 +62,8 @@ ContactRows ProductEquations::increment(const VectorXd& scaled) const {
 }
 
 VectorXd ProductEquations::sums(const ContactRows& rows) const {
-  VectorXd sums(size());
-  for (Index e = 0; e < size(); ++e)
-    sums[e] = scale[e] * sum_of(equation[e], rows);
-  return sums;
+  return VectorXd::NullaryExpr(
+      size(), [&](Index e) { return scale[e] * sum_of(equation[e], rows); });
 }
 
 VectorXd ProductEquations::product(const VectorXd& scaled) const {

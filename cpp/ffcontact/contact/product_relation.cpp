@@ -101,10 +101,8 @@ VectorXd stiffest_components(const ProductRelation& relation) {
     double& of_vertex = largest[relation.vertex[k]];
     of_vertex = std::max(of_vertex, diagonal[k]);
   }
-  VectorXd stiffest(diagonal.size());
-  for (Index k = 0; k < diagonal.size(); ++k)
-    stiffest[k] = largest[relation.vertex[k]];
-  return stiffest;
+  return VectorXd::NullaryExpr(
+      diagonal.size(), [&](Index k) { return largest[relation.vertex[k]]; });
 }
 
 }  // namespace
@@ -200,8 +198,8 @@ LawScales law_scales(const ProductRelation& relation, const VectorXd& v) {
 
 VectorXd kept_displacement(const ProductRelation& relation,
                            const ContactRows& rows) {
-  VectorXd x(relation.size());
-  for (Index k = 0; k < x.size(); ++k) x[k] = rows.v[relation.row(k)];
+  const VectorXd x = VectorXd::NullaryExpr(
+      relation.size(), [&](Index k) { return rows.v[relation.row(k)]; });
   return relation.T * (x - relation.given);
 }
 

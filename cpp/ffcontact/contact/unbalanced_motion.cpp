@@ -9,6 +9,7 @@
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
 #include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/dofs.hpp"
@@ -29,10 +30,9 @@ using Vertices = std::vector<int>;
 /// Vertices that a field moves.
 template <int dim>
 Vertices moved_vertices(const Ref<const VectorXd>& field) {
-  Vertices moved;
-  for (int v = 0; v < field.size() / dim; ++v)
-    if (!vector_at<dim>(field, v).isZero(0)) moved.push_back(v);
-  return moved;
+  return numbers_where(field.size() / dim, [&](int v) {
+    return !vector_at<dim>(field, v).isZero(0);
+  });
 }
 
 template <int dim>

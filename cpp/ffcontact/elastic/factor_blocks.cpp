@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 
 namespace ffcontact {
 
@@ -22,9 +23,7 @@ constexpr double least_shared_work = 1e8;
 constexpr Index rows_at_once = 1024;
 
 double work_of(const Supernodes& nodes) {
-  double work = 0;
-  for (int s = 0; s < nodes.count(); ++s) work += work_of(nodes, s);
-  return work;
+  return sum_over(nodes.count(), [&](int s) { return work_of(nodes, s); });
 }
 
 /// A power of 2 by which numbers of any size become such as single precision has.

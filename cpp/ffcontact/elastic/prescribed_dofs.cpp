@@ -58,10 +58,8 @@ double prescribing_value(const Eigen::ArrayXd& diagonal, Index first) {
 
 Eigen::ArrayXd diagonal_at(const RowMatrixView& A,
                            const std::vector<Index>& dofs) {
-  Eigen::ArrayXd diagonal(dofs.size());
-  for (std::size_t k = 0; k < dofs.size(); ++k)
-    diagonal[k] = A.coeff(dofs[k], dofs[k]);
-  return diagonal;
+  return Eigen::ArrayXd::NullaryExpr(
+      dofs.size(), [&](Index k) { return A.coeff(dofs[k], dofs[k]); });
 }
 
 /// Of the dofs that have nothing but a diagonal, neither in their row nor in their

@@ -70,10 +70,8 @@ const std::vector<int>& required_kept(const ElasticSystem& system,
 }
 
 VectorXd inverse_roots(const ElasticSystem& system) {
-  VectorXd roots(system.dof_count());
-  for (int dof = 0; dof < system.dof_count(); ++dof)
-    roots[dof] = inverse_root(system, dof);
-  return roots;
+  return VectorXd::NullaryExpr(
+      system.dof_count(), [&](int dof) { return inverse_root(system, dof); });
 }
 
 std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {

@@ -55,11 +55,8 @@ Matrix<double, 2, 4> between_ends(int point) {
 Vector4d end_displacements(const Mesh& mesh,
                            const Ref<const VectorXd>& displacement,
                            Index column) {
-  Vector4d ends;
-  for (int k = 0; k < 2; ++k)
-    ends.segment<2>(2 * k) =
-        displacement.segment<2>(2 * mesh.boundary(k, column));
-  return ends;
+  const auto at_vertices = displacement.reshaped(2, displacement.size() / 2);
+  return at_vertices(Eigen::all, mesh.boundary.col(column)).reshaped();
 }
 
 /// End values of a linear density from its moments.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ffcontact/base/least_squares.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {
@@ -125,9 +126,8 @@ double mass(double area, int a, int b) { return area / (a == b ? 6 : 12); }
 constexpr double thin = 0.06;
 
 bool is_thin(const TriangleCorners& corners) {
-  double longest = 0;
-  for (int k = 0; k < 3; ++k)
-    longest = std::max(longest, side_of(corners, k).squaredNorm());
+  const double longest =
+      largest_over(3, [&](int k) { return side_of(corners, k).squaredNorm(); });
   return piola_matrix(corners).determinant() < thin * longest;
 }
 

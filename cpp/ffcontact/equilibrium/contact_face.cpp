@@ -3,14 +3,15 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/over.hpp"
+
 namespace ffcontact {
 
 double contact_term(const ContactFace& face, const Matrix3d& traction) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i)
-    sum += face.cone[i].bound(traction(0, i)) * face.slip[i] +
+  return sum_over(3, [&](int i) {
+    return face.cone[i].bound(traction(0, i)) * face.slip[i] +
            traction.col(i).dot(face.work.col(i));
-  return sum;
+  });
 }
 
 KnownComponents without_contact(KnownComponents known,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
 
@@ -114,9 +115,9 @@ double ContactPass::pass(double least_fall, Matrix9Xd& corrections,
 }
 
 double ContactPass::contact_part() const {
-  double sum = 0;
-  for (std::size_t m = 0; m < contact_.size(); ++m)
-    sum += contact_term(contact_[m], tractions_[m]);
+  const double sum = sum_over(contact_.size(), [&](int m) {
+    return contact_term(contact_[m], tractions_[m]);
+  });
   return 2 * sum;
 }
 

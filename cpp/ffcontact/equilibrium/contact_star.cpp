@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
@@ -151,10 +152,9 @@ bool ContactStar::in_the_cone(const Tractions& tractions,
 }
 
 double ContactStar::term(const Tractions& tractions) const {
-  double sum = 0;
-  for (std::size_t k = 0; k < tractions.size(); ++k)
-    sum += contact_term(*faces_[k], tractions[k]);
-  return sum;
+  return sum_over(tractions.size(), [&](int k) {
+    return contact_term(*faces_[k], tractions[k]);
+  });
 }
 
 /// t with the least t'S t / 2 + slope't in the inner cones.

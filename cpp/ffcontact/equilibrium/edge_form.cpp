@@ -13,9 +13,7 @@ int local_face(const Facets<3>& faces, int face, int cell) {
 }
 
 WrenchShift shift_at(const SolidTopology& topology, int edge, int place) {
-  const Hinges<3>& edges = topology.edges;
-  return wrench_shift(topology, edges.facet[edges.facet_start[edge] + place],
-                      edge);
+  return wrench_shift(topology, topology.edges.facets_of(edge)[place], edge);
 }
 
 /// Z_i' H Z_j, Z = diag(s Shift, I) of a face, Shift = (I, 0; -arm x, ratio I).
@@ -37,25 +35,25 @@ int unknowns_around(const Hinges<3>& edges, int edge) {
 }
 
 std::vector<int> faces_around(const Hinges<3>& edges, int edge) {
-  const auto facets = edges.facet.begin();
-  return {facets + edges.facet_start[edge],
-          facets + edges.facet_start[edge + 1]};
+  const auto faces = edges.facets_of(edge);
+  return {faces.begin(), faces.end()};
 }
 
 std::vector<Wedge> wedges_of(const SolidTopology& topology, int edge) {
   const auto& [mesh, faces, edges, stars] = topology;
-  const int first = edges.facet_start[edge], count = edges.facet_count(edge);
+  const auto around = edges.facets_of(edge);
+  const int count = edges.facet_count(edge);
   std::vector<Wedge> wedges;
   wedges.reserve(count);
   for (int b = 1; b < count; ++b)
-    for (int t : faces.cells.col(edges.facet[first + b]))
+    for (int t : faces.cells.col(around[b]))
       for (int a = 0; a < b && t >= 0; ++a) {
-        const int face = edges.facet[first + a];
+        const int face = around[a];
         if (faces.cells(0, face) == t || faces.cells(1, face) == t)
-          wedges.push_back({t,
-                            {a, b},
-                            {local_face(faces, face, t),
-                             local_face(faces, edges.facet[first + b], t)}});
+          wedges.push_back(
+              {t,
+               {a, b},
+               {local_face(faces, face, t), local_face(faces, around[b], t)}});
       }
   return wedges;
 }
@@ -101,7 +99,7 @@ MatrixXd edge_conditions(const SolidTopology& topology, int edge,
   MatrixXd rows = MatrixXd::Zero(18, unknowns_around(edges, edge));
   int next = 0;
   for (int i = 0; i < edges.facet_count(edge); ++i) {
-    const int face = edges.facet[edges.facet_start[edge] + i];
+    const int face = edges.facets_of(edge)[i];
     if (!faces.on_boundary(face)) continue;
     const Matrix3d corners =
         topology.mesh.vertices(Eigen::all, faces.vertices.col(face));
@@ -121,7 +119,7 @@ VectorXd restricted(const SolidTopology& topology, int edge,
   const Hinges<3>& edges = topology.edges;
   VectorXd x = VectorXd::Zero(unknowns_around(edges, edge));
   for (int i = 0; i < edges.facet_count(edge); ++i) {
-    const auto of_face = g.col(edges.facet[edges.facet_start[edge] + i]);
+    const auto of_face = g.col(edges.facets_of(edge)[i]);
     x.head<6>() +=
         shift_at(topology, edge, i).transposed_times(of_face.head<6>());
     x.segment<3>(6 + 3 * i) = of_face.tail<3>();

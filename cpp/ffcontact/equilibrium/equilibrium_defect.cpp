@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
@@ -31,10 +32,7 @@ Vector2d divergence(const TriangleCorners& x, const Matrix3d& corner_stress) {
 }
 
 double longest_side(const TriangleCorners& corners) {
-  double longest = 0;
-  for (int k = 0; k < 3; ++k)
-    longest = std::max(longest, side_of(corners, k).norm());
-  return longest;
+  return largest_over(3, [&](int k) { return side_of(corners, k).norm(); });
 }
 
 /// Largest divergence times size over the subtriangles of one triangle.

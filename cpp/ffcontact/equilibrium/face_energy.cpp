@@ -41,10 +41,8 @@ const Matrix<double, 96, 36>& stresses_of_loads() {
 /// Rows: one Voigt component at the 16 corners.
 Matrix<double, 16, 36> component_of(const Matrix<double, 96, 36>& stresses,
                                     int component) {
-  Matrix<double, 16, 36> rows;
-  for (int corner = 0; corner < 16; ++corner)
-    rows.row(corner) = stresses.row(6 * corner + component);
-  return rows;
+  return stresses(Eigen::seqN(component, Eigen::fix<16>, Eigen::fix<6>),
+                  Eigen::all);
 }
 
 /// int phi_a phi_b over the subtetrahedra of the reference tetrahedron, corner by corner.

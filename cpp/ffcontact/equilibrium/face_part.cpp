@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/over.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -82,10 +84,8 @@ FacePart FaceParts::part(int process) const {
 }
 
 std::vector<int> FaceParts::counted(int process) const {
-  std::vector<int> faces;
-  for (int f = 0; f < setting_.topology.faces.count(); ++f)
-    if (counts(process, f)) faces.push_back(f);
-  return faces;
+  return numbers_where(setting_.topology.faces.count(),
+                       [&](int f) { return counts(process, f); });
 }
 
 std::vector<int> FaceParts::contact_counted(int process) const {

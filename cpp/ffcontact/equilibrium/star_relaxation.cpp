@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 #include "ffcontact/equilibrium/contact_groups.hpp"
 #include "ffcontact/equilibrium/relaxation_progress.hpp"
@@ -19,10 +20,8 @@ using Triangles = std::set<int>;
 
 Triangles triangles_of(const Stars& stars, const Group& group) {
   Triangles triangles;
-  const auto all = stars.triangle.begin();
   for (int v : group)
-    triangles.insert(all + stars.triangle_start[v],
-                     all + stars.triangle_start[v + 1]);
+    for (int t : stars.triangles_of(v)) triangles.insert(t);
   return triangles;
 }
 
@@ -77,10 +76,8 @@ double relax_all(const StarSetting& setting, const ContactStars& stars,
 
 /// The square of the elastic part before the relaxation.
 double elastic_square(const StarSetting& setting) {
-  double square = 0;
-  for (int t = 0; t < setting.space.mesh.cell_count(); ++t)
-    square += setting.energies[t].before;
-  return square;
+  return sum_over(setting.space.mesh.cell_count(),
+                  [&](int t) { return setting.energies[t].before; });
 }
 
 /// The contact part of e^2 up to the constant of Tresca's.

@@ -4,6 +4,7 @@
 #include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 
@@ -69,11 +70,9 @@ MatrixXd EdgeProjection::slope(const Vector4d& r,
 std::vector<int> EdgeProjection::held(const Vector4d& r,
                                       const Vector4d& outside) const {
   const double scale = max_norm(outside) + max_norm(cone_.d);
-  std::vector<int> held;
-  for (int row = 0; row < cone_.d.size(); ++row)
-    if (cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale)
-      held.push_back(row);
-  return held;
+  return numbers_where(cone_.d.size(), [&](int row) {
+    return cone_.C.row(row).dot(r) - cone_.d[row] <= tight * scale;
+  });
 }
 
 MatrixXd EdgeProjection::moving_on_face(const std::vector<int>& held) const {

@@ -56,10 +56,8 @@ class PolygonJump {
  private:
   static Matrix3d vectors(const Facets<3>& faces, int face,
                           const Ref<const VectorXd>& field) {
-    Matrix3d values;
-    for (int k = 0; k < 3; ++k)
-      values.col(k) = vector_at<3>(field, faces.vertices(k, face));
-    return values;
+    const auto at_vertices = field.reshaped(3, field.size() / 3);
+    return at_vertices(Eigen::all, faces.vertices.col(face));
   }
 
   void put_given(const SurfaceLaw& law, int a) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ffcontact/base/appended.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
@@ -31,11 +32,9 @@ Matrix3Xd computed_stresses(const SolvedProblem& solved,
 }
 
 double longest_edge(const Topology& topology) {
-  double longest = 0;
-  for (int e = 0; e < topology.edges.count(); ++e)
-    longest =
-        std::max(longest, edge_vector(topology.mesh, topology.edges, e).norm());
-  return longest;
+  return largest_over(topology.edges.count(), [&](int e) {
+    return edge_vector(topology.mesh, topology.edges, e).norm();
+  });
 }
 
 /// The script's tractions and those of the springs; on the contact line, where all components count as known, those

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
 #include "ffcontact/estimate/facing_error.hpp"
@@ -25,19 +26,16 @@ Vector3d lowering(const ContactSurface& surface, const VectorXd& penetration,
 
 VectorXd contact_error(const std::vector<ContactFace>& contact,
                        const SurfaceTractions& tractions) {
-  VectorXd result(tractions.cols());
-  for (Index m = 0; m < tractions.cols(); ++m)
-    result[m] = 2 * contact_term(contact[m], tractions.col(m).reshaped(3, 3));
-  return result;
+  return VectorXd::NullaryExpr(tractions.cols(), [&](Index m) {
+    return 2 * contact_term(contact[m], tractions.col(m).reshaped(3, 3));
+  });
 }
 
 double cone_violation(const std::vector<ContactFace>& contact,
                       const SurfaceTractions& tractions) {
-  double largest = 0;
-  for (Index m = 0; m < tractions.cols(); ++m)
-    largest = std::max(
-        largest, cone_violation(contact[m], tractions.col(m).reshaped(3, 3)));
-  return largest;
+  return largest_over(tractions.cols(), [&](int m) {
+    return cone_violation(contact[m], tractions.col(m).reshaped(3, 3));
+  });
 }
 
 VectorXd admissible_displacement(const Facets<3>& faces,

@@ -84,15 +84,20 @@ class FacePairing {
            "normal=");
   }
 
-  /// Columns e1, e2, n of a contact face.
+  /// Columns e1, e2, n.
+  static Matrix3d frame_along(const Vector3d& n) {
+    Matrix3d columns;
+    columns.col(0) = n.unitOrthogonal();
+    columns.col(1) = n.cross(columns.col(0));
+    columns.col(2) = n;
+    return columns;
+  }
+
+  /// That of a contact face.
   Matrix3d seen_along(int m) const {
     const auto nodes = surface_.face_node.col(m);
-    Matrix3d columns;
-    columns.col(2) =
-        surface_.normal(Eigen::all, nodes).rowwise().sum().normalized();
-    columns.col(0) = columns.col(2).unitOrthogonal();
-    columns.col(1) = columns.col(2).cross(columns.col(0));
-    return columns;
+    return frame_along(
+        surface_.normal(Eigen::all, nodes).rowwise().sum().normalized());
   }
 
   /// @param start  where places and heights are counted from

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
@@ -179,10 +180,7 @@ class Coupling {
 
  private:
   std::vector<int> carriers() const {
-    std::vector<int> nodes;
-    for (int i = 0; i < area_.size(); ++i)
-      if (area_[i] > 0) nodes.push_back(i);
-    return nodes;
+    return numbers_where(area_.size(), [&](int i) { return area_[i] > 0; });
   }
 
   /// Of all nodes in the part, or -1.
@@ -193,10 +191,8 @@ class Coupling {
   }
 
   std::vector<int> faced() const {
-    std::vector<int> faces;
-    for (int m = 0; m < surface_.face_count(); ++m)
-      if (is_faced_[m]) faces.push_back(m);
-    return faces;
+    return numbers_where(surface_.face_count(),
+                         [&](int m) { return is_faced_[m]; });
   }
 
   void put_faces(const VectorXi& number, ContactSurface& part) const {

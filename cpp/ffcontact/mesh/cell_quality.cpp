@@ -29,10 +29,9 @@ double inscribed_radius(const SimplexMesh<dim>& mesh, int cell) {
 template <int dim>
 VectorXd cell_quality(const SimplexMesh<dim>& mesh) {
   const double regular = 1 / std::sqrt(dim == 2 ? 12.0 : 24.0);
-  VectorXd quality(mesh.cells.cols());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    quality[t] = inscribed_radius(mesh, t) / (regular * longest_edge(mesh, t));
-  return quality;
+  return VectorXd::NullaryExpr(mesh.cells.cols(), [&](int t) {
+    return inscribed_radius(mesh, t) / (regular * longest_edge(mesh, t));
+  });
 }
 
 template VectorXd cell_quality(const Mesh&);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/mesh/sorted_parts.hpp"
 
 namespace ffcontact {
@@ -70,12 +71,10 @@ std::vector<Side<dim>> sides_of(const SimplexMesh<dim>& mesh) {
 /// "edge between vertices 3 and 7", "face between vertices 3, 7 and 9".
 template <int dim>
 std::string in_words(const Side<dim>& side) {
-  std::string words = MeshWords<dim>::facet + std::string(" between vertices ");
-  for (int i = 0; i < dim; ++i) {
-    if (i > 0) words += i + 1 < dim ? ", " : " and ";
-    words += std::to_string(side.vertices[i]);
-  }
-  return words;
+  std::vector<std::string> vertices;
+  for (int v : side.vertices) vertices.push_back(std::to_string(v));
+  return MeshWords<dim>::facet + std::string(" between vertices ") +
+         listed(vertices, " and ");
 }
 
 /// Facets made one after the other from their sorted sides.

@@ -24,6 +24,9 @@ struct Hinges {
   int facet_count(int hinge) const {
     return facet_start[hinge + 1] - facet_start[hinge];
   }
+  Map<const VectorXi> facets_of(int hinge) const {
+    return {facet.data() + facet_start[hinge], facet_count(hinge)};
+  }
 };
 
 /// From one end of an edge to the other, and halfway [mm].

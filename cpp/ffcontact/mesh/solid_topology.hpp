@@ -14,6 +14,9 @@ struct SolidStars {
   std::vector<int> local;  ///< local number of v in each of them
 
   int count(int vertex) const { return start[vertex + 1] - start[vertex]; }
+  Map<const VectorXi> cells_of(int vertex) const {
+    return {cell.data() + start[vertex], count(vertex)};
+  }
 };
 
 /// A solid with its faces, edges and stars: made once, and handed on as one.

@@ -23,6 +23,9 @@ struct Stars {
   int triangle_count(int vertex) const {
     return triangle_start[vertex + 1] - triangle_start[vertex];
   }
+  Map<const VectorXi> triangles_of(int vertex) const {
+    return {triangle.data() + triangle_start[vertex], triangle_count(vertex)};
+  }
   int spoke_count(int vertex) const {
     return spoke_start[vertex + 1] - spoke_start[vertex];
   }

@@ -73,8 +73,8 @@ Hinges<3> edges_of(const Hinges<3>& whole, const Selection& vertices,
   part.of_facet = edges.numbered(of_face);
   part.facet_start = {0};
   for (int edge : edges.chosen()) {
-    for (int i = whole.facet_start[edge]; i < whole.facet_start[edge + 1]; ++i)
-      if (const int face = faces.number(whole.facet[i]); face >= 0)
+    for (int of_whole : whole.facets_of(edge))
+      if (const int face = faces.number(of_whole); face >= 0)
         part.facet.push_back(face);
     part.facet_start.push_back(count_of(part.facet));
     part.on_boundary.push_back(whole.on_boundary[edge]);

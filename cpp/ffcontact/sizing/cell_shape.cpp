@@ -32,11 +32,10 @@ double size_of_volume(double volume) {
 
 template <int dim>
 VectorXd shape_quality(const SimplexMesh<dim>& mesh) {
-  VectorXd quality(mesh.cells.cols());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    quality[t] = size_of_volume<dim>(signed_volume(mesh, t)) /
-                 std::sqrt(mean_of_squared_sides(mesh, t));
-  return quality;
+  return VectorXd::NullaryExpr(mesh.cells.cols(), [&](int t) {
+    return size_of_volume<dim>(signed_volume(mesh, t)) /
+           std::sqrt(mean_of_squared_sides(mesh, t));
+  });
 }
 
 template double regular_volume<2>();

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/wrench_basis.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
@@ -23,11 +24,9 @@ constexpr double nearest_in_space = 1.5, farthest_in_space = 8;
 
 /// The two boundary faces at a boundary edge.
 Vector2i boundary_faces(const SolidTopology& topology, int edge) {
-  const Hinges<3>& edges = topology.edges;
   std::vector<int> found;
-  for (int i = edges.facet_start[edge]; i < edges.facet_start[edge + 1]; ++i)
-    if (topology.faces.on_boundary(edges.facet[i]))
-      found.push_back(edges.facet[i]);
+  for (int face : topology.edges.facets_of(edge))
+    if (topology.faces.on_boundary(face)) found.push_back(face);
   return {found[0], found[1]};
 }
 
@@ -48,11 +47,9 @@ std::vector<int> singular_edges(const SolidTopology& topology,
                                 const KnownComponents& known,
                                 const std::vector<char>& is_contact) {
   const Hinges<3>& edges = topology.edges;
-  std::vector<int> result;
-  for (int e = 0; e < edges.count(); ++e)
-    if (edges.on_boundary[e] && is_singular(topology, e, known, is_contact))
-      result.push_back(e);
-  return result;
+  return numbers_where(edges.count(), [&](int e) {
+    return edges.on_boundary[e] && is_singular(topology, e, known, is_contact);
+  });
 }
 
 Vector3d along(const SolidTopology& topology, int edge) {
@@ -208,8 +205,7 @@ std::vector<int> tetrahedra_at(const SolidTopology& topology,
   const SolidStars& stars = topology.stars;
   for (int e : edges)
     for (int v : topology.edges.vertices.col(e))
-      found.insert(found.end(), stars.cell.begin() + stars.start[v],
-                   stars.cell.begin() + stars.start[v + 1]);
+      for (int t : stars.cells_of(v)) found.push_back(t);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

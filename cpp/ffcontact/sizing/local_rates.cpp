@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
@@ -45,18 +46,15 @@ std::vector<int> candidates(const Topology& topology,
                             const BoundaryTractions& boundary,
                             const std::vector<int>& contact_edges) {
   const Stars& stars = topology.stars;
-  std::vector<int> result;
-  for (int v = 0; v < topology.mesh.vertex_count(); ++v)
-    if (stars.triangle_count(v) > 0 && stars.on_boundary(v) &&
-        is_candidate(topology, v, boundary, contact_edges))
-      result.push_back(v);
-  return result;
+  return numbers_where(topology.mesh.vertex_count(), [&](int v) {
+    return stars.triangle_count(v) > 0 && stars.on_boundary(v) &&
+           is_candidate(topology, v, boundary, contact_edges);
+  });
 }
 
 double size_at(const Mesh& mesh, const Stars& stars, int v) {
   double area = 0;
-  for (int s = stars.triangle_start[v]; s < stars.triangle_start[v + 1]; ++s)
-    area += signed_area(mesh, stars.triangle[s]);
+  for (int t : stars.triangles_of(v)) area += signed_area(mesh, t);
   return std::sqrt(2 * area / stars.triangle_count(v));
 }
 
@@ -124,14 +122,10 @@ std::vector<SingularVertex> singular_vertices(
 
 VectorXd local_rates(const Topology& topology,
                      const std::vector<SingularVertex>& singular) {
-  const Stars& stars = topology.stars;
   VectorXd rates = VectorXd::Ones(topology.mesh.cell_count());
   for (const auto& [vertex, exponent] : singular)
-    for (int k = stars.triangle_start[vertex];
-         k < stars.triangle_start[vertex + 1]; ++k) {
-      double& rate = rates[stars.triangle[k]];
-      rate = std::min(rate, exponent);
-    }
+    for (int t : topology.stars.triangles_of(vertex))
+      rates[t] = std::min(rates[t], exponent);
   return rates;
 }
 

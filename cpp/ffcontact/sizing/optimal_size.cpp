@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
 #include "ffcontact/sizing/graded_size.hpp"
@@ -94,10 +95,11 @@ double density(const SimplexMesh<dim>& mesh, const VectorXd& size, int t) {
 
 template <int dim>
 double predicted_cells(const SimplexMesh<dim>& mesh, const VectorXd& size) {
-  double count = 0;
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    count += signed_volume(mesh, t) * density(mesh, size, t);
-  return count / regular_volume<dim>();
+  return sum_over(mesh.cell_count(),
+                  [&](int t) {
+                    return signed_volume(mesh, t) * density(mesh, size, t);
+                  }) /
+         regular_volume<dim>();
 }
 
 /// Mean size on a cell in parts of its own.
