@@ -28,7 +28,7 @@ StuckNodes stuck_nodes_of(Stack stack, const NamedArguments& named) {
       {{"free", StuckNodes::may_slip}, {"held", StuckNodes::stick}});
 }
 
-const char* in_words(StuckNodes stuck) {
+const char* stuck_in_words(StuckNodes stuck) {
   return stuck == StuckNodes::stick ? "sticking nodes held"
                                     : "sticking nodes free to slip";
 }

@@ -21,7 +21,7 @@ ContactForces contact_forces(const ContactLine& line, const ContactLaw& law,
 /// Reads stick=: "free" (default) or "held".
 /// @throws std::invalid_argument  if it is neither
 StuckNodes stuck_nodes_of(Stack stack, const NamedArguments& named);
-const char* in_words(StuckNodes stuck);
+const char* stuck_in_words(StuckNodes stuck);
 
 /// kappa for the slip of a displacement and the largest coefficient that goes with it.
 struct CoulombConstant {

@@ -137,7 +137,7 @@ void report(Stack stack, const NamedArguments& named,
   if (bound)
     cout << "contacterror: mu kappa "
          << bound->constant.friction * bound->constant.kappa << ", bound "
-         << bound->value << ", " << in_words(bound->stuck) << endl;
+         << bound->value << ", " << stuck_in_words(bound->stuck) << endl;
   if (level > 1) report_parts(estimate);
 }
 

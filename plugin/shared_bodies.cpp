@@ -27,8 +27,8 @@ SimplexMesh<dim> mesh_in(Packet& packet) {
 }
 
 /// Appends a body's numbers, which begin at `first` in the whole; -1 stays.
-void append(const std::vector<int>& numbers, int first,
-            std::vector<int>& joined) {
+void append_numbers(const std::vector<int>& numbers, int first,
+                    std::vector<int>& joined) {
   for (int number : numbers)
     joined.push_back(number < 0 ? number : first + number);
 }
@@ -74,11 +74,12 @@ template <int dim>
 void add_numbers(const JoinedBodies<dim>& joined, int body, std::size_t process,
                  SharedBodies<dim>& shared) {
   const MeshParts<dim>& parts = shared.parts[body];
-  append(parts.vertex[process], joined.first_vertex[body],
-         shared.vertex[process]);
-  append(parts.cell[process], joined.first_cell[body], shared.cell[process]);
-  append(parts.boundary[process], joined.first_boundary[body],
-         shared.boundary[process]);
+  append_numbers(parts.vertex[process], joined.first_vertex[body],
+                 shared.vertex[process]);
+  append_numbers(parts.cell[process], joined.first_cell[body],
+                 shared.cell[process]);
+  append_numbers(parts.boundary[process], joined.first_boundary[body],
+                 shared.boundary[process]);
 }
 
 template <int dim>

@@ -156,7 +156,7 @@ void put_bound(Stack stack, const NamedArguments& named,
   if (named.verbosity_level(stack) < 1 || mpirank != 0) return;
   cout << "contacterror: mu kappa " << found.friction * found.kappa
        << ", delta " << found.missed << ", bound " << found.bound << ", "
-       << in_words(stuck) << endl;
+       << stuck_in_words(stuck) << endl;
 }
 
 ffcontact::SolvedSolid judged_body(const SolvedSolid& solved) {

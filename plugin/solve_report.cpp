@@ -63,7 +63,7 @@ std::vector<int> held_vertices(const std::vector<int>& first_vertex,
 }
 
 /// The first numbers of many.
-std::string listed(const std::vector<int>& numbers) {
+std::string listed_vertices(const std::vector<int>& numbers) {
   constexpr std::size_t most = 8;
   std::ostringstream list;
   for (std::size_t k = 0; k < std::min(most, numbers.size()); ++k)
@@ -76,7 +76,7 @@ std::string advice_on(const std::vector<int>& held, const char* where,
                       const char* parts) {
   if (held.empty()) return "";
   return std::string("; on() prescribes the normal displacement on the ") +
-         where + " at vertex " + listed(held) +
+         where + " at vertex " + listed_vertices(held) +
          ": leave it free there, or take these " + parts + " out of label=";
 }
 

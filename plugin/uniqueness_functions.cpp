@@ -45,7 +45,7 @@ class CriticalFriction : public E_F0mps {
     named_.put(stack, "unique", unique);
     if (reports)
       cout << "criticalfriction: mu " << constant.friction << ", unique below "
-           << unique << " (" << in_words(stuck) << "), not unique at "
+           << unique << " (" << stuck_in_words(stuck) << "), not unique at "
            << critical << (unique < critical ? ", unknown between" : "")
            << endl;
     return critical;

@@ -70,7 +70,7 @@ std::vector<Side<dim>> sides_of(const SimplexMesh<dim>& mesh) {
 
 /// "edge between vertices 3 and 7", "face between vertices 3, 7 and 9".
 template <int dim>
-std::string in_words(const Side<dim>& side) {
+std::string side_in_words(const Side<dim>& side) {
   std::vector<std::string> vertices;
   for (int v : side.vertices) vertices.push_back(std::to_string(v));
   return MeshWords<dim>::facet + std::string(" between vertices ") +
@@ -118,7 +118,7 @@ class Gathering {
 
   void end(const Side<dim>& side) {
     if (facets_.on_boundary(count_) && facets_.boundary_index[count_] < 0)
-      refuse("the boundary ", in_words(side), " has no label");
+      refuse("the boundary ", side_in_words(side), " has no label");
     ++count_;
   }
 
@@ -134,7 +134,8 @@ class Gathering {
     const Corners<dim> corners = outward_corners(mesh_, side.cell, side.local);
     const bool on_same_side = is_odd(corners) == is_odd_;
     if (on_same_side || !facets_.on_boundary(count_))
-      refuse("the ", in_words(side), " has ", Words::cells, " that overlap");
+      refuse("the ", side_in_words(side), " has ", Words::cells,
+             " that overlap");
     facets_.cells(1, count_) = side.cell;
   }
 

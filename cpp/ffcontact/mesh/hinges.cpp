@@ -54,10 +54,10 @@ std::vector<int> numbers_of(const std::vector<HingeSide<dim>>& sides) {
   return numbers;
 }
 
-std::string in_words(const std::array<int, 1>& vertices) {
+std::string hinge_in_words(const std::array<int, 1>& vertices) {
   return "vertex " + std::to_string(vertices[0]);
 }
-std::string in_words(const std::array<int, 2>& vertices) {
+std::string hinge_in_words(const std::array<int, 2>& vertices) {
   return "edge between vertices " + std::to_string(vertices[0]) + " and " +
          std::to_string(vertices[1]);
 }
@@ -73,7 +73,7 @@ void require_one_fan(const std::vector<HingeSide<dim>>& sides,
     on_boundary += facets.on_boundary(sides[s].facet);
     if (on_boundary > 2)
       refuse("the body touches itself in the single ",
-             in_words(sides[s].vertices));
+             hinge_in_words(sides[s].vertices));
   }
 }
 
