@@ -104,12 +104,12 @@ std::vector<SingularVertex> singular_vertices(
     const Topology& topology, const Hooke& hooke,
     const Ref<const Matrix3Xd>& stress, const BoundaryTractions& boundary,
     const std::vector<int>& contact_edges) {
-  const auto& [mesh, edges, stars] = topology;
+  const Mesh& mesh = topology.mesh;
   const std::vector<int> vertices =
       candidates(topology, boundary, contact_edges);
   const TriangleEnergies triangles(mesh, hooke, stress);
   const auto exponent_at = [&](int v) {
-    const double size = size_at(mesh, stars, v);
+    const double size = size_at(mesh, topology.stars, v);
     const double largest =
         std::min(reach(mesh, vertices, v), farthest_radius * size);
     const Neighbourhood near = triangles.within(largest, mesh.vertices.col(v));
