@@ -84,9 +84,8 @@ class ContactSolve : public E_F0mps {
                          load_,
                          values_of<KN<double>*>(stack, displacement_),
                          watch};
-    return contact.shared || contact.solid.problem
-               ? solids().solve(call, contact)
-               : solve_plane(call, contact);
+    return contact.shared || contact.solid ? solids().solve(call, contact)
+                                           : solve_plane(call, contact);
   }
 
   NamedArguments named_;

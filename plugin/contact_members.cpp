@@ -7,6 +7,7 @@
 #include "registration.hpp"
 #include "result_names.hpp"
 #include "shared_contact.hpp"
+#include "solid_contact.hpp"
 
 namespace ffcontact::plugin {
 
@@ -21,8 +22,8 @@ KN<Value>* array_of(Stack stack, const Values& values) {
 }
 
 const SolvedSolid& solved_solid(const Contact& contact) {
-  if (!contact.solid.solved) refuse_unsolved();
-  return *contact.solid.solved;
+  if (!contact.solid->solved) refuse_unsolved();
+  return *contact.solid->solved;
 }
 
 const Contact& stated_contact_of(const ContactVariable& variable) {
@@ -32,7 +33,7 @@ const Contact& stated_contact_of(const ContactVariable& variable) {
 }
 
 bool is_solid(const Contact& contact) {
-  return contact.solid.problem || (contact.shared && contact.shared->solid);
+  return contact.solid || (contact.shared && contact.shared->solid);
 }
 
 const ShownNodes& solved_here(const Contact& contact) {
@@ -91,7 +92,7 @@ KN<double>* normals(Stack stack, ContactVariable* const& variable) {
     if (!is_solid(contact)) refuse_result_of_solids();
     const VectorXd values =
         (contact.shared ? contact.shared->shown.normal
-                        : contact.solid.problem->surface.normal)
+                        : contact.solid->problem->surface.normal)
             .row(component);
     return array_of<double>(stack, values);
   });
@@ -116,7 +117,7 @@ KN<long>* numbers(Stack stack, ContactVariable* const& variable) {
       return array_of<long>(stack, contact.shared->shown.*shown);
     return array_of<long>(stack, contact.problem
                                      ? *contact.problem.*plane
-                                     : *contact.solid.problem.*solid);
+                                     : *contact.solid->problem.*solid);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/topology.hpp"
 //

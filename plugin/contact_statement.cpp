@@ -8,6 +8,8 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/line_ends.hpp"
+//
+#include "views.hpp"
 
 namespace ffcontact::plugin {
 

@@ -8,7 +8,7 @@
 #include "body_dofs.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
-#include "views.hpp"
+#include "plane_values.hpp"
 
 /// What the parameters of a statement say of labels, line, law and side.
 namespace ffcontact::plugin {

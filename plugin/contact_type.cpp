@@ -8,6 +8,7 @@
 #include "guard.hpp"
 #include "registration.hpp"
 #include "result_names.hpp"
+#include "solid_contact.hpp"
 #include "solids.hpp"
 
 namespace ffcontact::plugin {
@@ -51,14 +52,23 @@ std::map<long, Contact>& contacts() {
   return all;
 }
 
+std::shared_ptr<SolidContact> restated(std::shared_ptr<SolidContact> contact,
+                                       std::shared_ptr<SolidProblem> problem) {
+  if (!problem) return nullptr;
+  if (!contact) contact = std::make_shared<SolidContact>();
+  contact->problem = std::move(problem);
+  contact->solved.reset();
+  return contact;
+}
+
 /// A new problem in a variable: the last states stay, to start from.
 void state(ContactVariable* variable, ContactStatement statement) {
   Contact& contact = contact_of(*variable);
   contact.solved.reset();
-  contact.solid.solved.reset();
   contact.problem = std::move(statement.plane);
-  contact.solid.problem = std::move(statement.solid);
   contact.shared = std::move(statement.shared);
+  contact.solid =
+      restated(std::move(contact.solid), std::move(statement.solid));
 }
 
 /// contact C(Th, label=, friction=, ...);   contact C(T1, T2, label1=, label2=, friction=, ...);
@@ -170,12 +180,12 @@ Contact& stated_contact(Stack stack, Expression variable) {
 }
 
 void require_stated(const Contact& contact) {
-  if (!contact.problem && !contact.solid.problem && !contact.shared)
+  if (!contact.problem && !contact.solid && !contact.shared)
     refuse("the contact is not stated: contact C(Th, label=, friction=)");
 }
 
 const ContactProblem& plane_problem(const Contact& contact) {
-  if (contact.solid.problem)
+  if (contact.solid)
     refuse(
         "the contact is that of a mesh3, but this is for plane bodies so far");
   require_stated(contact);

@@ -10,7 +10,6 @@
 //
 #include "contact_problem.hpp"
 #include "nodal_results.hpp"
-#include "solid_contact.hpp"
 
 namespace ffcontact::plugin {
 
@@ -28,6 +27,7 @@ struct SolvedContact {
 };
 
 struct SharedContact;
+struct SolidContact;
 
 /// What a script variable of type `contact` holds: a contact of plane bodies, or of a
 /// solid.
@@ -36,8 +36,8 @@ struct Contact {
   std::optional<SolvedContact> solved;
   /// of the last solution: the next one starts from them
   std::vector<ContactState> last_states;
-  VectorXd last_abscissa;  ///< where they were
-  SolidContact solid;
+  VectorXd last_abscissa;               ///< where they were
+  std::shared_ptr<SolidContact> solid;  ///< null where it is not of solids
   /// where processes hold parts of the bodies; null: one holds them
   std::shared_ptr<SharedContact> shared;
 };

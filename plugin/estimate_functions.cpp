@@ -5,6 +5,7 @@
 #include "plane_error.hpp"
 #include "registration.hpp"
 #include "shared_contact.hpp"
+#include "solid_contact.hpp"
 #include "solids.hpp"
 #include "systems.hpp"
 
@@ -99,7 +100,7 @@ class ContactErrorFunction : public E_F0mps {
       require_own_solution(
           "one of several processes, which contacterror judges by what "
           "contactsolve found: contacterror(C, lambda=, G=, ...)");
-    else if (contact.solid.problem)
+    else if (contact.solid)
       require_own_solution(
           "that of a mesh3, which contacterror judges by what contactsolve "
           "found: contacterror(C, lambda=, G=, ...)");
@@ -107,7 +108,7 @@ class ContactErrorFunction : public E_F0mps {
     const JudgePlane judge = [&](const ReadPlane& read) {
       return plane_run(stack, contact, read);
     };
-    return contact.shared || contact.solid.problem
+    return contact.shared || contact.solid
                ? solids().error(stack, named_, contact, judge)
                : judge(plane_reader(stack));
   }
@@ -117,7 +118,7 @@ class ContactErrorFunction : public E_F0mps {
       return shared->plane ? shared->plane->own.body_count()
                            : shared->solid->own.body_count();
     return contact.problem ? contact.problem->body_count()
-                           : contact.solid.problem->body_count();
+                           : contact.solid->problem->body_count();
   }
 
   void require_own_solution(const char* kind) const {

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "views.hpp"
+#include "plane_values.hpp"
 
 namespace ffcontact::plugin {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "picture_folder.hpp"
 
-#include <regex>
+#include <algorithm>
+#include <initializer_list>
 #include <system_error>
 #include <vector>
 
@@ -13,13 +14,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_one_of(const std::string& word,
+               std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Is this what picture_file would make of a name, a step and one of its letters?
+bool is_picture(const std::string& name, const std::string& letter,
+                const std::string& extension) {
+  if (is_one_of(name, {"contact", "tractions"}))
+    return letter.empty() && extension == ".txt";
+  const bool of_body =
+      letter.empty() || (letter.size() == 1 && letter >= "a" && letter <= "z");
+  return of_body && is_one_of(name, {"step", "stress", "surface"}) &&
+         is_one_of(extension, {".vtu", ".msh"});
+}
+
 /// Is this a file of the step or of a later one?
-bool is_of_step(const std::string& name, long step) {
-  static const std::regex pattern(
-      R"((?:(?:contact|tractions)(\d{1,9})\.txt)|(?:(?:step|stress|surface)(\d{1,9})[a-z]?\.(?:vtu|msh)))");
-  std::smatch match;
-  if (!std::regex_match(name, match, pattern)) return false;
-  return std::stol(match[match[1].matched ? 1 : 2]) >= step;
+bool is_of_step(const fs::path& file, long step) {
+  constexpr auto digits = "0123456789";
+  constexpr std::size_t most_digits = 9;
+  const std::string stem = file.stem().string(),
+                    extension = file.extension().string();
+  const std::size_t start = std::min(stem.find_first_of(digits), stem.size()),
+                    end = std::min(stem.find_first_not_of(digits, start),
+                                   stem.size());
+  const std::string number = stem.substr(start, end - start);
+  return is_picture(stem.substr(0, start), stem.substr(end), extension) &&
+         !number.empty() && number.size() <= most_digits &&
+         std::stol(number) >= step;
 }
 
 void make_folder(const fs::path& folder) {
@@ -33,8 +56,7 @@ void make_folder(const fs::path& folder) {
 void remove_later_steps(const fs::path& folder, long step) try {
   std::vector<fs::path> old;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (is_of_step(entry.path().filename().string(), step))
-      old.push_back(entry.path());
+    if (is_of_step(entry.path(), step)) old.push_back(entry.path());
   for (const fs::path& file : old) fs::remove(file);
 } catch (const fs::filesystem_error& error) {
   refuse("old files in the folder ", folder.string(),

@@ -38,8 +38,8 @@ class ContactPicture : public E_F0mps {
     if (step < 0) refuse("step must not be negative, got ", step);
     const std::string& folder = *value_of<string*>(stack, folder_);
     if (folder.empty()) refuse("the folder has no name");
-    if (contact.solid.problem) {
-      solids().draw(folder, step, contact.solid);
+    if (contact.solid) {
+      solids().draw(folder, step, *contact.solid);
     } else {
       const SolvedContact& solved = solved_contact(contact);
       if (mpirank == 0) write_pictures(folder, step, *contact.problem, solved);

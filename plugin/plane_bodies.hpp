@@ -8,6 +8,7 @@
 //
 #include "body_dofs.hpp"
 #include "held_mesh.hpp"
+#include "plane_values.hpp"
 #include "views.hpp"
 
 namespace ffcontact::plugin {

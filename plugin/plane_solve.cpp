@@ -125,7 +125,9 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   }
   const ContactSolution& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
-    refuse_solution(answer_of(solution), advice_on_held(problem, system));
+    refuse_solution(
+        answer_of(solution),
+        advice_on_held(problem.joined.first_vertex, problem.line, system));
 
   write_displacement(call, problem, solution.displacement);
   solved.nodes =

@@ -76,7 +76,7 @@ long solve_whole(const SolveCall& call, Contact& contact,
 
 long solve_whole(const SolveCall& call, Contact& contact,
                  const SharedBodies<3>&) {
-  return solve_solid(call, contact.solid);
+  return solve_solid(call, *contact.solid);
 }
 
 ShownNodes solved_nodes(const Contact& contact, const SharedBodies<2>& bodies,
@@ -87,7 +87,7 @@ ShownNodes solved_nodes(const Contact& contact, const SharedBodies<2>& bodies,
 
 ShownNodes solved_nodes(const Contact& contact, const SharedBodies<3>& bodies,
                         int rank) {
-  const SolidContact& solid = contact.solid;
+  const SolidContact& solid = *contact.solid;
   return shown_nodes(*solid.problem, bodies, rank,
                      solid.solved ? &solid.solved->nodes : nullptr);
 }

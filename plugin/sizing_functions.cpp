@@ -7,6 +7,7 @@
 #include "guard.hpp"
 #include "registration.hpp"
 #include "shared_contact.hpp"
+#include "solid_contact.hpp"
 #include "solids.hpp"
 
 namespace ffcontact::plugin {
@@ -83,7 +84,7 @@ class OptimalSizeFunction : public E_F0mps {
     if (!contact.shared)
       return contact.problem
                  ? run(stack, contact, given(stack, *contact.problem))
-                 : run(stack, contact, given(stack, *contact.solid.problem));
+                 : run(stack, contact, given(stack, *contact.solid->problem));
     SharedContact& shared = *contact.shared;
     return solids().sizes_of_parts(stack, named_, shared,
                                    shared.plane
@@ -116,7 +117,7 @@ class OptimalSizeFunction : public E_F0mps {
       return answer(stack, plane->joined,
                     optimal_size(plane->mesh, plane->edges.vertices, arrays[0],
                                  arrays[1], bounds));
-    const SolidProblem& solid = *contact.solid.problem;
+    const SolidProblem& solid = *contact.solid->problem;
     return answer(stack, solid.joined, solids().sizes(solid, arrays, bounds));
   }
 

@@ -132,7 +132,9 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   }
   const SurfaceSolution& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
-    refuse_solution(answer_of(solution), advice_on_held(problem, system));
+    refuse_solution(
+        answer_of(solution),
+        advice_on_held(problem.joined.first_vertex, problem.surface, system));
 
   write_displacement(call, problem, solution.displacement);
   solved.nodes = nodal_results(problem.surface, law, solution);

@@ -15,6 +15,8 @@
 
 namespace ffcontact::plugin {
 
+struct SolidProblem;
+
 /// The value of contact(Th, ...), for an assignment: null is what there is not.
 struct ContactStatement {
   std::shared_ptr<ContactProblem> plane;

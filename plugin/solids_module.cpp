@@ -61,7 +61,7 @@ class SolidsModule : public Solids {
 
   long solve(const SolveCall& call, Contact& contact) const override {
     return contact.shared ? solve_shared(call, contact)
-                          : solve_solid(call, contact.solid);
+                          : solve_solid(call, *contact.solid);
   }
 
   double error(Stack stack, const NamedArguments& named, Contact& contact,
@@ -73,13 +73,13 @@ class SolidsModule : public Solids {
                                 ffcontact::SolvedSolid& body) {
       return read_material_and_loads(stack, named, bodies, body);
     };
-    if (!contact.shared) return solid_error(stack, named, contact.solid, read);
+    if (!contact.shared) return solid_error(stack, named, *contact.solid, read);
     SharedContact& shared = *contact.shared;
     if (shared.plane) return error_shared(stack, named, shared, plane, judge);
     return error_shared(stack, named, shared, read,
                         [&](const ReadSolids& whole) {
-                          return solid_error(stack, named, contact.solid, whole,
-                                             relax_shared(shared));
+                          return solid_error(stack, named, *contact.solid,
+                                             whole, relax_shared(shared));
                         });
   }
 

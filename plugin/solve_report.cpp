@@ -119,18 +119,18 @@ void put(const SolveCall& call, const SolveAnswer& answer) {
   named.put(call.stack, "slipnodes", answer.counts.slip);
 }
 
-std::string advice_on_held(const ContactProblem& problem,
+std::string advice_on_held(const std::vector<int>& first_vertex,
+                           const ContactLine& line,
                            const ElasticSystem& system) {
-  return advice_on(
-      held_vertices(problem.joined.first_vertex, problem.line, system),
-      "contact line", "edges");
+  return advice_on(held_vertices(first_vertex, line, system), "contact line",
+                   "edges");
 }
 
-std::string advice_on_held(const SolidProblem& problem,
+std::string advice_on_held(const std::vector<int>& first_vertex,
+                           const ContactSurface& surface,
                            const ElasticSystem& system) {
-  return advice_on(
-      held_vertices(problem.joined.first_vertex, problem.surface, system),
-      "contact surface", "faces");
+  return advice_on(held_vertices(first_vertex, surface, system),
+                   "contact surface", "faces");
 }
 
 void refuse_solution(const SolveAnswer& answer, const std::string& advice) {

@@ -6,6 +6,7 @@
 #include "contact_type.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/unbalanced_motion.hpp"
+#include "ffcontact/interface/contact_surface.hpp"
 #include "solve_call.hpp"
 
 /// What contactsolve says of a solution, and of its failure.
@@ -35,9 +36,12 @@ SolveAnswer answer_of(const Solution& solution) {
 void put(const SolveCall& call, const SolveAnswer& answer);
 
 /// Part of a sentence that names the vertices that on() holds along their normals.
-std::string advice_on_held(const ContactProblem& problem,
+/// @param first_vertex  of each body
+std::string advice_on_held(const std::vector<int>& first_vertex,
+                           const ContactLine& line,
                            const ElasticSystem& system);
-std::string advice_on_held(const SolidProblem& problem,
+std::string advice_on_held(const std::vector<int>& first_vertex,
+                           const ContactSurface& surface,
                            const ElasticSystem& system);
 
 /// Refuses a solution that was not accepted, with what the script can do about it.

@@ -56,6 +56,7 @@ TEST(Hooke, refuses_a_tensor_that_is_not_elliptic) {
   EXPECT_EQ(refusal_of(isotropic(1, 2)), "accepted");
   EXPECT_EQ(refusal_of(isotropic(1, 0)), sentence);
   EXPECT_EQ(refusal_of(isotropic(-3, 1)), sentence);
+  EXPECT_EQ(refusal_of(isotropic(-1.5, 1)), sentence);
   EXPECT_EQ(refusal_of(isotropic(std::nan(""), 1)), sentence);
   EXPECT_EQ(refusal_of(isotropic(1, 1) +
                        0.1 * Vector3d::UnitX() * Eigen::RowVector3d::UnitY()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/congruent.hpp"
 
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/base/symmetric.hpp"
 
 namespace ffcontact {
@@ -20,7 +21,7 @@ MatrixXd congruent(const MatrixXd& S, const SparseMatrix& Q) {
 }
 
 MatrixXd congruent(const MatrixXd& S, const MatrixXd& Q) {
-  return Q.transpose() * S * Q;
+  return product(transposed_product(Q, S), Q);
 }
 
 }  // namespace ffcontact

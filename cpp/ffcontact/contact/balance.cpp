@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/singular_values.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
@@ -74,7 +75,7 @@ MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
       motion_rounding * std::sqrt(static_cast<double>(motions.rows()));
   Index held = 0;
   while (held < motions.cols() && forces.values[held] > least) ++held;
-  return motions * forces.V.rightCols(motions.cols() - held);
+  return product(motions, forces.V.rightCols(motions.cols() - held));
 }
 
 template MatrixXd unheld_motions(const Mesh&, const ElasticSystem&);

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/selected_rows.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
@@ -74,13 +75,13 @@ OppositeTerms opposite_terms(const Terms& terms, const SparseLu& factor,
   const MatrixXd &S = terms.S, &A = terms.A_dependent;
   const MatrixXd X = factor.solve_columns(opposite_A(contact));
   const MatrixXd S_ow =
-      S.bottomLeftCorner(o, f) - X.transpose() * S.topLeftCorner(f, f);
+      S.bottomLeftCorner(o, f) - transposed_product(X, S.topLeftCorner(f, f));
   OppositeTerms result;
   result.V = factor.solve_transposed_columns(S_ow.transpose()).transpose();
-  result.O = S.bottomRightCorner(o, o) - S_ow * X -
-             X.transpose() * S.topRightCorner(f, o);
-  result.E =
-      A.rightCols(o).transpose() - X.transpose() * A.leftCols(f).transpose();
+  result.O = S.bottomRightCorner(o, o) - product(S_ow, X) -
+             transposed_product(X, S.topRightCorner(f, o));
+  result.E = A.rightCols(o).transpose() -
+             transposed_product(X, A.leftCols(f).transpose());
   return result;
 }
 
@@ -107,11 +108,11 @@ void condense_opposite(const OppositeTerms& terms, CondensedContact& contact) {
   const auto R = contact.opposite_scale.asDiagonal();
   const Cholesky& O = *contact.opposite_stiffness;
   contact.opposite_of_v = R * O.solve_columns(-(R * terms.V));
-  contact.S += terms.V.transpose() * contact.opposite_of_v;
+  contact.S += transposed_product(terms.V, contact.opposite_of_v);
   contact.S = symmetric_part(contact.S);
   contact.opposite_of_q = R * O.solve_columns(R * terms.E);
-  contact.E += contact.opposite_of_v.transpose() * terms.E;
-  contact.F = terms.E.transpose() * contact.opposite_of_q;
+  contact.E += transposed_product(contact.opposite_of_v, terms.E);
+  contact.F = transposed_product(terms.E, contact.opposite_of_q);
 }
 
 /// w_o = O^-1 (h + E_o q - V v), the part of h.

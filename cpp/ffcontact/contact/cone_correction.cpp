@@ -62,6 +62,10 @@ std::optional<double> smallest_shift(const ConesAtEnds& cones,
 
 }  // namespace
 
+int ConeCorrection::corrected_count() const {
+  return static_cast<int>((shift.array() != 0).count());
+}
+
 ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law,
                                const ContactDensities& densities) {
   require_fitting(line, "normal", densities.normal);

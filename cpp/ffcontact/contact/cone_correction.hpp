@@ -26,9 +26,7 @@ struct ConeCorrection {
   VectorXd shift;
   std::vector<int> uncorrected;  ///< edges without a shift, ascending
 
-  int corrected_count() const {
-    return static_cast<int>((shift.array() != 0).count());
-  }
+  int corrected_count() const;
 };
 
 /// @throws std::invalid_argument  if sizes differ, a value is not finite, or the given

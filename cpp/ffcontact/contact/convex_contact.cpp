@@ -6,6 +6,7 @@
 #include "ffcontact/base/bounded_minimum.hpp"
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/contact/next_states.hpp"
 
 namespace ffcontact {
@@ -142,7 +143,7 @@ class ProximalPasses {
     coupling = stiffness_.solve_columns(E);
     C.bottomLeftCorner(dependent_, primary_) = coupling.transpose();
     C.bottomRightCorner(dependent_, dependent_) =
-        contact_.F + E.transpose() * coupling;
+        contact_.F + transposed_product(E, coupling);
     return C;
   }
 

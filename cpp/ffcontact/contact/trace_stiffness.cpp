@@ -3,6 +3,7 @@
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/products.hpp"
 
 namespace ffcontact {
 
@@ -41,7 +42,7 @@ TraceStiffness trace_stiffness(const CondensedContact& contact) {
     const Cholesky F(contact.F(dependent.free, dependent.free));
     const MatrixXd E = contact.E(Eigen::all, dependent.free),
                    q_of_v = F.solve_columns(E.transpose());
-    traces.S.topLeftCorner(f, f) += E * q_of_v;
+    traces.S.topLeftCorner(f, f) += product(E, q_of_v);
     traces.S.bottomLeftCorner(d, f) = -q_of_v;
     traces.S.topRightCorner(f, d) = -q_of_v.transpose();
     traces.S.bottomRightCorner(d, d) =

@@ -10,6 +10,7 @@
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
 #include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/dofs.hpp"
@@ -109,7 +110,8 @@ Matrix<double, dim, 1> main_normal(const Pushed& pushed, const Vertices& part) {
     normals.col(c) =
         pushed.normal_components(translation<dim>(part, Vector::Unit(c), dofs));
   if (normals.isZero(0)) return Vector::Zero();
-  return symmetric_eigen(normals.transpose() * normals).vectors.col(dim - 1);
+  return symmetric_eigen(transposed_product(normals, normals))
+      .vectors.col(dim - 1);
 }
 
 /// The translations of a part along its contact line and along its normal that the loads
@@ -174,7 +176,7 @@ std::vector<Vertices> moved_parts(const SimplexMesh<dim>& mesh,
   for (Index k = 0; k < all.cols(); k += dim * (dim + 1) / 2) {
     const MatrixXd own = all.middleCols(k, dim * (dim + 1) / 2);
     const VectorXd moved = own.cwiseAbs().rowwise().sum();
-    if ((own.transpose() * motions).norm() <=
+    if (transposed_product(own, motions).norm() <=
         rounding * own.norm() * motions.norm())
       continue;
     parts.push_back(moved_vertices<dim>(moved));

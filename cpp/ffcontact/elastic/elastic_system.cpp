@@ -105,7 +105,7 @@ template <int dim>
 ElementMatrix<dim> element_stiffness(const SimplexMesh<dim>& mesh,
                                      const VoigtMatrix<dim>& C, int cell) {
   const auto B = strain_matrix(mesh, cell);
-  return signed_volume(mesh, cell) * B.transpose() * C * B;
+  return (signed_volume(mesh, cell) * B.transpose() * C).lazyProduct(B);
 }
 
 template <int dim>

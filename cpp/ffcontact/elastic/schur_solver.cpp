@@ -9,6 +9,7 @@
 #include "ffcontact/base/aggregates.hpp"
 #include "ffcontact/base/conjugate_gradients.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/products.hpp"
 
 namespace ffcontact {
 
@@ -78,7 +79,7 @@ struct SchurSolver::TwoLevels {
                          const MatrixXd& motions) const {
     const MatrixXd Z = R.transpose() * motions;
     MatrixXd matrix = S.congruent(R);
-    matrix.noalias() += Z * Z.transpose();
+    add_square(Z, matrix);
     return matrix;
   }
 
@@ -112,7 +113,8 @@ SchurSolver::~SchurSolver() = default;
 VectorXd SchurSolver::solve(const VectorXd& g) const {
   if (preconditioner_ && direct_.size() == 0) {
     const auto product = [&](const VectorXd& x) -> VectorXd {
-      return S_->product(x) + motions_ * (motions_.transpose() * x);
+      const VectorXd along = motions_.transpose() * x;
+      return S_->product(x) + motions_ * along;
     };
     const auto x = conjugate_gradients(product, *preconditioner_, g,
                                        {tolerance, steps_allowed()});
@@ -134,7 +136,7 @@ MatrixXd SchurSolver::regular_matrix() const {
         "conjugate gradients with the distributed Schur complement do not "
         "converge");
   MatrixXd regular = stiffness_.schur();
-  regular.noalias() += motions_ * motions_.transpose();
+  add_square(motions_, regular);
   return regular;
 }
 

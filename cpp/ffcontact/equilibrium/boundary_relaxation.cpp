@@ -2,6 +2,7 @@
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
 #include "ffcontact/base/congruent.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/boundary_corrections.hpp"
 
@@ -62,7 +63,7 @@ struct ContactTerms {
     const EdgeCone cone = edge_cone(contact.line, contact.law, e);
     cost += change.transpose() * interleaved(tractions.normal_cost.col(e),
                                              tractions.tangential_cost.col(e));
-    C.middleRows(rows, cone.C.rows()) = cone.C * change;
+    C.middleRows(rows, cone.C.rows()) = product(cone.C, change);
     d.segment(rows, cone.d.size()) =
         // r is inside: the rest is rounding
         (cone.d - cone.C * end_values(tractions.densities, e)).cwiseMin(0);
@@ -84,7 +85,7 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns,
 /// The conditions on x for y = Z x, without those that no x can change.
 void restrict(const MatrixXd& Z, ContactTerms& terms) {
   Index kept = 0;
-  const MatrixXd C = terms.C * Z;
+  const MatrixXd C = product(terms.C, Z);
   const double size = Z.norm();
   for (Index row = 0; row < C.rows(); ++row)
     if (C.row(row).norm() >
@@ -92,7 +93,7 @@ void restrict(const MatrixXd& Z, ContactTerms& terms) {
       terms.d[kept] = terms.d[row];
       terms.C.row(kept++) = terms.C.row(row);
     }
-  terms.C = (terms.C.topRows(kept) * Z).eval();
+  terms.C = product(terms.C.topRows(kept), Z);
   terms.d.conservativeResize(kept);
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/equilibrium/linear_stress.hpp"
 #include "ffcontact/equilibrium/polynomial_basis.hpp"
 
@@ -83,7 +84,7 @@ PolynomialStress polynomial_stress(const TriangleCorners& corners,
   MatrixXd K = stiffness_of(B, hooke);
   const RigidMotions Z = rigid_motions(B);
   // balanced loads: w without rigid motion solves both systems
-  K += K.trace() / unknowns * Z * Z.transpose();
+  add_square(std::sqrt(K.trace() / unknowns) * Z, K);
   PolynomialStress stress{corners, hooke, {}};
   stress.displacement.reshaped() =
       Cholesky(K).solve(load_of(on_edges, body_loads));
@@ -95,7 +96,7 @@ Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point) {
   const auto gradients =
       monomial_gradients(inverse * (point - stress.corners.col(0)));
   // on the monomials
-  const Coefficients w = stress.displacement * polynomial_basis().basis;
+  const Coefficients w = product(stress.displacement, polynomial_basis().basis);
   Vector3d strain = Vector3d::Zero();
   for (int i = 0; i < polynomial_count; ++i)
     for (int a = 0; a < 2; ++a)

@@ -5,6 +5,7 @@
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 
@@ -53,18 +54,18 @@ EdgeProjection::EdgeProjection(const ContactLine& line, const ContactLaw& law,
       basis_(free_end_values(cone_)),
       free_mass_(congruent(mass_, basis_)),
       half_(free_mass_),
-      moving_(half_.half_solve(basis_.transpose() * mass_ * motions_)) {}
+      moving_(half_.half_solve(transposed_product(mass_ * basis_, motions_))) {}
 
 Vector4d EdgeProjection::operator()(const Vector4d& r) const {
   const auto y = quadratic_minimum(free_mass_, -basis_.transpose() * mass_ * r,
-                                   cone_.C * basis_, cone_.d);
+                                   product(cone_.C, basis_), cone_.d);
   return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y)
            : Vector4d::Zero();
 }
 
 MatrixXd EdgeProjection::slope(const Vector4d& r,
                                const Vector4d& outside) const {
-  return moving_.transpose() * moving_on_face(held(r, outside));
+  return transposed_product(moving_, moving_on_face(held(r, outside)));
 }
 
 std::vector<int> EdgeProjection::held(const Vector4d& r,
@@ -78,8 +79,8 @@ std::vector<int> EdgeProjection::held(const Vector4d& r,
 MatrixXd EdgeProjection::moving_on_face(const std::vector<int>& held) const {
   if (held.empty()) return moving_;
   const MatrixXd normals =
-      half_.half_solve((cone_.C(held, Eigen::all) * basis_).transpose());
-  return moving_ - normals * least_squares_of_columns(normals, moving_);
+      half_.half_solve(product(cone_.C(held, Eigen::all), basis_).transpose());
+  return moving_ - product(normals, least_squares_of_columns(normals, moving_));
 }
 
 }  // namespace ffcontact

@@ -249,6 +249,10 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
 
 }  // namespace
 
+int Estimate::corrected_count() const {
+  return static_cast<int>((shift.array() != 0).count());
+}
+
 Estimate estimate_error(const Topology& topology, const ContactLine& line,
                         const ElasticSystem& system, const SolvedBody& body,
                         const EstimateSettings& settings) {

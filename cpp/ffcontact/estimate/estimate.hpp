@@ -63,9 +63,7 @@ struct Estimate {
   bool admissible = false;
   std::string reason;  ///< why not, one sentence without a full stop
 
-  int corrected_count() const {
-    return static_cast<int>((shift.array() != 0).count());
-  }
+  int corrected_count() const;
 };
 
 /// Builds the admissible pair and evaluates it, as the numbered steps in the body.

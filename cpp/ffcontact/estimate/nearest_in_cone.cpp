@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/nearest_in_cone.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 #include <vector>
 
+#include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/estimate/edge_projection.hpp"
 
@@ -132,7 +133,9 @@ VectorXd newton_step(const Dual& dual, const Dual::Point& point, double length,
   const Index k = point.eta.size();
   const double regular = length * max_norm(point.off) / scale;
   const MatrixXd slope = dual.slope(point) + regular * MatrixXd::Identity(k, k);
-  return -slope.ldlt().solve(point.off);
+  const Cholesky factor(slope);
+  return -(factor.is_positive_definite() ? factor.solve(point.off)
+                                         : least_squares(slope, point.off));
 }
 
 /// Newton's method; nothing if it runs away. Where the dual is all but flat its last steps

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/equilibrium/composite_stress.hpp"
 #include "ffcontact/equilibrium/refined_moments.hpp"
 
 namespace ffcontact {
@@ -12,9 +13,9 @@ namespace {
 
 /// The smallest of these coordinates says how far inside a point is.
 Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
-  Matrix3d system;
-  system << corners, Eigen::RowVector3d::Ones();
-  return system.partialPivLu().solve(Vector3d(x.x(), x.y(), 1));
+  // differences first: what is left of them far from the origin is exact
+  const Vector2d last = piola_matrix(corners).inverse() * (x - corners.col(0));
+  return {1 - last.sum(), last.x(), last.y()};
 }
 
 TriangleCorners subtriangle(const TriangleCorners& corners, int k) {

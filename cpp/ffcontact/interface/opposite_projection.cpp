@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/opposite_projection.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <cmath>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/plane.hpp"
+#include "ffcontact/base/sparse_lu.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 
 namespace ffcontact {
@@ -85,7 +85,7 @@ void add_shares_of_vertices(const Edges& edges, const ContactLine& line,
 /// rounding are dropped.
 Triplets projected(const SparseMatrix& M, const SparseMatrix& D) {
   constexpr double rounding = 1e-18;
-  const Eigen::SimplicialLDLT<SparseMatrix> mass(M);
+  const SparseLu mass(M);
   Triplets entries;
   for (int j = 0; j < D.outerSize(); ++j) {
     if (D.col(j).nonZeros() == 0) continue;
