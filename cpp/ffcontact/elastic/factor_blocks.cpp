@@ -34,6 +34,14 @@ double scale_of(const VectorXd& x) {
              : 1;
 }
 
+/// Some rows of a block: one type for all that is done with them.
+template <class Block>
+auto rows_of(const Block& L, Index first, Index count) {
+  using Rows = Map<const typename Block::PlainMatrix, 0, Eigen::OuterStride<>>;
+  return Rows(L.data() + first, count, L.cols(),
+              Eigen::OuterStride<>(L.rows()));
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -62,15 +70,15 @@ int FactorBlocks<Scalar>::thread_count() const {
 
 template <class Scalar>
 double FactorBlocks<Scalar>::reciprocal_condition() const {
-  double least = 1, largest = 1;
+  VectorXd pivots(nodes.first_column.back());
   for (int s = 0; s < nodes.count(); ++s) {
-    const auto diagonal = block(s).diagonal();
-    if (!diagonal.allFinite()) return 0;
-    const double low = diagonal.minCoeff(), high = diagonal.maxCoeff();
-    least = s == 0 ? low : std::min(least, low);
-    largest = s == 0 ? high : std::max(largest, high);
+    const auto L = block(s);
+    for (Index j = 0; j < L.cols(); ++j)
+      pivots[nodes.first_column[s] + j] = L(j, j);
   }
-  const double ratio = std::max(least, 0.0) / largest;
+  if (pivots.size() == 0) return 1;
+  if (!pivots.allFinite()) return 0;
+  const double ratio = std::max(pivots.minCoeff(), 0.0) / pivots.maxCoeff();
   return ratio * ratio;
 }
 
@@ -81,13 +89,12 @@ typename FactorBlocks<Scalar>::Column FactorBlocks<Scalar>::eliminate(
   const Index n = L.cols(), below = L.rows() - n;
   auto own = b.segment(nodes.first_column[s], n);
   Column x = own.template cast<Scalar>(), product(below);
-  L.topRows(n).template triangularView<Eigen::Lower>().solveInPlace(x);
+  rows_of(L, 0, n).template triangularView<Eigen::Lower>().solveInPlace(x);
   own = x.template cast<double>();
 #pragma omp parallel for if (below > rows_at_once)
   for (Index first = 0; first < below; first += rows_at_once) {
     const Index count = std::min(rows_at_once, below - first);
-    product.segment(first, count).noalias() =
-        L.middleRows(n + first, count) * x;
+    product.segment(first, count).noalias() = rows_of(L, n + first, count) * x;
   }
   return product;
 }
@@ -97,19 +104,25 @@ void FactorBlocks<Scalar>::substitute(int s, Column& y) const {
   const auto L = block(s);
   const Index n = L.cols(), below = L.rows() - n,
               parts = (below + rows_at_once - 1) / rows_at_once;
-  const Column known = y(Map<const VectorXi>(nodes.rows_below(s), below));
-  Square products(n, parts);
+  Column known(below);
+  const int* row = nodes.rows_below(s);
+  for (Scalar& value : known) value = y[*row++];
+  Square products = Square::Zero(n, std::max<Index>(parts, 1));
 #pragma omp parallel for if (parts > 1)
   for (Index part = 0; part < parts; ++part) {
     const Index first = part * rows_at_once,
                 count = std::min(rows_at_once, below - first);
-    products.col(part).noalias() = L.middleRows(n + first, count).transpose() *
-                                   known.segment(first, count);
+    products.col(part).noalias() =
+        rows_of(L, n + first, count).transpose() * known.segment(first, count);
   }
   auto x = y.segment(nodes.first_column[s], n);
-  x -= products.rowwise().sum();
-  L.topRows(n).transpose().template triangularView<Eigen::Upper>().solveInPlace(
-      x);
+  for (Index part = 1; part < parts; ++part)
+    products.col(0) += products.col(part);
+  x -= products.col(0);
+  rows_of(L, 0, n)
+      .transpose()
+      .template triangularView<Eigen::Upper>()
+      .solveInPlace(x);
 }
 
 template <class Scalar>
@@ -135,7 +148,7 @@ VectorXd FactorBlocks<Scalar>::half_solve(const VectorXd& right) const {
     for (int s : tree.supernodes[k])
       subtract(s, eliminate(s, b), on_others.col(k).data());
   const VectorXd sum = on_others.rowwise().sum();
-  b(above_) += sum.head(columns);
+  for (Index i = 0; i < columns; ++i) b[above_[i]] += sum[i];
   b.tail(kept) += sum.tail(kept);
   for (int s : tree.above) {
     const Column product = eliminate(s, b);

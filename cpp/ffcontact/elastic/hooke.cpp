@@ -45,7 +45,8 @@ Matrix<double, dim, dim> gradient(const SimplexMesh<dim>& mesh,
   Matrix<double, dim, dim> result = Matrix<double, dim, dim>::Zero();
   for (int k = 0; k <= dim; ++k) {
     const auto u = vector_at<dim>(displacement, mesh.cells(k, cell));
-    result += u * hats.col(k).transpose();
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) result(i, j) += u[i] * hats(j, k);
   }
   return result;
 }

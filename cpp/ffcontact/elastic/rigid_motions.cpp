@@ -105,8 +105,10 @@ MotionMatrix<dim> stopped(const SimplexMesh<dim>& mesh, const Vertices& part,
   for (int v : part)
     for (int c = 0; c < dim; ++c) {
       if (!prescribed[dof_of<dim>(v, c)]) continue;
-      const auto row = frame.motions_at(mesh.vertices.col(v)).row(c).eval();
-      sum += row.transpose() * row;
+      const auto motions = frame.motions_at(mesh.vertices.col(v));
+      for (int i = 0; i < motion_count<dim>; ++i)
+        for (int j = 0; j < motion_count<dim>; ++j)
+          sum(i, j) += motions(c, i) * motions(c, j);
     }
   return sum;
 }
@@ -115,7 +117,8 @@ MotionMatrix<dim> stopped(const SimplexMesh<dim>& mesh, const Vertices& part,
 /// 1e-5 of the largest on all prescribed dofs, and the eigenvalues are sums of squares.
 Index vanishing(const VectorXd& values) {
   const double threshold = 1e-10 * std::max(values[values.size() - 1], 1.0);
-  return (values.array() <= threshold).count();
+  return std::upper_bound(values.begin(), values.end(), threshold) -
+         values.begin();
 }
 
 /// Coefficients of the combinations of the motions that vanish on the prescribed dofs.
@@ -236,7 +239,7 @@ MatrixXd free_rigid_motions(const SimplexMesh<dim>& mesh,
     basis.rightCols(more).setZero();
     for (int v : part)
       basis.block(dof_of<dim>(v, 0), first, dim, more) =
-          frame.motions_at(mesh.vertices.col(v)) * combinations;
+          frame.motions_at(mesh.vertices.col(v)).lazyProduct(combinations);
   }
   return basis;
 }

@@ -167,8 +167,15 @@ struct Pullback {
 /// sum over p, q of W_pq int s_p s_q
 ReferenceEnergy weighted_products(const Matrix3d& W) {
   const ReferenceProducts& S = reference_products();
-  return W(0, 0) * S[0] + W(0, 1) * S[1] + W(0, 2) * S[2] + W(1, 1) * S[3] +
-         W(1, 2) * S[4] + W(2, 2) * S[5];
+  const double w[] = {W(0, 0), W(0, 1), W(0, 2), W(1, 1), W(1, 2), W(2, 2)};
+  ReferenceEnergy sum;
+  // numbers in place of Eigen's expressions, each of whose terms is a type of its own
+  for (Index i = 0; i < sum.size(); ++i) {
+    double entry = w[0] * S[0](i);
+    for (int p = 1; p < 6; ++p) entry += w[p] * S[p](i);
+    sum(i) = entry;
+  }
+  return sum;
 }
 
 /// The energy by (A, grad A) at the vertices and by the part normal[k] x of q.
@@ -239,11 +246,13 @@ void put_slope(const Pullback& pullback, const ReferenceUnknowns& slope,
 /// Vertex k of K x.
 Vector3d row_of_vertex(const AiryEnergy& K, const LocalAiry& x, int k) {
   const int l = (k + 1) % 3, m = (k + 2) % 3;
-  return K.own[k].lazyProduct(x.at_vertices.col(k)) +
-         K.next[k].lazyProduct(x.at_vertices.col(l)) +
-         K.next[m].transpose().lazyProduct(x.at_vertices.col(m)) +
-         K.edge[k].col(0) * x.on_edges[k] + K.edge[l].col(2) * x.on_edges[l] +
-         K.edge[m].col(1) * x.on_edges[m];
+  Vector3d row = K.own[k].lazyProduct(x.at_vertices.col(k));
+  row += K.next[k].lazyProduct(x.at_vertices.col(l));
+  row += K.next[m].transpose().lazyProduct(x.at_vertices.col(m));
+  row += K.edge[k].col(0) * x.on_edges[k];
+  row += K.edge[l].col(2) * x.on_edges[l];
+  row += K.edge[m].col(1) * x.on_edges[m];
+  return row;
 }
 
 /// Edge k of K x.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_springs.hpp"
 
+#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/products.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 
 namespace ffcontact {
@@ -44,27 +47,33 @@ double column_length(const Mesh& mesh, Index column) {
       .norm();
 }
 
-/// (1 - s) I, s I: a linear vector field at a point from its end values.
-Matrix<double, 2, 4> between_ends(int point) {
+/// A linear vector field at a point from its end values.
+Vector2d between_ends(int point, const Vector4d& ends) {
   const double s = gauss_places[point];
-  Matrix<double, 2, 4> hats;
-  hats << (1 - s) * Matrix2d::Identity(), s * Matrix2d::Identity();
-  return hats;
+  return (1 - s) * ends.head<2>() + s * ends.tail<2>();
+}
+
+/// A vector at a point times the hat functions of the ends.
+Vector4d at_ends(int point, const Vector2d& v) {
+  const double s = gauss_places[point];
+  return {(1 - s) * v.x(), (1 - s) * v.y(), s * v.x(), s * v.y()};
 }
 
 Vector4d end_displacements(const Mesh& mesh,
                            const Ref<const VectorXd>& displacement,
                            Index column) {
-  const auto at_vertices = displacement.reshaped(2, displacement.size() / 2);
-  return at_vertices(Eigen::all, mesh.boundary.col(column)).reshaped();
+  const Vector2d first = vector_at<2>(displacement, mesh.boundary(0, column)),
+                 second = vector_at<2>(displacement, mesh.boundary(1, column));
+  return {first.x(), first.y(), second.x(), second.y()};
 }
 
-/// End values of a linear density from its moments.
-Matrix4d density_matrix(double length) {
-  Matrix4d densities;
+/// The traction at a point from its moments, a column for each.
+Matrix<double, 2, 4> tractions_at(int point, double length) {
+  Matrix<double, 2, 4> tractions;
   for (int k = 0; k < 4; ++k)
-    densities.col(k) = density_of_moments(Vector4d::Unit(k), length);
-  return densities;
+    tractions.col(k) =
+        between_ends(point, density_of_moments(Vector4d::Unit(k), length));
+  return tractions;
 }
 
 /// @param with_rest  whether u_0 counts
@@ -76,11 +85,10 @@ Matrix4Xd moments_of_answers(const Mesh& mesh, const BoundarySprings& springs,
     if (!springs.on(b)) continue;
     const Vector4d ends = end_displacements(mesh, displacement, b);
     for (int q = 0; q < 3; ++q) {
-      Vector2d u = between_ends(q) * ends;
+      Vector2d u = between_ends(q, ends);
       if (with_rest) u -= springs.rest_at(q, b);
-      moments.col(b) -= column_length(mesh, b) * gauss_weights[q] *
-                        between_ends(q).transpose() *
-                        (springs.stiffness_at(q, b) * u);
+      const double weight = column_length(mesh, b) * gauss_weights[q];
+      moments.col(b) -= at_ends(q, weight * (springs.stiffness_at(q, b) * u));
     }
   }
   return moments;
@@ -91,18 +99,18 @@ SpringError quadratic_form(const Mesh& mesh, const BoundarySprings& springs,
                            const Ref<const VectorXd>& displacement,
                            const Vector4d& moments, Index column, double sign) {
   const double length = column_length(mesh, column);
-  const Matrix4d densities = density_matrix(length);
   const Vector4d ends = end_displacements(mesh, displacement, column);
   SpringError error;
   for (int q = 0; q < 3; ++q) {
     const Matrix2d K = springs.stiffness_at(q, column);
-    const Matrix<double, 2, 4> t = between_ends(q) * densities;
-    const Vector2d u = between_ends(q) * ends - springs.rest_at(q, column),
-                   off = t * moments + sign * K * u;
+    const Matrix<double, 2, 4> t = tractions_at(q, length);
+    const Vector2d u = between_ends(q, ends) - springs.rest_at(q, column),
+                   answer = K * u, off = product(t, moments) + sign * answer;
     const Matrix2d weight = length * gauss_weights[q] * flexibility(K);
-    error.H += t.transpose() * weight * t;
-    error.g += t.transpose() * weight * off;
-    error.before += off.dot(weight * off);
+    const Vector2d weighted = weight * off;
+    error.H += congruent(weight, t);
+    error.g += transposed_product(t, weighted);
+    error.before += off.dot(weighted);
   }
   return error;
 }

@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/products.hpp"
 
 namespace ffcontact {
 
@@ -45,8 +47,8 @@ SpringError of_edge(const SpringError& of_column, bool same_order,
                     const Matrix2d& P) {
   Matrix4d order = Matrix4d::Identity();
   if (!same_order) order << 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0;
-  const Matrix4d keep = order * at_both_ends(P);
-  return {keep.transpose() * of_column.H * keep, keep.transpose() * of_column.g,
+  const MatrixXd keep = product(order, at_both_ends(P));
+  return {congruent(of_column.H, keep), transposed_product(keep, of_column.g),
           of_column.before};
 }
 
@@ -62,14 +64,14 @@ Matrix2d free_directions(const Mesh& mesh, const BoundarySprings& springs,
 }
 
 /// Moments of an edge's traction by the unknowns (A / l0, A_x, A_y) at its first and at its
-/// second vertex and dA/dn in its middle.
-Matrix<double, 4, 7> moments_of_unknowns(const AirySpace& space, int edge) {
+/// second vertex and dA/dn in its middle [4 x 7].
+MatrixXd moments_of_unknowns(const AirySpace& space, int edge) {
   const Vector2d side = edge_vector(space.mesh, space.edges, edge);
   const double l = side.norm();
   const Vector2d s = side / l;
-  Matrix<double, 4, 7> moments;
+  MatrixXd moments(4, 7);
   for (int c = 0; c < 7; ++c) {
-    const Matrix<double, 7, 1> x = Matrix<double, 7, 1>::Unit(c);
+    const VectorXd x = VectorXd::Unit(7, c);
     const Vector2d at_i = x.segment<2>(1), at_j = x.segment<2>(4);
     const double A_i = space.length[space.edges.vertices(0, edge)] * x[0],
                  A_j = space.length[space.edges.vertices(1, edge)] * x[3];
@@ -84,9 +86,9 @@ void add(const FreeSpring& spring, const AirySpace& space, AiryEnergy& energy) {
   const int t = space.edges.cells(0, spring.edge);
   const int k = side_number(space.edges, spring.edge, t);
   const int i = (k + 1) % 3, j = (k + 2) % 3;
-  const auto M = moments_of_unknowns(space, spring.edge);
-  const Matrix<double, 7, 7> H = M.transpose() * spring.error.H * M;
-  const Matrix<double, 7, 1> g = M.transpose() * spring.error.g;
+  const MatrixXd M = moments_of_unknowns(space, spring.edge);
+  const MatrixXd H = congruent(spring.error.H, M);
+  const VectorXd g = transposed_product(M, spring.error.g);
   energy.own[i] += H.block<3, 3>(0, 0);
   energy.own[j] += H.block<3, 3>(3, 3);
   energy.next[i] += H.block<3, 3>(0, 3);
@@ -106,7 +108,7 @@ void release(const FreeSpring& spring, BoundaryTractions& boundary) {
   for (int c = 0; c < 2; ++c)
     if (P(c, c) > on_axis) known[c] = false;
   if (!is_diagonal(P)) {
-    const Vector2d kept = (Matrix2d::Identity() - P).col(0);
+    const Vector2d kept(1 - P(0, 0), -P(1, 0));
     boundary.known_direction[edge] = kept.normalized();
   }
 }

@@ -35,9 +35,9 @@ MatrixXd stiffness_of(const Matrix2d& B, const Matrix3d& hooke) {
   MatrixXd K = MatrixXd::Zero(unknowns, unknowns);
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
-      const Matrix2d block = B.determinant() *
-                             strain_operator(inverse.row(a)).transpose() *
-                             hooke * strain_operator(inverse.row(b));
+      const Matrix2d block = transposed_product(
+          strain_operator(inverse.row(a)),
+          product(B.determinant() * hooke, strain_operator(inverse.row(b))));
       add_blocks(polynomial_basis().gradients[a][b], block, K);
     }
   return K;
@@ -65,12 +65,11 @@ VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
   for (int k = 0; k < 3; ++k) {
     // times the edge's length
     const Vector4d density = density_of_moments(on_edges.segment<4>(4 * k), 1);
-    for (int end = 0; end < 2; ++end)
-      load += density.segment<2>(2 * end) *
-              polynomial_basis().edges.col(2 * k + end).transpose();
-    load += body_loads.segment<2>(2 * k) *
-            polynomial_basis().body.col(k).transpose();
+    load += product(density.reshaped(2, 2),
+                    polynomial_basis().edges.middleCols(2 * k, 2).transpose());
   }
+  load +=
+      product(body_loads.reshaped(2, 3), polynomial_basis().body.transpose());
   return load.reshaped();
 }
 
@@ -97,10 +96,10 @@ Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point) {
       monomial_gradients(inverse * (point - stress.corners.col(0)));
   // on the monomials
   const Coefficients w = product(stress.displacement, polynomial_basis().basis);
+  const MatrixXd slopes = product(w, gradients.transpose());
   Vector3d strain = Vector3d::Zero();
-  for (int i = 0; i < polynomial_count; ++i)
-    for (int a = 0; a < 2; ++a)
-      strain += gradients(a, i) * strain_operator(inverse.row(a)) * w.col(i);
+  for (int a = 0; a < 2; ++a)
+    strain += product(strain_operator(inverse.row(a)), slopes.col(a));
   return stress.hooke * strain;
 }
 

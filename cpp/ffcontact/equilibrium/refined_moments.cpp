@@ -23,19 +23,6 @@ bool is_cut(const Edges& old_edges, const CommonRefinement& refinement,
   return !ends_at(old_edges, old, ends[0]) || !ends_at(old_edges, old, ends[1]);
 }
 
-/// Forces on the three vertices of a triangle from the moments of one of its edges: rows
-/// (2 local + component) for (b_first, b_second).
-Matrix<double, 6, 4> vertex_forces(const Edges& edges, int triangle, int side) {
-  // from local vertex side + 1 to side + 2
-  const bool forward = edges.eta(side, triangle) > 0;
-  Matrix<double, 6, 4> forces = Matrix<double, 6, 4>::Zero();
-  forces.block<2, 2>(2 * ((side + (forward ? 1 : 2)) % 3), 0) =
-      edges.eta(side, triangle) * Matrix2d::Identity();
-  forces.block<2, 2>(2 * ((side + (forward ? 2 : 1)) % 3), 2) =
-      edges.eta(side, triangle) * Matrix2d::Identity();
-  return forces;
-}
-
 /// Resultant and moment about the centroid, divided by the size, of forces on the
 /// vertices [3 x 6].
 Matrix<double, 3, 6> resultants(const Mesh& mesh, int triangle) {
@@ -48,6 +35,24 @@ Matrix<double, 3, 6> resultants(const Mesh& mesh, int triangle) {
     result.block<3, 2>(0, 2 * k) << 1, 0, 0, 1, -arm.y(), arm.x();
   }
   return result;
+}
+
+/// Resultants of a triangle from the moments of one of its edges: these are forces on the
+/// ends of the edge.
+/// @param R  resultants
+Matrix<double, 3, 4> resultants_of_edge(const Matrix<double, 3, 6>& R,
+                                        const Edges& edges, int triangle,
+                                        int side) {
+  const double eta = edges.eta(side, triangle);
+  // from local vertex side + 1 to side + 2, or back
+  const int first = (side + (eta > 0 ? 1 : 2)) % 3,
+            second = (side + (eta > 0 ? 2 : 1)) % 3;
+  Matrix<double, 3, 4> effect;
+  for (int c = 0; c < 2; ++c) {
+    effect.col(c) = eta * R.col(2 * first + c);
+    effect.col(2 + c) = eta * R.col(2 * second + c);
+  }
+  return effect;
 }
 
 /// The edges between the triangles of a fan, each with its column among their moments.
@@ -89,7 +94,7 @@ struct FanBalance {
            const EdgeMoments& moments) {
     for (int side = 0; side < 3; ++side) {
       const int edge = edges.of_cell(side, t);
-      const Matrix<double, 3, 4> effect = R * vertex_forces(edges, t, side);
+      const Matrix<double, 3, 4> effect = resultants_of_edge(R, edges, t, side);
       left_over.segment<3>(3 * k) += effect * moments.col(edge);
       if (const auto inner = column.find(edge); inner != column.end())
         conditions.block<3, 4>(3 * k, inner->second) = effect;
