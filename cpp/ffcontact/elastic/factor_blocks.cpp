@@ -107,7 +107,7 @@ void FactorBlocks<Scalar>::substitute(int s, Column& y) const {
   Column known(below);
   const int* row = nodes.rows_below(s);
   for (Scalar& value : known) value = y[*row++];
-  Square products = Square::Zero(n, std::max<Index>(parts, 1));
+  Square products(n, parts);
 #pragma omp parallel for if (parts > 1)
   for (Index part = 0; part < parts; ++part) {
     const Index first = part * rows_at_once,
@@ -116,9 +116,7 @@ void FactorBlocks<Scalar>::substitute(int s, Column& y) const {
         rows_of(L, n + first, count).transpose() * known.segment(first, count);
   }
   auto x = y.segment(nodes.first_column[s], n);
-  for (Index part = 1; part < parts; ++part)
-    products.col(0) += products.col(part);
-  x -= products.col(0);
+  for (Index part = 0; part < parts; ++part) x -= products.col(part);
   rows_of(L, 0, n)
       .transpose()
       .template triangularView<Eigen::Upper>()

@@ -84,10 +84,11 @@ Matrix4Xd moments_of_answers(const Mesh& mesh, const BoundarySprings& springs,
   for (Index b = 0; b < moments.cols(); ++b) {
     if (!springs.on(b)) continue;
     const Vector4d ends = end_displacements(mesh, displacement, b);
+    const double length = column_length(mesh, b);
     for (int q = 0; q < 3; ++q) {
       Vector2d u = between_ends(q, ends);
       if (with_rest) u -= springs.rest_at(q, b);
-      const double weight = column_length(mesh, b) * gauss_weights[q];
+      const double weight = length * gauss_weights[q];
       moments.col(b) -= at_ends(q, weight * (springs.stiffness_at(q, b) * u));
     }
   }
@@ -99,13 +100,15 @@ SpringError quadratic_form(const Mesh& mesh, const BoundarySprings& springs,
                            const Ref<const VectorXd>& displacement,
                            const Vector4d& moments, Index column, double sign) {
   const double length = column_length(mesh, column);
-  const Vector4d ends = end_displacements(mesh, displacement, column);
+  const Vector4d ends = end_displacements(mesh, displacement, column),
+                 density = density_of_moments(moments, length);
   SpringError error;
   for (int q = 0; q < 3; ++q) {
     const Matrix2d K = springs.stiffness_at(q, column);
     const Matrix<double, 2, 4> t = tractions_at(q, length);
     const Vector2d u = between_ends(q, ends) - springs.rest_at(q, column),
-                   answer = K * u, off = product(t, moments) + sign * answer;
+                   answer = K * u,
+                   off = between_ends(q, density) + sign * answer;
     const Matrix2d weight = length * gauss_weights[q] * flexibility(K);
     const Vector2d weighted = weight * off;
     error.H += congruent(weight, t);
