@@ -77,6 +77,49 @@ RC_GTEST_PROP(DistributedSchur, answers_as_dense_algebra_of_stacks,
   same_answers(problem, any_precision());
 }
 
+/// With Tresca's law, where Newton cycles from all states tried.
+struct Cycling {
+  unsigned seed;
+  double slip_bound;
+};
+
+SolidProblem cycling_problem(const Cycling& cycling) {
+  Random random(cycling.seed);
+  SolidProblem problem = random_solids(0, random).problem;
+  problem.law.slip_bound =
+      VectorXd::Constant(problem.surface.node_count(), cycling.slip_bound);
+  return problem;
+}
+
+class CyclingProblems : public testing::TestWithParam<Cycling> {};
+INSTANTIATE_TEST_SUITE_P(Found, CyclingProblems,
+                         testing::Values(Cycling{11462, 0.969},
+                                         Cycling{18133, 0.648},
+                                         Cycling{19855, 0.908},
+                                         Cycling{857052078, 0.735}));
+
+TEST_P(CyclingProblems, are_answered_by_products) {
+  const SolidProblem problem = cycling_problem(GetParam());
+  const SurfaceSolution whole = problem.solve();
+  for (Precision precision : {Precision::full, Precision::single}) {
+    const SurfaceSolution found =
+        problem.solve(settings_of(SchurStorage::distributed, precision));
+    EXPECT_TRUE(found.accepted({}));
+    EXPECT_LT((found.displacement - whole.displacement).norm(),
+              1e-9 * whole.displacement.norm());
+  }
+}
+
+TEST_P(CyclingProblems, keep_to_the_systems_that_they_are_given) {
+  const SolidProblem problem = cycling_problem(GetParam());
+  for (int most : {130, 165, 171}) {
+    ContactSettings settings =
+        settings_of(SchurStorage::distributed, Precision::full);
+    settings.max_iterations = most;
+    EXPECT_LE(problem.solve(settings).iterations, most);
+  }
+}
+
 /// On an edge a vertex has a node of each sheet, whose rows depend on the first one's. What
 /// each of them carries is not unique, and with Coulomb's law the answer is not either.
 RC_GTEST_PROP(DistributedSchur, answers_as_dense_algebra_at_edges,

@@ -38,6 +38,13 @@ struct ActiveSetResult {
   bool is_better_than(const ActiveSetResult& other) const {
     return status == ContactStatus::converged || violation < other.violation;
   }
+  /// The better one, with the linear systems of both; a body that slides stays one.
+  void add(ActiveSetResult&& next) {
+    const int systems = iterations + next.iterations;
+    if (next.status == ContactStatus::singular) status = next.status;
+    if (next.is_better_than(*this)) *this = std::move(next);
+    iterations = systems;
+  }
 };
 
 struct NewtonSettings {

@@ -19,14 +19,6 @@ constexpr double tolerance_to_be_corrected = 1e-6;
 /// Newton is given this many linear systems before other methods go on.
 constexpr int most_newton_systems = 100;
 
-/// The better one, with the linear systems of both; a body that slides stays one.
-void add(ActiveSetResult&& next, ActiveSetResult& best) {
-  const int systems = best.iterations + next.iterations;
-  if (next.status == ContactStatus::singular) best.status = next.status;
-  if (next.is_better_than(best)) best = std::move(next);
-  best.iterations = systems;
-}
-
 int systems_left(const NewtonSettings& limits, const ActiveSetResult& answer) {
   const bool found = answer.status == ContactStatus::converged;
   return found ? 0 : limits.max_iterations - answer.iterations;
@@ -48,7 +40,7 @@ ActiveSetResult newton_answer(Relation& relation, const NodalLaw& law,
   if (best.status == ContactStatus::converged || left <= 0) return best;
   if constexpr (std::is_same_v<Start, std::vector<ContactState>>)
     if (start == stick) return best;
-  add(surface_newton(relation, law, held, stick, first_of(left)), best);
+  best.add(surface_newton(relation, law, held, stick, first_of(left)));
   return best;
 }
 
@@ -90,7 +82,7 @@ FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
       surface_fixed_point(relation, law, held, start, limits);
   result.history = std::move(fixed.history);
   if (settings.solver == ContactSolver::newton)
-    add(std::move(fixed.answer), result.answer);
+    result.answer.add(std::move(fixed.answer));
   else
     result.answer = std::move(fixed.answer);
   return result;
@@ -108,7 +100,7 @@ FixedPointResult surface_answer(const CondensedContact& contact,
   FixedPointResult result{newton_answer(contact, law, held, start, limits), {}};
   for (const auto& path : {friction_path, spring_path})
     if (const int left = systems_left(limits, result.answer); left > 0)
-      add(path(contact, law, held, limits.with_at_most(left)), result.answer);
+      result.answer.add(path(contact, law, held, limits.with_at_most(left)));
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/normal_iterate.hpp"
+#include "ffcontact/contact/raised_friction.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 
 namespace ffcontact {
@@ -17,6 +18,21 @@ constexpr int most_systems_a_bound = 60;
 
 VectorXd normal_forces(const VectorXd& P) {
   return Map<const VectorXd, 0, Eigen::InnerStride<3>>(P.data(), P.size() / 3);
+}
+
+/// Tresca's problem, which has a solution that is unique in v.
+ActiveSetResult with_given_bound(NewtonRelation& relation, const NodalLaw& law,
+                                 const std::vector<char>& held,
+                                 const std::vector<ContactState>& state,
+                                 const NewtonSettings& settings) {
+  ActiveSetResult best =
+      surface_newton(relation, law, held, state,
+                     settings.with_at_most(std::min(settings.max_iterations,
+                                                    most_systems_a_bound)));
+  const int left = settings.max_iterations - best.iterations;
+  if (best.status == ContactStatus::converged || left <= 0) return best;
+  best.add(raised_friction(relation, law, held, settings.with_at_most(left)));
+  return best;
 }
 
 }  // namespace
@@ -31,10 +47,9 @@ FixedPointResult surface_fixed_point(NewtonRelation& relation,
   best.violation = infinity;
   NormalIterate g(law.node_count());
   for (int systems = 0; systems < settings.max_iterations;) {
-    const int left = settings.max_iterations - systems;
-    ActiveSetResult step = surface_newton(
+    ActiveSetResult step = with_given_bound(
         relation, with_given_slip_limit(law, g.value()), held, state,
-        {std::min(left, most_systems_a_bound), settings.tolerance});
+        settings.with_at_most(settings.max_iterations - systems));
     systems += step.iterations;
     state = step.state;
     if (law.is_convex())

@@ -9,7 +9,8 @@
 namespace ffcontact {
 
 /// Coulomb's law on a surface as a fixed point over Tresca's problems, as fixed_point on
-/// a line; each of them is solved by surface_newton from the states of the last.
+/// a line; each of them is solved by surface_newton from the states of the last, or by
+/// raised_friction.
 FixedPointResult surface_fixed_point(const CondensedContact& contact,
                                      const NodalLaw& law,
                                      const std::vector<char>& held,
