@@ -126,9 +126,7 @@ struct PlaneField {
 void add_moments(const PlaneField& F, int e, const Mesh& mesh,
                  PlanePoint& point, Matrix4Xd& moments) {
   const Fem2D::QuadratureFormular1d& quadrature = Fem2D::QF_GaussLegendre3;
-  const Vector2d side = mesh.vertices.col(mesh.boundary(1, e)) -
-                        mesh.vertices.col(mesh.boundary(0, e));
-  const double length = side.norm();
+  const double length = boundary_measure(mesh, e);
   const int first_row = point.first_vertex(e) == mesh.boundary(0, e) ? 0 : 2;
   for (int q = 0; q < quadrature.n; ++q) {
     const double s = quadrature[q].x, weight = length * quadrature[q].a;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ffcontact/contact/surface_newton.hpp"
@@ -35,6 +36,47 @@ RC_GTEST_PROP(RaisedFriction, ends_at_the_solution_with_a_given_bound,
   RC_ASSERT(end.status == ContactStatus::converged);
   RC_ASSERT(end.violation <= 1e-10);
   RC_ASSERT((end.v - newton.v).norm() <= 1e-9 * newton.v.norm());
+}
+
+/// Refuses steps that change friction much.
+class Balking : public CondensedRelation {
+ public:
+  Balking(const CondensedContact& contact, StepSolver& solver, double most)
+      : CondensedRelation(contact, solver), most_(most) {}
+
+  SystemKind step(const SurfaceEquations& equations,
+                  ContactRows& rows) override {
+    ContactRows next = rows;
+    const SystemKind kind = CondensedRelation::step(equations, next);
+    double change = 0;
+    for (int i = 0; 3 * i < rows.P.size(); ++i)
+      change = std::max(change, (next.P - rows.P).segment<2>(3 * i + 1).norm());
+    if (change > most_) return SystemKind::inconsistent;
+    rows = next;
+    return kind;
+  }
+
+ private:
+  double most_;
+};
+
+TEST(RaisedFriction, goes_by_smaller_raises_where_newton_fails) {
+  Random random(1);
+  SolidProblem problem = random_problem(0, random);
+  problem.law.slip_bound = VectorXd::Ones(problem.surface.node_count());
+  const CondensedProblem condensed(problem);
+  const NodalLaw law = nodal_law(problem.law, problem.surface);
+  double bound = 0;
+  for (const FrictionCone& cone : law.cone)
+    bound = std::max(bound, cone.cohesion);
+  StepSolver solver;
+  for (double share : {0.2, 0.1, 0.05}) {
+    Balking relation(condensed.contact, solver, share * bound);
+    const ActiveSetResult end =
+        raised_friction(relation, law, condensed.trace.held, {2000});
+    EXPECT_EQ(end.status, ContactStatus::converged) << share;
+    EXPECT_LT(end.violation, 1e-10);
+  }
 }
 
 TEST(RaisedFriction, keeps_to_the_systems_that_it_is_given) {

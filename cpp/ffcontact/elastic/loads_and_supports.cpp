@@ -33,10 +33,8 @@ void add_traction(const SimplexMesh<dim>& mesh, int label,
   require_size("b", b.size(), dim * mesh.vertices.cols());
   require_size("moments", moments.cols(), mesh.boundary.cols());
   for (const Index f : columns_of(mesh, label)) {
-    const Matrix<double, dim, dim> corners =
-        mesh.vertices(Eigen::all, mesh.boundary.col(f));
     const Matrix<double, dim, 1> share =
-        facet_vector(corners).norm() / dim * traction;
+        boundary_measure(mesh, f) / dim * traction;
     moments.col(f) += share.template replicate<dim, 1>();
     for (const int v : mesh.boundary.col(f)) vector_at<dim>(b, v) += share;
   }

@@ -41,12 +41,6 @@ Matrix2d flexibility(const Matrix2d& K) {
   return over_axes(K, [](double k) { return 1 / k; });
 }
 
-double column_length(const Mesh& mesh, Index column) {
-  return (mesh.vertices.col(mesh.boundary(1, column)) -
-          mesh.vertices.col(mesh.boundary(0, column)))
-      .norm();
-}
-
 /// A linear vector field at a point from its end values.
 Vector2d between_ends(int point, const Vector4d& ends) {
   const double s = gauss_places[point];
@@ -84,7 +78,7 @@ Matrix4Xd moments_of_answers(const Mesh& mesh, const BoundarySprings& springs,
   for (Index b = 0; b < moments.cols(); ++b) {
     if (!springs.on(b)) continue;
     const Vector4d ends = end_displacements(mesh, displacement, b);
-    const double length = column_length(mesh, b);
+    const double length = boundary_measure(mesh, b);
     for (int q = 0; q < 3; ++q) {
       Vector2d u = between_ends(q, ends);
       if (with_rest) u -= springs.rest_at(q, b);
@@ -99,7 +93,7 @@ Matrix4Xd moments_of_answers(const Mesh& mesh, const BoundarySprings& springs,
 SpringError quadratic_form(const Mesh& mesh, const BoundarySprings& springs,
                            const Ref<const VectorXd>& displacement,
                            const Vector4d& moments, Index column, double sign) {
-  const double length = column_length(mesh, column);
+  const double length = boundary_measure(mesh, column);
   const Vector4d ends = end_displacements(mesh, displacement, column),
                  density = density_of_moments(moments, length);
   SpringError error;

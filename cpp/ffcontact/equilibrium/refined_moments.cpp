@@ -152,12 +152,6 @@ Vector4d moments_of_whole(const Edges& old_edges, const Edges& edges,
              : reversed(old_moments.col(old));
 }
 
-double boundary_length(const Mesh& mesh, Index b) {
-  return (mesh.vertices.col(mesh.boundary(1, b)) -
-          mesh.vertices.col(mesh.boundary(0, b)))
-      .norm();
-}
-
 using VertexVectors = Matrix<double, 2, 3>;
 
 /// Vertex values F of the linear f with the moments b = int f phi_i = |E| (F_i + sum F) /
@@ -266,13 +260,13 @@ Matrix4Xd refined_boundary_moments(const Mesh& old_mesh,
   Matrix4Xd moments(4, mesh.boundary.cols());
   for (Index b = 0; b < mesh.boundary.cols(); ++b) {
     const int old = refinement.parent_boundary[b];
-    const Matrix2d ends =
-        density_of_moments(old_moments.col(old), boundary_length(old_mesh, old))
-            .reshaped(2, 2);
+    const Matrix2d ends = density_of_moments(old_moments.col(old),
+                                             boundary_measure(old_mesh, old))
+                              .reshaped(2, 2);
     const Matrix2d density = interpolated(
         refinement, old_mesh.boundary.col(old), mesh.boundary.col(b), ends);
     moments.col(b) =
-        moments_of_density(density.reshaped(), boundary_length(mesh, b));
+        moments_of_density(density.reshaped(), boundary_measure(mesh, b));
   }
   return moments;
 }

@@ -65,6 +65,14 @@ Vector3d facet_vector(const Matrix3d& corners) {
 }
 
 template <int dim>
+double boundary_measure(const SimplexMesh<dim>& mesh, Index column) {
+  Matrix<double, dim, dim> corners;
+  for (int k = 0; k < dim; ++k)
+    corners.col(k) = mesh.vertices.col(mesh.boundary(k, column));
+  return facet_vector(corners).norm();
+}
+
+template <int dim>
 double signed_volume(const SimplexMesh<dim>& mesh, int cell) {
   // base times height / dim
   const Matrix<double, dim, 1> height =
@@ -96,6 +104,8 @@ void require_valid(const SimplexMesh<dim>& mesh) {
   require_positive(mesh);
 }
 
+template double boundary_measure(const Mesh&, Index);
+template double boundary_measure(const SolidMesh&, Index);
 template double signed_volume(const Mesh&, int);
 template double signed_volume(const SolidMesh&, int);
 template Matrix<double, 2, 3> hat_gradients(const Mesh&, int);

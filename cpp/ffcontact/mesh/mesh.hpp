@@ -66,6 +66,10 @@ inline constexpr std::array<std::array<int, 3>, 4> facet_corners<3>{
 Vector2d facet_vector(const Matrix2d& corners);
 Vector3d facet_vector(const Matrix3d& corners);
 
+/// Length [mm] or area [mm^2] of a labelled facet, a column of `boundary`.
+template <int dim>
+double boundary_measure(const SimplexMesh<dim>& mesh, Index column);
+
 /// Volume of one cell [mm^dim], positive in the order that SimplexMesh::cells asks for.
 template <int dim>
 double signed_volume(const SimplexMesh<dim>& mesh, int cell);
