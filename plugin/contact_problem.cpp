@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "contact_problem.hpp"
-#include "contact_statement.hpp"
 
 namespace ffcontact::plugin {
 
@@ -43,18 +42,8 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
 }
 
 void ContactProblem::state(Stack stack, const NamedArguments& named) {
-  const int bodies = body_count();
-  require_names_of_bodies(named, stated_of_bodies, bodies);
-  require_law(named);
-  if (bodies > 1 && named.given("opposite"))
-    refuse("opposite= is given, but the contact has ", bodies, " meshes");
-  const std::vector<BodyLabels> labels = labels_of_bodies(stack, named, joined);
-  if (bodies == 1)
-    add_pair(stack, named, 0, labels[0].towards_next, 0,
-             joined_labels(stack, named, "opposite", joined, 0));
-  for (int k = 0; k + 1 < bodies; ++k)
-    add_pair(stack, named, k, labels[k].towards_next, k + 1,
-             labels[k + 1].towards_last);
+  for (const StatedPair& pair : stated_pairs(stack, named, joined))
+    add_pair(stack, named, pair);
   join_carriers();
 }
 
@@ -65,58 +54,50 @@ const Topology& ContactProblem::topology() const {
 }
 
 /// A curve that turns has one contact direction where the gap is the smallest.
-ContactLine ContactProblem::own_line(
-    Stack stack, const NamedArguments& named, int body,
-    const std::vector<int>& labels, bool rigid,
-    const std::vector<int>& opposite_labels) const {
-  ContactLine line =
-      stated_line(stack, named, part(body, elsewhere_), mesh, edges, labels);
+ContactLine ContactProblem::own_line(Stack stack, const NamedArguments& named,
+                                     const StatedPair& pair) const {
+  const BodyPart body = part(pair.body, elsewhere_);
+  ContactLine line = stated_line(stack, named, body, mesh, edges, pair.labels);
   if (named.given("normal") || !turns(line)) return line;
   const Expression gap = named.expression("gap");
   const VectorXd distance =
-      gap || rigid ? at_nodes(stack, gap, part(body, elsewhere_), edges, line,
-                              stated_places(line, false), 0)
-                   : facing_traces(mesh, edges, line, opposite_labels).gap;
+      gap || pair.rigid() ? at_nodes(stack, gap, body, edges, line,
+                                     stated_places(line, false), 0)
+                          : facing_traces(mesh, edges, line, pair.opposite).gap;
   return with_one_direction_a_curve(mesh, edges, std::move(line), distance);
 }
 
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
-                              int body, const std::vector<int>& labels,
-                              int opposite_body,
-                              const std::vector<int>& opposite_labels) {
-  const bool rigid = opposite_labels.empty() && opposite_body == body;
-  const ContactLine own =
-      own_line(stack, named, body, labels, rigid, opposite_labels);
-  if (!rigid) {
-    add_facing_pair(stack, named, body, own, opposite_labels);
+                              const StatedPair& pair) {
+  const ContactLine own = own_line(stack, named, pair);
+  if (!pair.rigid()) {
+    add_facing_pair(stack, named, pair, own);
     return;
   }
-  if (named.given("side"))
-    refuse(
-        "side= is for bodies that face each other, not for a rigid foundation");
-  pairs_.push_back(
-      {true, 1, carrier(stack, named, body, own, own, false), std::nullopt});
+  pairs_.push_back({true, 1, carrier(stack, named, pair.body, own, own, false),
+                    std::nullopt});
 }
 
 void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
-                                     int body, const ContactLine& own,
-                                     const std::vector<int>& opposite_labels) {
+                                     const StatedPair& stated,
+                                     const ContactLine& own) {
   const int wanted = wanted_side(stack, named, count_of(pairs_),
                                  std::max(1, body_count() - 1));
   const ContactLine facing = facing_line(
-      mesh, edges, own, facing_traces(mesh, edges, own, opposite_labels));
+      mesh, edges, own, facing_traces(mesh, edges, own, stated.opposite));
   std::optional<ContactLine> exchanged;
   if (wanted != 1)
-    exchanged = exchanged_line(mesh, edges, facing, opposite_labels);
+    exchanged = exchanged_line(mesh, edges, facing, stated.opposite);
   if (!exchanged && wanted == 2)
     refuse(
         "side=2: the other body cannot carry the multipliers, as two parts of "
         "the first one's line face the same part of it; give one contact "
         "direction with normal=[nx, ny], or side=1");
-  Pair pair{false, wanted, carrier(stack, named, body, own, facing, false),
+  Pair pair{false, wanted,
+            carrier(stack, named, stated.body, own, facing, false),
             std::nullopt};
   if (exchanged)
-    pair.other = carrier(stack, named, body, own, *exchanged, true);
+    pair.other = carrier(stack, named, stated.body, own, *exchanged, true);
   pairs_.push_back(std::move(pair));
 }
 

@@ -8,6 +8,7 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/topology.hpp"
 //
+#include "contact_statement.hpp"
 #include "plane_bodies.hpp"
 
 namespace ffcontact::plugin {
@@ -88,15 +89,12 @@ struct ContactProblem : PlaneBodies {
   };
 
   void state(Stack stack, const NamedArguments& named);
-  ContactLine own_line(Stack stack, const NamedArguments& named, int body,
-                       const std::vector<int>& labels, bool rigid,
-                       const std::vector<int>& opposite_labels) const;
-  void add_pair(Stack stack, const NamedArguments& named, int body,
-                const std::vector<int>& labels, int opposite_body,
-                const std::vector<int>& opposite_labels);
-  void add_facing_pair(Stack stack, const NamedArguments& named, int body,
-                       const ContactLine& own,
-                       const std::vector<int>& opposite_labels);
+  ContactLine own_line(Stack stack, const NamedArguments& named,
+                       const StatedPair& pair) const;
+  void add_pair(Stack stack, const NamedArguments& named,
+                const StatedPair& pair);
+  void add_facing_pair(Stack stack, const NamedArguments& named,
+                       const StatedPair& stated, const ContactLine& own);
   Carrier carrier(Stack stack, const NamedArguments& named, int body,
                   const ContactLine& stated, ContactLine line,
                   bool on_opposite) const;

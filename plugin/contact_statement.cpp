@@ -15,6 +15,13 @@ namespace ffcontact::plugin {
 
 namespace {
 
+/// What is stated for each body.
+const NamedArguments::Table stated_of_bodies = {
+    {"label", &typeid(KN_<long>)},
+    {"previous", &typeid(KN<double>*)},
+    {"vertexnumbers", &typeid(KN_<long>)},
+    {"cellnumbers", &typeid(KN_<long>)}};
+
 /// Bodies may overlap a little, as polygons of curves do and interference fits, but not
 /// by more than their contact edges.
 void require_apart(const Mesh& mesh, const ContactLine& line,
@@ -38,24 +45,12 @@ VectorXd stated_gap(Stack stack, const NamedArguments& named,
   return gap;
 }
 
-}  // namespace
-
-const NamedArguments::Table stated_of_bodies = {
-    {"label", &typeid(KN_<long>)},
-    {"previous", &typeid(KN<double>*)},
-    {"vertexnumbers", &typeid(KN_<long>)},
-    {"cellnumbers", &typeid(KN_<long>)}};
-
-NamedArguments::Table statement_table(const basicAC_F0& arguments) {
-  NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
-  table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
-                             {"friction", &typeid(double)},
-                             {"slipbound", &typeid(double)},
-                             {"gap", &typeid(double)},
-                             {"normal", &typeid(E_Array)},
-                             {"side", &typeid(KN_<long>)},
-                             {"comm", &typeid(pcommworld)}});
-  return table;
+/// @throws std::invalid_argument  if neither friction= nor slipbound= is given
+void require_law(const NamedArguments& named) {
+  if (!named.given("friction") && !named.given("slipbound"))
+    refuse(
+        "no law is given: friction= (Coulomb's coefficient, 0 for none), "
+        "slipbound= (Tresca's bound), or both");
 }
 
 /// @param label  in the joined mesh
@@ -67,6 +62,7 @@ bool has_label(const JoinedBodies<dim>& joined, int body, int label) {
   return (labels.array() == label).any();
 }
 
+/// The labels of one body in the joined mesh's numbering.
 template <int dim>
 std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
                                const std::string& name,
@@ -82,19 +78,18 @@ std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
   return labels;
 }
 
-template std::vector<int> joined_labels(Stack, const NamedArguments&,
-                                        const std::string&, const JoinedMesh&,
-                                        int);
-template std::vector<int> joined_labels(Stack, const NamedArguments&,
-                                        const std::string&, const JoinedSolids&,
-                                        int);
+/// The labels of one body that face the one before it and the one after it.
+struct LabelsOfBody {
+  std::vector<int> towards_last, towards_next;
+};
 
+/// Those of label1=, label2=, ...
 template <int dim>
-std::vector<BodyLabels> labels_of_bodies(Stack stack,
-                                         const NamedArguments& named,
-                                         const JoinedBodies<dim>& joined) {
+std::vector<LabelsOfBody> labels_of_bodies(Stack stack,
+                                           const NamedArguments& named,
+                                           const JoinedBodies<dim>& joined) {
   const int bodies = joined.body_count();
-  std::vector<BodyLabels> labels;
+  std::vector<LabelsOfBody> labels;
   for (int k = 0; k < bodies; ++k) {
     const std::vector<int> own = joined_labels(
         stack, named, name_of_body("label", k, bodies), joined, k);
@@ -110,10 +105,53 @@ std::vector<BodyLabels> labels_of_bodies(Stack stack,
   return labels;
 }
 
-template std::vector<BodyLabels> labels_of_bodies(Stack, const NamedArguments&,
-                                                  const JoinedMesh&);
-template std::vector<BodyLabels> labels_of_bodies(Stack, const NamedArguments&,
-                                                  const JoinedSolids&);
+/// Of a single body.
+template <int dim>
+StatedPair stated_pair(Stack stack, const NamedArguments& named,
+                       const JoinedBodies<dim>& joined) {
+  StatedPair pair{0, joined_labels(stack, named, "label", joined, 0),
+                  joined_labels(stack, named, "opposite", joined, 0)};
+  if (pair.rigid() && named.given("side"))
+    refuse(
+        "side= is for bodies that face each other, not for a rigid foundation");
+  return pair;
+}
+
+}  // namespace
+
+NamedArguments::Table statement_table(const basicAC_F0& arguments) {
+  NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
+  table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
+                             {"friction", &typeid(double)},
+                             {"slipbound", &typeid(double)},
+                             {"gap", &typeid(double)},
+                             {"normal", &typeid(E_Array)},
+                             {"side", &typeid(KN_<long>)},
+                             {"comm", &typeid(pcommworld)}});
+  return table;
+}
+
+template <int dim>
+std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
+                                     const JoinedBodies<dim>& joined) {
+  const int bodies = joined.body_count();
+  require_names_of_bodies(named, stated_of_bodies, bodies);
+  require_law(named);
+  if (bodies > 1 && named.given("opposite"))
+    refuse("opposite= is given, but the contact has ", bodies, " meshes");
+  if (bodies == 1) return {stated_pair(stack, named, joined)};
+  const std::vector<LabelsOfBody> labels =
+      labels_of_bodies(stack, named, joined);
+  std::vector<StatedPair> pairs;
+  for (int k = 0; k + 1 < bodies; ++k)
+    pairs.push_back({k, labels[k].towards_next, labels[k + 1].towards_last});
+  return pairs;
+}
+
+template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
+                                              const JoinedMesh&);
+template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
+                                              const JoinedSolids&);
 
 VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies) {
@@ -143,13 +181,6 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
                                 edges, line, stated_places(line, false), 0)
                            .transpose();
   return along_directions(mesh, edges, line, direction);
-}
-
-void require_law(const NamedArguments& named) {
-  if (!named.given("friction") && !named.given("slipbound"))
-    refuse(
-        "no law is given: friction= (Coulomb's coefficient, 0 for none), "
-        "slipbound= (Tresca's bound), or both");
 }
 
 ContactLaw stated_law(Stack stack, const NamedArguments& named,

@@ -13,32 +13,26 @@
 /// What the parameters of a statement say of labels, line, law and side.
 namespace ffcontact::plugin {
 
-/// What is stated for each body.
-extern const NamedArguments::Table stated_of_bodies;
-
 /// The parameters of a statement.
 NamedArguments::Table statement_table(const basicAC_F0& arguments);
 
-/// The labels of one body in the joined mesh's numbering.
-/// @throws std::invalid_argument  if one of several bodies has none, or a label is on no
-///                                boundary facet of the body
-template <int dim>
-std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
-                               const std::string& name,
-                               const JoinedBodies<dim>& joined, int body);
+/// What faces each other, by labels in the joined mesh's numbering: a body and the one
+/// after it, or a single body and itself or a rigid foundation.
+struct StatedPair {
+  int body;
+  std::vector<int> labels, opposite;  ///< the latter none on a rigid foundation
 
-/// The labels of one body that face the one before it and the one after it.
-struct BodyLabels {
-  std::vector<int> towards_last, towards_next;
+  bool rigid() const { return opposite.empty(); }
 };
 
-/// Those of label=, or label1=, label2=, ...
-/// @throws std::invalid_argument  as joined_labels, and if a body between two others has
-///                                not two labels
+/// By label= and opposite=, or label1=, label2=, ...
+/// @throws std::invalid_argument  if one of several bodies has no label, or one that is on
+///                                no boundary facet of it, or one between two others has
+///                                not two; if no law is stated, or a parameter of a body
+///                                that there is not, or side= on a rigid foundation
 template <int dim>
-std::vector<BodyLabels> labels_of_bodies(Stack stack,
-                                         const NamedArguments& named,
-                                         const JoinedBodies<dim>& joined);
+std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
+                                     const JoinedBodies<dim>& joined);
 
 /// The line by its own normals, or along the directions of normal=.
 ContactLine stated_line(Stack stack, const NamedArguments& named,
@@ -50,9 +44,6 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
 /// @throws std::invalid_argument  if one has not the dofs of its body
 VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies);
-
-/// @throws std::invalid_argument  if neither friction= nor slipbound= is given
-void require_law(const NamedArguments& named);
 
 /// The law on a line; against a body without gap= the gap is that of the meshes.
 /// @throws std::invalid_argument  if the bodies overlap by more than a contact edge

@@ -59,14 +59,13 @@ void write_body(const fs::path& folder, long step,
   write_vtu(folder / picture_file("step", step, body), triangles);
 }
 
-/// Of the three subtriangles k+1, k+2, centroid of a triangle.
+/// Those of the three subtriangles, one after the other.
 Matrix<double, 2, 9> corners_of_parts(const Mesh& mesh, int triangle) {
   const TriangleCorners corners =
       corners_of(mesh, triangle).colwise() + mesh.origin;
   Matrix<double, 2, 9> points;
   for (int k = 0; k < 3; ++k)
-    points.middleCols<3>(3 * k) << corners.col((k + 1) % 3),
-        corners.col((k + 2) % 3), corners.rowwise().mean();
+    points.middleCols<3>(3 * k) = subtriangle(corners, k);
   return points;
 }
 

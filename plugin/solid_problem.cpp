@@ -11,8 +11,6 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/joined_surfaces.hpp"
-//
-#include "contact_statement.hpp"
 
 namespace ffcontact::plugin {
 
@@ -54,18 +52,8 @@ SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
 }
 
 void SolidProblem::state(Stack stack, const NamedArguments& named) {
-  const int bodies = body_count();
-  require_names_of_bodies(named, stated_of_bodies, bodies);
-  require_law(named);
-  if (bodies > 1 && named.given("opposite"))
-    refuse("opposite= is given, but the contact has ", bodies, " meshes");
-  const std::vector<BodyLabels> labels = labels_of_bodies(stack, named, joined);
-  if (bodies == 1)
-    add_pair(stack, named, 0, labels[0].towards_next, 0,
-             joined_labels(stack, named, "opposite", joined, 0));
-  for (int k = 0; k + 1 < bodies; ++k)
-    add_pair(stack, named, k, labels[k].towards_next, k + 1,
-             labels[k + 1].towards_last);
+  for (const StatedPair& pair : stated_pairs(stack, named, joined))
+    add_pair(stack, named, pair);
   join_carriers();
 }
 
@@ -85,49 +73,41 @@ ContactSurface SolidProblem::stated_surface(
   return surface_along(mesh, faces, labels, direction);
 }
 
-void SolidProblem::add_pair(Stack stack, const NamedArguments& named, int body,
-                            const std::vector<int>& labels, int opposite_body,
-                            const std::vector<int>& opposite_labels) {
+void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
+                            const StatedPair& stated) {
   Pair pair;
-  pair.whole = stated_surface(stack, named, body, labels);
-  if (!opposite_labels.empty() || opposite_body != body) {
-    add_facing_pair(stack, named, body, labels, std::move(pair),
-                    opposite_labels);
+  pair.whole = stated_surface(stack, named, stated.body, stated.labels);
+  if (!stated.rigid()) {
+    add_facing_pair(stack, named, stated, std::move(pair));
     return;
   }
-  if (named.given("side"))
-    refuse(
-        "side= is for bodies that face each other, not for a rigid foundation");
-  pair.own = carrier(stack, named, body, {pair.whole, {}},
+  pair.own = carrier(stack, named, stated.body, {pair.whole, {}},
                      places_of_nodes(pair.whole));
   pairs_.push_back(std::move(pair));
 }
 
 void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
-                                   int body, const std::vector<int>& labels,
-                                   Pair pair,
-                                   const std::vector<int>& opposite_labels) {
+                                   const StatedPair& stated, Pair pair) {
   pair.wanted = wanted_side(stack, named, count_of(pairs_),
                             std::max(1, body_count() - 1));
-  pair.polygons = facing_polygons(mesh, faces, pair.whole, opposite_labels);
+  pair.polygons = facing_polygons(mesh, faces, pair.whole, stated.opposite);
   FacingSurface facing = facing_surface(mesh, faces, pair.whole, pair.polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
-  pair.own = carrier(stack, named, body, std::move(facing), places);
+  pair.own = carrier(stack, named, stated.body, std::move(facing), places);
   if (pair.wanted == 2)
-    pair.other = exchanged(stack, named, body, labels, opposite_labels);
+    pair.other = exchanged(stack, named, stated);
   else if (pair.wanted == 0)
-    pair.other = as_good(pair.own, stack, named, body, labels, opposite_labels);
+    pair.other = as_good(pair.own, stack, named, stated);
   pairs_.push_back(std::move(pair));
 }
 
 /// Contact directions are those of the first body, turned.
-SolidProblem::Carrier SolidProblem::exchanged(
-    Stack stack, const NamedArguments& named, int body,
-    const std::vector<int>& labels,
-    const std::vector<int>& opposite_labels) const {
-  ContactSurface whole = contact_surface(mesh, faces, opposite_labels);
+SolidProblem::Carrier SolidProblem::exchanged(Stack stack,
+                                              const NamedArguments& named,
+                                              const StatedPair& stated) const {
+  ContactSurface whole = contact_surface(mesh, faces, stated.opposite);
   std::vector<FacingPolygon> polygons =
-      facing_polygons(mesh, faces, whole, labels);
+      facing_polygons(mesh, faces, whole, stated.labels);
   if (named.given("normal")) {
     const FacingSurface first = facing_surface(mesh, faces, whole, polygons);
     const std::vector<FacePlace> places =
@@ -136,27 +116,27 @@ SolidProblem::Carrier SolidProblem::exchanged(
     for (int i = 0; i < whole.node_count(); ++i)
       direction.col(whole.vertex[i]) = whole.normal.col(i);
     for (int c = 0; c < 3; ++c) {
-      const VectorXd values = at_places(stack, named.component("normal", c, 3),
-                                        part(body, elsewhere_), places, 0);
+      const VectorXd values =
+          at_places(stack, named.component("normal", c, 3),
+                    part(stated.body, elsewhere_), places, 0);
       for (int i = 0; i < first.surface.node_count(); ++i)
         direction(c, first.surface.vertex[i]) = -values[i];
     }
-    whole = surface_along(mesh, faces, opposite_labels, direction);
-    polygons = facing_polygons(mesh, faces, whole, labels);
+    whole = surface_along(mesh, faces, stated.opposite, direction);
+    polygons = facing_polygons(mesh, faces, whole, stated.labels);
   }
   FacingSurface facing = facing_surface(mesh, faces, whole, polygons);
   const std::vector<FacePlace> places =
       places_faced(facing.surface, whole, polygons);
-  return carrier(stack, named, body, std::move(facing), places);
+  return carrier(stack, named, stated.body, std::move(facing), places);
 }
 
 /// The other side, if it can carry the multipliers and of as much of the surface.
 std::optional<SolidProblem::Carrier> SolidProblem::as_good(
-    const Carrier& own, Stack stack, const NamedArguments& named, int body,
-    const std::vector<int>& labels,
-    const std::vector<int>& opposite_labels) const {
+    const Carrier& own, Stack stack, const NamedArguments& named,
+    const StatedPair& stated) const {
   try {
-    Carrier other = exchanged(stack, named, body, labels, opposite_labels);
+    Carrier other = exchanged(stack, named, stated);
     if (other.surface.area.sum() >= as_much * own.surface.area.sum())
       return other;
   } catch (const std::invalid_argument&) {  // what stands against it

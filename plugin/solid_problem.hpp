@@ -9,6 +9,7 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
 #include "arguments.hpp"
+#include "contact_statement.hpp"
 #include "solid_bodies.hpp"
 
 namespace ffcontact::plugin {
@@ -61,19 +62,15 @@ struct SolidProblem : SolidBodies {
   void state(Stack stack, const NamedArguments& named);
   ContactSurface stated_surface(Stack stack, const NamedArguments& named,
                                 int body, const std::vector<int>& labels) const;
-  void add_pair(Stack stack, const NamedArguments& named, int body,
-                const std::vector<int>& labels, int opposite_body,
-                const std::vector<int>& opposite_labels);
-  void add_facing_pair(Stack stack, const NamedArguments& named, int body,
-                       const std::vector<int>& labels, Pair pair,
-                       const std::vector<int>& opposite_labels);
-  Carrier exchanged(Stack stack, const NamedArguments& named, int body,
-                    const std::vector<int>& labels,
-                    const std::vector<int>& opposite_labels) const;
+  void add_pair(Stack stack, const NamedArguments& named,
+                const StatedPair& stated);
+  void add_facing_pair(Stack stack, const NamedArguments& named,
+                       const StatedPair& stated, Pair pair);
+  Carrier exchanged(Stack stack, const NamedArguments& named,
+                    const StatedPair& stated) const;
   std::optional<Carrier> as_good(const Carrier& own, Stack stack,
-                                 const NamedArguments& named, int body,
-                                 const std::vector<int>& labels,
-                                 const std::vector<int>& opposite_labels) const;
+                                 const NamedArguments& named,
+                                 const StatedPair& stated) const;
   Carrier carrier(Stack stack, const NamedArguments& named, int body,
                   FacingSurface facing,
                   const std::vector<FacePlace>& places) const;

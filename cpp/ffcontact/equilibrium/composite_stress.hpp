@@ -36,6 +36,14 @@ inline Vector2d side_of(const TriangleCorners& corners, int k) {
   return corners.col((k + 2) % 3) - corners.col((k + 1) % 3);
 }
 
+/// Corners k+1, k+2, G of subtriangle k.
+inline TriangleCorners subtriangle(const TriangleCorners& corners, int k) {
+  TriangleCorners sub;
+  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
+      corners.rowwise().mean();
+  return sub;
+}
+
 /// The stress for given loads. Loads out of equilibrium are balanced in the sense of
 /// least squares on the reference triangle: the caller's equilibrium is the stress's.
 ///

@@ -133,7 +133,7 @@ LongColumns body_integrals() {
 }
 
 /// A B without the kernels of large products, which take seconds to compile.
-LongColumns product(const LongColumns& A, const LongColumns& B) {
+LongColumns long_product(const LongColumns& A, const LongColumns& B) {
   return A.lazyProduct(B);
 }
 
@@ -144,10 +144,10 @@ LongColumns orthonormal_columns(const LongColumns& gram) {
     LongColumn column = columns.col(i);
     for (int j = 0; j < i; ++j) {
       const LongColumn other = columns.col(j);
-      column -= other.dot(product(gram, column).col(0)) * other;
+      column -= other.dot(long_product(gram, column).col(0)) * other;
     }
     columns.col(i) =
-        column / std::sqrt(column.dot(product(gram, column).col(0)));
+        column / std::sqrt(column.dot(long_product(gram, column).col(0)));
   }
   return columns;
 }
@@ -162,13 +162,13 @@ PolynomialBasis integrated_basis() {
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b)
       result.gradients[a][b] =
-          product(product(T, products_of_derivatives(a, b)), columns)
+          long_product(long_product(T, products_of_derivatives(a, b)), columns)
               .cast<double>();
-  result.edges = product(T, edge_integrals()).cast<double>();
-  result.body = product(T, body_integrals()).cast<double>();
+  result.edges = long_product(T, edge_integrals()).cast<double>();
+  result.body = long_product(T, body_integrals()).cast<double>();
   // m = gram T' b
   result.linear =
-      product(gram, columns).topRows<3>().transpose().cast<double>();
+      long_product(gram, columns).topRows<3>().transpose().cast<double>();
   return result;
 }
 

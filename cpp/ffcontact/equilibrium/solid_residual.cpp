@@ -46,14 +46,18 @@ void add_force(const Vector3d& force, int vertex, SolidResidual& residual) {
     if (!residual.supported(c, vertex)) residual.missing(c, vertex) += force[c];
 }
 
-/// A force with the moments of boundary tractions at its vertex.
-Vector3d with_tractions(Vector3d force, const SolidTopology& topology,
-                        int vertex, const FaceTractions& boundary) {
+/// Adds a force on a vertex and the moments of the boundary tractions there, whose
+/// supports are noted.
+void add_with_tractions(Vector3d force, const SolidTopology& topology,
+                        int vertex, const FaceTractions& boundary,
+                        SolidResidual& residual) {
   for_boundary_faces(topology, vertex, [&](int face) {
     const int place = place_of(topology.faces, face, vertex);
     force += boundary.moments.col(face).segment<3>(3 * place);
+    for (int c = 0; c < 3; ++c)
+      if (!boundary.known(c, face)) residual.supported(c, vertex) = true;
   });
-  return force;
+  add_force(force, vertex, residual);
 }
 
 }  // namespace
@@ -84,12 +88,7 @@ SolidResidual nodal_residual(const SolidTopology& topology,
     if (topology.stars.count(v) == 0) continue;
     const Matrix3Xd loads = star_loads(topology, v, stress, body_loads);
     scale = std::max(scale, max_norm(loads));
-    for_boundary_faces(topology, v, [&](int face) {
-      for (int c = 0; c < 3; ++c)
-        if (!boundary.known(c, face)) residual.supported(c, v) = true;
-    });
-    add_force(with_tractions(-loads.rowwise().sum(), topology, v, boundary), v,
-              residual);
+    add_with_tractions(-loads.rowwise().sum(), topology, v, boundary, residual);
   }
   residual.scale = scale;
   return residual;

@@ -18,13 +18,6 @@ Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
   return {1 - last.sum(), last.x(), last.y()};
 }
 
-TriangleCorners subtriangle(const TriangleCorners& corners, int k) {
-  TriangleCorners sub;
-  sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
-      corners.rowwise().mean();
-  return sub;
-}
-
 struct Place {
   int triangle;
   Vector3d coordinates;  ///< barycentric
