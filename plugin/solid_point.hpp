@@ -2,7 +2,7 @@
 #pragma once
 
 #include "point_evaluator.hpp"
-#include "solid_views.hpp"
+#include "solid_part.hpp"
 
 namespace ffcontact::plugin {
 

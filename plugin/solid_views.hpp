@@ -5,28 +5,13 @@
 
 #include "ffcontact/interface/facing_polygons.hpp"
 //
-#include "boundary_places.hpp"
+#include "solid_part.hpp"
 
 namespace ffcontact::plugin {
 
 /// FreeFEM's mesh3; column e of SolidMesh::boundary is FreeFEM's boundary element e.
 /// @throws std::invalid_argument  if the mesh was never assigned
 SolidMesh solid_mesh_of(const Fem2D::Mesh3* mesh);
-
-/// One solid of a joined mesh, and its faces.
-struct SolidPart {
-  const SolidMesh& mesh;  ///< all solids
-  const Facets<3>& faces;
-  const Fem2D::Mesh3*
-      fem_mesh;  ///< null where other processes hold parts of it
-  int body, first_cell, first_boundary;
-  const PlacesElsewhere<3>* elsewhere;  ///< null where fem_mesh is not
-
-  /// Is a column of SolidMesh::boundary one of this solid's?
-  bool has_boundary(int column) const {
-    return column >= first_boundary && column < first_boundary + fem_mesh->nbe;
-  }
-};
 
 /// A place on a boundary face.
 struct FacePlace {

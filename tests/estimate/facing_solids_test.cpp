@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/estimate/facing_error.hpp"
+#include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"

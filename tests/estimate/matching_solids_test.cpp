@@ -7,6 +7,7 @@
 #include "ffcontact/equilibrium/contact_pass.hpp"
 #include "ffcontact/estimate/facing_error.hpp"
 #include "ffcontact/estimate/first_surface_tractions.hpp"
+#include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 #include "ffcontact/estimate/unstressed.hpp"
 #include "ffcontact/interface/matching_faces.hpp"

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/contact_settings.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
 
 namespace ffcontact {

@@ -6,25 +6,12 @@
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/contact/contact_trace.hpp"
 #include "ffcontact/contact/foundation_motions.hpp"
 #include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 
 namespace ffcontact {
-
-/// How the free dofs of the contact boundary and of what it faces move it.
-struct ContactTrace {
-  int dimension = 2;  ///< rows of a node
-  /// free dofs of the contact and opposite vertices, the unknowns of CondensedStiffness
-  std::vector<int> kept_dofs;
-  /// displacement of the kept dofs = to_kept (w, w_o) [kept x f + o]
-  SparseMatrix to_kept;
-  SparseMatrix A;  ///< v of all rows = A (w, w_o) + v_prescribed [rows x f + o]
-  /// v of the prescribed values, gap and previous displacement included [rows]
-  VectorXd v_prescribed;
-  /// loads on w_o beside those of the body [o]; empty: none
-  VectorXd opposite_load{};
-};
 
 /// The body as the contact conditions see it: a small dense relation between multipliers
 /// P and v = W (u_n - gap, u_t - previous).

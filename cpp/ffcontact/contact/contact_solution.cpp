@@ -134,13 +134,6 @@ Index nearest(const Ref<const VectorXd>& values, double value) {
 
 }  // namespace
 
-void require_valid(const ContactSettings& settings, int nodes) {
-  if (settings.max_iterations < 1)
-    refuse("maxit must be at least 1, got ", settings.max_iterations);
-  const auto given = count_of(settings.initial_state);
-  if (given > 0) require_size("initial state", given, nodes);
-}
-
 ContactStatus judged_status(ContactStatus condensed, double complementarity,
                             double residual, double tolerance) {
   if (complementarity <= tolerance && residual <= tolerance)

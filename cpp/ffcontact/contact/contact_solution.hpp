@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -9,52 +8,9 @@
 #include "ffcontact/contact/active_set.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/contact_law.hpp"
-#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/contact/contact_settings.hpp"
 
 namespace ffcontact {
-
-enum class ContactSolver {
-  /// active_set_newton; where it does not converge, convex_contact, or fixed_point helped
-  /// by Newton
-  newton,
-  fixed_point,  ///< fixed_point [CHH01, Definition 3.1]
-};
-
-struct ContactSettings {
-  ContactSolver solver = ContactSolver::newton;
-  int max_iterations = 2000;  ///< linear systems of the contact line in all
-  /// largest complementarity and residual defect of an accepted answer
-  double tolerance = 1e-10;
-  /// a guess, e.g. of the load step before; empty: every node sticks
-  std::vector<ContactState> initial_state;
-  /// the guess is that of nearest nodes of another mesh: solids in single precision have a
-  /// better one of their own (coarse_start)
-  bool state_of_another_mesh = false;
-  std::shared_ptr<const CondensedStiffness>
-      stiffness;  ///< of an earlier solution with this K and line; null: factorise
-  /// factorises K for kept dofs where it is not done on this machine alone; null: here
-  std::function<std::shared_ptr<const CondensedStiffness>(
-      const ElasticSystem& system, const std::vector<int>& kept,
-      Precision precision, SchurStorage storage)>
-      factorise{};
-  /// of Schur's complement; a surface takes distributed by itself where the whole has no
-  /// room, and solves by products alone then (ProductRelation): forces as multipliers
-  SchurStorage storage = SchurStorage::whole;
-  /// free dofs from which on a solid that prescribed displacements hold is factored in
-  /// single precision, and its answer corrected
-  int single_precision_from = 30000;
-  /// told of the factorisation and of every step, with its violation; of a solid of none
-  ProgressReport report{};
-
-  std::vector<ContactState> first_states(int nodes) const {
-    if (!initial_state.empty()) return initial_state;
-    return std::vector<ContactState>(nodes, ContactState::stick);
-  }
-};
-
-/// @throws std::invalid_argument  if maxit is not positive, or the initial states are not
-///                                those of so many nodes
-void require_valid(const ContactSettings& settings, int nodes);
 
 /// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
 struct ContactSolution {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/foundation_motions.hpp"
 
-#include "ffcontact/contact/condensed_contact.hpp"
-
 namespace ffcontact {
 
 namespace {

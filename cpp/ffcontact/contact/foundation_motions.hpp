@@ -5,10 +5,9 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/contact_trace.hpp"
 
 namespace ffcontact {
-
-struct ContactTrace;
 
 /// Motions of a rigid foundation that forces move: they are opposite components without
 /// stiffness, v = W (trace of u - trace z), which

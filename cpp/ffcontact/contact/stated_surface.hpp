@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/contact/balance.hpp"
-#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/contact_settings.hpp"
 #include "ffcontact/contact/surface_trace.hpp"
 
 namespace ffcontact {

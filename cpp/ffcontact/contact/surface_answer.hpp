@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/contact_settings.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
 #include "ffcontact/contact/newton_relation.hpp"
 #include "ffcontact/contact/step_solver.hpp"

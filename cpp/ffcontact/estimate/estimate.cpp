@@ -200,7 +200,10 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
       penetration_defect(line, body.law, u_hat, max_norm(body.displacement));
   estimate.penetration = penetration.value;
   const Vector2d deepest = mesh.place(line.vertex[penetration.node]);
-  estimate.reason = reason_against(estimate, construction, deepest);
+  estimate.reason =
+      reason_against({estimate.penetration, estimate.cone, estimate.equilibrium,
+                      construction, estimate.unmended.size()},
+                     deepest);
   estimate.admissible = estimate.reason.empty();
 }
 

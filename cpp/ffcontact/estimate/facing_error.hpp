@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/estimate/surface_error.hpp"
+#include "ffcontact/contact/surface_law.hpp"
+#include "ffcontact/estimate/deepest_node.hpp"
 
 namespace ffcontact {
 

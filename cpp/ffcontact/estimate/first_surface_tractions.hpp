@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/estimate/solid_estimate.hpp"
+#include "ffcontact/estimate/solved_solid.hpp"
 
 namespace ffcontact {
-
-/// What an estimate of a solid is asked of.
-struct SolvedSolidProblem {
-  const SolidTopology& topology;
-  const ContactSurface& surface;
-  const ElasticSystem& system;
-  const SolvedSolid& body;
-};
 
 /// r_hat, and face tractions in equilibrium with it on every tetrahedron.
 struct FirstSurfaceTractions {

@@ -25,16 +25,13 @@ std::string penetration_in_words(double depth,
          ", where displacements are prescribed";
 }
 
-std::string cone_in_words(double cone) {
-  return "contact tractions leave the friction cone by " + part_in_words(cone) +
-         " of the largest stress";
-}
-
-std::string cone_in_words(const Estimate& estimate) {
-  const std::string sentence = cone_in_words(estimate.cone);
-  if (estimate.unmended.empty()) return sentence;
-  return sentence + ": (4.1) cannot mend " +
-         std::to_string(estimate.unmended.size()) + " edges";
+std::string cone_in_words(const PairDefects& defects) {
+  const std::string sentence = "contact tractions leave the friction cone by " +
+                               part_in_words(defects.cone) +
+                               " of the largest stress";
+  if (defects.unmended == 0) return sentence;
+  return sentence + ": (4.1) cannot mend " + std::to_string(defects.unmended) +
+         " edges";
 }
 
 std::string imbalance_in_words(const EquilibriumDefect& defect,
@@ -51,20 +48,12 @@ std::string imbalance_in_words(const EquilibriumDefect& defect,
 
 }  // namespace
 
-std::string reason_against(const Estimate& estimate, Construction construction,
-                           const Vector2d& deepest) {
-  if (estimate.penetration > penetration_tolerance)
-    return penetration_in_words(estimate.penetration, deepest);
-  if (estimate.cone > cone_tolerance) return cone_in_words(estimate);
-  return imbalance_in_words(estimate.equilibrium, construction);
-}
-
-std::string reason_against(const SolidEstimate& estimate,
-                           const Vector3d& deepest) {
-  if (estimate.penetration > penetration_tolerance)
-    return penetration_in_words(estimate.penetration, deepest);
-  if (estimate.cone > cone_tolerance) return cone_in_words(estimate.cone);
-  return imbalance_in_words(estimate.equilibrium, Construction::composite);
+std::string reason_against(const PairDefects& defects,
+                           const Ref<const VectorXd>& deepest) {
+  if (defects.penetration > penetration_tolerance)
+    return penetration_in_words(defects.penetration, deepest);
+  if (defects.cone > cone_tolerance) return cone_in_words(defects);
+  return imbalance_in_words(defects.equilibrium, defects.construction);
 }
 
 }  // namespace ffcontact

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "ffcontact/contact/surface_law.hpp"
-#include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/equilibrium/equilibrium_defect.hpp"
 #include "ffcontact/equilibrium/solid_relaxation.hpp"
 #include "ffcontact/estimate/contact_faces.hpp"
+#include "ffcontact/estimate/solved_solid.hpp"
 
 namespace ffcontact {
-
-/// A computed contact solution of a solid and what it was computed from.
-struct SolvedSolid {
-  HookeTensors<3> hooke;  ///< per tetrahedron [MPa]
-  VectorXd displacement;  ///< u_h on all dofs [mm]
-  Matrix3Xd force;        ///< (F_n, F_t1, F_t2) at the contact nodes [N]
-  SurfaceLaw law;
-  /// moments of the given tractions, as for given_tractions [N, 9 x boundary]
-  FaceMoments neumann;
-  SolidBodyLoadsOfAll body_loads;  ///< int f phi_i per tetrahedron [N]
-  std::shared_ptr<const CondensedStiffness>
-      stiffness;  ///< of the solution on the surface; null: factorised if needed
-};
 
 /// The error in the constitutive relation of an admissible pair, as Estimate in the plane
 /// [CHH01, 2.2]:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ffcontact/estimate/contact_faces.hpp"
+#include "ffcontact/estimate/deepest_node.hpp"
 
 namespace ffcontact {
 
@@ -30,11 +31,6 @@ VectorXd admissible_displacement(const Facets<3>& faces,
                                  const Ref<const VectorXd>& displacement,
                                  const std::vector<char>& prescribed);
 
-/// The node at which u_n - gap is largest, and by how much it is above 0 [mm].
-struct DeepestNode {
-  double depth = 0;
-  int node = 0;
-};
 DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
                          const SurfaceLaw& law,
                          const Ref<const VectorXd>& displacement);

@@ -6,7 +6,6 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/boundary_chains.hpp"
-#include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/mesh/smooth_curve.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 

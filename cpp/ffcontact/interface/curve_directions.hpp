@@ -6,15 +6,6 @@
 
 namespace ffcontact {
 
-/// As contact_line, but polygons that stand for smooth curves have one node a vertex,
-/// with the normals of the circles through neighbours (SmoothCurve), and a node together
-/// with the straight line that they go on from, with its normal. Such a polygon is at
-/// least five edges, no two of them on one straight line, that turn by at most 15 degrees
-/// at each vertex.
-/// @throws std::invalid_argument  as contact_line
-ContactLine curved_contact_line(const Mesh& mesh, const Edges& edges,
-                                const std::vector<int>& labels);
-
 /// Whether contact directions turn along an edge, as on a smooth curve.
 bool turns(const ContactLine& line, int edge);
 bool turns(const ContactLine& line);
