@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "freefem.hpp"
 #include "outputs.hpp"
 
@@ -123,7 +124,7 @@ class NamedArguments {
   std::vector<std::vector<Expression>>
       components_;  ///< of literal lists of expressions
   /// 'a' array, 'l' literal list, 'i' one integer, for parameters of type KN_<long>
-  std::vector<char> list_kind_;
+  Flags list_kind_;
 };
 
 /// The name of a parameter that each body has: itself where there is one body, otherwise

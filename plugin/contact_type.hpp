@@ -35,7 +35,7 @@ struct Contact {
   std::shared_ptr<ContactProblem> problem;  ///< null until it is stated
   std::optional<SolvedContact> solved;
   /// of the last solution: the next one starts from them
-  std::vector<ContactState> last_states;
+  ContactStates last_states;
   VectorXd last_abscissa;               ///< where they were
   std::shared_ptr<SolidContact> solid;  ///< null where it is not of solids
   /// where processes hold parts of the bodies; null: one holds them

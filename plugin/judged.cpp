@@ -55,11 +55,11 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
 CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
                               const Estimate& estimate, StuckNodes stuck) {
   const CoulombConstant constant = coulomb_constant_of(line, judged, stuck);
-  const double value =
-      estimate.admissible
-          ? coulomb_bound(estimate.e, constant.friction, constant.kappa)
-          : infinity;
-  return {constant, value, stuck};
+  return {constant,
+          estimate.admissible
+              ? coulomb_bound(estimate.e, constant.friction, constant.kappa)
+              : infinity,
+          stuck};
 }
 
 }  // namespace ffcontact::plugin

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/cone_correction.hpp"
 #include "ffcontact/contact/multiplier_projection.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
@@ -127,11 +128,11 @@ class ConeCorrectionFunction : public E_F0mps {
   }
 
   /// The prescribed dofs of A=, of the matrix that the contact was solved with, or none.
-  std::vector<char> prescribed(Stack stack, const Contact& contact) const {
+  Flags prescribed(Stack stack, const Contact& contact) const {
     const ContactProblem& problem = *contact.problem;
     const Expression A = named_.expression("A");
     if (!A && contact.solved) return contact.solved->system->prescribed;
-    if (!A) return std::vector<char>(problem.dof_count(), 0);
+    if (!A) return Flags(problem.dof_count(), 0);
     problem.require_bodies("A", 1);
     const RowMatrix matrix =
         matrix_of(value_of<Matrice_Creuse<double>*>(stack, A));

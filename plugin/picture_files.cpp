@@ -9,7 +9,7 @@
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 //
-#include "estimate_arrays.hpp"
+#include "estimate_outputs.hpp"
 #include "picture_folder.hpp"
 #include "text_file.hpp"
 #include "vtu.hpp"

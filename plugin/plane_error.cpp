@@ -5,12 +5,11 @@
 #include <array>
 #include <optional>
 
-#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 //
-#include "estimate_arrays.hpp"
+#include "estimate_outputs.hpp"
 #include "progress_lines.hpp"
 #include "stopwatch.hpp"
 
@@ -80,15 +79,6 @@ void put_stress(Stack stack, const NamedArguments& named,
                   stress_component(stress, c));
 }
 
-void put_error(Stack stack, const NamedArguments& named,
-               const Estimate& estimate) {
-  named.put(stack, "e", estimate.e);
-  named.put(stack, "elasticpart", estimate.elastic);
-  named.put(stack, "contactpart", estimate.contact);
-  named.put(stack, "springpart", estimate.springs);
-  named.put(stack, "history", packed(estimate.history));
-}
-
 void put_tractions(Stack stack, const NamedArguments& named,
                    const Estimate& estimate) {
   named.put(stack, "rn", estimate.tractions.normal.reshaped());
@@ -97,19 +87,12 @@ void put_tractions(Stack stack, const NamedArguments& named,
   named.put(stack, "unmended", static_cast<long>(estimate.unmended.size()));
 }
 
-void put_defects(Stack stack, const NamedArguments& named,
-                 const Estimate& estimate) {
-  named.put(stack, "balance", estimate.equilibrium.largest());
-  named.put(stack, "cone", estimate.cone);
-  named.put(stack, "penetration", estimate.penetration);
-  named.put(stack, "admissible", estimate.admissible);
-}
-
 void put(Stack stack, const NamedArguments& named,
          const ContactProblem& problem, const Estimate& estimate) {
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_stress(stack, named, problem, estimate);
   put_error(stack, named, estimate);
+  named.put(stack, "springpart", estimate.springs);
   named.put(stack, "rabscissa", abscissae(problem, estimate));
   put_tractions(stack, named, estimate);
   put_defects(stack, named, estimate);

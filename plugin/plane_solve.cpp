@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 //
@@ -18,7 +19,7 @@ namespace {
 /// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
 /// lengths.
 NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
-                           const std::vector<char>& prescribed,
+                           const Flags& prescribed,
                            const ContactSolution& solution) {
   const Matrix2Xd pressure =
       law.multiplier == Multiplier::pressure

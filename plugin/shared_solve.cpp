@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/system_parts.hpp"
@@ -35,7 +36,7 @@ ElasticSystem system_in(Packet& packet, int dimension) {
   const auto value = packet.take<std::vector<double>>();
   ElasticSystem system;
   system.load = packet.take<VectorXd>();
-  system.prescribed = packet.take<std::vector<char>>();
+  system.prescribed = packet.take<Flags>();
   system.prescribed_value = packet.take<VectorXd>();
   system.dimension = dimension;
   const Index n = system.load.size();

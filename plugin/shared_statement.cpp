@@ -61,8 +61,7 @@ std::shared_ptr<ProblemOf<dim>> problem_of(Stack stack,
 std::shared_ptr<Team> stated_team(Stack stack, const NamedArguments& named) {
   const Expression communicator = named.expression("comm");
   if (!communicator) return nullptr;
-  std::shared_ptr<Team> team =
-      team_of(value_of<pcommworld>(stack, communicator));
+  auto team = team_of(value_of<pcommworld>(stack, communicator));
   return team->count() > 1 ? team : nullptr;
 }
 

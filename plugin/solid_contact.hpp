@@ -26,7 +26,7 @@ struct SolvedSolid {
 
 /// States of nodes and where they are.
 struct PlacedStates {
-  std::vector<ContactState> state;
+  ContactStates state;
   Matrix3Xd place, normal;  ///< [3 x p]
 };
 

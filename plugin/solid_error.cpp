@@ -5,12 +5,13 @@
 #include <memory>
 #include <utility>
 
-#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/solid_coulomb.hpp"
 #include "ffcontact/sizing/edge_rates.hpp"
 //
 #include "coulomb.hpp"
+#include "estimate_outputs.hpp"
 #include "result_names.hpp"
 #include "solid_stress.hpp"
 #include "stopwatch.hpp"
@@ -57,11 +58,11 @@ void put_solid_rates(Stack stack, const NamedArguments& named,
                      const SolvedSolid& solved,
                      const ffcontact::SolvedSolid& body) {
   if (!named.given_of_bodies("rate")) return;
-  const std::vector<char>& prescribed = solved.system->prescribed;
+  const Flags& prescribed = solved.system->prescribed;
   KnownComponents known =
       given_tractions(topology.mesh, topology.faces, prescribed, body.neumann)
           .known;
-  std::vector<char> is_contact(topology.faces.count(), 0);
+  Flags is_contact(topology.faces.count(), 0);
   for (int face : problem.surface.face) {
     known.col(face).setConstant(true);
     is_contact[face] = 1;
@@ -74,15 +75,6 @@ void put_solid_rates(Stack stack, const NamedArguments& named,
                                            is_contact)));
 }
 
-void put_error(Stack stack, const NamedArguments& named,
-               const SolidEstimate& estimate) {
-  named.put(stack, "e", estimate.e);
-  named.put(stack, "elasticpart", estimate.elastic);
-  named.put(stack, "contactpart", estimate.contact);
-  named.put(stack, "tractionoscillation", estimate.oscillation);
-  named.put(stack, "history", packed(estimate.history));
-}
-
 void put_tractions(Stack stack, const NamedArguments& named,
                    const SolidEstimate& estimate) {
   constexpr std::array parameter = {"rn", "rt1", "rt2"};
@@ -92,18 +84,11 @@ void put_tractions(Stack stack, const NamedArguments& named,
     named.put(stack, parameter[c], tractions.row(c).transpose());
 }
 
-void put_defects(Stack stack, const NamedArguments& named,
-                 const SolidEstimate& estimate) {
-  named.put(stack, "balance", estimate.equilibrium.largest());
-  named.put(stack, "cone", estimate.cone);
-  named.put(stack, "penetration", estimate.penetration);
-  named.put(stack, "admissible", estimate.admissible);
-}
-
 void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
          const SolidEstimate& estimate) {
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_error(stack, named, estimate);
+  named.put(stack, "tractionoscillation", estimate.oscillation);
   put_tractions(stack, named, estimate);
   put_defects(stack, named, estimate);
 }
@@ -133,9 +118,8 @@ void report(Stack stack, const NamedArguments& named,
 }
 
 /// The nodes that slip nowhere, as stick= says.
-std::vector<char> held_nodes(const SurfaceSolution& solution,
-                             StuckNodes stuck) {
-  std::vector<char> held(solution.state.size(), 0);
+Flags held_nodes(const SurfaceSolution& solution, StuckNodes stuck) {
+  Flags held(solution.state.size(), 0);
   if (stuck == StuckNodes::stick)
     for (std::size_t i = 0; i < held.size(); ++i)
       held[i] = solution.state[i] == ContactState::stick;

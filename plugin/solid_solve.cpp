@@ -48,12 +48,11 @@ SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
 
 /// States of new nodes: that of the nearest old one; where sheets meet at an edge several
 /// are at one place, and a normal that is turned counts as a distance of the node's size.
-std::vector<ContactState> states_at(const SolidProblem& problem,
-                                    const PlacedStates& old) {
+ContactStates states_at(const SolidProblem& problem, const PlacedStates& old) {
   if (old.state.empty()) return {};
   const Matrix3Xd place = problem.places();
   const ContactSurface& surface = problem.surface;
-  std::vector<ContactState> states;
+  ContactStates states;
   for (int i = 0; i < surface.node_count(); ++i) {
     const Eigen::RowVectorXd square =
         (old.place.colwise() - place.col(i)).colwise().squaredNorm() +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 //
@@ -41,7 +42,7 @@ bool is_same(const RowMatrix& A, const RowMatrix& B) {
 /// The vertices inside a body.
 template <int dim>
 std::vector<int> inner_vertices(const SimplexMesh<dim>& mesh) {
-  std::vector<char> on_boundary(mesh.vertices.cols(), 0);
+  Flags on_boundary(mesh.vertices.cols(), 0);
   for (int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
   return numbers_where(mesh.vertex_count(),
                        [&](int v) { return !on_boundary[v]; });
@@ -88,8 +89,7 @@ template ElasticSystem system_of(const SolveCall&, const BodyDofs&,
 template ElasticSystem system_of(const SolveCall&, const BodyDofs&,
                                  const SolidMesh&);
 
-ContactSettings settings_of(const SolveCall& call,
-                            std::vector<ContactState> states) {
+ContactSettings settings_of(const SolveCall& call, ContactStates states) {
   const Stack stack = call.stack;
   const NamedArguments& named = call.named;
   ContactSettings settings;
@@ -128,7 +128,7 @@ void write_displacement(const SolveCall& call, const BodyDofs& bodies,
         displacement.segment(bodies.first_dof(k), bodies.dof_count(k));
 }
 
-std::vector<long> state_numbers(const std::vector<ContactState>& states) {
+std::vector<long> state_numbers(const ContactStates& states) {
   std::vector<long> numbers;
   for (ContactState state : states)
     numbers.push_back(state == ContactState::stick ? 1 : 2 * slip_sign(state));

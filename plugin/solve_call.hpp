@@ -38,8 +38,7 @@ ElasticSystem system_of(const SolveCall& call, const BodyDofs& bodies,
                         const SimplexMesh<dim>& mesh);
 
 /// What solver=, maxit=, tol= and initial= say; without initial= it starts from `states`.
-ContactSettings settings_of(const SolveCall& call,
-                            std::vector<ContactState> states);
+ContactSettings settings_of(const SolveCall& call, ContactStates states);
 
 bool is_same(const ElasticSystem& a, const ElasticSystem& b);
 
@@ -48,7 +47,7 @@ void write_displacement(const SolveCall& call, const BodyDofs& bodies,
                         const VectorXd& displacement);
 
 /// 0 open, 1 stick, 2 slip along t (of a solid: in any direction), -2 slip against t.
-std::vector<long> state_numbers(const std::vector<ContactState>& states);
+std::vector<long> state_numbers(const ContactStates& states);
 
 /// @throws std::invalid_argument  for loadstep=true without a step before
 [[noreturn]] void refuse_load_step();

@@ -100,7 +100,7 @@ void report_details(const SolveAnswer& answer) {
 
 }  // namespace
 
-Counts counted(const std::vector<ContactState>& states) {
+Counts counted(const ContactStates& states) {
   Counts counts;
   for (ContactState state : states)
     ++(state == ContactState::open    ? counts.open

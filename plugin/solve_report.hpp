@@ -16,7 +16,7 @@ namespace ffcontact::plugin {
 struct Counts {
   long open = 0, stick = 0, slip = 0;
 };
-Counts counted(const std::vector<ContactState>& states);
+Counts counted(const ContactStates& states);
 
 /// What is said of a solution of plane bodies and of a solid alike.
 struct SolveAnswer {

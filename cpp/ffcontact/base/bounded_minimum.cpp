@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 
 namespace ffcontact {
@@ -149,7 +150,7 @@ class FaceByFace {
   const VectorXd &h_, &low_, &high_;
   const int most_steps_;
   VectorXd x_, gradient_;
-  std::vector<char> fixed_;
+  Flags fixed_;
   double tolerance_ = 0;
   int steps_ = 0;
 };

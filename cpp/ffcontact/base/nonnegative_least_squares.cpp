@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 /// Least squares over the columns in the passive set; the others are zero.
 VectorXd passive_solution(const MatrixXd& G, const VectorXd& b,
-                          const std::vector<char>& passive) {
+                          const Flags& passive) {
   std::vector<Index> columns;
   for (Index j = 0; j < G.cols(); ++j)
     if (passive[j]) columns.push_back(j);
@@ -28,8 +29,7 @@ VectorXd passive_solution(const MatrixXd& G, const VectorXd& b,
 
 /// Largest step from x towards z that keeps x >= 0; the columns that reach 0 leave the
 /// passive set.
-VectorXd step_inside(const VectorXd& x, const VectorXd& z,
-                     std::vector<char>& passive) {
+VectorXd step_inside(const VectorXd& x, const VectorXd& z, Flags& passive) {
   double step = 1;
   for (Index j = 0; j < x.size(); ++j)
     if (passive[j] && z[j] <= 0) step = std::min(step, x[j] / (x[j] - z[j]));
@@ -46,7 +46,7 @@ VectorXd step_inside(const VectorXd& x, const VectorXd& z,
 
 VectorXd nonnegative_least_squares(const MatrixXd& G, const VectorXd& b) {
   const double tolerance = 1e-12 * b.norm() * G.colwise().norm().maxCoeff();
-  std::vector<char> passive(G.cols(), 0);
+  Flags passive(G.cols(), 0);
   VectorXd x = VectorXd::Zero(G.cols());
   for (Index round = 0; round < 3 * G.cols(); ++round) {
     VectorXd descent = G.transpose() * (b - G * x);

@@ -15,6 +15,11 @@ double max_norm(const Eigen::MatrixBase<Derived>& x) {
   return x.size() > 0 ? x.cwiseAbs().maxCoeff() : typename Derived::Scalar(0);
 }
 
+/// value / scale, 0 where there is no scale.
+inline double relative(double value, double scale) {
+  return scale > 0 ? value / scale : 0;
+}
+
 /// Lengths of the sides of the box around points, one column each.
 template <class Derived>
 Matrix<typename Derived::Scalar, Derived::RowsAtCompileTime, 1> box_sides(

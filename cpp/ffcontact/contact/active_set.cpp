@@ -17,7 +17,7 @@ namespace {
 /// Steps that may fail to lower the number of contradictions.
 constexpr int most_failures = 10;
 
-using States = std::vector<ContactState>;
+using States = ContactStates;
 
 /// Counts the steps that fail to lower the number of contradictions.
 class Patience {

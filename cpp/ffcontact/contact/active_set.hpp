@@ -22,14 +22,13 @@ enum class ContactStatus {
 /// The answer with the smallest violation, its active set, and how it was reached.
 struct ActiveSetResult {
   VectorXd P, v;  ///< multipliers and displacements of all rows 2 i + c [2 p]
-  std::vector<ContactState> state;  ///< [p]
-  double violation = 0;             ///< law_violation of P and v
+  ContactStates state;   ///< [p]
+  double violation = 0;  ///< law_violation of P and v
   int iterations = 0;
   ContactStatus status = ContactStatus::not_converged;
 
   /// Takes these rows and their active set for the answer.
-  void keep(std::vector<ContactState> active_set, ContactRows rows,
-            double of_law) {
+  void keep(ContactStates active_set, ContactRows rows, double of_law) {
     P = std::move(rows.P);
     v = std::move(rows.v);
     state = std::move(active_set);
@@ -78,8 +77,7 @@ struct NewtonSettings {
 /// one value.
 /// @param state  first guess [p]
 ActiveSetResult active_set_newton(const CondensedContact& contact,
-                                  const NodalLaw& law,
-                                  std::vector<ContactState> state,
+                                  const NodalLaw& law, ContactStates state,
                                   const NewtonSettings& settings = {});
 
 /// Displacements are relative to motion_scale and multipliers to 1e-4 of the largest load

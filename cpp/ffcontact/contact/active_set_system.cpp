@@ -33,7 +33,7 @@ RowCondition row_condition(const NodalLaw& law, int row, ContactState state) {
 class LinearStep {
  public:
   LinearStep(const CondensedContact& contact, const NodalLaw& law,
-             const std::vector<ContactState>& state)
+             const ContactStates& state)
       : contact_(contact), scale_(unknown_scales(contact)) {
     for (int row = 0; row < contact.position.size(); ++row)
       conditions_.push_back(row_condition(law, row, state[row / 2]));
@@ -151,14 +151,13 @@ class LinearStep {
 }  // namespace
 
 SystemKind solve_active_set(const CondensedContact& contact,
-                            const NodalLaw& law,
-                            const std::vector<ContactState>& state,
+                            const NodalLaw& law, const ContactStates& state,
                             ContactRows& rows) {
   return LinearStep(contact, law, state).solve(rows);
 }
 
 MatrixXd active_set_matrix(const CondensedContact& contact, const NodalLaw& law,
-                           const std::vector<ContactState>& state) {
+                           const ContactStates& state) {
   return LinearStep(contact, law, state).matrix();
 }
 

@@ -22,12 +22,11 @@ namespace ffcontact {
 /// @param state  of each node [p]
 /// @param rows   the answer; not touched if the system is not finite
 SystemKind solve_active_set(const CondensedContact& contact,
-                            const NodalLaw& law,
-                            const std::vector<ContactState>& state,
+                            const NodalLaw& law, const ContactStates& state,
                             ContactRows& rows);
 
 /// The scaled matrix of that system; affine in the coefficients of friction.
 MatrixXd active_set_matrix(const CondensedContact& contact, const NodalLaw& law,
-                           const std::vector<ContactState>& state);
+                           const ContactStates& state);
 
 }  // namespace ffcontact

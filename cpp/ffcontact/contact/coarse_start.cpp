@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/aggregates.hpp"
 #include "ffcontact/base/congruent.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/selected_rows.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
@@ -75,8 +76,7 @@ class Coarse {
   std::optional<ContactRows> rows(const CoarseRelation& relation) {
     put_relation(relation);
     StepSolver solver(coarse_, held_);
-    const std::vector<ContactState> sticking(law_.node_count(),
-                                             ContactState::stick);
+    const ContactStates sticking = all_stick(law_.node_count());
     const ActiveSetResult answer =
         surface_newton(coarse_, law_, held_, sticking, solver,
                        {most_systems, near_enough, {}, near_enough});
@@ -140,7 +140,7 @@ class Coarse {
   SparseMatrix R_;        ///< [3p x 3a]
   VectorXd area_;         ///< of the aggregates [mm^2, a]
   CondensedContact coarse_;
-  std::vector<char> held_;  ///< [3a]
+  Flags held_;  ///< [3a]
   NodalLaw law_;
 };
 

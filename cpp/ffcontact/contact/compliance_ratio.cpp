@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
@@ -27,7 +28,7 @@ double nodal_compliance(const ElasticSystem& system, int vertex,
       if (const int column = dof_of<dim>(vertex, j); !system.prescribed[column])
         stiffness += n[i] * system.stiffness.coeff(row, column) * n[j];
   }
-  return stiffness > 0 ? 1 / stiffness : 0;
+  return relative(1, stiffness);
 }
 
 /// The mean of its vertices' nodal compliances along n, times its size.

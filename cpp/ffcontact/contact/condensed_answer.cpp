@@ -11,7 +11,7 @@ namespace {
 /// fixed point helped by Newton.
 FixedPointResult safeguarded_newton(const CondensedContact& contact,
                                     const NodalLaw& law,
-                                    const std::vector<ContactState>& start,
+                                    const ContactStates& start,
                                     const NewtonSettings& settings) {
   if (law.is_convex()) return {solve_convex(contact, law, start, settings), {}};
   FixedPointResult newton{active_set_newton(contact, law, start, settings), {}};
@@ -46,8 +46,7 @@ std::shared_ptr<const CondensedStiffness> prepared_stiffness(
 FixedPointResult condensed_answer(const CondensedContact& contact,
                                   const NodalLaw& law,
                                   const ContactSettings& settings) {
-  const std::vector<ContactState> start =
-      settings.first_states(law.node_count());
+  const ContactStates start = settings.first_states(law.node_count());
   const NewtonSettings limits{settings.max_iterations, settings.tolerance,
                               settings.report};
   return settings.solver == ContactSolver::newton

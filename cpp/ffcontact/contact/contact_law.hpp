@@ -74,6 +74,10 @@ enum class ContactState : char {
   open_slip_forward,
   open_slip_backward,
 };
+using ContactStates = std::vector<ContactState>;
+inline ContactStates all_stick(int nodes) {
+  return ContactStates(nodes, ContactState::stick);
+}
 
 /// +1 for slip forward, -1 for slip backward, 0 otherwise.
 inline int slip_sign(ContactState state) {

@@ -24,7 +24,7 @@ struct ContactSettings {
   /// largest complementarity and residual defect of an accepted answer
   double tolerance = 1e-10;
   /// a guess, e.g. of the load step before; empty: every node sticks
-  std::vector<ContactState> initial_state;
+  ContactStates initial_state;
   /// the guess is that of nearest nodes of another mesh: solids in single precision have a
   /// better one of their own (coarse_start)
   bool state_of_another_mesh = false;
@@ -44,9 +44,8 @@ struct ContactSettings {
   /// told of the factorisation and of every step, with its violation; of a solid of none
   ProgressReport report{};
 
-  std::vector<ContactState> first_states(int nodes) const {
-    if (!initial_state.empty()) return initial_state;
-    return std::vector<ContactState>(nodes, ContactState::stick);
+  ContactStates first_states(int nodes) const {
+    return initial_state.empty() ? all_stick(nodes) : initial_state;
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
@@ -42,8 +43,7 @@ Judged judged_without_rounding(const ContactLine& line, const ContactLaw& law,
 /// Multipliers in tension by rounding are cut to none by the law: the forces that these
 /// nodes miss then are small, but not beside those of a soft body. They are open, unless
 /// no node has multipliers at all.
-std::vector<ContactState> open_where_cut(std::vector<ContactState> state,
-                                         const VectorXd& P) {
+ContactStates open_where_cut(ContactStates state, const VectorXd& P) {
   if (P.isZero(0)) return state;
   for (Index i = 0; i < count_of(state); ++i)
     if (P.segment<2>(2 * i).isZero(0)) state[i] = ContactState::open;
@@ -55,15 +55,13 @@ Judged refined_answer(const ContactLine& line, const ContactLaw& law,
                       const ElasticSystem& system,
                       const CondensedStiffness& stiffness,
                       const CondensedContact& contact,
-                      const std::vector<ContactState>& state,
-                      BodyAnswer answer) {
+                      const ContactStates& state, BodyAnswer answer) {
   constexpr int most_steps = 3;
   const NodalLaw nodal = nodal_law(law, line);
   Judged best = judged_without_rounding(line, law, system, contact.held,
                                         std::move(answer));
   for (int k = 0; k < most_steps; ++k) {
-    const std::vector<ContactState> states =
-        open_where_cut(state, best.answer.P);
+    const ContactStates states = open_where_cut(state, best.answer.P);
     if (best.residual <= residual_rounding && states == state) break;
     BodyAnswer next =
         refined(line, law, system, stiffness, contact, states, best.answer);
@@ -105,7 +103,7 @@ ContactState answered(ContactState state) {
 
 /// The pressures and forces of the multipliers that were solved for.
 void put_multipliers(const ContactLine& line, const ContactLaw& law,
-                     const std::vector<char>& prescribed, const Matrix2Xd& P,
+                     const Flags& prescribed, const Matrix2Xd& P,
                      ContactSolution& solution) {
   if (law.multiplier == Multiplier::pressure) {
     solution.pressure = P;
@@ -154,13 +152,13 @@ const char* in_words(ContactStatus status) {
   return "";
 }
 
-std::vector<ContactState> states_at(
-    const ContactLine& line, const Ref<const VectorXd>& old_abscissa,
-    const std::vector<ContactState>& old_state) {
+ContactStates states_at(const ContactLine& line,
+                        const Ref<const VectorXd>& old_abscissa,
+                        const ContactStates& old_state) {
   require_size("abscissa of the initial states", old_abscissa.size(),
                count_of(old_state));
   if (old_state.empty()) return {};
-  std::vector<ContactState> states;
+  ContactStates states;
   for (double s : line.abscissa)
     states.push_back(old_state[nearest(old_abscissa, s)]);
   return states;

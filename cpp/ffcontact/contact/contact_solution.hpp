@@ -20,8 +20,8 @@ struct ContactSolution {
   /// nodal values (lambda_n, lambda_t) of the multipliers [MPa], compression < 0
   Matrix2Xd pressure;
   Matrix2Xd force;  ///< nodal forces (F_n, F_t) = M (lambda_n, lambda_t) [N/mm]
-  std::vector<ContactState> state;  ///< per node
-  int iterations = 0;               ///< dense systems solved
+  ContactStates state;  ///< per node
+  int iterations = 0;   ///< dense systems solved
   std::vector<double>
       /// relative change of lambda_n per step of the fixed point; empty where Newton was
       /// enough
@@ -71,9 +71,9 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
 /// States of a new line from those of an earlier one (the mesh before adaptation): of the
 /// old node nearest in abscissa.
 /// @throws std::invalid_argument  if the sizes of the old arrays differ
-std::vector<ContactState> states_at(const ContactLine& line,
-                                    const Ref<const VectorXd>& old_abscissa,
-                                    const std::vector<ContactState>& old_state);
+ContactStates states_at(const ContactLine& line,
+                        const Ref<const VectorXd>& old_abscissa,
+                        const ContactStates& old_state);
 
 /// What the measures of a solution make of the status of its condensed answer.
 ContactStatus judged_status(ContactStatus condensed, double complementarity,

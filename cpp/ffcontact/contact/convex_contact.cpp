@@ -74,7 +74,7 @@ class ProximalPasses {
     const VectorXd P = unit_.cwiseProduct(x_);
     const double largest = std::max(max_norm(P), max_norm(contact_.g));
     const double off = max_norm(P.head(primary_) - balanced());
-    return largest > 0 ? off / largest : 0;
+    return relative(off, largest);
   }
 
   ContactRows answer() const {
@@ -90,8 +90,8 @@ class ProximalPasses {
     return rows;
   }
 
-  std::vector<ContactState> states() const {
-    std::vector<ContactState> states;
+  ContactStates states() const {
+    ContactStates states;
     for (int node = 0; node < x_.size() / 2; ++node)
       states.push_back(state(node));
     return states;
@@ -258,8 +258,7 @@ ActiveSetResult convex_contact(const CondensedContact& contact,
 }
 
 ActiveSetResult solve_convex(const CondensedContact& contact,
-                             const NodalLaw& law,
-                             std::vector<ContactState> state,
+                             const NodalLaw& law, ContactStates state,
                              const NewtonSettings& settings) {
   ActiveSetResult newton =
       active_set_newton(contact, law, std::move(state), settings);

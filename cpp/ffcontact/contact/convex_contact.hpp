@@ -32,8 +32,7 @@ ActiveSetResult convex_contact(const CondensedContact& contact,
 /// active_set_newton, which needs a few steps as a rule; where it does not converge,
 /// convex_contact.
 ActiveSetResult solve_convex(const CondensedContact& contact,
-                             const NodalLaw& law,
-                             std::vector<ContactState> state,
+                             const NodalLaw& law, ContactStates state,
                              const NewtonSettings& settings = {});
 
 }  // namespace ffcontact

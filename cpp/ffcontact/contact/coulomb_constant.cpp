@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/slip_forms.hpp"
 
@@ -14,7 +15,7 @@ double coulomb_constant(const CondensedContact& contact,
   if (pattern.reaches_limit && stuck == StuckNodes::may_slip) return infinity;
   const VectorXd weight = pattern.weight(largest_friction);
   if (weight.isZero(0)) return 0;
-  const std::vector<char> none(pattern.sticks.size(), 0);
+  const Flags none(pattern.sticks.size(), 0);
   const std::optional<SlipForms> forms =
       SlipForms::of(contact, weight.transpose(),
                     stuck == StuckNodes::stick ? pattern.sticks : none);

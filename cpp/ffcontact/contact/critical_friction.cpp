@@ -49,8 +49,7 @@ bool slips_by_friction(const FrictionCone& cone, ContactState state) {
          cone.depends_on_contact();
 }
 
-bool slips_by_friction(const NodalLaw& law,
-                       const std::vector<ContactState>& state) {
+bool slips_by_friction(const NodalLaw& law, const ContactStates& state) {
   for (std::size_t i = 0; i < state.size(); ++i)
     if (slips_by_friction(law.cone[i], state[i])) return true;
   return false;
@@ -59,8 +58,7 @@ bool slips_by_friction(const NodalLaw& law,
 }  // namespace
 
 double critical_friction(const CondensedContact& contact, const NodalLaw& law,
-                         std::vector<ContactState> state,
-                         const Ref<const VectorXd>& P) {
+                         ContactStates state, const Ref<const VectorXd>& P) {
   for (std::size_t i = 0; i < state.size(); ++i)
     if (law.cone[i].at_limit(P[2 * i])) state[i] = at_limit(state[i]);
   const NodalLaw unit = normalised(law);

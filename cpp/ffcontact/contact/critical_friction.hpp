@@ -23,7 +23,6 @@ namespace ffcontact {
 /// node slips, or not with Coulomb's law. 0 if the system is singular for every mu.
 /// @param P  of the solution, rows 2 i + c [2 p]
 double critical_friction(const CondensedContact& contact, const NodalLaw& law,
-                         std::vector<ContactState> state,
-                         const Ref<const VectorXd>& P);
+                         ContactStates state, const Ref<const VectorXd>& P);
 
 }  // namespace ffcontact

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/surface_law.hpp"
 
@@ -35,8 +36,8 @@ struct DirectedSlip {
   /// s, times the slope of the friction bound over mu, the largest coefficient, along t1
   /// and t2 at the nodes [2 x p]
   Matrix2Xd weight;
-  Matrix2Xd missed;            ///< int phi_i d along t1, t2 [N, 2 x p]
-  std::vector<char> left_out;  ///< 1 where phi is 0 [p]
+  Matrix2Xd missed;  ///< int phi_i d along t1, t2 [N, 2 x p]
+  Flags left_out;    ///< 1 where phi is 0 [p]
 };
 
 struct DirectedConstant {

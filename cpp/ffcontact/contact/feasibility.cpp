@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
@@ -150,7 +151,7 @@ double accepted_penetration(const Mesh& mesh,
 /// Are there vertices on the line that are prescribed, and against another body some on
 /// its side, too?
 bool prescribed_on_both_sides(const ContactLine& line,
-                              const std::vector<char>& prescribed) {
+                              const Flags& prescribed) {
   const auto is_held = [&](int v) {
     return prescribed[2 * v] || prescribed[2 * v + 1];
   };
@@ -182,9 +183,8 @@ bool clear_by_retreat(const Clearance& clearance) {
 }
 
 /// The dofs that lower some of the rows and raise others.
-std::vector<char> opposed_dofs(const WeightsByNode& G,
-                               const std::vector<int>& rows) {
-  std::vector<char> up(G.cols(), 0), down(G.cols(), 0);
+Flags opposed_dofs(const WeightsByNode& G, const std::vector<int>& rows) {
+  Flags up(G.cols(), 0), down(G.cols(), 0);
   for (int i : rows)
     for (WeightsByNode::InnerIterator entry(G, i); entry; ++entry)
       (entry.value() > 0 ? up : down)[entry.col()] = 1;
@@ -192,8 +192,7 @@ std::vector<char> opposed_dofs(const WeightsByNode& G,
   return up;
 }
 
-bool has_free_dof(const WeightsByNode& G, int row,
-                  const std::vector<char>& opposed) {
+bool has_free_dof(const WeightsByNode& G, int row, const Flags& opposed) {
   for (WeightsByNode::InnerIterator entry(G, row); entry; ++entry)
     if (!opposed[entry.col()]) return true;
   return false;
@@ -206,7 +205,7 @@ std::vector<int> bound_rows(const WeightsByNode& G) {
   std::iota(bound.begin(), bound.end(), 0);
   for (std::size_t before = bound.size() + 1; bound.size() < before;) {
     before = bound.size();
-    const std::vector<char> opposed = opposed_dofs(G, bound);
+    const Flags opposed = opposed_dofs(G, bound);
     const auto is_free = [&](int i) { return has_free_dof(G, i, opposed); };
     bound.erase(std::remove_if(bound.begin(), bound.end(), is_free),
                 bound.end());

@@ -60,7 +60,7 @@ void stick_below_bound(const CondensedContact& contact, const NodalLaw& law,
 class Iteration {
  public:
   Iteration(const CondensedContact& contact, const NodalLaw& law,
-            std::vector<ContactState> state, const NewtonSettings& settings,
+            ContactStates state, const NewtonSettings& settings,
             bool with_newton)
       : contact_(contact),
         law_(law),
@@ -135,7 +135,7 @@ class Iteration {
   const NodalLaw& law_;
   const NewtonSettings settings_;
   const bool with_newton_;
-  std::vector<ContactState> state_;
+  ContactStates state_;
   NormalIterate g_;
   int systems_ = 0;  ///< solved so far
   FixedPointResult result_;
@@ -144,8 +144,7 @@ class Iteration {
 }  // namespace
 
 FixedPointResult fixed_point(const CondensedContact& contact,
-                             const NodalLaw& law,
-                             std::vector<ContactState> state,
+                             const NodalLaw& law, ContactStates state,
                              const NewtonSettings& settings, bool with_newton) {
   return Iteration(contact, law, std::move(state), settings, with_newton)
       .result();

@@ -28,8 +28,7 @@ struct FixedPointResult {
 /// @param with_newton  whenever a step has changed the states, active_set_newton tries to
 ///                     end from them
 FixedPointResult fixed_point(const CondensedContact& contact,
-                             const NodalLaw& law,
-                             std::vector<ContactState> state,
+                             const NodalLaw& law, ContactStates state,
                              const NewtonSettings& settings = {},
                              bool with_newton = false);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/foundation_motions.hpp"
 
+#include "ffcontact/base/flags.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -14,8 +16,7 @@ SparseMatrix beside(const SparseMatrix& A, const SparseMatrix& B) {
 }
 
 /// Forces on held rows load no body, and none of the foundation's then.
-MatrixXd felt(MatrixXd trace, const ContactLaw& law,
-              const std::vector<char>& held) {
+MatrixXd felt(MatrixXd trace, const ContactLaw& law, const Flags& held) {
   if (law.multiplier == Multiplier::pressure) return trace;
   for (Index row = 0; row < trace.rows(); ++row)
     if (held[row]) trace.row(row).setZero();
@@ -25,7 +26,7 @@ MatrixXd felt(MatrixXd trace, const ContactLaw& law,
 }  // namespace
 
 void add_motions(const FoundationMotions& foundation, const ContactLaw& law,
-                 const std::vector<char>& held, const SparseMatrix& W,
+                 const Flags& held, const SparseMatrix& W,
                  ContactTrace& trace) {
   if (foundation.trace.cols() == 0) return;
   const MatrixXd moved = -(W * felt(foundation.trace, law, held));

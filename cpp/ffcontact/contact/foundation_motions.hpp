@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/contact/contact_trace.hpp"
 
@@ -23,7 +24,6 @@ struct FoundationMotions {
 /// @param held  rows that no displacement moves [2 p]
 /// @param W     weight_of_rows
 void add_motions(const FoundationMotions& foundation, const ContactLaw& law,
-                 const std::vector<char>& held, const SparseMatrix& W,
-                 ContactTrace& trace);
+                 const Flags& held, const SparseMatrix& W, ContactTrace& trace);
 
 }  // namespace ffcontact

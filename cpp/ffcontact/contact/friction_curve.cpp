@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 #include "ffcontact/contact/surface_step.hpp"
 
@@ -20,7 +21,7 @@ constexpr double farthest = 10;
 }  // namespace
 
 FrictionCurve::FrictionCurve(const CondensedContact& contact,
-                             const NodalLaw& law, const std::vector<char>& held,
+                             const NodalLaw& law, const Flags& held,
                              const ContactRows& start, int most_systems)
     : contact_(contact),
       law_(law),
@@ -67,8 +68,7 @@ std::vector<NodeState> FrictionCurve::states(const VectorXd& z) const {
   return map_.states(law(z), rows(z));
 }
 
-std::vector<ContactState> FrictionCurve::contact_states(
-    const VectorXd& z) const {
+ContactStates FrictionCurve::contact_states(const VectorXd& z) const {
   return ffcontact::contact_states(states(z));
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/natural_map.hpp"
 #include "ffcontact/contact/nodal_law.hpp"
 
@@ -33,8 +34,7 @@ class FrictionCurve {
   /// @param start         the solution at s = 0
   /// @param most_systems  linear systems, after which no more points are found
   FrictionCurve(const CondensedContact& contact, const NodalLaw& law,
-                const std::vector<char>& held, const ContactRows& start,
-                int most_systems);
+                const Flags& held, const ContactRows& start, int most_systems);
 
   static ContactRows rows(const VectorXd& z);
   static double share(const VectorXd& z) { return z[z.size() - 1]; }
@@ -65,7 +65,7 @@ class FrictionCurve {
   VectorXd point(const ContactRows& rows, double s) const;
   NodalLaw law(const VectorXd& z) const;
   std::vector<NodeState> states(const VectorXd& z) const;
-  std::vector<ContactState> contact_states(const VectorXd& z) const;
+  ContactStates contact_states(const VectorXd& z) const;
   std::optional<Line> line_at(const VectorXd& z);
   VectorXd direction(const Line& line) const;
   double product(const VectorXd& y, const VectorXd& z) const;
@@ -73,7 +73,7 @@ class FrictionCurve {
 
   const CondensedContact& contact_;
   const NodalLaw& law_;
-  const std::vector<char>& held_;
+  const Flags& held_;
   const NaturalMap map_;
   VectorXd weight_;  ///< of the squares in |z|^2
   VectorXd start_;

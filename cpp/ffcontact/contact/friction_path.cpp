@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/friction_curve.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
@@ -22,7 +23,7 @@ constexpr double longer = 1.5, shorter = 1. / 3;
 class FrictionPath {
  public:
   FrictionPath(const CondensedContact& contact, const NodalLaw& law,
-               const std::vector<char>& held, const NewtonSettings& settings,
+               const Flags& held, const NewtonSettings& settings,
                const ContactRows& start)
       : contact_(contact),
         law_(law),
@@ -83,7 +84,7 @@ class FrictionPath {
 
   const CondensedContact& contact_;
   const NodalLaw& law_;
-  const std::vector<char>& held_;
+  const Flags& held_;
   const NewtonSettings settings_;
   FrictionCurve curve_;
   Place last_;
@@ -94,14 +95,12 @@ class FrictionPath {
 }  // namespace
 
 ActiveSetResult friction_path(const CondensedContact& contact,
-                              const NodalLaw& law,
-                              const std::vector<char>& held,
+                              const NodalLaw& law, const Flags& held,
                               const NewtonSettings& settings) {
   const int most = std::min(most_systems_at_an_end, settings.max_iterations);
-  const ActiveSetResult start = surface_newton(
-      contact, with_share_of_bound(law, 0), held,
-      std::vector<ContactState>(law.node_count(), ContactState::stick),
-      settings.with_at_most(most));
+  const ActiveSetResult start =
+      surface_newton(contact, with_share_of_bound(law, 0), held,
+                     all_stick(law.node_count()), settings.with_at_most(most));
   ActiveSetResult end;
   end.violation = infinity;
   if (start.status == ContactStatus::converged)

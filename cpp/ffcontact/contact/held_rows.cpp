@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -23,7 +25,7 @@ double uncounted(const ContactLine& line, int node) {
 
 /// Does a free dof of a vertex move a node that it has this weight at?
 bool moves_along(const Vector2d& direction, int vertex, double weight,
-                 const std::vector<char>& prescribed) {
+                 const Flags& prescribed) {
   if (std::abs(weight) < faced) return false;
   for (int k = 0; k < 2; ++k)
     if (!prescribed[2 * vertex + k] && std::abs(weight * direction[k]) > moved)
@@ -33,9 +35,8 @@ bool moves_along(const Vector2d& direction, int vertex, double weight,
 
 }  // namespace
 
-std::vector<char> held_rows(const ContactLine& line,
-                            const std::vector<char>& prescribed) {
-  std::vector<char> held(2 * line.node_count(), 1);
+Flags held_rows(const ContactLine& line, const Flags& prescribed) {
+  Flags held(2 * line.node_count(), 1);
   for (int i = 0; i < line.node_count(); ++i) {
     const Matrix2d frame = line.frame(i);
     const auto moves_with = [&](int vertex, double weight) {
@@ -49,7 +50,7 @@ std::vector<char> held_rows(const ContactLine& line,
   return held;
 }
 
-Matrix2Xd loading_forces(const std::vector<char>& held, Matrix2Xd force) {
+Matrix2Xd loading_forces(const Flags& held, Matrix2Xd force) {
   for (Index row = 0; row < force.size(); ++row)
     if (held[row]) force(row % 2, row / 2) = 0;
   return force;

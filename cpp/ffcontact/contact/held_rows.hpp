@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
@@ -16,15 +17,14 @@ namespace ffcontact {
 /// not count: where prescribed vertices all but face prescribed ones, as in meshes that
 /// were written with a few digits, a force would have to be as many times larger than
 /// all others to act through it.
-std::vector<char> held_rows(const ContactLine& line,
-                            const std::vector<char>& prescribed);
+Flags held_rows(const ContactLine& line, const Flags& prescribed);
 
 /// The nodal forces that load a body: none on held rows [2 x p].
-Matrix2Xd loading_forces(const std::vector<char>& held, Matrix2Xd force);
+Matrix2Xd loading_forces(const Flags& held, Matrix2Xd force);
 
 /// Held rows and what prescribed values make of them.
 struct HeldRows {
-  std::vector<char> row;  ///< held_rows
+  Flags row;  ///< held_rows
   /// (u_n - gap, u_t - previous) of the prescribed values there [2 x p]; 0 where the
   /// vertices that do not count, or 1e-6 of the largest of these, could make it so
   Matrix2Xd v;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/norms.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -24,7 +27,7 @@ double mean_diagonal(const VectorXd& diagonal, const VectorXi& position,
       sum += diagonal[k];
       ++count;
     }
-  return count > 0 ? sum / count : 0;
+  return relative(sum, count);
 }
 
 }  // namespace
@@ -54,18 +57,17 @@ ContactState contact_state(const NodeState& node) {
   return node.slips ? ContactState::slip_forward : ContactState::stick;
 }
 
-std::vector<ContactState> contact_states(const std::vector<NodeState>& nodes) {
-  std::vector<ContactState> states;
+ContactStates contact_states(const std::vector<NodeState>& nodes) {
+  ContactStates states;
   for (const NodeState& node : nodes) states.push_back(contact_state(node));
   return states;
 }
 
-NaturalMap::NaturalMap(const CondensedContact& contact,
-                       const std::vector<char>& held)
+NaturalMap::NaturalMap(const CondensedContact& contact, const Flags& held)
     : NaturalMap(contact.S.diagonal(), contact.position, held) {}
 
 NaturalMap::NaturalMap(const VectorXd& diagonal, const VectorXi& position,
-                       const std::vector<char>& held)
+                       const Flags& held)
     : held_(held), stiffness_(position.size() / 3) {
   const double least = 1e-300, mean = diagonal.mean();
   for (Index i = 0; i < stiffness_.size(); ++i) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/active_set_system.hpp"
 
 namespace ffcontact {
@@ -22,18 +23,18 @@ NodeState node_state(const FrictionCone& cone, const Vector3d& tau);
 /// Of a first guess; a slip without direction has no force.
 NodeState node_state(const FrictionCone& cone, ContactState start);
 ContactState contact_state(const NodeState& node);
-std::vector<ContactState> contact_states(const std::vector<NodeState>& nodes);
+ContactStates contact_states(const std::vector<NodeState>& nodes);
 
 /// P - Pi(tau), tau = P - c v, which is 0 where P and v are in the law; rows 3 i + c.
 class NaturalMap {
  public:
   /// @param held  rows without force and condition [3 p]
-  NaturalMap(const CondensedContact& contact, const std::vector<char>& held);
+  NaturalMap(const CondensedContact& contact, const Flags& held);
 
   /// @param diagonal  of S on the primary rows [f]
   /// @param position  of CondensedContact [3 p]
   NaturalMap(const VectorXd& diagonal, const VectorXi& position,
-             const std::vector<char>& held);
+             const Flags& held);
 
   /// c, the mean of diag(S) at a node.
   double stiffness(int node) const { return stiffness_[node]; }
@@ -46,7 +47,7 @@ class NaturalMap {
   double merit(const NodalLaw& law, const ContactRows& rows) const;
 
  private:
-  const std::vector<char>& held_;
+  const Flags& held_;
   VectorXd stiffness_;  ///< [p]
 };
 

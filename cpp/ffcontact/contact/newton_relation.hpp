@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/surface_equations.hpp"
 
 namespace ffcontact {
@@ -15,7 +16,7 @@ class NewtonRelation {
 
   virtual Index row_count() const = 0;
   /// @param held  of surface_trace, outlives it [3 p]
-  virtual NaturalMap natural_map(const std::vector<char>& held) const = 0;
+  virtual NaturalMap natural_map(const Flags& held) const = 0;
   /// As law_scales.
   /// @param v  at the nodes [3 p]
   virtual LawScales scales(const VectorXd& v) const = 0;

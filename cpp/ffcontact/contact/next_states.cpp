@@ -17,7 +17,7 @@ constexpr double relative_rounding = 1e-12;
 /// A closed node that moves by more than this, relative to the largest displacement, is
 /// moved by a prescribed dof.
 constexpr double relative_motion = 1e-11;
-using States = std::vector<ContactState>;
+using States = ContactStates;
 
 ContactState limited_state(int slip) {
   return slip > 0 ? ContactState::limited_forward

@@ -28,9 +28,7 @@ ContactState start_state(const FrictionCone& cone, ContactState state);
 
 /// The states that contradict the answer least: nodes that pull open, those that penetrate
 /// close, those that slide or bear more than friction holds slip.
-std::vector<ContactState> next_states(const CondensedContact& contact,
-                                      const NodalLaw& law,
-                                      const std::vector<ContactState>& state,
-                                      const ContactRows& rows);
+ContactStates next_states(const CondensedContact& contact, const NodalLaw& law,
+                          const ContactStates& state, const ContactRows& rows);
 
 }  // namespace ffcontact

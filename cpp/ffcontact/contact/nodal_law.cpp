@@ -11,10 +11,7 @@ namespace ffcontact {
 
 namespace {
 
-double relative(double value, double scale) {
-  return scale > 0 ? value / scale : 0;
-}
-Vector2d relative(const Vector2d& values, double scale) {
+Vector2d in_parts_of(double scale, const Vector2d& values) {
   return {relative(values[0], scale), relative(values[1], scale)};
 }
 
@@ -37,7 +34,7 @@ VectorXd in_units_of_P(const ContactLaw& law, const ContactLine& line,
   return contact_mass(line) * pressure;
 }
 
-FrictionCone relative(FrictionCone cone, double scale) {
+FrictionCone in_parts_of(double scale, FrictionCone cone) {
   cone.cohesion = relative(cone.cohesion, scale);
   cone.limit = relative(cone.limit, scale);
   return cone;
@@ -88,9 +85,9 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
   const double p_scale = std::max(scales.P, max_norm(P));
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {
-    const FrictionCone cone = relative(law.cone[i], p_scale);
-    const Vector2d P_i = relative(P.segment<2>(2 * i), p_scale),
-                   v_i = relative(v.segment<2>(2 * i), scales.v);
+    const FrictionCone cone = in_parts_of(p_scale, law.cone[i]);
+    const Vector2d P_i = in_parts_of(p_scale, P.segment<2>(2 * i)),
+                   v_i = in_parts_of(scales.v, v.segment<2>(2 * i));
     largest = std::max(largest, violation(cone, P_i, v_i));
   }
   return largest;
@@ -112,7 +109,7 @@ double complementarity_defect(const ContactLine& line, const ContactLaw& law,
                        {scale, least.P});
 }
 
-void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state,
+void put_into_law(const NodalLaw& law, const ContactStates& state,
                   VectorXd& P) {
   for (int i = 0; i < law.node_count(); ++i) {
     Vector2d clamped = law.cone[i].clamped(P.segment<2>(2 * i));

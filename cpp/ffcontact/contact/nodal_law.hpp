@@ -66,7 +66,6 @@ double complementarity_defect(const ContactLine& line, const ContactLaw& law,
 
 /// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b,
 /// and P_t = -s b where a node slips.
-void put_into_law(const NodalLaw& law, const std::vector<ContactState>& state,
-                  VectorXd& P);
+void put_into_law(const NodalLaw& law, const ContactStates& state, VectorXd& P);
 
 }  // namespace ffcontact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/nodal_pressures.hpp"
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
 #include "ffcontact/contact/held_rows.hpp"
@@ -23,9 +24,8 @@ VectorXi neighbours(const ContactLine& line) {
 
 /// The row whose equation gives the value of each row: its own, that it is continued
 /// from, or -1 for a value of 0 [2 p].
-std::vector<int> sources(const ContactLine& line,
-                         const std::vector<char>& prescribed) {
-  const std::vector<char> held = held_rows(line, prescribed);
+std::vector<int> sources(const ContactLine& line, const Flags& prescribed) {
+  const Flags held = held_rows(line, prescribed);
   const std::vector<int> continued = continued_rows(line, prescribed);
   std::vector<int> source(held.size());
   for (int row = 0; row < count_of(source); ++row) {
@@ -82,8 +82,7 @@ Matrix2Xd forces_of(const ContactLine& line,
       .reshaped(2, line.node_count());
 }
 
-Matrix2Xd consistent_pressures(const ContactLine& line,
-                               const std::vector<char>& prescribed,
+Matrix2Xd consistent_pressures(const ContactLine& line, const Flags& prescribed,
                                const Ref<const Matrix2Xd>& force) {
   const std::vector<int> source = sources(line, prescribed);
   const SparseMatrix mass = weight_of_rows(Multiplier::pressure, line);
@@ -94,22 +93,21 @@ Matrix2Xd consistent_pressures(const ContactLine& line,
   return continued(pressure, source);
 }
 
-Matrix2Xd lumped_pressures(const ContactLine& line,
-                           const std::vector<char>& prescribed,
+Matrix2Xd lumped_pressures(const ContactLine& line, const Flags& prescribed,
                            const Ref<const Matrix2Xd>& force) {
   const std::vector<int> source = sources(line, prescribed);
   return continued(lumped_pressures(line, force).reshaped(), source);
 }
 
 Matrix2Xd multiplier_density(const ContactLine& line, Multiplier multiplier,
-                             const std::vector<char>& prescribed,
+                             const Flags& prescribed,
                              const Ref<const Matrix2Xd>& pressure) {
   if (multiplier == Multiplier::pressure) return pressure;
   return consistent_pressures(line, prescribed, lumped_forces(line, pressure));
 }
 
 std::vector<int> continued_rows(const ContactLine& line,
-                                const std::vector<char>& prescribed) {
+                                const Flags& prescribed) {
   const VectorXi neighbour = neighbours(line);
   std::vector<int> continued(2 * line.node_count());
   for (int row = 0; row < 2 * line.node_count(); ++row) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 
 namespace ffcontact {
@@ -33,25 +34,23 @@ Matrix2Xd forces_of(const ContactLine& line,
 /// lambda_t = 0 at a vertex that may move along n (symmetry demands it); lambda_n, and
 /// both at a clamped vertex, are continued from the next node of the line.
 /// @param prescribed  1 where the dof is prescribed [2 * vertices]
-Matrix2Xd consistent_pressures(const ContactLine& line,
-                               const std::vector<char>& prescribed,
+Matrix2Xd consistent_pressures(const ContactLine& line, const Flags& prescribed,
                                const Ref<const Matrix2Xd>& force);
 
 /// p_i = F_i / len_i on the rows whose forces load a body, on the others 0 or continued
 /// as above [2 x p].
-Matrix2Xd lumped_pressures(const ContactLine& line,
-                           const std::vector<char>& prescribed,
+Matrix2Xd lumped_pressures(const ContactLine& line, const Flags& prescribed,
                            const Ref<const Matrix2Xd>& force);
 
 /// lambda_h of the nodal pressures p that a script knows: p itself for M'_h,
 /// consistent_pressures of F_i = len_i p_i for M''_h.
 Matrix2Xd multiplier_density(const ContactLine& line, Multiplier multiplier,
-                             const std::vector<char>& prescribed,
+                             const Flags& prescribed,
                              const Ref<const Matrix2Xd>& pressure);
 
 /// Row 2 i + c (0 normal, 1 tangential) from which the multiplier of each row is
 /// continued where nothing determines it, or -1: it is 0 there [2 p].
 std::vector<int> continued_rows(const ContactLine& line,
-                                const std::vector<char>& prescribed);
+                                const Flags& prescribed);
 
 }  // namespace ffcontact

@@ -141,18 +141,13 @@ VectorXd ProductPreconditioner::approximate(const VectorXd& r) const {
   return x;
 }
 
-void ProductPreconditioner::put_dependent() {
+/// B, and C as its value, of the conditions on dependent rows.
+MatrixXd ProductPreconditioner::put_conditions() {
   const ProductRelation& relation = equations_.relation;
   const Index n = unknowns(), count = count_of(equations_.dependent);
-  if (count == 0) return;
-  const SparseMatrix E =
-      selected_rows(SparseMatrix(relation.E.transpose()), equations_.dependent)
-          .transpose();
-  E_ = selected_rows(E, equations_.unknown);
-  std::map<int, int> place;  // of each row that is an unknown, or a multiplier
+  std::map<int, int> place, multiplier;  // of rows
   for (int e = 0; e < n; ++e)
     place.emplace(relation.row(equations_.unknown[e]), e);
-  std::map<int, int> multiplier;
   for (int d = 0; d < count; ++d)
     multiplier.emplace(relation.dependent[equations_.dependent[d]], d);
   Triplets of_v;
@@ -170,6 +165,16 @@ void ProductPreconditioner::put_dependent() {
         of_v.emplace_back(d, e->second, term.v);
     }
   B_ = packed(count, n, of_v);
+  return C;
+}
+
+void ProductPreconditioner::put_dependent() {
+  const Index count = count_of(equations_.dependent);
+  if (count == 0) return;
+  const SparseMatrix E_rows(equations_.relation.E.transpose()),
+      E = selected_rows(E_rows, equations_.dependent).transpose();
+  E_ = selected_rows(E, equations_.unknown);
+  MatrixXd C = put_conditions();
   const VectorXd unit = equations_.unit.tail(count),
                  scale = equations_.scale.tail(count);
   C.diagonal() += proximal_share * (unit.cwiseProduct(scale)).cwiseInverse();

@@ -27,6 +27,7 @@ class ProductPreconditioner {
   Index unknowns() const { return count_of(equations_.unknown); }
   void put_turned();
   void put_levels(double springs);
+  MatrixXd put_conditions();
   void put_dependent();
   VectorXd approximate(const VectorXd& r) const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
 
@@ -18,12 +19,11 @@ constexpr int most_systems_a_raise = 30;
 class RaisedFriction {
  public:
   RaisedFriction(NewtonRelation& relation, const NodalLaw& law,
-                 const std::vector<char>& held, const NewtonSettings& settings)
+                 const Flags& held, const NewtonSettings& settings)
       : relation_(relation), law_(law), held_(held), settings_(settings) {}
 
   ActiveSetResult end() && {
-    last_ = at(
-        0, std::vector<ContactState>(law_.node_count(), ContactState::stick));
+    last_ = at(0, all_stick(law_.node_count()));
     while (goes_on()) raise();
     if (share_ < 1) {
       last_.status = ContactStatus::not_converged;
@@ -36,17 +36,18 @@ class RaisedFriction {
  private:
   template <class Start>
   ActiveSetResult at(double share, const Start& start) {
-    const int left = settings_.max_iterations - systems_;
     ActiveSetResult answer = surface_newton(
         relation_, with_share_of_bound(law_, share), held_, start,
-        settings_.with_at_most(std::min(left, most_systems_a_raise)));
+        settings_.with_at_most(std::min(systems_left(), most_systems_a_raise)));
     systems_ += answer.iterations;
     return answer;
   }
 
+  int systems_left() const { return settings_.max_iterations - systems_; }
+
   bool goes_on() const {
     return last_.status == ContactStatus::converged && share_ < 1 &&
-           by_ > least_raise && systems_ < settings_.max_iterations;
+           by_ > least_raise && systems_left() > 0;
   }
 
   void raise() {
@@ -61,7 +62,7 @@ class RaisedFriction {
 
   NewtonRelation& relation_;
   const NodalLaw& law_;
-  const std::vector<char>& held_;
+  const Flags& held_;
   const NewtonSettings settings_;
   ActiveSetResult last_;
   double share_ = 0, by_ = first_raise;
@@ -71,7 +72,7 @@ class RaisedFriction {
 }  // namespace
 
 ActiveSetResult raised_friction(NewtonRelation& relation, const NodalLaw& law,
-                                const std::vector<char>& held,
+                                const Flags& held,
                                 const NewtonSettings& settings) {
   return RaisedFriction(relation, law, held, settings).end();
 }

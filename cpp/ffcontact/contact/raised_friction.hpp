@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/active_set.hpp"
 #include "ffcontact/contact/newton_relation.hpp"
 
@@ -18,7 +19,7 @@ namespace ffcontact {
 /// @param held  of surface_trace [3 p]
 /// @return      converged at s = 1, or not with a violation that is infinite
 ActiveSetResult raised_friction(NewtonRelation& relation, const NodalLaw& law,
-                                const std::vector<char>& held,
+                                const Flags& held,
                                 const NewtonSettings& settings);
 
 }  // namespace ffcontact

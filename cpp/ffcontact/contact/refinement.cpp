@@ -42,8 +42,7 @@ double terms_of_equation(const ElasticSystem& system, Index dof,
 
 /// v of the rows that hold it, W (u_n - gap, u_t - previous), and 0 on the others.
 VectorXd held_displacement(const ContactLine& line, const ContactLaw& law,
-                           const HeldRows& held,
-                           const std::vector<ContactState>& state,
+                           const HeldRows& held, const ContactStates& state,
                            const VectorXd& displacement) {
   VectorXd v = weight_of_rows(law.multiplier, line) *
                steered_displacement(line, law, held, displacement).reshaped();
@@ -99,8 +98,7 @@ double residual_defect(const ContactLine& line, const ContactLaw& law,
 BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
                    const ElasticSystem& system,
                    const CondensedStiffness& stiffness,
-                   const CondensedContact& contact,
-                   const std::vector<ContactState>& state,
+                   const CondensedContact& contact, const ContactStates& state,
                    const BodyAnswer& answer) {
   const VectorXd forces = contact_load(line, law, contact.held, answer);
   const VectorXd load = force_residual(system, answer.displacement, forces);

@@ -45,8 +45,7 @@ double residual_defect(const ContactLine& line, const ContactLaw& law,
 BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
                    const ElasticSystem& system,
                    const CondensedStiffness& stiffness,
-                   const CondensedContact& contact,
-                   const std::vector<ContactState>& state,
+                   const CondensedContact& contact, const ContactStates& state,
                    const BodyAnswer& answer);
 
 }  // namespace ffcontact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
@@ -45,10 +46,30 @@ Matrix2Xd felt_components(const Mesh& mesh, const ContactLine& line,
                           const ElasticSystem& system, const RigidTool& tool,
                           const Vector3d& motion) {
   Matrix2Xd components = tool_components(mesh, line, tool, motion);
-  const std::vector<char> held = held_rows(line, system.prescribed);
+  const Flags held = held_rows(line, system.prescribed);
   for (int i = 0; i < line.node_count(); ++i)
     if (held[2 * i + 1]) components(1, i) = 0;
   return components;
+}
+
+/// The tool's free motions as the condensed contact line takes them.
+FoundationMotions foundation_of(const Mesh& mesh, const ContactLine& line,
+                                const ElasticSystem& system,
+                                const RigidTool& tool, const VectorXd& push) {
+  FoundationMotions foundation{
+      MatrixXd(2 * line.node_count(), tool.free.cols()), push};
+  for (Index k = 0; k < tool.free.cols(); ++k)
+    foundation.trace.col(k) =
+        felt_components(mesh, line, system, tool, tool.free.col(k)).reshaped();
+  return foundation;
+}
+
+double imbalance_of(const FoundationMotions& foundation,
+                    const Matrix2Xd& force) {
+  const VectorXd passed_on = foundation.trace.transpose() * force.reshaped();
+  const double scale =
+      std::max(max_norm(foundation.load), force.cwiseAbs().sum());
+  return relative(max_norm(passed_on - foundation.load), scale);
 }
 
 }  // namespace
@@ -85,11 +106,8 @@ ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
   require_balance(mesh, line, law, system, tool_fields(mesh, tool), push);
 
   // 1. The motion, with the condensed contact line.
-  FoundationMotions foundation{
-      MatrixXd(2 * line.node_count(), tool.free.cols()), push};
-  for (Index k = 0; k < tool.free.cols(); ++k)
-    foundation.trace.col(k) =
-        felt_components(mesh, line, system, tool, tool.free.col(k)).reshaped();
+  const FoundationMotions foundation =
+      foundation_of(mesh, line, system, tool, push);
   ContactSettings next = settings;
   next.stiffness =
       prepared_stiffness(contact_dofs(line, system), system, settings);
@@ -117,11 +135,7 @@ ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
     solution.status = answer.status;
 
   // 3. What the tool lacks of equilibrium.
-  const VectorXd passed_on =
-      foundation.trace.transpose() * solution.force.reshaped();
-  const double scale =
-      std::max(max_norm(push), solution.force.cwiseAbs().sum());
-  result.imbalance = scale > 0 ? max_norm(passed_on - push) / scale : 0;
+  result.imbalance = imbalance_of(foundation, solution.force);
   solution.residual = std::max(solution.residual, result.imbalance);
   solution.status = judged_status(solution.status, solution.complementarity,
                                   solution.residual, settings.tolerance);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/krylov.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
@@ -43,7 +44,7 @@ struct NormalRows {
 
 std::optional<SlipForms> SlipForms::of(const CondensedContact& contact,
                                        const MatrixXd& weight,
-                                       const std::vector<char>& is_left_out) {
+                                       const Flags& is_left_out) {
   const int dim = contact.dimension, tangents = dim - 1;
   const TraceStiffness traces = trace_stiffness(contact);
   const NormalRows normal(traces, dim);

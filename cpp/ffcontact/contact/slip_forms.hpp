@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 
 namespace ffcontact {
@@ -25,7 +26,7 @@ class SlipForms {
   ///         normal dof is prescribed, or at a corner (two nodes on one vertex)
   static std::optional<SlipForms> of(const CondensedContact& contact,
                                      const MatrixXd& weight,
-                                     const std::vector<char>& is_left_out);
+                                     const Flags& is_left_out);
 
   /// max over phi of |v| / |phi|; infinite where a motion without energy changes phi so
   /// that v has some.

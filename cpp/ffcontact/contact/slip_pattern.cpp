@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 
 namespace ffcontact {
@@ -44,8 +45,7 @@ SlipPattern slip_pattern(const NodalLaw& law,
                          const Ref<const Matrix2Xd>& force,
                          const Ref<const VectorXd>& slip) {
   const Index nodes = law.node_count();
-  SlipPattern pattern{VectorXd(nodes), VectorXd(nodes),
-                      std::vector<char>(nodes), false};
+  SlipPattern pattern{VectorXd(nodes), VectorXd(nodes), Flags(nodes), false};
   const double least_P = tolerance * max_norm(multiplier),
                least_force = tolerance * max_norm(force),
                least_slip = tolerance * max_norm(slip);

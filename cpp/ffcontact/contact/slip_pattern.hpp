@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/nodal_law.hpp"
 
 namespace ffcontact {
@@ -16,7 +17,7 @@ struct SlipPattern {
   /// that of the next node before (or after) [p]
   VectorXd sign;
   VectorXd slope;  ///< mu, or 0 at the shear limit and with Tresca's law [p]
-  std::vector<char> sticks;    ///< |P_t| < b on a closed node [p]
+  Flags sticks;    ///< |P_t| < b on a closed node [p]
   bool reaches_limit = false;  ///< is a node at the shear limit?
 
   /// s slope / mu, mu the largest of the law; 0 where friction does not depend on P_n.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/friction_path.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
@@ -22,7 +23,7 @@ constexpr double sliding = 1.5;
 class SpringPath {
  public:
   SpringPath(const CondensedContact& contact, const NodalLaw& law,
-             const std::vector<char>& held, const NewtonSettings& settings)
+             const Flags& held, const NewtonSettings& settings)
       : contact_(contact),
         law_(law),
         held_(held),
@@ -31,10 +32,8 @@ class SpringPath {
 
   ActiveSetResult end() && {
     put_springs(first_springs);
-    take(surface_newton(
-        contact_, law_, held_,
-        std::vector<ContactState>(law_.node_count(), ContactState::stick),
-        limits(most_systems_a_step)));
+    take(surface_newton(contact_, law_, held_, all_stick(law_.node_count()),
+                        limits(most_systems_a_step)));
     take_other_way();
     double eps = first_springs;
     while (on_springs() && eps > weakest_springs) weaken(eps *= weaker);
@@ -92,7 +91,7 @@ class SpringPath {
 
   CondensedContact contact_;  ///< on springs
   const NodalLaw& law_;
-  const std::vector<char>& held_;
+  const Flags& held_;
   const NewtonSettings settings_;
   const VectorXd diagonal_;  ///< of S
   StepSolver solver_;
@@ -104,7 +103,7 @@ class SpringPath {
 }  // namespace
 
 ActiveSetResult spring_path(const CondensedContact& contact,
-                            const NodalLaw& law, const std::vector<char>& held,
+                            const NodalLaw& law, const Flags& held,
                             const NewtonSettings& settings) {
   return SpringPath(contact, law, held, settings).end();
 }

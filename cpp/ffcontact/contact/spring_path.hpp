@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/active_set.hpp"
 
 namespace ffcontact {
@@ -15,7 +16,7 @@ namespace ffcontact {
 /// @param held  of surface_trace [3 p]
 /// @return      converged; singular where bodies slide; or otherwise not
 ActiveSetResult spring_path(const CondensedContact& contact,
-                            const NodalLaw& law, const std::vector<char>& held,
+                            const NodalLaw& law, const Flags& held,
                             const NewtonSettings& settings);
 
 }  // namespace ffcontact

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/surface_step.hpp"
 
 namespace ffcontact {
 
-StepSolver::StepSolver(const CondensedContact& contact,
-                       const std::vector<char>& held) {
+StepSolver::StepSolver(const CondensedContact& contact, const Flags& held) {
   const auto& dependent = contact.dependent;
   if (std::all_of(dependent.begin(), dependent.end(),
                   [&held](int row) { return held[row]; }))

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/refined_solver.hpp"
 #include "ffcontact/contact/inexact_step.hpp"
 #include "ffcontact/contact/singular_system.hpp"
@@ -17,7 +18,7 @@ class StepSolver {
   StepSolver() = default;
   /// By InexactStep, and to rounding where that cannot be.
   /// @param held  of surface_trace [3 p]
-  StepSolver(const CondensedContact& contact, const std::vector<char>& held);
+  StepSolver(const CondensedContact& contact, const Flags& held);
 
   /// @param rows  the last ones, then the next
   SystemKind solve(const CondensedContact& contact,

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/friction_path.hpp"
 #include "ffcontact/contact/spring_path.hpp"
 #include "ffcontact/contact/surface_fixed_point.hpp"
@@ -28,9 +29,9 @@ int systems_left(const NewtonSettings& limits, const ActiveSetResult& answer) {
 /// nowhere from sticking nodes.
 template <class Relation, class Start>
 ActiveSetResult newton_answer(Relation& relation, const NodalLaw& law,
-                              const std::vector<char>& held, const Start& start,
+                              const Flags& held, const Start& start,
                               const NewtonSettings& limits) {
-  const std::vector<ContactState> stick(law.node_count(), ContactState::stick);
+  const ContactStates stick = all_stick(law.node_count());
   const auto first_of = [&limits](int left) {
     return limits.with_at_most(std::min(most_newton_systems, left));
   };
@@ -38,7 +39,7 @@ ActiveSetResult newton_answer(Relation& relation, const NodalLaw& law,
                                         first_of(limits.max_iterations));
   const int left = limits.max_iterations - best.iterations;
   if (best.status == ContactStatus::converged || left <= 0) return best;
-  if constexpr (std::is_same_v<Start, std::vector<ContactState>>)
+  if constexpr (std::is_same_v<Start, ContactStates>)
     if (start == stick) return best;
   best.add(surface_newton(relation, law, held, stick, first_of(left)));
   return best;
@@ -47,7 +48,7 @@ ActiveSetResult newton_answer(Relation& relation, const NodalLaw& law,
 }  // namespace
 
 ActiveSetResult rough_answer(const CondensedContact& contact,
-                             const NodalLaw& law, const std::vector<char>& held,
+                             const NodalLaw& law, const Flags& held,
                              const std::optional<ContactRows>& near,
                              const ContactSettings& settings,
                              StepSolver& solver) {
@@ -64,11 +65,10 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
 }
 
 FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
-                                const std::vector<char>& held,
+                                const Flags& held,
                                 const std::optional<ContactRows>& near,
                                 const ContactSettings& settings) {
-  const std::vector<ContactState> start =
-      settings.first_states(law.node_count());
+  const ContactStates start = settings.first_states(law.node_count());
   NewtonSettings limits{settings.max_iterations, settings.tolerance};
   FixedPointResult result;
   if (settings.solver == ContactSolver::newton) {
@@ -89,11 +89,9 @@ FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
 }
 
 FixedPointResult surface_answer(const CondensedContact& contact,
-                                const NodalLaw& law,
-                                const std::vector<char>& held,
+                                const NodalLaw& law, const Flags& held,
                                 const ContactSettings& settings) {
-  const std::vector<ContactState> start =
-      settings.first_states(law.node_count());
+  const ContactStates start = settings.first_states(law.node_count());
   const NewtonSettings limits{settings.max_iterations, settings.tolerance};
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);

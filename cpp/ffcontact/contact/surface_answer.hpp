@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_settings.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
 #include "ffcontact/contact/newton_relation.hpp"
@@ -16,8 +17,7 @@ namespace ffcontact {
 /// it has no start; or surface_fixed_point. Singular where bodies slide.
 /// @param held  of surface_trace [3 p]
 FixedPointResult surface_answer(const CondensedContact& contact,
-                                const NodalLaw& law,
-                                const std::vector<char>& held,
+                                const NodalLaw& law, const Flags& held,
                                 const ContactSettings& settings);
 
 /// By surface_newton alone, to 1e-6: what a factor in single precision gives, before it is
@@ -25,7 +25,7 @@ FixedPointResult surface_answer(const CondensedContact& contact,
 /// @param near    P and v to start from; nothing: the chosen states
 /// @param solver  of its steps
 ActiveSetResult rough_answer(const CondensedContact& contact,
-                             const NodalLaw& law, const std::vector<char>& held,
+                             const NodalLaw& law, const Flags& held,
                              const std::optional<ContactRows>& near,
                              const ContactSettings& settings,
                              StepSolver& solver);
@@ -34,7 +34,7 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
 /// from sticking nodes, then surface_fixed_point; or the latter alone. Paths of friction
 /// and springs need factors, which there are not.
 FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
-                                const std::vector<char>& held,
+                                const Flags& held,
                                 const std::optional<ContactRows>& near,
                                 const ContactSettings& settings);
 

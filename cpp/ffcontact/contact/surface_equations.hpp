@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/natural_map.hpp"
 
 namespace ffcontact {
@@ -22,7 +23,7 @@ class SurfaceEquations {
  public:
   /// All of them outlive it.
   /// @param held  of surface_trace [3 p]
-  SurfaceEquations(const std::vector<char>& held, const NaturalMap& map,
+  SurfaceEquations(const Flags& held, const NaturalMap& map,
                    const std::vector<NodeState>& states)
       : held_(held), map_(map), states_(states) {}
 
@@ -44,7 +45,7 @@ class SurfaceEquations {
   double stiffness(int node) const { return map_.stiffness(node); }
 
  private:
-  const std::vector<char>& held_;
+  const Flags& held_;
   const NaturalMap& map_;
   const std::vector<NodeState>& states_;
 };

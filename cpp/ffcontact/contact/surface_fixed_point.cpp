@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/normal_iterate.hpp"
 #include "ffcontact/contact/raised_friction.hpp"
@@ -22,8 +23,7 @@ VectorXd normal_forces(const VectorXd& P) {
 
 /// Tresca's problem, which has a solution that is unique in v.
 ActiveSetResult with_given_bound(NewtonRelation& relation, const NodalLaw& law,
-                                 const std::vector<char>& held,
-                                 const std::vector<ContactState>& state,
+                                 const Flags& held, const ContactStates& state,
                                  const NewtonSettings& settings) {
   ActiveSetResult best =
       surface_newton(relation, law, held, state,
@@ -38,9 +38,8 @@ ActiveSetResult with_given_bound(NewtonRelation& relation, const NodalLaw& law,
 }  // namespace
 
 FixedPointResult surface_fixed_point(NewtonRelation& relation,
-                                     const NodalLaw& law,
-                                     const std::vector<char>& held,
-                                     std::vector<ContactState> state,
+                                     const NodalLaw& law, const Flags& held,
+                                     ContactStates state,
                                      const NewtonSettings& settings) {
   FixedPointResult result;
   ActiveSetResult& best = result.answer;
@@ -69,9 +68,8 @@ FixedPointResult surface_fixed_point(NewtonRelation& relation,
 }
 
 FixedPointResult surface_fixed_point(const CondensedContact& contact,
-                                     const NodalLaw& law,
-                                     const std::vector<char>& held,
-                                     std::vector<ContactState> state,
+                                     const NodalLaw& law, const Flags& held,
+                                     ContactStates state,
                                      const NewtonSettings& settings) {
   StepSolver solver;
   CondensedRelation relation(contact, solver);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/fixed_point.hpp"
 #include "ffcontact/contact/newton_relation.hpp"
 
@@ -12,16 +13,14 @@ namespace ffcontact {
 /// a line; each of them is solved by surface_newton from the states of the last, or by
 /// raised_friction.
 FixedPointResult surface_fixed_point(const CondensedContact& contact,
-                                     const NodalLaw& law,
-                                     const std::vector<char>& held,
-                                     std::vector<ContactState> state,
+                                     const NodalLaw& law, const Flags& held,
+                                     ContactStates state,
                                      const NewtonSettings& settings = {});
 
 /// Likewise on any relation.
 FixedPointResult surface_fixed_point(NewtonRelation& relation,
-                                     const NodalLaw& law,
-                                     const std::vector<char>& held,
-                                     std::vector<ContactState> state,
+                                     const NodalLaw& law, const Flags& held,
+                                     ContactStates state,
                                      const NewtonSettings& settings);
 
 }  // namespace ffcontact

@@ -108,8 +108,7 @@ double surface_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                          const LawScales& scales) {
   if (!P.allFinite() || !v.allFinite()) return infinity;
   const double p_scale = std::max(scales.P, max_norm(P));
-  const double p = p_scale > 0 ? 1 / p_scale : 0,
-               length = scales.v > 0 ? 1 / scales.v : 0;
+  const double p = relative(1, p_scale), length = relative(1, scales.v);
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {
     FrictionCone cone = law.cone[i];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/surface_law.hpp"
 
@@ -18,7 +19,7 @@ constexpr double smallest_step = 1e-3;
 constexpr int patience = 30, patience_with_rounding = 1;
 
 /// Exactly in the law where it is missed by rounding.
-void put_into_law(const NodalLaw& law, const std::vector<char>& held,
+void put_into_law(const NodalLaw& law, const Flags& held,
                   ActiveSetResult& result) {
   for (int i = 0; i < law.node_count(); ++i) {
     auto P = result.P.segment<3>(3 * i);
@@ -33,8 +34,8 @@ void put_into_law(const NodalLaw& law, const std::vector<char>& held,
 
 class Newton {
  public:
-  Newton(NewtonRelation& relation, const NodalLaw& law,
-         const std::vector<char>& held, const NewtonSettings& settings)
+  Newton(NewtonRelation& relation, const NodalLaw& law, const Flags& held,
+         const NewtonSettings& settings)
       : relation_(relation),
         law_(law),
         held_(held),
@@ -45,7 +46,7 @@ class Newton {
     result_.violation = infinity;
   }
 
-  ActiveSetResult result(const std::vector<ContactState>& start) && {
+  ActiveSetResult result(const ContactStates& start) && {
     for (std::size_t i = 0; i < states_.size(); ++i)
       states_[i] = node_state(law_.cone[i], start[i]);
     return run();
@@ -123,7 +124,7 @@ class Newton {
 
   NewtonRelation& relation_;
   const NodalLaw& law_;
-  const std::vector<char>& held_;
+  const Flags& held_;
   const NewtonSettings settings_;
   const NaturalMap map_;
   std::vector<NodeState> states_;
@@ -135,8 +136,7 @@ class Newton {
 }  // namespace
 
 double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
-                         const std::vector<char>& held,
-                         const ContactRows& rows) {
+                         const Flags& held, const ContactRows& rows) {
   const Index nodal = 3 * law.node_count();
   VectorXd v = rows.v.head(nodal);
   for (Index row = 0; row < nodal; ++row)
@@ -146,52 +146,45 @@ double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
   const double missed = max_norm(beyond),
                size = std::max(scales.P, max_norm(rows.P));
   return std::max(surface_violation(law, rows.P, v, scales),
-                  missed > 0 ? missed / size : 0);
+                  relative(missed, size));
 }
 
 double surface_violation(const CondensedContact& contact, const NodalLaw& law,
-                         const std::vector<char>& held,
-                         const ContactRows& rows) {
+                         const Flags& held, const ContactRows& rows) {
   StepSolver none;
   return surface_violation(CondensedRelation(contact, none), law, held, rows);
 }
 
 ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const std::vector<ContactState>& state,
+                               const Flags& held, const ContactStates& state,
                                const NewtonSettings& settings) {
   return Newton(relation, law, held, settings).result(state);
 }
 
 ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const ContactRows& near,
+                               const Flags& held, const ContactRows& near,
                                const NewtonSettings& settings) {
   return Newton(relation, law, held, settings).result(near);
 }
 
 ActiveSetResult surface_newton(const CondensedContact& contact,
-                               const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const std::vector<ContactState>& state,
-                               StepSolver& solver,
+                               const NodalLaw& law, const Flags& held,
+                               const ContactStates& state, StepSolver& solver,
                                const NewtonSettings& settings) {
   CondensedRelation relation(contact, solver);
   return surface_newton(relation, law, held, state, settings);
 }
 
 ActiveSetResult surface_newton(const CondensedContact& contact,
-                               const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const std::vector<ContactState>& state,
+                               const NodalLaw& law, const Flags& held,
+                               const ContactStates& state,
                                const NewtonSettings& settings) {
   StepSolver solver;
   return surface_newton(contact, law, held, state, solver, settings);
 }
 
 ActiveSetResult surface_newton(const CondensedContact& contact,
-                               const NodalLaw& law,
-                               const std::vector<char>& held,
+                               const NodalLaw& law, const Flags& held,
                                const ContactRows& near, StepSolver& solver,
                                const NewtonSettings& settings) {
   CondensedRelation relation(contact, solver);

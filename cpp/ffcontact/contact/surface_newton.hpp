@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/active_set.hpp"
 #include "ffcontact/contact/newton_relation.hpp"
 #include "ffcontact/contact/step_solver.hpp"
@@ -27,34 +28,28 @@ namespace ffcontact {
 /// @param state  first guess, a slip without direction sticks [p]
 /// @return states open, stick and slip_forward, which stands for any direction
 ActiveSetResult surface_newton(const CondensedContact& contact,
-                               const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const std::vector<ContactState>& state,
+                               const NodalLaw& law, const Flags& held,
+                               const ContactStates& state,
                                const NewtonSettings& settings = {});
 
 /// The same with steps of another accuracy.
 ActiveSetResult surface_newton(const CondensedContact& contact,
-                               const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const std::vector<ContactState>& state,
-                               StepSolver& solver,
+                               const NodalLaw& law, const Flags& held,
+                               const ContactStates& state, StepSolver& solver,
                                const NewtonSettings& settings);
 
 /// The same from P and v of a problem nearby.
 ActiveSetResult surface_newton(const CondensedContact& contact,
-                               const NodalLaw& law,
-                               const std::vector<char>& held,
+                               const NodalLaw& law, const Flags& held,
                                const ContactRows& near, StepSolver& solver,
                                const NewtonSettings& settings = {});
 
 /// Likewise on any relation.
 ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const std::vector<ContactState>& state,
+                               const Flags& held, const ContactStates& state,
                                const NewtonSettings& settings);
 ActiveSetResult surface_newton(NewtonRelation& relation, const NodalLaw& law,
-                               const std::vector<char>& held,
-                               const ContactRows& near,
+                               const Flags& held, const ContactRows& near,
                                const NewtonSettings& settings);
 
 /// CondensedContact with a solver of its steps.
@@ -65,7 +60,7 @@ class CondensedRelation : public NewtonRelation {
       : contact_(contact), solver_(solver) {}
 
   Index row_count() const override { return contact_.position.size(); }
-  NaturalMap natural_map(const std::vector<char>& held) const override {
+  NaturalMap natural_map(const Flags& held) const override {
     return {contact_, held};
   }
   LawScales scales(const VectorXd& v) const override {
@@ -84,12 +79,10 @@ class CondensedRelation : public NewtonRelation {
 /// surface_violation of an answer, relative to the relation's scales; of rows beyond the
 /// nodes' P relative to the largest.
 double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
-                         const std::vector<char>& held,
-                         const ContactRows& rows);
+                         const Flags& held, const ContactRows& rows);
 
 /// surface_violation of an answer, relative to law_scales.
 double surface_violation(const CondensedContact& contact, const NodalLaw& law,
-                         const std::vector<char>& held,
-                         const ContactRows& rows);
+                         const Flags& held, const ContactRows& rows);
 
 }  // namespace ffcontact

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/coarse_start.hpp"
 #include "ffcontact/contact/product_step.hpp"
 #include "ffcontact/contact/surface_answer.hpp"
@@ -104,7 +105,7 @@ class OfProducts : public SurfaceRelation, private NewtonRelation {
 
  private:
   Index row_count() const override { return relation_.row_count(); }
-  NaturalMap natural_map(const std::vector<char>& held) const override {
+  NaturalMap natural_map(const Flags& held) const override {
     return {relation_.row_stiffness, relation_.position, held};
   }
   SystemKind step(const SurfaceEquations& equations,

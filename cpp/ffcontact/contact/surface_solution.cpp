@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
@@ -27,7 +28,7 @@ constexpr double penetration_of_rounding = 1e-10;
 /// @throws std::invalid_argument  if prescribed dofs hold a vertex inside the foundation
 void require_clear(const SolidMesh& mesh, const ContactSurface& surface,
                    const SurfaceLaw& law, const ElasticSystem& system,
-                   const std::vector<char>& held) {
+                   const Flags& held) {
   const VectorXd& given = system.prescribed_value;
   const Matrix3Xd v = displacement_against_foundation(surface, law, given);
   const double least =

@@ -18,7 +18,7 @@ struct SurfaceSolution {
   /// the pressures of M'_h, for M''_h forces over areas [MPa, 3 x p]
   Matrix3Xd pressure;
   /// open, stick, or slip_forward for slip in any direction [p]
-  std::vector<ContactState> state;
+  ContactStates state;
   int iterations = 0;           ///< dense systems solved
   std::vector<double> history;  ///< of surface_fixed_point, empty without
   double complementarity = 0;  ///< surface_violation of displacement and forces

@@ -33,8 +33,8 @@ class SurfaceStep {
   SystemKind solve(ContactRows& rows, RefinedSolver& solver) {
     assemble(rows.P);
     SystemKind kind;
-    const Index n = count_of(unknown_);
-    const VectorXd x = solved(transposed_, right_, n, kind, solver);
+    const VectorXd x =
+        solved(transposed_, right_, count_of(unknown_), kind, solver);
     if (!x.allFinite()) return SystemKind::inconsistent;
     rows = spread(x);
     return kind;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
@@ -50,8 +51,7 @@ std::vector<int> moved_components(const Matrix3d& frame,
 /// Vertices, components and rows as they are met.
 class TraceBuilder {
  public:
-  TraceBuilder(const ContactSurface& surface,
-               const std::vector<char>& prescribed)
+  TraceBuilder(const ContactSurface& surface, const Flags& prescribed)
       : surface_(surface), prescribed_(prescribed) {
     held_.assign(3 * surface.node_count(), 1);
     for (int i = 0; i < surface.node_count(); ++i) add_vertex(i);
@@ -152,9 +152,9 @@ class TraceBuilder {
   }
 
   void add_motion(int row, const Vector3d& direction, const Motion& motion) {
-    const Directions& axes = motion.directions;
-    for (Index k = 0; k < axes.cols(); ++k)
-      entries_.emplace_back(row, motion.column + k, direction.dot(axes.col(k)));
+    for (Index k = 0; k < motion.directions.cols(); ++k)
+      entries_.emplace_back(row, motion.column + k,
+                            direction.dot(motion.directions.col(k)));
   }
 
   SparseMatrix to_kept(const std::vector<int>& kept) const {
@@ -169,11 +169,11 @@ class TraceBuilder {
   }
 
   const ContactSurface& surface_;
-  const std::vector<char>& prescribed_;
+  const Flags& prescribed_;
   std::map<int, Motion> motions_;  ///< of own vertices, then of opposite ones
   std::map<int, int> place_;       ///< component of each primary row
   std::vector<int> primary_;
-  std::vector<char> held_;
+  Flags held_;
   Triplets entries_;
   int components_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 #include "ffcontact/contact/surface_law.hpp"
 
@@ -25,7 +26,7 @@ namespace ffcontact {
 struct SurfaceTrace {
   ContactTrace trace;  ///< v_prescribed with gap and previous displacement
   std::vector<int> primary;  ///< [f]
-  std::vector<char> held;    ///< [3 p]
+  Flags held;                ///< [3 p]
   SparseMatrix weight;       ///< W, 0 in held rows and columns [3p x 3p]
 };
 

@@ -2,6 +2,7 @@
 #include "ffcontact/contact/trace_stiffness.hpp"
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/products.hpp"
 
@@ -29,33 +30,45 @@ DependentRows dependent_rows(const CondensedContact& contact) {
   return rows;
 }
 
+/// [f + d x f + d], with the rows that move by themselves at the end.
+MatrixXd stiffness_of(const CondensedContact& contact,
+                      const std::vector<int>& free) {
+  const Index f = count_of(contact.primary), d = count_of(free);
+  MatrixXd S(f + d, f + d);
+  S.topLeftCorner(f, f) = contact.S;
+  if (d == 0) return S;
+  const Cholesky F(contact.F(free, free));
+  const MatrixXd E = contact.E(Eigen::all, free),
+                 q_of_v = F.solve_columns(E.transpose());
+  S.topLeftCorner(f, f) += product(E, q_of_v);
+  S.bottomLeftCorner(d, f) = -q_of_v;
+  S.topRightCorner(f, d) = -q_of_v.transpose();
+  S.bottomRightCorner(d, d) = F.solve_columns(MatrixXd::Identity(d, d));
+  return S;
+}
+
+/// Which primary rows others follow.
+Flags followed_rows(const CondensedContact& contact,
+                    const std::vector<int>& following, Index rows) {
+  Flags is_followed(rows, 0);
+  for (int k : following)
+    for (Index j = 0; j < count_of(contact.primary); ++j)
+      if (std::abs(contact.E(j, k)) > row_rounding) is_followed[j] = 1;
+  return is_followed;
+}
+
 }  // namespace
 
 TraceStiffness trace_stiffness(const CondensedContact& contact) {
   const DependentRows dependent = dependent_rows(contact);
-  const Index f = count_of(contact.primary), d = count_of(dependent.free);
   TraceStiffness traces;
+  traces.S = stiffness_of(contact, dependent.free);
   traces.row = contact.primary;
-  traces.S.resize(f + d, f + d);
-  traces.S.topLeftCorner(f, f) = contact.S;
-  if (d > 0) {
-    const Cholesky F(contact.F(dependent.free, dependent.free));
-    const MatrixXd E = contact.E(Eigen::all, dependent.free),
-                   q_of_v = F.solve_columns(E.transpose());
-    traces.S.topLeftCorner(f, f) += product(E, q_of_v);
-    traces.S.bottomLeftCorner(d, f) = -q_of_v;
-    traces.S.topRightCorner(f, d) = -q_of_v.transpose();
-    traces.S.bottomRightCorner(d, d) =
-        F.solve_columns(MatrixXd::Identity(d, d));
-  }
   for (int k : dependent.free) traces.row.push_back(contact.dependent[k]);
+  const int rows = count_of(traces.row);
   traces.place = VectorXi::Constant(contact.position.size(), -1);
-  for (Index k = 0; k < f + d; ++k)
-    traces.place[traces.row[k]] = static_cast<int>(k);
-  traces.is_followed.assign(f + d, 0);
-  for (int k : dependent.following)
-    for (Index j = 0; j < f; ++j)
-      if (std::abs(contact.E(j, k)) > row_rounding) traces.is_followed[j] = 1;
+  for (int k = 0; k < rows; ++k) traces.place[traces.row[k]] = k;
+  traces.is_followed = followed_rows(contact, dependent.following, rows);
   return traces;
 }
 

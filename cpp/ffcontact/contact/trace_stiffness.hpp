@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
 
 namespace ffcontact {
@@ -18,7 +19,7 @@ struct TraceStiffness {
   VectorXi place;        ///< of each row 2 i + c in it, or -1 [2 p]
   std::vector<int> row;  ///< of each unknown [k]
   /// does the v of a row that is not held follow from the v of this unknown? [k]
-  std::vector<char> is_followed;
+  Flags is_followed;
 };
 TraceStiffness trace_stiffness(const CondensedContact& contact);
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
@@ -170,8 +171,8 @@ template <int dim>
 std::vector<Vertices> moved_parts(const SimplexMesh<dim>& mesh,
                                   const MatrixXd& motions) {
   // each of these moves one part
-  const MatrixXd all = free_rigid_motions(
-      mesh, std::vector<char>(dim * mesh.vertices.cols(), 0));
+  const MatrixXd all =
+      free_rigid_motions(mesh, Flags(dim * mesh.vertices.cols(), 0));
   std::vector<Vertices> parts;
   for (Index k = 0; k < all.cols(); k += dim * (dim + 1) / 2) {
     const MatrixXd own = all.middleCols(k, dim * (dim + 1) / 2);

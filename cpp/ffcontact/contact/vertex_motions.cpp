@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 constexpr double tangential = 1e-3;
 
 VertexMotion motion_at_node(const ContactLine& line, int node,
-                            const std::vector<char>& prescribed) {
+                            const Flags& prescribed) {
   VertexMotion motion;
   motion.directions = free_axes<2>(line.vertex[node], prescribed);
   if (motion.directions.cols() == 2) {
@@ -38,7 +39,7 @@ void add(int vertex, VertexMotion motion, VertexMotions& all) {
 }
 
 /// The part that a vertex has in the trace at a node.
-void add_trace(const ContactLine& line, const std::vector<char>& held, int node,
+void add_trace(const ContactLine& line, const Flags& held, int node,
                const VertexMotion& motion, double factor, Triplets& entries) {
   const Matrix2d frame = line.frame(node);
   for (Index k = 0; k < motion.directions.cols(); ++k)
@@ -52,8 +53,7 @@ void add_trace(const ContactLine& line, const std::vector<char>& held, int node,
 
 }  // namespace
 
-VertexMotions vertex_motions(const ContactLine& line,
-                             const std::vector<char>& prescribed) {
+VertexMotions vertex_motions(const ContactLine& line, const Flags& prescribed) {
   VertexMotions motions;
   for (int i = 0; i < line.node_count(); ++i)
     if (!motions.of_vertex.count(line.vertex[i]))
@@ -64,8 +64,7 @@ VertexMotions vertex_motions(const ContactLine& line,
   return motions;
 }
 
-SparseMatrix trace_operator(const ContactLine& line,
-                            const std::vector<char>& held,
+SparseMatrix trace_operator(const ContactLine& line, const Flags& held,
                             const VertexMotions& motions) {
   Triplets entries;
   for (int i = 0; i < line.node_count(); ++i) {

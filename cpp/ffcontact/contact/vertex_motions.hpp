@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
@@ -25,12 +26,10 @@ struct VertexMotions {
   int component_count = 0;
 };
 
-VertexMotions vertex_motions(const ContactLine& line,
-                             const std::vector<char>& prescribed);
+VertexMotions vertex_motions(const ContactLine& line, const Flags& prescribed);
 
 /// Trace operator T of all rows, [u]_rows = T w; 0 on held rows.
-SparseMatrix trace_operator(const ContactLine& line,
-                            const std::vector<char>& held,
+SparseMatrix trace_operator(const ContactLine& line, const Flags& held,
                             const VertexMotions& motions);
 
 /// Q with displacement of the kept dofs = Q w.

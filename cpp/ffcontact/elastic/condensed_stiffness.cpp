@@ -59,11 +59,16 @@ struct Eliminated {
 using AnyCholesky =
     std::variant<PartialCholesky<double>, PartialCholesky<float>>;
 
+/// Reciprocal condition below which a factor is none.
+template <class Scalar>
+constexpr double least_condition =
+    std::is_same_v<Scalar, double> ? 1e-15 : 1e-6;
+
 template <class Scalar>
 PartialCholesky<Scalar> regular_factor(const SparseMatrix& lower, int kept) {
   PartialCholesky<Scalar> factor(lower, kept);
-  constexpr double least = std::is_same_v<Scalar, double> ? 1e-15 : 1e-6;
-  if (factor.reciprocal_condition() < least) fail_as_singular();
+  if (factor.reciprocal_condition() < least_condition<Scalar>)
+    fail_as_singular();
   return factor;
 }
 

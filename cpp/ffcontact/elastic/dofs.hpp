@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 
 /// The numbering of dofs, FreeFEM's of [P1, P1] and [P1, P1, P1]: component c at vertex v
@@ -24,8 +25,7 @@ auto vector_at(Field& field, int vertex) {
 /// Unit vectors of the free dofs of a vertex, one column each.
 /// @param prescribed  1 where the dof is prescribed [dofs]
 template <int dim>
-Matrix<double, dim, Dynamic> free_axes(int vertex,
-                                       const std::vector<char>& prescribed) {
+Matrix<double, dim, Dynamic> free_axes(int vertex, const Flags& prescribed) {
   using Axis = Matrix<double, dim, 1>;
   std::vector<Axis> axes;
   for (int c = 0; c < dim; ++c)

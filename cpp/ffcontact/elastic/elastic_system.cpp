@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
@@ -26,8 +27,8 @@ void require_finite_entries(const RowMatrixView& A) {
 }
 
 /// A fixed vector without structure, zero on prescribed dofs.
-VectorXd arbitrary(const std::vector<char>& prescribed, double start,
-                   double step, int period) {
+VectorXd arbitrary(const Flags& prescribed, double start, double step,
+                   int period) {
   VectorXd x = VectorXd::Zero(static_cast<Index>(prescribed.size()));
   for (Index i = 0; i < x.size(); ++i)
     if (!prescribed[i])
@@ -36,8 +37,7 @@ VectorXd arbitrary(const std::vector<char>& prescribed, double start,
 }
 
 /// |x' (K y) - y' (K x)| vanishes for a symmetric K.
-void require_symmetric(const RowMatrixView& A,
-                       const std::vector<char>& prescribed) {
+void require_symmetric(const RowMatrixView& A, const Flags& prescribed) {
   const VectorXd x = arbitrary(prescribed, 1.0, 0.7, 1009);
   const VectorXd y = arbitrary(prescribed, 3.5, 1.3, 1013);
   const VectorXd Ax = A * x, Ay = A * y;
@@ -48,8 +48,7 @@ void require_symmetric(const RowMatrixView& A,
 
 /// Refuses values other than zero where the columns of all prescribed dofs are gone: what
 /// they load the body with is lost.
-void require_columns(const RowMatrixView& A,
-                     const std::vector<char>& prescribed,
+void require_columns(const RowMatrixView& A, const Flags& prescribed,
                      const VectorXd& prescribed_value) {
   if (has_columns(A, prescribed)) return;
   Index dof = 0;
@@ -212,7 +211,7 @@ ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
 std::vector<int> free_dofs_at(const std::vector<int>& vertices,
                               const ElasticSystem& system) {
   const int dim = system.dimension;
-  std::vector<char> seen(system.prescribed.size(), 0);
+  Flags seen(system.prescribed.size(), 0);
   std::vector<int> dofs;
   for (int v : vertices)
     for (int dof = dim * v; dof < dim * v + dim; ++dof)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/elastic/prescribed_dofs.hpp"
 
@@ -16,9 +17,9 @@ struct ElasticSystem {
   RowMatrix stiffness;
   /// b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
   VectorXd load;
-  std::vector<char> prescribed;  ///< 1 where the dof is prescribed
-  VectorXd prescribed_value;     ///< [mm], 0 on free dofs
-  int dimension = 2;             ///< of the body: dofs of a vertex
+  Flags prescribed;           ///< 1 where the dof is prescribed
+  VectorXd prescribed_value;  ///< [mm], 0 on free dofs
+  int dimension = 2;          ///< of the body: dofs of a vertex
 
   int dof_count() const { return static_cast<int>(load.size()); }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/elimination_order.hpp"
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/supernodes.hpp"
 
 namespace ffcontact {
@@ -62,7 +63,7 @@ class Interior {
   }
 
   const ElasticSystem& system_;
-  std::vector<char> is_kept_;
+  Flags is_kept_;
   std::vector<int> vertices_;
   std::vector<int>
       number_;  ///< of each vertex among those of the interior, or -1

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -28,7 +29,7 @@ RowSums row_sums(const RowMatrixView& A, Index row) {
 
 /// Where the entries of A off its diagonal are.
 struct OffDiagonal {
-  std::vector<char> in_column;  ///< 1 where a column has any
+  Flags in_column;  ///< 1 where a column has any
   double largest = 0;
 
   void add(const RowIterator& entry) {
@@ -39,7 +40,7 @@ struct OffDiagonal {
 };
 
 OffDiagonal off_diagonal(const RowMatrixView& A) {
-  OffDiagonal result{std::vector<char>(A.cols(), 0)};
+  OffDiagonal result{Flags(A.cols(), 0)};
   visit_entries(A, [&](const RowIterator& entry) { result.add(entry); });
   return result;
 }
@@ -66,7 +67,7 @@ Eigen::ArrayXd diagonal_at(const RowMatrixView& A,
 /// column, marks those that are prescribed: with tgv=-2 a free dof whose neighbours are
 /// all prescribed looks like them, but for its diagonal.
 void mark_isolated(const RowMatrixView& A, const std::vector<Index>& isolated,
-                   std::vector<char>& prescribed) {
+                   Flags& prescribed) {
   if (isolated.empty()) return;
   const Eigen::ArrayXd diagonal = diagonal_at(A, isolated);
   const double value = prescribing_value(diagonal, isolated.front());
@@ -76,9 +77,9 @@ void mark_isolated(const RowMatrixView& A, const std::vector<Index>& isolated,
 
 }  // namespace
 
-std::vector<char> prescribed_dofs(const RowMatrixView& A) {
+Flags prescribed_dofs(const RowMatrixView& A) {
   const OffDiagonal others = off_diagonal(A);
-  std::vector<char> prescribed(A.rows(), 0);
+  Flags prescribed(A.rows(), 0);
   std::vector<Index> isolated;
   for (Index row = 0; row < A.rows(); ++row) {
     const RowSums sums = row_sums(A, row);
@@ -93,7 +94,7 @@ std::vector<char> prescribed_dofs(const RowMatrixView& A) {
   return prescribed;
 }
 
-bool has_columns(const RowMatrixView& A, const std::vector<char>& prescribed) {
+bool has_columns(const RowMatrixView& A, const Flags& prescribed) {
   const OffDiagonal others = off_diagonal(A);
   for (Index dof = 0; dof < A.cols(); ++dof)
     if (prescribed[dof] && others.in_column[dof]) return true;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/row_matrix.hpp"
 
 namespace ffcontact {
@@ -13,10 +14,10 @@ namespace ffcontact {
 /// prescribed has nothing but a diagonal either: its stiffness, where the others have 1.
 /// @throws std::invalid_argument  if a matrix of the last kind was scaled and has free
 ///                                dofs without free neighbours
-std::vector<char> prescribed_dofs(const RowMatrixView& A);
+Flags prescribed_dofs(const RowMatrixView& A);
 
 /// Whether A has the columns of prescribed dofs (tgv = -2 takes them away): one that
 /// couples shows that the others were kept, too.
-bool has_columns(const RowMatrixView& A, const std::vector<char>& prescribed);
+bool has_columns(const RowMatrixView& A, const Flags& prescribed);
 
 }  // namespace ffcontact

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/symmetric_eigen.hpp"
 #include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/dofs.hpp"
@@ -99,8 +100,7 @@ using MotionMatrix = Matrix<double, motion_count<dim>, motion_count<dim>>;
 /// Sum of the squares of what the motions do to the prescribed dofs of a part.
 template <int dim>
 MotionMatrix<dim> stopped(const SimplexMesh<dim>& mesh, const Vertices& part,
-                          const Frame<dim>& frame,
-                          const std::vector<char>& prescribed) {
+                          const Frame<dim>& frame, const Flags& prescribed) {
   MotionMatrix<dim> sum = MotionMatrix<dim>::Zero();
   for (int v : part)
     for (int c = 0; c < dim; ++c) {
@@ -227,7 +227,7 @@ Vertices moving_part(const SimplexMesh<dim>& mesh,
 
 template <int dim>
 MatrixXd free_rigid_motions(const SimplexMesh<dim>& mesh,
-                            const std::vector<char>& prescribed) {
+                            const Flags& prescribed) {
   MatrixXd basis(dim * mesh.vertices.cols(), 0);
   for (const Vertices& part : connected_parts(mesh)) {
     const Frame<dim> frame = frame_of(mesh, part);
@@ -255,9 +255,8 @@ std::string motion_in_words(const SimplexMesh<dim>& mesh,
          components_in_words<dim>(rigid.shift.normalized());
 }
 
-template MatrixXd free_rigid_motions(const Mesh&, const std::vector<char>&);
-template MatrixXd free_rigid_motions(const SolidMesh&,
-                                     const std::vector<char>&);
+template MatrixXd free_rigid_motions(const Mesh&, const Flags&);
+template MatrixXd free_rigid_motions(const SolidMesh&, const Flags&);
 template std::string motion_in_words(const Mesh&, const Ref<const VectorXd>&);
 template std::string motion_in_words(const SolidMesh&,
                                      const Ref<const VectorXd>&);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
 namespace ffcontact {
@@ -15,7 +16,7 @@ namespace ffcontact {
 /// @param prescribed  1 where the dof is prescribed [dofs]
 template <int dim>
 MatrixXd free_rigid_motions(const SimplexMesh<dim>& mesh,
-                            const std::vector<char>& prescribed);
+                            const Flags& prescribed);
 
 /// "translation along (0, 1)" or "rotation about (10, 5)": a rigid motion in words. In
 /// space "rotation about (0, 0, 1) through (10, 5, 0)", the axis by its direction, about

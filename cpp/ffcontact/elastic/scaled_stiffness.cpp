@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
@@ -60,7 +61,7 @@ const std::vector<int>& required_kept(const ElasticSystem& system,
                                       SchurStorage storage, int processes) {
   require_room_for_schur(count_of(kept), storage, memory_of_the_machine(),
                          processes);
-  std::vector<char> met(system.dof_count(), 0);
+  Flags met(system.dof_count(), 0);
   for (int dof : kept) {
     require_free(system, dof);
     if (met[dof]) refuse("kept dof ", dof, " is listed twice");

@@ -48,6 +48,42 @@ std::vector<std::vector<int>> children(const std::vector<int>& parent) {
   return result;
 }
 
+constexpr int no_subtree = -1;
+
+/// Supernodes whose work with all below them is at most this share of the whole, and whose
+/// parents' is more.
+std::vector<int> subtree_roots(const std::vector<int>& parent,
+                               const std::vector<double>& work, double share) {
+  const std::vector<std::vector<int>> below = children(parent);
+  std::priority_queue<std::pair<double, int>> roots;
+  double all = 0;
+  for (std::size_t s = 0; s < parent.size(); ++s)
+    if (parent[s] < 0) {
+      roots.emplace(work[s], static_cast<int>(s));
+      all += work[s];
+    }
+  while (!roots.empty() && roots.top().first > share * all) {
+    const int split = roots.top().second;
+    roots.pop();
+    for (int s : below[split]) roots.emplace(work[s], s);
+  }
+  std::vector<int> result;
+  for (; !roots.empty(); roots.pop()) result.push_back(roots.top().second);
+  return result;
+}
+
+/// The number of the root that each supernode is at or below, or no_subtree.
+std::vector<int> subtree_of_supernodes(const std::vector<int>& parent,
+                                       const std::vector<int>& roots) {
+  std::vector<int> subtree(parent.size(), no_subtree);
+  for (std::size_t k = 0; k < roots.size(); ++k)
+    subtree[roots[k]] = static_cast<int>(k);
+  for (std::size_t s = parent.size(); s-- > 0;)
+    if (parent[s] >= 0 && subtree[s] == no_subtree)
+      subtree[s] = subtree[parent[s]];
+  return subtree;
+}
+
 }  // namespace
 
 double work_of(const Supernodes& nodes, int s) {
@@ -57,32 +93,11 @@ double work_of(const Supernodes& nodes, int s) {
 
 Subtrees subtrees(const Supernodes& nodes, double share) {
   const std::vector<int> parent = parents(nodes);
-  const std::vector<double> work = works(nodes, parent);
-  const std::vector<std::vector<int>> below = children(parent);
-
-  std::priority_queue<std::pair<double, int>> roots;
-  double all = 0;
-  for (int s = 0; s < nodes.count(); ++s)
-    if (parent[s] < 0) {
-      roots.emplace(work[s], s);
-      all += work[s];
-    }
-
-  constexpr int no_subtree = -1;
-  std::vector<int> subtree(nodes.count(), no_subtree);
-  while (!roots.empty() && roots.top().first > share * all) {
-    const int split = roots.top().second;
-    roots.pop();
-    for (int s : below[split]) roots.emplace(work[s], s);
-  }
+  const std::vector<int> roots =
+      subtree_roots(parent, works(nodes, parent), share);
+  const std::vector<int> subtree = subtree_of_supernodes(parent, roots);
   Subtrees result;
-  for (; !roots.empty(); roots.pop()) {
-    subtree[roots.top().second] = static_cast<int>(result.supernodes.size());
-    result.supernodes.emplace_back();
-  }
-  for (int s = nodes.count() - 1; s >= 0; --s)
-    if (parent[s] >= 0 && subtree[s] == no_subtree)
-      subtree[s] = subtree[parent[s]];
+  result.supernodes.resize(roots.size());
   for (int s = 0; s < nodes.count(); ++s)
     if (subtree[s] == no_subtree)
       result.above.push_back(s);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/mesh_parts.hpp"
@@ -58,8 +59,8 @@ ElasticSystem joined_parts(const std::vector<ElasticSystem>& parts,
                            const std::vector<std::vector<int>>& vertex) {
   const int dimension = parts.at(0).dimension,
             n = dimension * count_in_whole(vertex);
-  ElasticSystem whole{RowMatrix(n, n), VectorXd::Zero(n),
-                      std::vector<char>(n, 0), VectorXd::Zero(n), dimension};
+  ElasticSystem whole{RowMatrix(n, n), VectorXd::Zero(n), Flags(n, 0),
+                      VectorXd::Zero(n), dimension};
   std::vector<std::vector<int>> dofs;
   for (std::size_t r = 0; r < parts.size(); ++r) {
     dofs.push_back(dofs_of_part(vertex[r], dimension));

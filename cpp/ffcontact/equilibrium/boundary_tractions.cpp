@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 #include "ffcontact/equilibrium/prescribed_labels.hpp"
@@ -38,7 +39,7 @@ Vector4d reversed(const Vector4d& moments) {
 }
 
 BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
-                                  const std::vector<char>& prescribed,
+                                  const Flags& prescribed,
                                   const Ref<const Matrix4Xd>& neumann) {
   require_fitting(mesh, prescribed, neumann);
   const PrescribedLabels<2> fixed = prescribed_labels(mesh, prescribed);
@@ -70,7 +71,7 @@ Vector4d contact_moments(const ContactLine& line,
 }
 
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
-                                     const std::vector<char>& prescribed,
+                                     const Flags& prescribed,
                                      const Ref<const Matrix4Xd>& neumann,
                                      const ContactLine& line,
                                      const ContactDensities& contact) {

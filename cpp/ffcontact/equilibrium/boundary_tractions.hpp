@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_densities.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
@@ -46,7 +47,7 @@ struct BoundaryTractions {
 ///                    of Mesh::boundary [4 x boundary]; not read on prescribed components
 /// @throws std::invalid_argument  if sizes differ or a traction is not finite
 BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
-                                  const std::vector<char>& prescribed,
+                                  const Flags& prescribed,
                                   const Ref<const Matrix4Xd>& neumann);
 
 /// The given and the contact tractions.
@@ -55,7 +56,7 @@ BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
 /// @param contact  densities on the contact edges
 /// @throws std::invalid_argument  as given_tractions
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
-                                     const std::vector<char>& prescribed,
+                                     const Flags& prescribed,
                                      const Ref<const Matrix4Xd>& neumann,
                                      const ContactLine& line,
                                      const ContactDensities& contact);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/contact_layer.hpp"
 
+#include "ffcontact/base/flags.hpp"
+
 namespace ffcontact {
 
 namespace {
 
 std::vector<int> cells_of(const FaceSetting& setting) {
   const SolidTopology& topology = setting.topology;
-  std::vector<char> edge(topology.edges.count(), 0);
+  Flags edge(topology.edges.count(), 0);
   for (const ContactFace& contact : setting.contact)
     for (int face : {contact.face, contact.opposite})
       for (int k = 0; k < 3 && face >= 0; ++k)

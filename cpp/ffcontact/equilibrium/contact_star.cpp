@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
@@ -88,7 +89,7 @@ ContactStar::ContactStar(const SolidTopology& topology, JointEdge joint,
 }
 
 void ContactStar::find_places(const SolidTopology& topology) {
-  std::vector<char> is_outside(joint_.size, 0);
+  Flags is_outside(joint_.size, 0);
   std::fill_n(is_outside.begin(), 6, 1);
   for (const auto& [edge, place, sign] : joint_.parts) {
     const std::vector<int> faces = faces_around(topology.edges, edge);

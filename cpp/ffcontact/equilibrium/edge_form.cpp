@@ -102,7 +102,7 @@ MatrixXd edge_conditions(const SolidTopology& topology, int edge,
     const int face = edges.facets_of(edge)[i];
     if (!faces.on_boundary(face)) continue;
     const Matrix3d corners =
-        topology.mesh.vertices(Eigen::all, faces.vertices.col(face));
+        facet_points<3>(topology.mesh, faces.vertices.col(face));
     const Matrix9d V = wrench_basis(corners);
     const Matrix6d shift = shift_at(topology, edge, i).matrix();
     for (int row = 0; row < 9; ++row) {

@@ -119,7 +119,7 @@ void add_corrections(const FaceSetting& setting, const Matrix9Xd& corrections,
       without_contact(setting.boundary.known, setting.contact);
 #pragma omp parallel for
   for (int f = 0; f < faces.count(); ++f) {
-    const Matrix3d corners = mesh.vertices(Eigen::all, faces.vertices.col(f));
+    const Matrix3d corners = facet_points<3>(mesh, faces.vertices.col(f));
     const Vector9d added = wrench_basis(corners) * corrections.col(f);
     for (int row = 0; row < 9; ++row)
       if (!known(row % 3, f)) moments(row, f) += added[row];

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/tiled_factor.hpp"
 #include "ffcontact/equilibrium/wrench_basis.hpp"
@@ -46,7 +47,7 @@ class FaceForms {
   InTiles product(int cell, const InTiles& z) const;
   const float* form(int cell) const { return forms_.get() + stored * cell; }
 
-  std::vector<char> dependent_;  ///< d, 0 to 3
+  Flags dependent_;  ///< d, 0 to 3
   // Not a vector, which would be filled with zeros by one thread first.
   std::unique_ptr<float[]> forms_;
 };

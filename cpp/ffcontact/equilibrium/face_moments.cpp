@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 
 namespace ffcontact {
@@ -36,7 +37,7 @@ class StarGraph {
   /// have the constants in their kernel, which their mean takes.
   Cholesky laplacian(const FaceTractions& boundary, int component) const {
     MatrixXd matrix = MatrixXd::Zero(size_, size_);
-    std::vector<char> ended(size_, 0);
+    Flags ended(size_, 0);
     for (const StarArc& arc : arcs_) {
       if (boundary.known(component, arc.face)) continue;
       matrix(arc.from, arc.from) += arc.area;

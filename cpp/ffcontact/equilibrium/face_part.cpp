@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 
 namespace ffcontact {
@@ -49,7 +50,7 @@ FaceParts::FaceParts(const FaceSetting& setting, const FaceMoments& moments,
       contact_(std::move(contact)) {
   const SolidTopology& topology = setting.topology;
   for (int r = 0; r < processes; ++r) {
-    std::vector<char> own(topology.mesh.cell_count());
+    Flags own(topology.mesh.cell_count());
     for (int t = 0; t < count_of(own); ++t) own[t] = owner_[t] == r;
     cells_.push_back(cells_at(topology, edges_of_cells(topology, own)));
   }
@@ -61,7 +62,7 @@ FacePart FaceParts::part(int process) const {
   result.has_contact = !contact_.empty();
   const std::vector<int>&cell = result.of.part.cell,
         &face = result.of.part.face;
-  std::vector<char> own, counted;
+  Flags own, counted;
   for (int t : cell) own.push_back(owner_[t] == process);
   for (int f : face) counted.push_back(counts(process, f));
   result.share =

@@ -3,18 +3,18 @@
 
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/mesh/topology_part.hpp"
 
 namespace ffcontact {
 
 FaceShare whole_share(const SolidTopology& topology) {
-  const std::vector<char> faces(topology.faces.count(), 1);
-  return {std::vector<char>(topology.mesh.cell_count(), 1), faces,
-          std::vector<char>(topology.edges.count(), 1), faces};
+  const Flags faces(topology.faces.count(), 1);
+  return {Flags(topology.mesh.cell_count(), 1), faces,
+          Flags(topology.edges.count(), 1), faces};
 }
 
-FaceShare face_share(const SolidTopology& topology, std::vector<char> cell,
-                     std::vector<char> counted) {
+FaceShare face_share(const SolidTopology& topology, Flags cell, Flags counted) {
   FaceShare share;
   share.face.assign(topology.faces.count(), 0);
   for (int t = 0; t < topology.mesh.cell_count(); ++t)

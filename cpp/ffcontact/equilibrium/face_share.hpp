@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 
 namespace ffcontact {
@@ -10,9 +11,9 @@ namespace ffcontact {
 /// What one of several descents has of a solid: its own tetrahedra and, as a halo, those
 /// with which they share an edge. Values 1 and 0.
 struct FaceShare {
-  std::vector<char> cell;        ///< its own
-  std::vector<char> face, edge;  ///< of its own tetrahedra
-  std::vector<char> counted;     ///< faces whose part in a sum is this share's
+  Flags cell;        ///< its own
+  Flags face, edge;  ///< of its own tetrahedra
+  Flags counted;     ///< faces whose part in a sum is this share's
 };
 
 /// All of it.
@@ -20,7 +21,6 @@ FaceShare whole_share(const SolidTopology& topology);
 
 /// @param cell     its own
 /// @param counted  faces of these
-FaceShare face_share(const SolidTopology& topology, std::vector<char> cell,
-                     std::vector<char> counted);
+FaceShare face_share(const SolidTopology& topology, Flags cell, Flags counted);
 
 }  // namespace ffcontact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/face_tractions.hpp"
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/prescribed_labels.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
@@ -28,7 +29,7 @@ void put_face(const SolidMesh& mesh, const Facets<3>& faces, int face,
 }  // namespace
 
 FaceTractions given_tractions(const SolidMesh& mesh, const Facets<3>& faces,
-                              const std::vector<char>& prescribed,
+                              const Flags& prescribed,
                               const Ref<const FaceMoments>& neumann) {
   require_fitting(mesh, prescribed, neumann);
   const PrescribedLabels<3> fixed = prescribed_labels(mesh, prescribed);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/equilibrium/johnson_mercier.hpp"
 #include "ffcontact/interface/contact_surface.hpp"
 #include "ffcontact/mesh/facets.hpp"
@@ -31,7 +32,7 @@ struct FaceTractions {
 ///                    components
 /// @throws std::invalid_argument  if sizes differ or a traction is not finite
 FaceTractions given_tractions(const SolidMesh& mesh, const Facets<3>& faces,
-                              const std::vector<char>& prescribed,
+                              const Flags& prescribed,
                               const Ref<const FaceMoments>& neumann);
 
 /// Adds contact tractions, with which all components are known. Against another body they

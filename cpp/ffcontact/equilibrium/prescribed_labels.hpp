@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/mesh/mesh.hpp"
@@ -19,7 +20,7 @@ using PrescribedLabels = std::map<int, std::array<bool, dim>>;
 /// @param prescribed  1 where the dof is prescribed [dofs]
 template <int dim>
 PrescribedLabels<dim> prescribed_labels(const SimplexMesh<dim>& mesh,
-                                        const std::vector<char>& prescribed) {
+                                        const Flags& prescribed) {
   std::array<bool, dim> all;
   all.fill(true);
   PrescribedLabels<dim> labels;
@@ -36,8 +37,7 @@ PrescribedLabels<dim> prescribed_labels(const SimplexMesh<dim>& mesh,
 /// @throws std::invalid_argument  if sizes are not those of the mesh, or a traction is not
 ///                                finite
 template <int dim, class Tractions>
-void require_fitting(const SimplexMesh<dim>& mesh,
-                     const std::vector<char>& prescribed,
+void require_fitting(const SimplexMesh<dim>& mesh, const Flags& prescribed,
                      const Tractions& neumann) {
   require_size("prescribed dofs", static_cast<Index>(prescribed.size()),
                dim * mesh.vertices.cols());

@@ -12,7 +12,7 @@ namespace ffcontact {
 namespace {
 
 Matrix3d corners_of_face(const SolidTopology& topology, int face) {
-  return topology.mesh.vertices(Eigen::all, topology.faces.vertices.col(face));
+  return facet_points<3>(topology.mesh, topology.faces.vertices.col(face));
 }
 
 double size_of_face(const Matrix3d& corners) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/contact_groups.hpp"
@@ -12,6 +13,8 @@
 namespace ffcontact {
 
 namespace {
+
+using NodesOfVertices = std::map<int, std::vector<int>>;
 
 /// A free component lowers no node whose normal has less of it than this: it would be
 /// rounding of the normal.
@@ -24,7 +27,7 @@ constexpr double farthest = 1e3;
 class MovingVertices {
  public:
   MovingVertices(const ContactLine& line,
-                 const std::map<int, std::vector<int>>& nodes_of_vertex,
+                 const NodesOfVertices& nodes_of_vertex,
                  const std::vector<int>& vertices)
       : line_(line), vertices_(vertices) {
     for (const int v : vertices)
@@ -38,7 +41,7 @@ class MovingVertices {
   /// @param penetration  u_n - gap of all nodes of the line
   /// @param largest      change of a component
   std::optional<Matrix2Xd> lowering(const VectorXd& penetration,
-                                    const std::vector<char>& prescribed,
+                                    const Flags& prescribed,
                                     double largest) const {
     const auto size = 2 * static_cast<Index>(vertices_.size());
     const VectorXd deep = penetration(nodes_);
@@ -52,7 +55,7 @@ class MovingVertices {
 
  private:
   /// - [u] . n of each node for the free components [nodes x 2 vertices].
-  MatrixXd away(const std::vector<char>& prescribed) const {
+  MatrixXd away(const Flags& prescribed) const {
     MatrixXd rows = MatrixXd::Zero(nodes_.size(), 2 * vertices_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       add(k, line_.vertex[nodes_[k]], -1, rows);
@@ -64,7 +67,7 @@ class MovingVertices {
     return (rows.array().abs() < along_the_line).select(0, rows);
   }
 
-  void hold(const std::vector<char>& prescribed, MatrixXd& rows) const {
+  void hold(const Flags& prescribed, MatrixXd& rows) const {
     for (std::size_t j = 0; j < vertices_.size(); ++j)
       for (int c = 0; c < 2; ++c)
         if (prescribed[2 * vertices_[j] + c]) rows.col(2 * j + c).setZero();
@@ -82,8 +85,8 @@ class MovingVertices {
   std::vector<int> nodes_;
 };
 
-std::map<int, std::vector<int>> nodes_of_vertices(const ContactLine& line) {
-  std::map<int, std::vector<int>> nodes;
+NodesOfVertices nodes_of_vertices(const ContactLine& line) {
+  NodesOfVertices nodes;
   for (int i = 0; i < line.node_count(); ++i)
     nodes[line.vertex[i]].push_back(i);
   return nodes;
@@ -97,8 +100,8 @@ bool meet(const std::vector<int>& some, const std::vector<int>& others) {
 /// A displacement on its way out of the foundation.
 struct Lowered {
   const ContactLine& line;
-  const std::vector<char>& prescribed;
-  const std::map<int, std::vector<int>> nodes_of_vertex;
+  const Flags& prescribed;
+  const NodesOfVertices nodes_of_vertex;
   double largest;  ///< change of a component
   VectorXd u;
 
@@ -130,7 +133,7 @@ struct Lowered {
 
 VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
                                  const Ref<const VectorXd>& displacement,
-                                 const std::vector<char>& prescribed) {
+                                 const Flags& prescribed) {
   const double largest = farthest * largest_displacement(law, displacement);
   Lowered lowered{line, prescribed, nodes_of_vertices(line), largest,
                   displacement};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 
 namespace ffcontact {
@@ -20,7 +21,7 @@ namespace ffcontact {
 /// @param prescribed    1 where the dof is prescribed and stays; empty for none
 VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
                                  const Ref<const VectorXd>& displacement,
-                                 const std::vector<char>& prescribed = {});
+                                 const Flags& prescribed = {});
 
 /// How far a displacement penetrates: the largest u_n - gap at the nodes, relative to
 /// largest_displacement; 0 where it keeps clear. Between the nodes all of it is

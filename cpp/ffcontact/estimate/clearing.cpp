@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/elastic/dofs.hpp"
@@ -16,7 +17,7 @@ namespace {
 constexpr double along_the_surface = 1e-9, farthest_on_surface = 1e3;
 
 bool is_free(int vertex, int component, double of_normal,
-             const std::vector<char>& prescribed) {
+             const Flags& prescribed) {
   return !prescribed[dof_of<3>(vertex, component)] &&
          std::abs(of_normal) > along_the_surface;
 }
@@ -24,7 +25,7 @@ bool is_free(int vertex, int component, double of_normal,
 }  // namespace
 
 bool is_free_along(int vertex, const Vector3d& normal,
-                   const std::vector<char>& prescribed) {
+                   const Flags& prescribed) {
   for (int c = 0; c < 3; ++c)
     if (is_free(vertex, c, normal[c], prescribed)) return true;
   return false;
@@ -36,7 +37,7 @@ double largest_clearing(const SurfaceLaw& law,
 }
 
 Vector3d clearing(int vertex, const Ref<const Matrix3Xd>& away,
-                  const VectorXd& deep, const std::vector<char>& prescribed,
+                  const VectorXd& deep, const Flags& prescribed,
                   double largest) {
   if (deep.maxCoeff() <= 0) return Vector3d::Zero();
   MatrixXd free = away.transpose();

@@ -165,7 +165,7 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
 double share_of_contact(const ContactDensities& densities,
                         const LinearStresses& stress) {
   const double contact = largest_traction(densities);
-  return contact > 0 ? contact / std::max(contact, max_norm(stress.mean)) : 0;
+  return relative(contact, std::max(contact, max_norm(stress.mean)));
 }
 
 /// What equilibrium is judged against at least [MPa].
@@ -201,9 +201,7 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
   estimate.penetration = penetration.value;
   const Vector2d deepest = mesh.place(line.vertex[penetration.node]);
   estimate.reason =
-      reason_against({estimate.penetration, estimate.cone, estimate.equilibrium,
-                      construction, estimate.unmended.size()},
-                     deepest);
+      reason_against(estimate, deepest, construction, estimate.unmended.size());
   estimate.admissible = estimate.reason.empty();
 }
 

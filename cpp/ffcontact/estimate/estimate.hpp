@@ -2,15 +2,14 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
-#include "ffcontact/equilibrium/equilibrium_defect.hpp"
 #include "ffcontact/estimate/admissible_displacement.hpp"
 #include "ffcontact/estimate/contact_error.hpp"
 #include "ffcontact/estimate/estimate_settings.hpp"
+#include "ffcontact/estimate/pair_error.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
 #include "ffcontact/interface/common_refinement.hpp"
 #include "ffcontact/mesh/topology.hpp"
@@ -31,18 +30,8 @@ namespace ffcontact {
 /// any other tau0 the bounds hold with e + |tau0 - its linear part| in place of e.
 /// For Tresca's law and without friction e bounds the error of the pair (2.20); for
 /// Coulomb's law (2.14) has one more term, for which there is coulomb_bound.
-struct Estimate {
-  double e = 0;         ///< [(N/mm times mm)^(1/2)]
-  double relative = 0;  ///< eps [-]
-  double elastic = 0;   ///< |sigma_hat - C eps(u_hat)|, same unit as e
-  double springs = 0;   ///< the springs' part of e^2
-  /// the contact part of e^2; negative values are possible only outside the cone
-  double contact = 0;
-  /// eps_E per triangle [-]; 0 where a negative contact part exceeds the elastic one
-  VectorXd local;
-  /// e before the first and after every sweep, with composite stresses
-  std::vector<double> history;
-
+struct Estimate : PairError {
+  double springs = 0;  ///< the springs' part of e^2
   /// The bodies cut so that their facing traces match, where they do not; the fields
   /// below are then on its mesh and line.
   std::optional<CommonRefinement> refinement;
@@ -56,12 +45,6 @@ struct Estimate {
   VectorXd shift;  ///< d of (4.1) per contact edge [MPa], 0 where none
   /// contact edges left outside the cone (Tractions::published only)
   std::vector<int> unmended;
-  EquilibriumDefect equilibrium;
-  double cone = 0;  ///< cone_defect of r_hat, relative to the largest stress
-  double penetration = 0;  ///< penetration_defect of u_hat
-  /// in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
-  bool admissible = false;
-  std::string reason;  ///< why not, one sentence without a full stop
 
   int corrected_count() const;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
@@ -113,7 +114,7 @@ class FacingClearing {
  public:
   FacingClearing(const Facets<3>& faces, const ContactSurface& surface,
                  const SurfaceLaw& law, const Ref<const VectorXd>& displacement,
-                 const std::vector<char>& prescribed)
+                 const Flags& prescribed)
       : faces_(faces),
         surface_(surface),
         law_(law),
@@ -182,7 +183,7 @@ class FacingClearing {
   const Facets<3>& faces_;
   const ContactSurface& surface_;
   const SurfaceLaw& law_;
-  const std::vector<char>& prescribed_;
+  const Flags& prescribed_;
   double largest_;
   VectorXd u_;
 };
@@ -213,7 +214,7 @@ VectorXd facing_admissible_displacement(const Facets<3>& faces,
                                         const ContactSurface& surface,
                                         const SurfaceLaw& law,
                                         const Ref<const VectorXd>& displacement,
-                                        const std::vector<char>& prescribed) {
+                                        const Flags& prescribed) {
   return FacingClearing(faces, surface, law, displacement, prescribed)
       .displacement();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/surface_law.hpp"
 #include "ffcontact/estimate/deepest_node.hpp"
 
@@ -32,7 +33,7 @@ VectorXd facing_admissible_displacement(const Facets<3>& faces,
                                         const ContactSurface& surface,
                                         const SurfaceLaw& law,
                                         const Ref<const VectorXd>& displacement,
-                                        const std::vector<char>& prescribed);
+                                        const Flags& prescribed);
 
 /// Where w_n - gap is the largest: the node that has the largest share there.
 DeepestNode deepest_facing_node(const Facets<3>& faces,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ffcontact/base/appended.hpp"
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
@@ -151,7 +152,7 @@ double part_missed(const ContactLine& line, const HeldMotions& held,
                    const ContactDensities& r) {
   const VectorXd missed = resultants_of(line, r, held.fields) - held.of_loads;
   const double scale = line.length.sum() * largest_traction(r);
-  return scale > 0 ? missed.norm() / scale : 0;
+  return relative(missed.norm(), scale);
 }
 
 /// Tractions in the cone nearest to given ones, if there are any: with the resultants of

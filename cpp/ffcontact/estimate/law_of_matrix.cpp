@@ -6,6 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/inner_forces.hpp"
@@ -18,7 +20,7 @@ namespace {
 constexpr double tolerance = 1e-6;
 
 /// A field without order, between -1 and 1, and 0 where a dof is prescribed.
-VectorXd probe(const std::vector<char>& prescribed) {
+VectorXd probe(const Flags& prescribed) {
   VectorXd z(static_cast<Index>(prescribed.size()));
   unsigned number = 1;
   for (Index dof = 0; dof < z.size(); ++dof) {
@@ -71,7 +73,7 @@ struct Comparison {
 
   /// @param prescribed  dofs that are left out
   Comparison(const RowMatrix& A, const StatedForces& forces,
-             const std::vector<char>& prescribed)
+             const Flags& prescribed)
       : z(probe(prescribed)), of_law(forces(z)) {
     of_matrix = terms = off = VectorXd::Zero(z.size());
 #pragma omp parallel for
@@ -95,7 +97,7 @@ struct Comparison {
   void put(const Row& row, Index dof) {
     of_matrix[dof] = row.sum;
     terms[dof] = row.terms;
-    off[dof] = row.terms > 0 ? std::abs(row.sum - of_law[dof]) / row.terms : 0;
+    off[dof] = relative(std::abs(row.sum - of_law[dof]), row.terms);
   }
 };
 
@@ -121,7 +123,7 @@ void require_springs_of_matrix(const Mesh& mesh, const ElasticSystem& system,
                                const StatedForces& forces,
                                const Comparison& comparison, bool given,
                                Index dof) {
-  std::vector<char> on_boundary(mesh.vertex_count(), 0);
+  Flags on_boundary(mesh.vertex_count(), 0);
   for (const int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
   for (Index k = 0; k < comparison.off.size(); ++k)
     if (comparison.off[k] > tolerance && !on_boundary[k / 2]) return;
@@ -153,7 +155,7 @@ Hooke weighted(const Mesh& mesh, const Hooke& hooke, int radial) {
 /// axial displacements alone, which stretch no hoop, it is int r C eps(z) : eps(phi).
 bool is_axisymmetric(const Mesh& mesh, const ElasticSystem& system,
                      const Hooke& hooke, int radial) {
-  std::vector<char> left_out = system.prescribed;
+  Flags left_out = system.prescribed;
   for (std::size_t dof = radial; dof < left_out.size(); dof += 2)
     left_out[dof] = 1;
   const Hooke by_radius = weighted(mesh, hooke, radial);

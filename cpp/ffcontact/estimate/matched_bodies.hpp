@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
@@ -33,7 +34,7 @@ class MatchedBodies {
     return cut_ ? refinement_->line : solved_.line;
   }
   const SolvedBody& body() const { return cut_ ? cut_->body : solved_.body; }
-  const std::vector<char>& prescribed() const {
+  const Flags& prescribed() const {
     return cut_ ? cut_->prescribed : solved_.system.prescribed;
   }
 
@@ -77,7 +78,7 @@ class MatchedBodies {
  private:
   struct Cut {
     Topology topology;
-    std::vector<char> prescribed;
+    Flags prescribed;
     SolvedBody body;
   };
   /// Moments on the solved boundary on that of the matched bodies.

@@ -25,12 +25,11 @@ std::string penetration_in_words(double depth,
          ", where displacements are prescribed";
 }
 
-std::string cone_in_words(const PairDefects& defects) {
+std::string cone_in_words(double cone, std::size_t unmended) {
   const std::string sentence = "contact tractions leave the friction cone by " +
-                               part_in_words(defects.cone) +
-                               " of the largest stress";
-  if (defects.unmended == 0) return sentence;
-  return sentence + ": (4.1) cannot mend " + std::to_string(defects.unmended) +
+                               part_in_words(cone) + " of the largest stress";
+  if (unmended == 0) return sentence;
+  return sentence + ": (4.1) cannot mend " + std::to_string(unmended) +
          " edges";
 }
 
@@ -48,12 +47,13 @@ std::string imbalance_in_words(const EquilibriumDefect& defect,
 
 }  // namespace
 
-std::string reason_against(const PairDefects& defects,
-                           const Ref<const VectorXd>& deepest) {
-  if (defects.penetration > penetration_tolerance)
-    return penetration_in_words(defects.penetration, deepest);
-  if (defects.cone > cone_tolerance) return cone_in_words(defects);
-  return imbalance_in_words(defects.equilibrium, defects.construction);
+std::string reason_against(const PairError& error,
+                           const Ref<const VectorXd>& deepest,
+                           Construction construction, std::size_t unmended) {
+  if (error.penetration > penetration_tolerance)
+    return penetration_in_words(error.penetration, deepest);
+  if (error.cone > cone_tolerance) return cone_in_words(error.cone, unmended);
+  return imbalance_in_words(error.equilibrium, construction);
 }
 
 }  // namespace ffcontact

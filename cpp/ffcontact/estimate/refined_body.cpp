@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/refined_body.hpp"
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/equilibrium/refined_moments.hpp"
 
 namespace ffcontact {
@@ -114,9 +115,8 @@ SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
   return body;
 }
 
-std::vector<char> refined_prescribed(const CommonRefinement& refinement,
-                                     const std::vector<char>& old) {
-  std::vector<char> prescribed(2 * refinement.mesh.vertices.cols(), 1);
+Flags refined_prescribed(const CommonRefinement& refinement, const Flags& old) {
+  Flags prescribed(2 * refinement.mesh.vertices.cols(), 1);
   for (int v = 0; v < refinement.mesh.vertex_count(); ++v)
     for (WeightsByNode::InnerIterator part(refinement.vertex_weights, v); part;
          ++part)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
 #include "ffcontact/interface/common_refinement.hpp"
 
@@ -20,8 +21,7 @@ VectorXd refined_field(const CommonRefinement& refinement,
 
 /// 1 where a dof of the refinement is prescribed: a new vertex is held where both ends of
 /// its edge are.
-std::vector<char> refined_prescribed(const CommonRefinement& refinement,
-                                     const std::vector<char>& old);
+Flags refined_prescribed(const CommonRefinement& refinement, const Flags& old);
 
 /// Forces on the vertices of the refinement as forces on the old vertices, with the same
 /// work on fields linear in between.

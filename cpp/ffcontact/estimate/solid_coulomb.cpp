@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/coulomb_constant.hpp"
@@ -150,13 +151,13 @@ Matrix2Xd weight_of(const Matrix2Xd& s, const NodalLaw& law) {
   const double largest = largest_friction(law);
   Matrix2Xd weight = s;
   for (Index i = 0; i < s.cols(); ++i)
-    weight.col(i) *= largest > 0 ? law.cone[i].friction / largest : 0;
+    weight.col(i) *= relative(law.cone[i].friction, largest);
   return weight;
 }
 
 /// @param left_out  1 at nodes that slip nowhere [p]
 DirectedSlip slip_of(const PairOnSurface& pair, const NodalLaw& law,
-                     const std::vector<char>& left_out) {
+                     const Flags& left_out) {
   return {weight_of(pair.directions(), law), pair.missed_moments(), left_out};
 }
 
@@ -167,15 +168,13 @@ DirectedSlip directed_slip(const SolidTopology& topology,
                            const SolvedSolid& body,
                            const SolidEstimate& estimate) {
   return slip_of({topology, surface, body.law, estimate},
-                 nodal_law(body.law, surface),
-                 std::vector<char>(surface.node_count(), 0));
+                 nodal_law(body.law, surface), Flags(surface.node_count(), 0));
 }
 
 SolidCoulomb solid_coulomb(const SolidTopology& topology,
                            const ContactSurface& surface,
                            const ElasticSystem& system, const SolvedSolid& body,
-                           const SolidEstimate& estimate,
-                           const std::vector<char>& held) {
+                           const SolidEstimate& estimate, const Flags& held) {
   const double e =
       estimate.admissible ? estimate.e + estimate.oscillation : infinity;
   const NodalLaw law = nodal_law(body.law, surface);

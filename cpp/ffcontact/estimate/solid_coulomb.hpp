@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/directed_slip.hpp"
 #include "ffcontact/estimate/solid_estimate.hpp"
 
@@ -36,7 +37,6 @@ DirectedSlip directed_slip(const SolidTopology& topology,
 SolidCoulomb solid_coulomb(const SolidTopology& topology,
                            const ContactSurface& surface,
                            const ElasticSystem& system, const SolvedSolid& body,
-                           const SolidEstimate& estimate,
-                           const std::vector<char>& held);
+                           const SolidEstimate& estimate, const Flags& held);
 
 }  // namespace ffcontact

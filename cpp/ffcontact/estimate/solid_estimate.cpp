@@ -172,8 +172,7 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
     estimate.penetration =
         deepest.depth / largest_displacement(body.law, body.displacement);
   estimate.reason = reason_against(
-      {estimate.penetration, estimate.cone, estimate.equilibrium},
-      topology.mesh.place(surface.vertex[deepest.node]));
+      estimate, topology.mesh.place(surface.vertex[deepest.node]));
   estimate.admissible = estimate.reason.empty();
 }
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "ffcontact/equilibrium/equilibrium_defect.hpp"
 #include "ffcontact/equilibrium/solid_relaxation.hpp"
 #include "ffcontact/estimate/contact_faces.hpp"
+#include "ffcontact/estimate/pair_error.hpp"
 #include "ffcontact/estimate/solved_solid.hpp"
 
 namespace ffcontact {
@@ -15,29 +12,16 @@ namespace ffcontact {
 /// [CHH01, 2.2]:
 ///     e^2 = |sigma_hat - C eps(u_hat)|^2 + contact_error   (2.11)
 ///     eps = e / |sigma_hat + C eps(u_hat)|,   eps^2 = sum of eps_E^2   (2.12), (2.13)
-struct SolidEstimate {
-  double e = 0;                 ///< [(N mm)^(1/2)]
-  double relative = 0;          ///< eps [-]
-  double elastic = 0;           ///< |sigma_hat - C eps(u_hat)|, same unit as e
-  double contact = 0;           ///< the contact part of e^2
-  VectorXd local;               ///< eps_E per tetrahedron [-]
-  std::vector<double> history;  ///< e before the first and after every step
-
+struct SolidEstimate : PairError {
   VectorXd displacement;  ///< u_hat on all dofs [mm]
   FaceMoments moments;    ///< of sigma_hat on the faces [N]
   /// r_hat before its relaxation: at the nodes, linear between [MPa, 3 x p]
   Matrix3Xd tractions;
   /// r_hat at the vertices of the contact faces, linear on each [MPa]
   SurfaceTractions face_tractions;
-  EquilibriumDefect equilibrium;
-  double cone = 0;  ///< cone_violation of r_hat, relative to the largest stress
-  double penetration = 0;  ///< of u_hat, relative to the largest displacement
   /// traction_oscillation, same unit as e: where surfaces of two bodies do not match, e +
   /// this is what is said of e; 0 elsewhere
   double oscillation = 0;
-  /// in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
-  bool admissible = false;
-  std::string reason;  ///< why not, one sentence without a full stop
 };
 
 /// Builds the admissible pair of solids on a rigid foundation or against each other (as

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
@@ -17,7 +18,7 @@ namespace {
 /// The smallest change of a vertex that lowers its nodes out of the foundation, or 0.
 Vector3d lowering(const ContactSurface& surface, const VectorXd& penetration,
                   int vertex, const std::vector<int>& nodes,
-                  const std::vector<char>& prescribed, double largest) {
+                  const Flags& prescribed, double largest) {
   return clearing(vertex, -surface.normal(Eigen::all, nodes),
                   penetration(nodes), prescribed, largest);
 }
@@ -42,7 +43,7 @@ VectorXd admissible_displacement(const Facets<3>& faces,
                                  const ContactSurface& surface,
                                  const SurfaceLaw& law,
                                  const Ref<const VectorXd>& displacement,
-                                 const std::vector<char>& prescribed) {
+                                 const Flags& prescribed) {
   if (surface.against_a_body())
     return facing_admissible_displacement(faces, surface, law, displacement,
                                           prescribed);

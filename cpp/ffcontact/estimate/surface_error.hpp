@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/estimate/contact_faces.hpp"
 #include "ffcontact/estimate/deepest_node.hpp"
 
@@ -29,7 +30,7 @@ VectorXd admissible_displacement(const Facets<3>& faces,
                                  const ContactSurface& surface,
                                  const SurfaceLaw& law,
                                  const Ref<const VectorXd>& displacement,
-                                 const std::vector<char>& prescribed);
+                                 const Flags& prescribed);
 
 DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
                          const SurfaceLaw& law,

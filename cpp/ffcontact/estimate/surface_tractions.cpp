@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
@@ -127,15 +128,13 @@ class SurfaceDual {
 };
 
 /// Nodes that touch the foundation and that supports hold along their normals.
-std::vector<char> held_in_contact(const SurfaceLaw& law,
-                                  const ContactSurface& surface,
-                                  const VectorXd& displacement,
-                                  const std::vector<char>& prescribed) {
+Flags held_in_contact(const SurfaceLaw& law, const ContactSurface& surface,
+                      const VectorXd& displacement, const Flags& prescribed) {
   constexpr double rounding = 1e-10;
   const double touching = -rounding * largest_displacement(law, displacement);
   const Matrix3Xd v =
       displacement_against_foundation(surface, law, displacement);
-  std::vector<char> held(surface.node_count());
+  Flags held(surface.node_count());
   for (int i = 0; i < surface.node_count(); ++i)
     held[i] =
         v(0, i) >= touching &&
@@ -145,8 +144,7 @@ std::vector<char> held_in_contact(const SurfaceLaw& law,
 
 /// At each held node the sum of the tractions at the nodes of its faces that are not, and
 /// how many they are.
-Matrix4Xd sums_beside(const ContactSurface& surface,
-                      const std::vector<char>& held,
+Matrix4Xd sums_beside(const ContactSurface& surface, const Flags& held,
                       const Matrix3Xd& traction) {
   Matrix4Xd sums = Matrix4Xd::Zero(4, traction.cols());
   for (int m = 0; m < surface.face_count(); ++m)
@@ -178,10 +176,8 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
 Matrix3Xd continued_tractions(const SurfaceLaw& law,
                               const ContactSurface& surface,
                               const VectorXd& displacement,
-                              const std::vector<char>& prescribed,
-                              Matrix3Xd traction) {
-  std::vector<char> held =
-      held_in_contact(law, surface, displacement, prescribed);
+                              const Flags& prescribed, Matrix3Xd traction) {
+  Flags held = held_in_contact(law, surface, displacement, prescribed);
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
   for (bool goes_on = true; goes_on;) {  // from ring to ring
     const Matrix4Xd beside = sums_beside(surface, held, traction);

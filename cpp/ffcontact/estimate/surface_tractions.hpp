@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/surface_law.hpp"
 
 namespace ffcontact {
@@ -30,8 +31,7 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
 Matrix3Xd continued_tractions(const SurfaceLaw& law,
                               const ContactSurface& surface,
                               const VectorXd& displacement,
-                              const std::vector<char>& prescribed,
-                              Matrix3Xd traction);
+                              const Flags& prescribed, Matrix3Xd traction);
 
 /// The same at the three vertices of each face, one column a face [MPa, 9 x faces].
 Matrix<double, 9, Dynamic> tractions_by_face(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
@@ -61,7 +62,7 @@ bool slides(const ContactLine& line, const SolvedBody& body) {
 }
 
 /// Loads on supports are felt by nothing.
-bool has_loads(const Topology& topology, const std::vector<char>& prescribed,
+bool has_loads(const Topology& topology, const Flags& prescribed,
                const SolvedBody& body) {
   const BoundaryTractions given =
       given_tractions(topology.mesh, topology.edges, prescribed,
@@ -87,7 +88,7 @@ double largest_stress_terms(const SolidMesh& mesh, const HookeTensors<3>& hooke,
 }
 
 bool is_unstressed(const Topology& topology, const ContactLine& line,
-                   const std::vector<char>& prescribed, const SolvedBody& body,
+                   const Flags& prescribed, const SolvedBody& body,
                    double stress_terms) {
   if (has_loads(topology, prescribed, body)) return false;
   const double stress =

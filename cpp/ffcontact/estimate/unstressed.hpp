@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/estimate/solved_body.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
@@ -37,7 +38,7 @@ double largest_stress_terms(const SolidMesh& mesh, const HookeTensors<3>& hooke,
 /// @param prescribed    1 where the dof is prescribed [2 * vertices]
 /// @param stress_terms  largest_stress_terms of u_h
 bool is_unstressed(const Topology& topology, const ContactLine& line,
-                   const std::vector<char>& prescribed, const SolvedBody& body,
+                   const Flags& prescribed, const SolvedBody& body,
                    double stress_terms);
 
 }  // namespace ffcontact

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/unions.hpp"
@@ -51,7 +52,7 @@ class SheetFinder {
     ContactSurface result;
     result.face = packed(face_);
     result.face_node.resize(3, count_of(face_));
-    const std::vector<char> plane = planes();
+    const Flags plane = planes();
     std::map<int, int> number;  // node of each root
     std::vector<Vector3d> sums;
     std::vector<int> vertices;
@@ -138,11 +139,11 @@ class SheetFinder {
   }
 
   /// 1 for the sheets that are planes [m, at their roots].
-  std::vector<char> planes() {
+  Flags planes() {
     sheet_vector_ = Matrix3Xd::Zero(3, vector_.cols());
     for (int m = 0; m < count_of(face_); ++m)
       sheet_vector_.col(sheets_.root(m)) += vector_.col(m);
-    std::vector<char> plane(face_.size(), 1);
+    Flags plane(face_.size(), 1);
     for (int m = 0; m < count_of(face_); ++m) {
       const int sheet = sheets_.root(m);
       if (cosine(vector_.col(m), sheet_vector_.col(sheet)) < 1 - coplanar)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/convex_polygon.hpp"
@@ -64,7 +65,7 @@ class FacePairing {
 
  private:
   void require_separate() const {
-    std::vector<char> own(mesh_.vertex_count(), 0);
+    Flags own(mesh_.vertex_count(), 0);
     for (int v : surface_.vertex) own[v] = 1;
     for (int face : target_)
       for (int v : faces_.vertices.col(face))
@@ -75,9 +76,10 @@ class FacePairing {
   }
 
   [[noreturn]] void refuse_unfaced() const {
-    const auto corners = faces_.vertices.col(surface_.face[0]);
+    const int face = surface_.face[0];
     const Vector3d x =
-        mesh_.origin + mesh_.vertices(Eigen::all, corners).rowwise().mean();
+        mesh_.origin +
+        facet_points<3>(mesh_, faces_.vertices.col(face)).rowwise().mean();
     refuse("no point of the contact surface, as ", in_words(x),
            ", faces a face of the opposite body along its contact direction: "
            "give the labels of two sides that lie opposite to each other, or "
@@ -104,8 +106,7 @@ class FacePairing {
   SeenFace seen(int face, const Matrix3d& frame, const Vector3d& start) const {
     const Matrix3d x =
         frame.transpose() *
-        (mesh_.vertices(Eigen::all, faces_.vertices.col(face)).colwise() -
-         start);
+        (facet_points<3>(mesh_, faces_.vertices.col(face)).colwise() - start);
     return {x.topRows<2>(), x.row(2)};
   }
 

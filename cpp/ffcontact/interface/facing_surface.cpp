@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 
@@ -236,7 +237,7 @@ class Coupling {
   const ContactSurface& surface_;
   VectorXd area_, gap_;
   Triplets mass_;
-  std::vector<char> is_faced_;
+  Flags is_faced_;
   std::vector<std::map<int, double>> weights_;
 };
 

@@ -8,46 +8,79 @@
 
 namespace ffcontact {
 
-ContactSurface joined_surfaces(const std::vector<ContactSurface>& surfaces) {
-  ContactSurface all;
-  std::vector<int> vertex, face;
-  std::vector<Vector3d> normal;
-  std::vector<double> area;
-  std::vector<Vector3i> face_node;
-  Triplets opposite, mass;
-  Index vertices = 0;
-  for (const ContactSurface& surface : surfaces) {
-    const int first = count_of(vertex);
-    for (FacingPolygon polygon : surface.polygons) {
-      polygon.contact_face += count_of(face);
-      all.polygons.push_back(std::move(polygon));
-    }
-    vertex.insert(vertex.end(), surface.vertex.begin(), surface.vertex.end());
-    area.insert(area.end(), surface.area.begin(), surface.area.end());
-    face.insert(face.end(), surface.face.begin(), surface.face.end());
-    for (int i = 0; i < surface.node_count(); ++i) {
-      normal.emplace_back(surface.normal.col(i));
-      visit_opposite(surface, i, [&](int v, double weight) {
-        opposite.emplace_back(first + i, v, weight);
-      });
-    }
-    for (int j = 0; j < surface.mass.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator m(surface.mass, j); m; ++m)
-        mass.emplace_back(first + m.row(), first + j, m.value());
+namespace {
+
+class SurfaceJoiner {
+ public:
+  void add(const ContactSurface& surface) {
+    first_ = count_of(vertex_);
+    add_polygons(surface.polygons);
+    append_to(vertex_, surface.vertex);
+    append_to(area_, surface.area);
+    append_to(face_, surface.face);
+    for (int i = 0; i < surface.node_count(); ++i) add_node(surface, i);
+    add_mass(surface.mass);
     for (auto nodes : surface.face_node.colwise())
-      face_node.emplace_back(
-          (nodes.array() < 0).select(nodes, nodes.array() + first));
-    vertices = std::max(vertices, surface.opposite.cols());
+      face_node_.emplace_back(
+          (nodes.array() < 0).select(nodes, nodes.array() + first_));
+    vertices_ = std::max(vertices_, surface.opposite.cols());
   }
-  all.vertex = packed(vertex);
-  all.normal = packed(normal);
-  all.area = packed(area);
-  all.face_node = packed(face_node);
-  all.face = packed(face);
-  all.mass = packed(count_of(vertex), count_of(vertex), mass);
-  if (vertices > 0)
-    all.opposite = packed<WeightsByNode>(count_of(vertex), vertices, opposite);
-  return all;
+
+  ContactSurface joined() && {
+    const Index nodes = count_of(vertex_);
+    all_.vertex = packed(vertex_);
+    all_.normal = packed(normal_);
+    all_.area = packed(area_);
+    all_.face_node = packed(face_node_);
+    all_.face = packed(face_);
+    all_.mass = packed(nodes, nodes, mass_);
+    if (vertices_ > 0)
+      all_.opposite = packed<WeightsByNode>(nodes, vertices_, opposite_);
+    return std::move(all_);
+  }
+
+ private:
+  template <class Value, class Values>
+  static void append_to(std::vector<Value>& all, const Values& values) {
+    all.insert(all.end(), values.begin(), values.end());
+  }
+
+  void add_polygons(std::vector<FacingPolygon> polygons) {
+    for (FacingPolygon& polygon : polygons) {
+      polygon.contact_face += count_of(face_);
+      all_.polygons.push_back(std::move(polygon));
+    }
+  }
+
+  void add_node(const ContactSurface& surface, int i) {
+    normal_.emplace_back(surface.normal.col(i));
+    visit_opposite(surface, i, [&](int v, double weight) {
+      opposite_.emplace_back(first_ + i, v, weight);
+    });
+  }
+
+  void add_mass(const SparseMatrix& mass) {
+    for (int j = 0; j < mass.outerSize(); ++j)
+      for (SparseMatrix::InnerIterator m(mass, j); m; ++m)
+        mass_.emplace_back(first_ + m.row(), first_ + j, m.value());
+  }
+
+  ContactSurface all_;
+  std::vector<int> vertex_, face_;
+  std::vector<Vector3d> normal_;
+  std::vector<double> area_;
+  std::vector<Vector3i> face_node_;
+  Triplets opposite_, mass_;
+  Index vertices_ = 0;
+  int first_ = 0;  ///< node of the surface that is added
+};
+
+}  // namespace
+
+ContactSurface joined_surfaces(const std::vector<ContactSurface>& surfaces) {
+  SurfaceJoiner joiner;
+  for (const ContactSurface& surface : surfaces) joiner.add(surface);
+  return std::move(joiner).joined();
 }
 
 }  // namespace ffcontact

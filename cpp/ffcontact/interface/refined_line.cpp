@@ -52,8 +52,8 @@ class Refining {
 
   /// The first node of the pieces of a contact edge.
   int first_node(const FacingPiece& piece) {
-    const int e = piece.contact_edge, vertex = own_vertex(piece, piece.begin);
-    const int node = ends_at_its_node(old_, 0, e) ? old_.edge_node(0, e)
+    const int e = piece.contact_edge, vertex = own_vertex(piece, piece.begin),
+              node = ends_at_its_node(old_, 0, e) ? old_.edge_node(0, e)
                                                   : add_node(vertex, e, 0);
     vertex_[node] = vertex;
     return node;

@@ -39,7 +39,7 @@ std::optional<int> next_column(const EdgesAtVertex& at, int vertex,
                                int column) {
   const std::vector<int>& columns = at.at(vertex);
   if (columns.size() != 2) return std::nullopt;
-  return columns[0] == column ? columns[1] : columns[0];
+  return columns[0] + columns[1] - column;
 }
 
 Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex,
@@ -217,7 +217,7 @@ VectorXi labelled_by_parts(const Mesh& mesh,
   VectorXi labels = mesh.boundary_label;
   int label = part_label(mesh, 0);
   for (const BoundaryPart& part : parts) {
-    for (int column : part.columns) labels[column] = label;
+    labels(part.columns).setConstant(label);
     ++label;
   }
   return labels;

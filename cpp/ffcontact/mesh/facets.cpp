@@ -148,9 +148,7 @@ class Gathering {
 template <int dim>
 Matrix<double, dim, 1> vector_of(const SimplexMesh<dim>& mesh,
                                  const Facets<dim>& facets, int facet) {
-  const Matrix<double, dim, dim> corners =
-      mesh.vertices(Eigen::all, facets.vertices.col(facet));
-  return facet_vector(corners);
+  return facet_vector(facet_points<dim>(mesh, facets.vertices.col(facet)));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/mesh/facets.hpp"
 
 namespace ffcontact {
@@ -16,9 +17,8 @@ struct Hinges {
   /// facets of hinge h, ascending: facet[facet_start[h] .. facet_start[h + 1])
   std::vector<int> facet_start, facet;
   Matrix<int, dim, Dynamic>
-      of_facet;  ///< hinge opposite to each vertex of a facet
-  std::vector<char>
-      on_boundary;  ///< 1 where two of the facets are on the boundary
+      of_facet;       ///< hinge opposite to each vertex of a facet
+  Flags on_boundary;  ///< 1 where two of the facets are on the boundary
 
   int count() const { return static_cast<int>(vertices.cols()); }
   int facet_count(int hinge) const {

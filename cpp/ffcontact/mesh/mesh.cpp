@@ -66,10 +66,8 @@ Vector3d facet_vector(const Matrix3d& corners) {
 
 template <int dim>
 double boundary_measure(const SimplexMesh<dim>& mesh, Index column) {
-  Matrix<double, dim, dim> corners;
-  for (int k = 0; k < dim; ++k)
-    corners.col(k) = mesh.vertices.col(mesh.boundary(k, column));
-  return facet_vector(corners).norm();
+  return facet_vector(facet_points<dim>(mesh, mesh.boundary.col(column)))
+      .norm();
 }
 
 template <int dim>

@@ -66,6 +66,15 @@ inline constexpr std::array<std::array<int, 3>, 4> facet_corners<3>{
 Vector2d facet_vector(const Matrix2d& corners);
 Vector3d facet_vector(const Matrix3d& corners);
 
+/// The corners of a facet, one column each.
+template <int dim>
+Matrix<double, dim, dim> facet_points(const SimplexMesh<dim>& mesh,
+                                      const Matrix<int, dim, 1>& vertices) {
+  Matrix<double, dim, dim> points;
+  for (int k = 0; k < dim; ++k) points.col(k) = mesh.vertices.col(vertices[k]);
+  return points;
+}
+
 /// Length [mm] or area [mm^2] of a labelled facet, a column of `boundary`.
 template <int dim>
 double boundary_measure(const SimplexMesh<dim>& mesh, Index column);

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
@@ -102,7 +103,7 @@ void require_all(const std::vector<std::vector<int>>& numbers, int end,
 
 template <int dim>
 void put_vertices(const SimplexMesh<dim>& mesh, const std::vector<int>& number,
-                  std::vector<char>& known, SimplexMesh<dim>& whole) {
+                  Flags& known, SimplexMesh<dim>& whole) {
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     auto x = whole.vertices.col(number[v]);
     if (known[number[v]] && x != mesh.vertices.col(v))
@@ -123,7 +124,7 @@ void put_cells(const std::vector<SimplexMesh<dim>>& meshes,
   require_all(parts.cell, cells, MeshWords<dim>::cell, true);
   whole.vertices.resize(dim, vertices);
   whole.cells.resize(dim + 1, cells);
-  std::vector<char> known(vertices, 0);
+  Flags known(vertices, 0);
   for (std::size_t r = 0; r < meshes.size(); ++r) {
     put_vertices(meshes[r], parts.vertex[r], known, whole);
     for (int t = 0; t < meshes[r].cell_count(); ++t)

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/smooth_curve.hpp"
@@ -104,12 +105,12 @@ void require_none_turned(const Mesh& before, const Mesh& after) {
 /// How far vertices move.
 struct Moves {
   Matrix2Xd by;
-  std::vector<char> given;  ///< of the vertices on parts
+  Flags given;  ///< of the vertices on parts
 };
 
 Moves moves_to(const std::map<int, Vector2d>& places, const Mesh& mesh) {
   const Index vertices = mesh.vertices.cols();
-  Moves moves{Matrix2Xd::Zero(2, vertices), std::vector<char>(vertices, 0)};
+  Moves moves{Matrix2Xd::Zero(2, vertices), Flags(vertices, 0)};
   for (const auto& [vertex, place] : places) {
     moves.by.col(vertex) = place - mesh.vertices.col(vertex);
     moves.given[vertex] = 1;

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/unions.hpp"
 
@@ -44,8 +45,8 @@ class SurfaceFinder {
   }
 
   /// Whether all faces of each surface are coplanar with its first.
-  std::vector<char> flat(const std::vector<int>& surface) const {
-    std::vector<char> result;
+  Flags flat(const std::vector<int>& surface) const {
+    Flags result;
     std::vector<int> first;
     for (int k = 0; k < dividing_.count(); ++k) {
       if (surface[k] == count_of(result)) {
@@ -93,7 +94,7 @@ class SurfaceFinder {
       for (const int v : faces_.vertices.col(dividing_.face[k]))
         around[v] =
             around[v] == -1 || around[v] == sets.root(k) ? sets.root(k) : -2;
-    std::vector<char> is_plane(dividing_.count(), 0);
+    Flags is_plane(dividing_.count(), 0);
     for (const int set : around)
       if (set >= 0) is_plane[set] = 1;
     std::vector<int> plane(dividing_.count(), -1);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/mesh/dividing_edges.hpp"
 
 namespace ffcontact {
@@ -17,8 +18,8 @@ namespace ffcontact {
 /// (a ball, a ring), or most of whose normals cancel inside one rim, is cut into patches.
 struct SurfacePatches {
   std::vector<int> surface,
-      patch;               ///< of each dividing face, numbered from 0 on
-  std::vector<char> flat;  ///< 1 for each surface that is a plane
+      patch;   ///< of each dividing face, numbered from 0 on
+  Flags flat;  ///< 1 for each surface that is a plane
   std::vector<int> surface_of_patch;
 
   int surface_count() const { return static_cast<int>(flat.size()); }

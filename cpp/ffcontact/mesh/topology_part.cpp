@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
@@ -103,9 +104,8 @@ TopologyPart part_of(const SolidTopology& whole, std::vector<int> cells) {
   return part;
 }
 
-std::vector<char> edges_of_cells(const SolidTopology& topology,
-                                 const std::vector<char>& cell) {
-  std::vector<char> edge(topology.edges.count(), 0);
+Flags edges_of_cells(const SolidTopology& topology, const Flags& cell) {
+  Flags edge(topology.edges.count(), 0);
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
     for (int k = 0; k < 4 && cell[t]; ++k)
       for (int e : topology.edges.of_facet.col(topology.faces.of_cell(k, t)))
@@ -113,8 +113,7 @@ std::vector<char> edges_of_cells(const SolidTopology& topology,
   return edge;
 }
 
-std::vector<int> cells_at(const SolidTopology& topology,
-                          const std::vector<char>& edge) {
+std::vector<int> cells_at(const SolidTopology& topology, const Flags& edge) {
   std::vector<int> cells;
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     bool has_one = false;

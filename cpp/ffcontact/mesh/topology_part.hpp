@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 
 namespace ffcontact {
@@ -23,11 +24,9 @@ int place_in(const std::vector<int>& list, int number);
 TopologyPart part_of(const SolidTopology& whole, std::vector<int> cells);
 
 /// 1 for each edge of one of these tetrahedra.
-std::vector<char> edges_of_cells(const SolidTopology& topology,
-                                 const std::vector<char>& cell);
+Flags edges_of_cells(const SolidTopology& topology, const Flags& cell);
 
 /// The tetrahedra with one of these edges, ascending.
-std::vector<int> cells_at(const SolidTopology& topology,
-                          const std::vector<char>& edge);
+std::vector<int> cells_at(const SolidTopology& topology, const Flags& edge);
 
 }  // namespace ffcontact

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
@@ -32,8 +33,7 @@ Vector2i boundary_faces(const SolidTopology& topology, int edge) {
 
 /// Does the surface turn, or its condition change, between the faces at a boundary edge?
 bool is_singular(const SolidTopology& topology, int edge,
-                 const KnownComponents& known,
-                 const std::vector<char>& is_contact) {
+                 const KnownComponents& known, const Flags& is_contact) {
   const auto& [mesh, faces, edges, stars] = topology;
   const Vector2i sides = boundary_faces(topology, edge);
   const int a = sides[0], b = sides[1];
@@ -45,7 +45,7 @@ bool is_singular(const SolidTopology& topology, int edge,
 
 std::vector<int> singular_edges(const SolidTopology& topology,
                                 const KnownComponents& known,
-                                const std::vector<char>& is_contact) {
+                                const Flags& is_contact) {
   const Hinges<3>& edges = topology.edges;
   return numbers_where(edges.count(), [&](int e) {
     return edges.on_boundary[e] && is_singular(topology, e, known, is_contact);
@@ -116,7 +116,7 @@ class LinesOfEdges {
 /// A line, its middle half, and its length.
 struct MeasuredLine {
   std::vector<int> edges;
-  std::vector<char> is_inside;  ///< in the middle half
+  Flags is_inside;  ///< in the middle half
   double length = 0;
 
   MeasuredLine(const SolidTopology& topology, std::vector<int> line)
@@ -273,7 +273,7 @@ std::vector<SingularLine> singular_lines(const SolidTopology& topology,
                                          const HookeTensors<3>& hooke,
                                          const Ref<const Matrix6Xd>& stress,
                                          const KnownComponents& known,
-                                         const std::vector<char>& is_contact) {
+                                         const Flags& is_contact) {
   const LinesOfEdges all(topology, singular_edges(topology, known, is_contact));
   const TetrahedronEnergies tetrahedra(topology.mesh, hooke, stress);
   std::vector<SingularLine> result;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/face_tractions.hpp"
 #include "ffcontact/equilibrium/solid_residual.hpp"
@@ -35,7 +36,7 @@ std::vector<SingularLine> singular_lines(const SolidTopology& topology,
                                          const HookeTensors<3>& hooke,
                                          const Ref<const Matrix6Xd>& stress,
                                          const KnownComponents& known,
-                                         const std::vector<char>& is_contact);
+                                         const Flags& is_contact);
 
 /// Local rates q_E of the error, eps_E ~ h_E^q_E: alpha on the tetrahedra at a singular
 /// line, 1 on all others.

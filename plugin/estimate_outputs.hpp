@@ -6,7 +6,7 @@
 #include "contact_problem.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 
-/// What an estimate leaves, as arrays of the script.
+/// What an estimate leaves, as outputs of the script.
 namespace ffcontact::plugin {
 
 /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is
@@ -18,5 +18,12 @@ VectorXd stress_component(const std::vector<CompositeStress>& stress,
 /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the line
 /// that coefficients are stated on.
 VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate);
+
+/// e, its parts and its history.
+void put_error(Stack stack, const NamedArguments& named,
+               const PairError& error);
+/// How far the pair is from what is asked of it.
+void put_defects(Stack stack, const NamedArguments& named,
+                 const PairError& error);
 
 }  // namespace ffcontact::plugin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "estimate_arrays.hpp"
+#include "estimate_outputs.hpp"
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/plane.hpp"
@@ -51,6 +51,22 @@ VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
       2 * estimate.refinement->line.edge_count(), [&](int k) {
         return abscissa(problem, *estimate.refinement, k / 2, k % 2);
       });
+}
+
+void put_error(Stack stack, const NamedArguments& named,
+               const PairError& error) {
+  named.put(stack, "e", error.e);
+  named.put(stack, "elasticpart", error.elastic);
+  named.put(stack, "contactpart", error.contact);
+  named.put(stack, "history", packed(error.history));
+}
+
+void put_defects(Stack stack, const NamedArguments& named,
+                 const PairError& error) {
+  named.put(stack, "balance", error.equilibrium.largest());
+  named.put(stack, "cone", error.cone);
+  named.put(stack, "penetration", error.penetration);
+  named.put(stack, "admissible", error.admissible);
 }
 
 }  // namespace ffcontact::plugin
