@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by edp/run, tests/run, tests/coverage, tests/mutants, tests/bench/run and .ci/run: what they install and how they build.
+# Sourced by edp/run, edp/package, the scripts of tests and .ci/run: what they install and how they build.
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 packages_to_run=(cmake ninja-build g++ freefem++ libfreefem++-dev libsuitesparse-dev libopenblas-dev libeigen3-dev gmsh)
@@ -10,6 +10,8 @@ packages_to_sanitize=("${packages_to_test[@]}" clang libclang-rt-dev libomp-dev)
 packages_to_cover=("${packages_to_test[@]}" gcovr)
 packages_to_check=("${packages_to_test[@]}" clang-tidy)
 packages_to_measure=("${packages_to_run[@]}" libbenchmark-dev)
+packages_to_pack=("${packages_to_share[@]}" dpkg-dev file lintian)
+packages_to_start_fresh=(mmdebstrap git)
 
 export OMP_WAIT_POLICY="${OMP_WAIT_POLICY-passive}"  # threads that wait leave the processor to others
 
@@ -44,16 +46,59 @@ install() {
     fail "apt-get install failed"
 }
 
+is_writable() { mkdir -p "$top/build" 2>/dev/null && [ -w "$top/build" ]; }
+
+# locked COMMAND...: one build of a checkout at a time. A second one waits, and finds what the first has built.
+locked() {
+  if [ -n "${build_lock-}" ]; then "$@"; return; fi
+  is_writable || fail "$top cannot be written to, and what is built goes there: copy it to a folder of yours (cp -r $top ~) and run it there"
+  exec 9>>"$top/build/lock"
+  flock --nonblock 9 || { say "waiting for another build of this checkout"; flock 9; }
+  build_lock=held
+  "$@"
+  build_lock=
+  exec 9>&-
+}
+
 # configure PRESET [CMake options]
-configure() {
+configure() { locked configure_alone "$@"; }
+configure_alone() {
+  discard_foreign_build "$1"
   say "configuring ($1)"
   (cd "$top" && quietly cmake --preset "$@") || fail "the configuration failed"
 }
 
-# build PRESET TARGET, with a compiler for each core: two more, which is what Ninja starts, crowd the caches (a tenth of the time)
-build() {
-  say "building ($1)"
-  quietly cmake --build "$top/build/$1" --target "$2" --parallel "$(nproc)" -- --quiet || fail "the build failed"
+# A build holds the path of its checkout: in a copied or moved one it would build and run the original.
+discard_foreign_build() {
+  local build=$top/build/$1 home
+  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt" 2>/dev/null) || return 0
+  [ "$home" -ef "$top" ] || { say "$build was made for $home: building anew"; rm -rf "$build"; }
+}
+
+# build PRESET TARGET, with a compiler for each core: two more, which is what Ninja starts, crowd the caches (a tenth of the time).
+build() { locked build_alone "$@"; }
+build_alone() {
+  local log=$top/build/$1.log code=0
+  (set -o pipefail
+    cmake --build "$top/build/$1" --target "$2" --parallel "$(nproc)" </dev/null 2>&1 9>&- | tee "$log" | show_progress "$1") || code=$?
+  [ $code = 0 ] || { grep -m 1 -A 30 '^FAILED' "$log" >&2 || tail -n 30 "$log" >&2; fail "the build failed: $log has all that was said"; }
+}
+
+# Ninja's steps, "[12/345] Building ...": on a terminal one line that counts, elsewhere a line for each tenth.
+show_progress() {
+  awk -v preset="$1" -v terminal="$([ -t 2 ] && echo yes)" '
+    match($0, /^\[[0-9]+\/[0-9]+\]/) {
+      split(substr($0, 2, RLENGTH - 2), step, "/")
+      if (step[1] == 0) next                        # it looks for new files
+      tenth = int(10 * step[1] / step[2])
+      text = "ffcontact: building (" preset "), step " step[1] " of " step[2]
+      if (terminal) printf "\r%s", text
+      else if (!shown || tenth > last) print text
+      last = tenth
+      shown = 1
+      fflush()
+    }
+    END { if (terminal && shown) print "" }' >&2
 }
 
 # A new seed for the random cases of the tests, one for all programs of a run; said, so that the run can be replayed.
