@@ -15,10 +15,18 @@ long contactstop(string* const& sentence) {
   return 0;
 }
 
+/// contactversion() is the version of ffcontact, "0.1.0"; FreeFEM copies it and frees
+/// nothing.
+string* contactversion() {
+  static string version(FFCONTACT_VERSION);
+  return &version;
+}
+
 }  // namespace
 
 void register_script_functions() {
   Global.Add("contactstop", "(", new OneOperator1_<long, string*>(contactstop));
+  Global.Add("contactversion", "(", new OneOperator0<string*>(contactversion));
   Global.Add("wallclock", "(", new OneOperator0<double>(wallclock));
 }
 
