@@ -30,6 +30,9 @@ quietly() {
 
 is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
+# May this user use sudo, without a password or with one that a terminal can ask for?
+has_sudo() { command -v sudo >/dev/null && { sudo -n true 2>/dev/null || { [ -t 0 ] && sudo -v; }; }; }
+
 # install PACKAGE...: those that are missing.
 install() {
   local package missing=() sudo=()
@@ -37,7 +40,7 @@ install() {
   for package; do is_installed "$package" || missing+=("$package"); done
   [ ${#missing[@]} = 0 ] && return
   if [ "$(id -u)" != 0 ]; then
-    command -v sudo >/dev/null || fail "please install as root: apt-get install ${missing[*]}"
+    has_sudo || fail "please install as root: apt-get install ${missing[*]}"
     sudo=(sudo)
   fi
   say "installing ${missing[*]}"
