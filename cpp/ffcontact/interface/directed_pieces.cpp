@@ -42,6 +42,19 @@ std::size_t end_of_run(const std::vector<DirectedPiece>& pieces,
   return next;
 }
 
+/// Pieces of one edge go on where the hole between them is as thin.
+void close_narrow_holes(std::vector<DirectedPiece>& pieces) {
+  for (std::size_t k = 1; k < pieces.size(); ++k) {
+    const FacingPiece& before = pieces[k - 1].piece;
+    FacingPiece& piece = pieces[k].piece;
+    const double hole = piece.begin - before.end;
+    if (piece.contact_edge != before.contact_edge || hole >= least_part)
+      continue;
+    piece.begin = before.end;
+    pieces[k].n_begin = pieces[k - 1].n_end;
+  }
+}
+
 }  // namespace
 
 std::vector<DirectedPiece> directed(const ContactLine& line,
@@ -62,6 +75,7 @@ bool go_on(const DirectedPiece& before, const DirectedPiece& after) {
 }
 
 std::vector<DirectedPiece> without_slivers(std::vector<DirectedPiece> pieces) {
+  close_narrow_holes(pieces);
   std::vector<DirectedPiece> kept;
   for (std::size_t k = 0, next = 0; k < pieces.size(); k = next) {
     next = end_of_run(pieces, k);

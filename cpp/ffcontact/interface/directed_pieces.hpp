@@ -22,7 +22,8 @@ bool go_on(const DirectedPiece& before, const DirectedPiece& after);
 
 /// Where the opposite trace ends within 1e-4 of an edge from a vertex of the line it ends
 /// there: what little is left of the edge beyond the end belongs to the last piece, what
-/// little of it is beyond the vertex to the piece before the vertex.
+/// little of it is beyond the vertex to the piece before the vertex. Holes as narrow between
+/// two pieces of an edge, as at a joint of two opposite bodies, are closed.
 /// @param pieces  ascending
 std::vector<DirectedPiece> without_slivers(std::vector<DirectedPiece> pieces);
 

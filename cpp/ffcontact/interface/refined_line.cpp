@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/refined_line.hpp"
 
+#include <map>
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
@@ -66,11 +67,14 @@ class Refining {
     const double end = old_.share(e, piece.end),
                  share = end - old_.share(e, piece.begin);
     const bool at_node = end == 1 && ends_at_its_node(old_, 1, e);
-    const int next = at_node ? old_.edge_node(1, e) : add_node(second, e, end);
+    int next = at_node ? old_.edge_node(1, e) : add_node(second, e, end);
     vertex_[next] = second;
-    const int facing = facing_edge(node, next, piece);
-    add_edge(e, {node, next}, boundary_.find({first, second})->second, facing,
-             share);
+    const int faced_first = faced_vertex(piece, piece.opposite_begin),
+              faced_second = faced_vertex(piece, piece.opposite_end);
+    node = node_facing(node, faced_first);
+    next = node_facing(next, faced_second);
+    add_edge(e, {node, next}, boundary_.find({first, second})->second,
+             facing_edge(faced_first, faced_second), share);
     return next;
   }
 
@@ -100,13 +104,32 @@ class Refining {
     return node;
   }
 
-  /// What a piece between two nodes faces.
-  int facing_edge(int node, int next, const FacingPiece& piece) {
-    const int edge = piece.opposite_edge,
-              first = cuts_.vertex_at(edge, piece.opposite_begin),
-              second = cuts_.vertex_at(edge, piece.opposite_end);
-    facing_.emplace(node, first);
-    facing_.emplace(next, second);
+  int faced_vertex(const FacingPiece& piece, double place) const {
+    return cuts_.vertex_at(piece.opposite_edge, place);
+  }
+
+  /// The node, or where that faces another vertex already its twin: in front of a joint
+  /// between two bodies, or of a step of one, a vertex is a node against each side.
+  int node_facing(int node, int vertex) {
+    if (facing_.emplace(node, vertex).first->second == vertex) return node;
+    const auto [twin, is_new] =
+        twin_.emplace(std::pair(node, vertex), count_of(vertex_));
+    if (is_new) add_twin(node);
+    facing_.emplace(twin->second, vertex);
+    return twin->second;
+  }
+
+  void add_twin(int node) {
+    const int twin = count_of(vertex_);
+    vertex_.push_back(vertex_[node]);
+    abscissa_.push_back(abscissa_[node]);
+    for (std::size_t k = 0, count = weights_.size(); k < count; ++k)
+      if (const auto entry = weights_[k]; entry.row() == node)
+        weights_.emplace_back(twin, entry.col(), entry.value());
+  }
+
+  /// The edge between two vertices of the opposite body, which runs the other way.
+  int facing_edge(int first, int second) const {
     const auto facing = boundary_.find({second, first});
     if (facing == boundary_.end()) refuse_shared(mesh_, first);
     return facing->second;
@@ -158,6 +181,8 @@ class Refining {
   std::vector<double> abscissa_;
   std::vector<double> share_;  ///< of the parent's length
   std::map<int, int> facing_;  ///< vertex that a node faces
+  /// of nodes that face several vertices, that which faces one of the others
+  std::map<std::pair<int, int>, int> twin_;
   Triplets weights_;
 };
 
