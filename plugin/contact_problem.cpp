@@ -67,9 +67,20 @@ ContactLine ContactProblem::own_line(Stack stack, const NamedArguments& named,
   return with_one_direction_a_curve(mesh, edges, std::move(line), distance);
 }
 
+void ContactProblem::require_one_side(const StatedPair& pair,
+                                      const ContactLine& own) const {
+  if (!must_not_face_itself(pair)) return;
+  const std::optional<TouchingPlace> touching =
+      touching_place(mesh, edges, own, pair.labels);
+  if (touching)
+    refuse_both_sides(mesh.boundary_label[edges.boundary_index[touching->edge]],
+                      in_words(Vector2d(mesh.origin + touching->place)));
+}
+
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
                               const StatedPair& pair) {
   const ContactLine own = own_line(stack, named, pair);
+  require_one_side(pair, own);
   if (!pair.rigid()) {
     add_facing_pair(stack, named, pair, own);
     return;
@@ -123,8 +134,8 @@ ContactProblem::Carrier ContactProblem::carrier(
           edges.vertices(place < 0.5 ? 0 : 1, edge) - joined.first_vertex[body];
       result.abscissa[node] = result.edge_abscissa(end, e);
     }
-  result.law = stated_law(stack, named, part(body, elsewhere_), mesh, edges,
-                          line, places);
+  result.law =
+      stated_law(stack, named, part(body, elsewhere_), edges, line, places);
   result.line = std::move(line);
   return result;
 }

@@ -91,6 +91,7 @@ struct ContactProblem : PlaneBodies {
   void state(Stack stack, const NamedArguments& named);
   ContactLine own_line(Stack stack, const NamedArguments& named,
                        const StatedPair& pair) const;
+  void require_one_side(const StatedPair& pair, const ContactLine& own) const;
   void add_pair(Stack stack, const NamedArguments& named,
                 const StatedPair& pair);
   void add_facing_pair(Stack stack, const NamedArguments& named,

@@ -22,27 +22,13 @@ const NamedArguments::Table stated_of_bodies = {
     {"vertexnumbers", &typeid(KN_<long>)},
     {"cellnumbers", &typeid(KN_<long>)}};
 
-/// Bodies may overlap a little, as polygons of curves do and interference fits, but not
-/// by more than their contact edges.
-void require_apart(const Mesh& mesh, const ContactLine& line,
-                   const VectorXd& gap) {
-  for (int i = 0; i < gap.size(); ++i)
-    if (gap[i] < -line.length.maxCoeff())
-      refuse("the bodies overlap by ", -gap[i], " at ",
-             in_words(mesh.place(line.vertex[i])),
-             ", more than a contact edge: is the facing edge behind the "
-             "contact line? Give gap= if it is meant");
-}
-
 VectorXd stated_gap(Stack stack, const NamedArguments& named,
-                    const BodyPart& part, const Mesh& mesh, const Edges& edges,
+                    const BodyPart& part, const Edges& edges,
                     const ContactLine& line, const StatedPlaces& places) {
   if (const Expression given = named.expression("gap"))
     return at_nodes(stack, given, part, edges, line, places, 0);
   if (!line.against_a_body()) return {};
-  const VectorXd gap = facing_gap(line);
-  require_apart(mesh, line, gap);
-  return gap;
+  return facing_gap(line);
 }
 
 /// @throws std::invalid_argument  if neither friction= nor slipbound= is given
@@ -153,6 +139,21 @@ template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
 template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
                                               const JoinedSolids&);
 
+bool must_not_face_itself(const StatedPair& pair) {
+  const auto is_label = [&](int opposite) {
+    return std::find(pair.labels.begin(), pair.labels.end(), opposite) !=
+           pair.labels.end();
+  };
+  return pair.rigid() ||
+         std::any_of(pair.opposite.begin(), pair.opposite.end(), is_label);
+}
+
+void refuse_both_sides(int label, const std::string& place) {
+  refuse("label ", label, " is on two sides that lie on each other, as at ",
+         place,
+         ": give them two labels, label= for one and opposite= for the other");
+}
+
 VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies) {
   VectorXd previous = VectorXd::Zero(bodies.dof_count());
@@ -184,9 +185,8 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
 }
 
 ContactLaw stated_law(Stack stack, const NamedArguments& named,
-                      const BodyPart& part, const Mesh& mesh,
-                      const Edges& edges, const ContactLine& line,
-                      const StatedPlaces& places) {
+                      const BodyPart& part, const Edges& edges,
+                      const ContactLine& line, const StatedPlaces& places) {
   const auto read = [&](const char* name, VectorXd& nodal,
                         EdgeRange& between_nodes) {
     const Expression given = named.expression(name);
@@ -202,7 +202,7 @@ ContactLaw stated_law(Stack stack, const NamedArguments& named,
     read("slipbound", law.shear_limit, law.limit_between_nodes);
   else if (named.given("slipbound"))
     read("slipbound", law.slip_bound, law.between_nodes);
-  law.gap = stated_gap(stack, named, part, mesh, edges, line, places);
+  law.gap = stated_gap(stack, named, part, edges, line, places);
   return law;
 }
 

@@ -34,6 +34,14 @@ template <int dim>
 std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
                                      const JoinedBodies<dim>& joined);
 
+/// Whether what has its labels must not lie on itself, front to front: that would be two
+/// rigid foundations, or each side of a crack twice.
+bool must_not_face_itself(const StatedPair& pair);
+
+/// @throws std::invalid_argument  always: both sides of a crack have one label
+/// @param place  where they lie on each other, in words
+[[noreturn]] void refuse_both_sides(int label, const std::string& place);
+
 /// The line by its own normals, or along the directions of normal=.
 ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart& part, const Mesh& mesh,
@@ -46,11 +54,9 @@ VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies);
 
 /// The law on a line; against a body without gap= the gap is that of the meshes.
-/// @throws std::invalid_argument  if the bodies overlap by more than a contact edge
 ContactLaw stated_law(Stack stack, const NamedArguments& named,
-                      const BodyPart& part, const Mesh& mesh,
-                      const Edges& edges, const ContactLine& line,
-                      const StatedPlaces& places);
+                      const BodyPart& part, const Edges& edges,
+                      const ContactLine& line, const StatedPlaces& places);
 
 /// Which side of pair number `pair` the script wants, 1 or 2, or 0.
 int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs);

@@ -19,18 +19,6 @@ namespace {
 /// The other side carries the multipliers of as much of the surface as this at least.
 constexpr double as_much = 0.9;
 
-/// Solids may overlap a little, as those of curved surfaces do and interference fits, but
-/// not by more than their nodes are large.
-void require_apart(const SolidMesh& mesh, const FacingSurface& facing) {
-  const double size = std::sqrt(facing.surface.area.maxCoeff());
-  for (int i = 0; i < facing.gap.size(); ++i)
-    if (facing.gap[i] < -size)
-      refuse("the bodies overlap by ", -facing.gap[i], " at ",
-             in_words(mesh.place(facing.surface.vertex[i])),
-             ", more than a contact face: is the facing face behind the "
-             "contact surface? Give gap= if it is meant");
-}
-
 }  // namespace
 
 SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
@@ -73,10 +61,22 @@ ContactSurface SolidProblem::stated_surface(
   return surface_along(mesh, faces, labels, direction);
 }
 
+void SolidProblem::require_one_side(const StatedPair& stated,
+                                    const ContactSurface& whole) const {
+  if (!must_not_face_itself(stated)) return;
+  const int touching = touching_face(mesh, faces, whole, stated.labels);
+  if (touching < 0) return;
+  const Vector3d middle =
+      facet_points<3>(mesh, faces.vertices.col(touching)).rowwise().mean();
+  refuse_both_sides(mesh.boundary_label[faces.boundary_index[touching]],
+                    in_words(Vector3d(mesh.origin + middle)));
+}
+
 void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
                             const StatedPair& stated) {
   Pair pair;
   pair.whole = stated_surface(stack, named, stated.body, stated.labels);
+  require_one_side(stated, pair.whole);
   if (!stated.rigid()) {
     add_facing_pair(stack, named, stated, std::move(pair));
     return;
@@ -157,10 +157,7 @@ SolidProblem::Carrier SolidProblem::carrier(
   if (named.given("slipbound"))
     (named.given("friction") ? result.law.shear_limit : result.law.slip_bound) =
         read("slipbound");
-  if (named.given("gap"))
-    facing.gap = read("gap");
-  else if (facing.surface.against_a_body())
-    require_apart(mesh, facing);
+  if (named.given("gap")) facing.gap = read("gap");
   result.law.gap = facing.gap;
   result.surface = std::move(facing.surface);
   for (const FacePlace& place : places) {

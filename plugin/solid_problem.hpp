@@ -62,6 +62,8 @@ struct SolidProblem : SolidBodies {
   void state(Stack stack, const NamedArguments& named);
   ContactSurface stated_surface(Stack stack, const NamedArguments& named,
                                 int body, const std::vector<int>& labels) const;
+  void require_one_side(const StatedPair& stated,
+                        const ContactSurface& whole) const;
   void add_pair(Stack stack, const NamedArguments& named,
                 const StatedPair& stated);
   void add_facing_pair(Stack stack, const NamedArguments& named,

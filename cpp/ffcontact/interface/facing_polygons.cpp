@@ -5,12 +5,20 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
+#include "ffcontact/base/plane.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/convex_polygon.hpp"
 #include "ffcontact/interface/labelled_facets.hpp"
+#include "ffcontact/interface/line_of_sight.hpp"
+#include "ffcontact/mesh/facet_tree.hpp"
+#include "ffcontact/mesh/separate_bodies.hpp"
 
 namespace ffcontact {
 
@@ -20,6 +28,10 @@ namespace {
 constexpr double no_area = 1e-14;
 /// Faces that a contact direction meets at less than this, as a cosine, are not faced.
 constexpr double grazing = 1e-6;
+/// Distances below this part of the size of a contact face are none; nor are those below
+/// this part of the largest coordinate.
+constexpr double no_distance = 1e-10,
+                 coordinates_off = 16 * std::numeric_limits<double>::epsilon();
 
 /// A face seen along a contact direction n: places across n, counter-clockwise where it
 /// turns its outside to who looks against n, and heights along n.
@@ -37,6 +49,17 @@ struct SeenFace {
   }
 };
 
+/// A contact face, and all that may lie before or behind it.
+struct ContactFace {
+  int face;  ///< of the mesh
+  Matrix3d frame;
+  Vector3d start;  ///< where places and heights are counted from
+  SeenFace seen;
+  double touching;       ///< distances below this are none [mm]
+  double least;          ///< areas below this are rounding [mm^2]
+  std::vector<int> met;  ///< boundary faces, ascending
+};
+
 /// A part of an opposite face.
 struct SeenPart {
   int face;
@@ -45,6 +68,12 @@ struct SeenPart {
   double distance;  ///< mean [mm]
 };
 
+/// A place within a polygon that is on no line which symmetry would draw there.
+Vector2d inner_place(const ConvexPolygon& polygon) {
+  return 0.9 * polygon.rowwise().mean() + 0.07 * polygon.col(0) +
+         0.03 * polygon.col(1);
+}
+
 class FacePairing {
  public:
   FacePairing(const SolidMesh& mesh, const Facets<3>& faces,
@@ -52,8 +81,21 @@ class FacePairing {
       : mesh_(mesh),
         faces_(faces),
         surface_(surface),
-        target_(labelled_facets(mesh, faces, labels)) {
-    require_separate();
+        body_(body_of_each_vertex(mesh)),
+        boundary_(mesh, faces, boundary_faces(faces)),
+        is_target_(faces.count(), 0),
+        rounding_(coordinates_off * max_norm(mesh.vertices)) {
+    for (int face : labelled_facets(mesh, faces, labels)) is_target_[face] = 1;
+  }
+
+  /// The first contact face that touches a target; -1 for none.
+  int touching_face() const {
+    for (int m = 0; m < surface_.face_count(); ++m) {
+      const ContactFace own = contact_face(m);
+      for (const SeenPart& part : parts(own))
+        if (std::abs(part.distance) <= own.touching) return own.face;
+    }
+    return -1;
   }
 
   std::vector<FacingPolygon> polygons() const {
@@ -64,15 +106,9 @@ class FacePairing {
   }
 
  private:
-  void require_separate() const {
-    Flags own(mesh_.vertex_count(), 0);
-    for (int v : surface_.vertex) own[v] = 1;
-    for (int face : target_)
-      for (int v : faces_.vertices.col(face))
-        if (own[v])
-          refuse("vertex ", v, " ", in_words(mesh_.place(v)),
-                 " is on both contact surfaces: bodies that face each other "
-                 "share no vertex");
+  static std::vector<int> boundary_faces(const Facets<3>& faces) {
+    return numbers_where(faces.count(),
+                         [&](int f) { return faces.on_boundary(f); });
   }
 
   [[noreturn]] void refuse_unfaced() const {
@@ -137,21 +173,104 @@ class FacePairing {
            (low(b).array() >= high(a).array()).any();
   }
 
-  /// All parts of opposite faces that a contact face looks at, nearest first.
-  std::vector<SeenPart> parts(const SeenFace& own, const Matrix3d& frame,
-                              const Vector3d& start, double least) const {
+  /// The faces on the lines along n through a contact face, by their boxes.
+  std::vector<int> met_by(const ContactFace& own) const {
+    const Matrix<double, 2, 3> across = own.frame.leftCols<2>().transpose();
+    const Vector2d low = own.seen.corners.rowwise().minCoeff(),
+                   high = own.seen.corners.rowwise().maxCoeff();
+    return boundary_.met_by([&](const Box<3>& box) {
+      const Vector2d middle = across * (box.middle - own.start),
+                     half = across.cwiseAbs() * box.half;
+      return (middle + half - low).minCoeff() >= -rounding_ &&
+             (high - middle + half).minCoeff() >= -rounding_;
+    });
+  }
+
+  ContactFace contact_face(int m) const {
+    ContactFace own;
+    own.face = surface_.face[m];
+    own.frame = seen_along(m);
+    own.start = mesh_.vertices.col(faces_.vertices(0, own.face));
+    own.seen = seen(own.face, own.frame, own.start);
+    const double area = polygon_area(own.seen.corners);
+    own.touching = std::max(rounding_, no_distance * std::sqrt(area));
+    own.least = no_area * area;
+    own.met = met_by(own);
+    return own;
+  }
+
+  /// Whether a face turns its side to a place, as who looks along n sees it; faces that
+  /// share the edge agree.
+  bool is_left_of(int face, int k, const SeenFace& seen,
+                  const Vector2d& place) const {
+    const int next = (k + 1) % 3;
+    const bool turned = faces_.vertices(k, face) > faces_.vertices(next, face);
+    const Vector2d p = seen.corners.col(turned ? next : k),
+                   q = seen.corners.col(turned ? k : next);
+    return (cross(q - p, place - p) > 0) != turned;
+  }
+
+  /// Where the line along n through a place of a contact face meets a boundary face.
+  std::optional<Crossing> crossing(const ContactFace& own, int face,
+                                   const Vector2d& place) const {
+    const SeenFace other = seen(face, own.frame, own.start);
+    const bool left = is_left_of(face, 0, other, place);
+    for (int k = 1; k < 3; ++k)
+      if (is_left_of(face, k, other, place) != left) return std::nullopt;
+    return Crossing{distances(own.seen, other, place)[0], !left};
+  }
+
+  std::vector<Crossing> crossings(const ContactFace& own, const Vector2d& place,
+                                  int body) const {
+    std::vector<Crossing> found;
+    for (int face : own.met)
+      if (this->body(face) == body)
+        if (const auto next = crossing(own, face, place))
+          found.push_back(*next);
+    return found;
+  }
+
+  int body(int face) const { return body_[faces_.vertices(0, face)]; }
+
+  bool is_faced(const SeenPart& part, const ContactFace& own) const {
+    const Vector2d place = inner_place(part.polygon);
+    const double distance = distances(own.seen, part.seen, place)[0];
+    if (std::abs(distance) <= own.touching) return true;
+    const int first = body(own.face), second = body(part.face);
+    const LineOfSight line{crossings(own, place, first),
+                           crossings(own, place, second), first == second,
+                           own.touching};
+    return line.is_faced(distance);
+  }
+
+  /// All parts of opposite faces on the lines along n through a contact face.
+  std::vector<SeenPart> parts(const ContactFace& own) const {
     std::vector<SeenPart> found;
-    for (int face : target_) {
-      const SeenFace other = seen(face, frame, start);
-      if (is_apart(own, other)) continue;
+    for (int face : own.met) {
+      if (!is_target_[face]) continue;
+      const SeenFace other = seen(face, own.frame, own.start);
+      if (is_apart(own.seen, other)) continue;
       const double size = facet_measure(mesh_, faces_, face);
       if (-polygon_area(other.corners) < grazing * size) continue;
-      SeenPart part = part_of(face, other, own);
-      if (polygon_area(part.polygon) > least) found.push_back(std::move(part));
+      SeenPart part = part_of(face, other, own.seen);
+      if (polygon_area(part.polygon) > own.least)
+        found.push_back(std::move(part));
     }
+    return found;
+  }
+
+  /// Those that the contact face is inside of or touches first, then what is in front of
+  /// it, the nearer before the farther.
+  std::vector<SeenPart> faced_parts(const ContactFace& own) const {
+    std::vector<SeenPart> found;
+    for (SeenPart& part : parts(own))
+      if (is_faced(part, own)) found.push_back(std::move(part));
+    const auto rank = [&](const SeenPart& part) {
+      return std::pair(part.distance > own.touching, std::abs(part.distance));
+    };
     std::sort(found.begin(), found.end(),
-              [](const SeenPart& a, const SeenPart& b) {
-                return std::abs(a.distance) < std::abs(b.distance);
+              [&](const SeenPart& a, const SeenPart& b) {
+                return rank(a) < rank(b);
               });
     return found;
   }
@@ -177,28 +296,28 @@ class FacePairing {
   }
 
   void add_face(int m, std::vector<FacingPolygon>& found) const {
-    const int face = surface_.face[m];
-    const Matrix3d frame = seen_along(m);
-    const Vector3d start = mesh_.vertices.col(faces_.vertices(0, face));
-    const SeenFace own = seen(face, frame, start);
-    const double seen_area = polygon_area(own.corners);
+    const ContactFace own = contact_face(m);
+    const double seen_area = polygon_area(own.seen.corners);
     if (!(seen_area > 0)) return;
-    const double scale = facet_measure(mesh_, faces_, face) / seen_area;
-    const double least = no_area * seen_area;
-    const std::vector<SeenPart> all = parts(own, frame, start, least);
+    const double scale = facet_measure(mesh_, faces_, own.face) / seen_area;
+    const std::vector<SeenPart> all = faced_parts(own);
     for (const SeenPart& part : all)
-      for (const ConvexPolygon& polygon : visible(part, all, least))
-        if (const double area = polygon_area(polygon); area > least)
-          found.push_back({m, part.face, scale * area, own.coordinates(polygon),
+      for (const ConvexPolygon& polygon : visible(part, all, own.least))
+        if (const double area = polygon_area(polygon); area > own.least)
+          found.push_back({m, part.face, scale * area,
+                           own.seen.coordinates(polygon),
                            part.seen.coordinates(polygon),
-                           distances(own, part.seen, polygon),
-                           own.coordinates(part.seen.corners)});
+                           distances(own.seen, part.seen, polygon),
+                           own.seen.coordinates(part.seen.corners)});
   }
 
   const SolidMesh& mesh_;
   const Facets<3>& faces_;
   const ContactSurface& surface_;
-  const std::vector<int> target_;
+  const std::vector<int> body_;  ///< of each vertex
+  const FacetTree<3> boundary_;
+  Flags is_target_;        ///< of each face
+  const double rounding_;  ///< of coordinates [mm]
 };
 
 }  // namespace
@@ -207,6 +326,12 @@ std::vector<FacingPolygon> facing_polygons(
     const SolidMesh& mesh, const Facets<3>& faces,
     const ContactSurface& surface, const std::vector<int>& opposite_labels) {
   return FacePairing(mesh, faces, surface, opposite_labels).polygons();
+}
+
+int touching_face(const SolidMesh& mesh, const Facets<3>& faces,
+                  const ContactSurface& surface,
+                  const std::vector<int>& opposite_labels) {
+  return FacePairing(mesh, faces, surface, opposite_labels).touching_face();
 }
 
 }  // namespace ffcontact

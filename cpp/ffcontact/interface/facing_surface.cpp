@@ -122,18 +122,26 @@ DualFunctions dual_functions(const FaceIntegrals& integrals) {
 class Coupling {
  public:
   Coupling(const SolidMesh& mesh, const Facets<3>& faces,
-           const ContactSurface& surface)
+           const ContactSurface& surface,
+           const std::vector<FacingPolygon>& polygons)
       : mesh_(mesh),
         faces_(faces),
         surface_(surface),
         area_(VectorXd::Zero(surface.node_count())),
         gap_(VectorXd::Zero(surface.node_count())),
         is_faced_(surface.face_count(), 0),
-        weights_(surface.node_count()) {}
+        is_opposite_(mesh.vertex_count(), 0),
+        weights_(surface.node_count()) {
+    for (const FacingPolygon& polygon : polygons)
+      for (int v : faces.vertices.col(polygon.opposite_face))
+        is_opposite_[v] = 1;
+  }
 
-  void add_face(int m, const FaceIntegrals& integrals) {
+  void add_face(int m, FaceIntegrals integrals) {
     const double whole = facet_measure(mesh_, faces_, surface_.face[m]);
-    if (integrals.area < least_faced * whole) return;
+    leave_out_shared(m, integrals);
+    if (integrals.area < least_faced * whole || integrals.reach.isZero(0))
+      return;
     is_faced_[m] = 1;
     const DualFunctions psi = dual_functions(integrals);
     const auto& corners = faces_.vertices.col(surface_.face[m]);
@@ -180,6 +188,14 @@ class Coupling {
   }
 
  private:
+  /// Vertices of both bodies, as at the front of a crack, carry nothing: the jump there is
+  /// 0 by itself.
+  void leave_out_shared(int m, FaceIntegrals& integrals) const {
+    for (int k = 0; k < 3; ++k)
+      if (is_opposite_[faces_.vertices(k, surface_.face[m])])
+        integrals.reach[k] = 0;
+  }
+
   std::vector<int> carriers() const {
     return numbers_where(area_.size(), [&](int i) { return area_[i] > 0; });
   }
@@ -238,6 +254,7 @@ class Coupling {
   VectorXd area_, gap_;
   Triplets mass_;
   Flags is_faced_;
+  Flags is_opposite_;  ///< of each vertex
   std::vector<std::map<int, double>> weights_;
 };
 
@@ -252,7 +269,7 @@ FacingSurface facing_surface(const SolidMesh& mesh, const Facets<3>& faces,
     add_polygon(faces, polygon, facet_measure(mesh, faces, face),
                 of_face[polygon.contact_face]);
   }
-  Coupling coupling(mesh, faces, surface);
+  Coupling coupling(mesh, faces, surface, polygons);
   for (const auto& [m, integrals] : of_face) coupling.add_face(m, integrals);
   return coupling.surface(polygons);
 }

@@ -27,7 +27,8 @@ struct FacingSurface {
 ///
 /// Where the other body ends within a face, corners whose hat does not reach 1/2 on what
 /// is faced carry no multiplier, and give their hat to the others; so do those without
-/// which the others are all but dependent there. Nodes that carry none are left out,
+/// which the others are all but dependent there, and vertices of both bodies, as at the
+/// front of a crack, where the jump is 0 by itself. Nodes that carry none are left out,
 /// faces that face less than 1e-6 of their area too.
 FacingSurface facing_surface(const SolidMesh& mesh, const Facets<3>& faces,
                              const ContactSurface& surface,

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/directed_pieces.hpp"
 #include "ffcontact/interface/line_ends.hpp"
+#include "ffcontact/interface/line_of_sight.hpp"
+#include "ffcontact/mesh/facet_tree.hpp"
+#include "ffcontact/mesh/separate_bodies.hpp"
 
 namespace ffcontact {
 
@@ -77,10 +81,31 @@ std::optional<double> ray_through(const Rays& rays, const Vector2d& y) {
   return x && *x > at_vertex && *x < 1 - at_vertex ? x : std::nullopt;
 }
 
-/// An edge that a ray hits, by its number among the targets [mm].
+/// A point of a contact edge and its direction, of length 1.
+struct Ray {
+  Vector2d origin, n;
+  bool has_on_left(const Vector2d& y) const { return cross(n, y - origin) > 0; }
+};
+
+/// Where the line of a ray meets an edge that runs counter-clockwise around its body.
+/// Edges that share a vertex agree on which side of the line it is.
+std::optional<Crossing> crossing(const Ray& ray, const Segment& edge) {
+  const bool enters = ray.has_on_left(edge.a);
+  if (enters == ray.has_on_left(edge.b)) return std::nullopt;
+  const Vector2d d = edge.b - edge.a;
+  const double distance = cross(edge.a - ray.origin, d) / cross(ray.n, d);
+  return Crossing{distance, enters};
+}
+
+/// An edge that a ray hits [mm].
 struct Target {
-  int number;
+  int edge;  ///< -1 for none
   double distance, missed;
+};
+
+/// What the lines of all rays of a contact edge may meet.
+struct Met {
+  std::vector<int> targets, all;  ///< mesh edges
 };
 
 /// The traces while they are paired.
@@ -88,16 +113,25 @@ class Pairing {
  public:
   Pairing(const Mesh& mesh, const Edges& edges, const ContactLine& line,
           const std::vector<int>& opposite_labels)
-      : mesh_(mesh), edges_(edges), line_(line) {
+      : mesh_(mesh),
+        edges_(edges),
+        line_(line),
+        body_(body_of_each_vertex(mesh)),
+        boundary_(mesh, edges, boundary_edges(edges)),
+        is_target_(edges.count(), 0),
+        is_opposite_(mesh.vertex_count(), 0) {
     const ContactLine target = contact_line(mesh, edges, opposite_labels);
-    target_ = target.edge;
     off_ = 1.5 * (line.precision + target.precision);
-    for (int edge : target_) segment_.push_back(segment_of(mesh, edges, edge));
+    for (int edge : target.edge) {
+      is_target_[edge] = 1;
+      for (int v : edges.vertices.col(edge)) is_opposite_[v] = 1;
+    }
   }
 
   FacingTraces traces() const {
     std::vector<DirectedPiece> found;
-    for (int e = 0; e < line_.edge_count(); ++e) add_edge(e, found);
+    for (int e = 0; e < line_.edge_count(); ++e)
+      if (!shares_a_vertex(e)) add_edge(e, found);
     ContactLine faced = line_;
     faced.pieces.clear();
     for (const DirectedPiece& directed : without_slivers(std::move(found)))
@@ -106,19 +140,72 @@ class Pairing {
     return {faced.pieces, facing_gap(faced)};
   }
 
+  /// A place where the line touches a target; nothing where it touches none.
+  std::optional<TouchingPlace> touching_place() const {
+    for (int e = 0; e < line_.edge_count(); ++e) {
+      const Rays ray = rays(e);
+      const Met met = met_by(ray);
+      const std::vector<double> x = breaks(ray, met);
+      for (std::size_t k = 0; k + 1 < x.size(); ++k) {
+        const double middle = 0.5 * (x[k] + x[k + 1]);
+        const Target next = first(targets(ray, middle, met));
+        if (next.edge >= 0 && std::abs(next.distance) <= touch(ray.edge))
+          return TouchingPlace{line_.edge[e], ray.edge.at(middle)};
+      }
+    }
+    return std::nullopt;
+  }
+
  private:
+  static std::vector<int> boundary_edges(const Edges& edges) {
+    return numbers_where(edges.count(),
+                         [&](int e) { return edges.on_boundary(e); });
+  }
+
+  Segment segment(int edge) const { return segment_of(mesh_, edges_, edge); }
+
+  int body(int edge) const { return body_[edges_.vertices(0, edge)]; }
+
+  /// As at the tip of a crack, where nothing opens or slides.
+  bool shares_a_vertex(int e) const {
+    const auto vertices = edges_.vertices.col(line_.edge[e]);
+    return is_opposite_[vertices[0]] || is_opposite_[vertices[1]];
+  }
+
   Rays rays(int e) const {
-    return {segment_of(mesh_, edges_, line_.edge[e]),
-            line_.normal.col(line_.edge_node(0, e)),
+    return {segment(line_.edge[e]), line_.normal.col(line_.edge_node(0, e)),
             line_.normal.col(line_.edge_node(1, e))};
   }
 
+  /// cross(y - x(s), n(s)) has Bernstein's coefficients cross(y - a, n_a), cross(y - a,
+  /// n_b)/2 + cross(y - b, n_a)/2, cross(y - b, n_b): where all of them have one sign for
+  /// all y of a box no line meets it.
+  Met met_by(const Rays& rays) const {
+    const Vector2d most = rays.n_a.cwiseAbs().cwiseMax(rays.n_b.cwiseAbs());
+    const auto may_meet = [&](const Box<2>& box) {
+      const Vector2d to_a = box.middle - rays.edge.a,
+                     to_b = box.middle - rays.edge.b;
+      const double reach = most.y() * box.half.x() + most.x() * box.half.y() +
+                           off_ + 2 * beside * box.half.norm();
+      const double f[] = {cross(to_a, rays.n_a),
+                          0.5 * (cross(to_a, rays.n_b) + cross(to_b, rays.n_a)),
+                          cross(to_b, rays.n_b)};
+      const auto [least, largest] = std::minmax_element(f, f + 3);
+      return *least <= reach && *largest >= -reach;
+    };
+    Met met;
+    met.all = boundary_.met_by(may_meet);
+    for (int edge : met.all)
+      if (is_target_[edge]) met.targets.push_back(edge);
+    return met;
+  }
+
   /// Where what the rays of an edge hit may change: at those through opposite vertices.
-  std::vector<double> breaks(const Rays& rays) const {
+  std::vector<double> breaks(const Rays& rays, const Met& met) const {
     std::vector<double> result{0, 1};
-    for (const Segment& segment : segment_)
-      for (const Vector2d& end : {segment.a, segment.b})
-        if (const std::optional<double> x = ray_through(rays, end))
+    for (int edge : met.targets)
+      for (int v : edges_.vertices.col(edge))
+        if (const auto x = ray_through(rays, mesh_.vertices.col(v)))
           result.push_back(*x);
     std::sort(result.begin(), result.end());
     const auto same = [](double a, double b) { return b - a < at_vertex; };
@@ -126,12 +213,21 @@ class Pairing {
     return result;
   }
 
-  std::optional<Target> target(const Rays& rays, double x, int k) const {
-    const std::optional<Hit> found = hit(rays, x, segment_[k]);
+  std::optional<Target> target(const Rays& rays, double x, int edge) const {
+    const Segment segment = this->segment(edge);
+    const std::optional<Hit> found = hit(rays, x, segment);
     if (!found) return std::nullopt;
-    const double length = segment_[k].length(), missed = found->missed();
+    const double length = segment.length(), missed = found->missed();
     if (missed > std::max(beside, off_ / length)) return std::nullopt;
-    return Target{k, std::abs(found->distance), missed * length};
+    return Target{edge, found->distance, missed * length};
+  }
+
+  std::vector<Target> targets(const Rays& rays, double x,
+                              const Met& met) const {
+    std::vector<Target> found;
+    for (int edge : met.targets)
+      if (const auto next = target(rays, x, edge)) found.push_back(*next);
+    return found;
   }
 
   /// The distance below which a place touches an edge.
@@ -139,22 +235,56 @@ class Pairing {
     return std::max(off_, touching * edge.length());
   }
 
-  /// Of equally near ones that which the ray misses least comes first.
+  /// Overlaps come before what is in front, the nearer before the farther; of equally
+  /// near ones that which the ray misses least.
   bool comes_first(const Target& next, const Target& best) const {
-    const double equal = touch(segment_[next.number]);
-    if (next.distance > best.distance + equal) return false;
-    return next.distance <= best.distance - equal || next.missed < best.missed;
+    const double equal = touch(segment(next.edge));
+    const bool in_front = next.distance > equal;
+    if (in_front != (best.distance > equal)) return !in_front;
+    const double further = std::abs(next.distance) - std::abs(best.distance);
+    if (further > equal) return false;
+    return further <= -equal || next.missed < best.missed;
   }
 
-  /// The nearest facing edge a ray hits, by its number in target_; -1 for none.
-  int nearest(const Rays& rays, double x) const {
-    constexpr double far = infinity;
-    Target best{-1, far, far};
-    for (int k = 0; k < target_.size(); ++k) {
-      const std::optional<Target> next = target(rays, x, k);
-      if (next && comes_first(*next, best)) best = *next;
+  Target first(const std::vector<Target>& targets) const {
+    Target best{-1, infinity, infinity};
+    for (const Target& next : targets)
+      if (comes_first(next, best)) best = next;
+    return best;
+  }
+
+  std::vector<Crossing> crossings(const Ray& ray, const Met& met,
+                                  int body) const {
+    std::vector<Crossing> found;
+    for (int edge : met.all)
+      if (this->body(edge) == body)
+        if (const auto next = crossing(ray, segment(edge)))
+          found.push_back(*next);
+    return found;
+  }
+
+  /// @param own  body
+  bool is_faced(const Target& target, const Ray& ray, const Met& met,
+                int own) const {
+    const double touching = touch(segment(target.edge));
+    if (std::abs(target.distance) <= touching) return true;
+    const int other = body(target.edge);
+    const LineOfSight line{crossings(ray, met, own), crossings(ray, met, other),
+                           own == other, touching};
+    return line.is_faced(target.distance);
+  }
+
+  /// The edge that a ray faces; -1 for none.
+  int faced(const Rays& rays, double x, const Met& met, int own) const {
+    const Ray ray{rays.edge.at(x), rays.direction(x).normalized()};
+    std::vector<Target> left = targets(rays, x, met);
+    for (;;) {
+      const Target next = first(left);
+      if (next.edge < 0 || is_faced(next, ray, met, own)) return next.edge;
+      left.erase(std::find_if(
+          left.begin(), left.end(),
+          [&](const Target& target) { return target.edge == next.edge; }));
     }
-    return best.number;
   }
 
   [[noreturn]] void refuse_unfaced() const {
@@ -167,9 +297,11 @@ class Pairing {
 
   void add_edge(int e, std::vector<DirectedPiece>& pieces) const {
     const Rays ray = rays(e);
-    const std::vector<double> x = breaks(ray);
+    const Met met = met_by(ray);
+    const std::vector<double> x = breaks(ray, met);
     for (std::size_t k = 0; k + 1 < x.size(); ++k) {
-      const int facing = nearest(ray, 0.5 * (x[k] + x[k + 1]));
+      const int facing =
+          faced(ray, 0.5 * (x[k] + x[k + 1]), met, body(line_.edge[e]));
       if (facing >= 0)
         append(facing_piece(e, ray, x[k], x[k + 1], facing), pieces);
     }
@@ -177,10 +309,10 @@ class Pairing {
 
   DirectedPiece facing_piece(int e, const Rays& ray, double begin, double end,
                              int facing) const {
-    const Hit first = *hit(ray, begin, segment_[facing]);
-    const Hit second = *hit(ray, end, segment_[facing]);
+    const Hit first = *hit(ray, begin, segment(facing));
+    const Hit second = *hit(ray, end, segment(facing));
     return {
-        {e, begin, end, target_[facing], clamped(first.parameter),
+        {e, begin, end, facing, clamped(first.parameter),
          clamped(second.parameter), gap_of(first, ray), gap_of(second, ray)},
         ray.direction(begin),
         ray.direction(end)};
@@ -209,10 +341,12 @@ class Pairing {
   const Mesh& mesh_;
   const Edges& edges_;
   const ContactLine& line_;
-  VectorXi target_;
+  const std::vector<int> body_;  ///< of each vertex
+  const FacetTree<2> boundary_;
+  Flags is_target_;    ///< of each edge
+  Flags is_opposite_;  ///< of each vertex, whether it is one of a target's
   /// what the coordinates' precision makes of distances between the traces
   double off_;
-  std::vector<Segment> segment_;
 };
 
 }  // namespace
@@ -221,6 +355,12 @@ FacingTraces facing_traces(const Mesh& mesh, const Edges& edges,
                            const ContactLine& line,
                            const std::vector<int>& opposite_labels) {
   return Pairing(mesh, edges, line, opposite_labels).traces();
+}
+
+std::optional<TouchingPlace> touching_place(
+    const Mesh& mesh, const Edges& edges, const ContactLine& line,
+    const std::vector<int>& opposite_labels) {
+  return Pairing(mesh, edges, line, opposite_labels).touching_place();
 }
 
 }  // namespace ffcontact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
@@ -13,6 +14,12 @@ namespace ffcontact {
 /// bodies, initial gaps), their vertices need not match, and either may go on where the
 /// other ends. Ends that all but meet a vertex, within 1e-4 of its edge, are taken for
 /// it.
+///
+/// Of several edges on a ray the one that x is inside of, or touches, comes first, then the
+/// nearest in front (s > 0); LineOfSight says which are faced at all, so that no body
+/// faces anything through itself. Each piece between rays through opposite vertices is
+/// decided at its middle. Contact edges with a vertex of the opposite trace, as those at
+/// the tips of a crack, face nothing: the jump at that vertex is 0 by itself.
 struct FacingTraces {
   std::vector<FacingPiece> pieces;  ///< contact edge by contact edge, ascending
   /// s at each node of the line, infinite where it faces nothing [mm]
@@ -24,5 +31,18 @@ struct FacingTraces {
 FacingTraces facing_traces(const Mesh& mesh, const Edges& edges,
                            const ContactLine& line,
                            const std::vector<int>& opposite_labels);
+
+/// A place on a contact edge.
+struct TouchingPlace {
+  int edge;        ///< of the mesh
+  Vector2d place;  ///< in the mesh's coordinates [mm]
+};
+
+/// Where the line touches the front of an edge with one of the labels; nothing where it
+/// touches none.
+/// @throws std::invalid_argument  as contact_line
+std::optional<TouchingPlace> touching_place(
+    const Mesh& mesh, const Edges& edges, const ContactLine& line,
+    const std::vector<int>& opposite_labels);
 
 }  // namespace ffcontact
