@@ -230,6 +230,19 @@ TEST(FacingSurface, pairs_the_nearest_face) {
   EXPECT_NEAR(area, 6, 1e-12);
 }
 
+/// The surface is 0.1 inside one sheet, and 0.06 above the next.
+TEST(FacingSurface, overlaps_come_before_what_is_in_front) {
+  SolidMesh low = brick({2, 2, 1}, {3, 2, 0.19}),
+            high = brick({1, 2, 1}, {3, 2, 0.15}),
+            upper = brick({2, 3, 1}, {3, 2, 1});
+  high.vertices.row(2).array() += 0.2;
+  upper.vertices.row(2).array() += 0.25;
+  SolidMesh sheets = joined(low, high);
+  for (int& label : sheets.boundary_label)
+    if (label > 10) label -= 10;
+  EXPECT_TRUE((Pair(upper, sheets).facing.gap.array() + 0.1).isZero(1e-13));
+}
+
 /// A sheet of a stack: its place across z, its lower and its upper side.
 struct Sheet {
   Vector2d low, high;

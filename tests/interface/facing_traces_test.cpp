@@ -243,6 +243,15 @@ RC_GTEST_PROP(FacingTraces, of_two_bodies_are_the_same_from_either_of_them,
   RC_ASSERT(std::abs(length(other, turned) - 4) < 1e-3);
 }
 
+/// The line is 0.1 inside one plate, and 0.06 above the next.
+TEST(FacingTraces, overlaps_come_before_what_is_in_front) {
+  Mesh plates = joined(rectangle(3, 1, 3, 0.19),
+                       shifted(rectangle(2, 1, 3, 0.15), {0, 0.2}));
+  plates.boundary_label.tail(6).array() -= 10;
+  const Facing two(shifted(rectangle(4, 1, 3, 1), {0, 0.25}), plates);
+  EXPECT_TRUE((two.traces.gap.array() + 0.1).isZero(1e-14));
+}
+
 /// A slit between 1 and 5 in a rectangle.
 Mesh slit() {
   return cracked<2>(rectangle(6, 4, 6, 4), 2,
