@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iomanip>
 #include <map>
-#include <set>
 #include <vector>
 
 #include "ffcontact/base/packed.hpp"
@@ -31,7 +30,7 @@ class PlaneMesh {
                  ? ""
                  : ": does the geometry have physical curves but no "
                    "physical surface?");
-    drop_repeated_triangles();
+    take_each_triangle_once();
     used_ = used_nodes(file_, file_.triangles, 3);
   }
 
@@ -66,15 +65,34 @@ class PlaneMesh {
   }
 
   /// gmsh writes an element of several physical groups once for each.
-  void drop_repeated_triangles() {
-    std::set<std::array<int, 4>> seen;
-    const auto is_repeated = [&seen](const MshElement& triangle) {
+  void take_each_triangle_once() {
+    const int tag = tag_to_use(file_.triangles);
+    std::map<std::array<int, 4>, int> region;
+    const auto is_repeated = [&](const MshElement& triangle) {
       std::array<int, 4> sorted = triangle.nodes;
       std::sort(sorted.begin(), sorted.end());
-      return !seen.insert(sorted).second;
+      const auto [seen, is_new] =
+          region.try_emplace(sorted, triangle.tags[tag]);
+      if (seen->second != triangle.tags[tag])
+        refuse_groups(triangle, 3, seen->second, triangle.tags[tag]);
+      return !is_new;
     };
     std::vector<MshElement>& all = file_.triangles;
     all.erase(std::remove_if(all.begin(), all.end(), is_repeated), all.end());
+  }
+
+  /// Which of several groups of an element should count? Their order says nothing.
+  [[noreturn]] void refuse_groups(const MshElement& element, int corners,
+                                  int one, int other) const {
+    Vector2d middle = Vector2d::Zero();
+    for (int k = 0; k < corners; ++k)
+      middle += file_.nodes[element.nodes[k]].head<2>() / corners;
+    const bool is_line = corners == 2;
+    refuse("the ", is_line ? "edge" : "triangle", " at ",
+           in_words(middle, digits_of_figures), " of ", shown_,
+           " is in two physical ", is_line ? "curves, " : "surfaces, ", one,
+           " and ", other, ", but has one ", is_line ? "label" : "region",
+           ": put it into one of them");
   }
 
   /// 0, physical tags, if one element has one; otherwise 1, elementary tags.
@@ -122,6 +140,7 @@ class PlaneMesh {
     Vector2i vertices;  ///< as in the first triangle
     int triangles = 0;
     bool labelled = false;
+    int label = 0;
   };
   using UsedEdges = std::map<std::pair<int, int>, UseOfEdge>;
 
@@ -143,9 +162,15 @@ class PlaneMesh {
     for (const MshElement& line : file_.lines) {
       const auto edge = edges.find(std::minmax(used_.vertex[line.nodes[0]],
                                                used_.vertex[line.nodes[1]]));
-      if (edge == edges.end() || edge->second.labelled) continue;
-      edge->second.labelled = true;
-      boundary.push_back({edge->second.vertices, line.tags[curve_tag]});
+      if (edge == edges.end()) continue;
+      UseOfEdge& use = edge->second;
+      const int label = line.tags[curve_tag];
+      if (use.labelled && use.label != label)
+        refuse_groups(line, 2, use.label, label);
+      if (use.labelled) continue;
+      use.labelled = true;
+      use.label = label;
+      boundary.push_back({use.vertices, label});
     }
   }
 

@@ -17,13 +17,13 @@ struct GmshMesh {
 /// Reads gmsh's format MSH 2.2 in text.
 ///
 /// Labels and regions are the tags of physical curves and surfaces; where a file has no
-/// physical curve (surface), those of its elementary entities. An element of several
-/// physical groups belongs to the first. Edges of the boundary that no line labels get 0;
-/// lines that are no edge of a triangle are left out. `shown` is what the user calls the
-/// file.
+/// physical curve (surface), those of its elementary entities. Edges of the boundary
+/// that no line labels get 0; lines that are no edge of a triangle are left out. `shown`
+/// is what the user calls the file.
 /// @throws std::invalid_argument  if the file is spoilt, has no triangles, is not plane,
-///                                or has an element that is neither a
-///                                point, nor a line of two, nor a triangle of three nodes
+///                                has an edge or a triangle of two physical groups, or an
+///                                element that is neither a point, nor a line of two, nor
+///                                a triangle of three nodes
 GmshMesh read_gmsh_mesh(const std::filesystem::path& file,
                         const std::string& shown);
 

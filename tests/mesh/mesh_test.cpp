@@ -74,6 +74,33 @@ TEST(Mesh, refuses_a_mesh_without_triangles) {
   EXPECT_EQ(refusal_of(Mesh{}), "the mesh has no triangles");
 }
 
+TEST(Mesh, refuses_a_facet_that_is_labelled_twice) {
+  Mesh mesh = rectangle(2, 1, 2, 1);
+  mesh.origin << 10, 20;
+  mesh.boundary.conservativeResize(Eigen::NoChange, 7);
+  mesh.boundary.col(6) = mesh.boundary.col(0).reverse();
+  mesh.boundary_label.conservativeResize(7);
+  mesh.boundary_label[6] = 7;
+  EXPECT_EQ(refusal_of(mesh),
+            "the edge at (10.5, 20) has two labels, 1 and 7: give it one of "
+            "them (in gmsh, put it into one physical group)");
+  mesh.boundary_label[6] = 1;
+  EXPECT_EQ(refusal_of(mesh),
+            "the edge at (10.5, 20) has the label 1 twice, and integrals over "
+            "it count it twice: list it once");
+}
+
+TEST(Mesh, says_where_a_facet_inside_is_labelled_twice) {
+  Mesh mesh = rectangle(2, 1, 2, 1);
+  mesh.boundary.conservativeResize(Eigen::NoChange, 8);
+  mesh.boundary.rightCols(2) << 1, 4, 4, 1;
+  mesh.boundary_label.conservativeResize(8);
+  mesh.boundary_label.tail(2) << 2, 3;
+  EXPECT_TRUE(says(refusal_of(mesh),
+                   "the edge at (1, 0.5) inside the body has two labels, 2 and "
+                   "3: if bodies touch there"));
+}
+
 TEST(Mesh, refuses_a_coordinate_that_is_not_finite) {
   Mesh mesh = rectangle(1, 1, 1, 1);
   mesh.vertices(1, 2) = std::nan("");

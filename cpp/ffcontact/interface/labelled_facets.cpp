@@ -8,6 +8,23 @@
 
 namespace ffcontact {
 
+namespace {
+
+template <int dim>
+[[noreturn]] void refuse_label(const SimplexMesh<dim>& mesh, int label) {
+  using Words = MeshWords<dim>;
+  const auto& all = mesh.boundary_label;
+  if (std::find(all.begin(), all.end(), label) == all.end())
+    refuse("label ", label, " is on no boundary ", Words::facet,
+           " of the mesh");
+  refuse("label ", label, " is on ", Words::facet,
+         "s inside the body alone: if bodies touch there, their vertices were "
+         "taken for the same, as FreeFEM's trunc and + do; take the mesh as "
+         "gmshmesh reads it, or one mesh a body");
+}
+
+}  // namespace
+
 template <int dim>
 std::vector<int> labelled_facets(const SimplexMesh<dim>& mesh,
                                  const Facets<dim>& facets,
@@ -23,9 +40,7 @@ std::vector<int> labelled_facets(const SimplexMesh<dim>& mesh,
     used.insert(label);
   }
   for (int label : labels)
-    if (!used.count(label))
-      refuse("label ", label, " is on no boundary ", MeshWords<dim>::facet,
-             " of the mesh");
+    if (!used.count(label)) refuse_label(mesh, label);
   return found;
 }
 

@@ -2,6 +2,9 @@
 #include "ffcontact/mesh/mesh.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
@@ -49,6 +52,71 @@ void require_positive(const SimplexMesh<dim>& mesh) {
       refuse(Words::cell, " ", t, " has the ", Words::volume, " ", volume,
              ", not positive");
   }
+}
+
+/// The columns of `boundary`, those of one facet one after the other, as they stand.
+template <int dim>
+std::vector<Index> sorted_columns(const Matrix<int, dim, Dynamic>& sorted) {
+  std::vector<Index> order(sorted.cols());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    const auto first = sorted.col(a), second = sorted.col(b);
+    return std::lexicographical_compare(first.begin(), first.end(),
+                                        second.begin(), second.end());
+  });
+  return order;
+}
+
+/// Has it cells on both sides?
+template <int dim>
+bool is_inside(const SimplexMesh<dim>& mesh,
+               const Matrix<int, dim, 1>& vertices) {
+  const auto is_of_cell = [&](int t) {
+    const Matrix<int, dim + 1, 1> cell = mesh.cells.col(t);
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](int v) { return (cell.array() == v).any(); });
+  };
+  int beside = 0;
+  for (int t = 0; t < mesh.cell_count(); ++t) beside += is_of_cell(t);
+  return beside > 1;
+}
+
+template <int dim>
+[[noreturn]] void refuse_labels(const SimplexMesh<dim>& mesh, Index column,
+                                int label, int other) {
+  using Words = MeshWords<dim>;
+  const Matrix<int, dim, 1> vertices = mesh.boundary.col(column);
+  const std::string
+      facet = std::string("the ") + Words::facet + " at " +
+              in_words(mesh.origin +
+                           facet_points<dim>(mesh, vertices).rowwise().mean(),
+                       digits_of_figures),
+      labels = label == other
+                   ? " has the label " + std::to_string(label) + " twice"
+                   : " has two labels, " + std::to_string(label) + " and " +
+                         std::to_string(other);
+  if (is_inside<dim>(mesh, vertices))
+    refuse(facet, " inside the body", labels,
+           ": if bodies touch there, their vertices were taken for the same, "
+           "as FreeFEM's trunc and + do; take the mesh as gmshmesh reads it, "
+           "or one mesh a body");
+  if (label == other)
+    refuse(facet, labels,
+           ", and integrals over it count it twice: list it once");
+  refuse(facet, labels,
+         ": give it one of them (in gmsh, put it into one physical group)");
+}
+
+/// Which of several labels of a facet should count? Their order says nothing.
+template <int dim>
+void require_labelled_once(const SimplexMesh<dim>& mesh) {
+  Matrix<int, dim, Dynamic> sorted = mesh.boundary;
+  for (auto facet : sorted.colwise()) std::sort(facet.begin(), facet.end());
+  const std::vector<Index> order = sorted_columns<dim>(sorted);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (sorted.col(order[k]) == sorted.col(order[k - 1]))
+      refuse_labels(mesh, order[k], mesh.boundary_label[order[k - 1]],
+                    mesh.boundary_label[order[k]]);
 }
 
 }  // namespace
@@ -100,6 +168,7 @@ void require_valid(const SimplexMesh<dim>& mesh) {
                mesh.boundary.cols());
   require_vertices(mesh);
   require_positive(mesh);
+  require_labelled_once(mesh);
 }
 
 template double boundary_measure(const Mesh&, Index);

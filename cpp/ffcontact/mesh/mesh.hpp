@@ -95,8 +95,8 @@ Matrix<double, dim, dim + 1> hat_gradients(const SimplexMesh<dim>& mesh,
                                            int cell);
 
 /// @throws std::invalid_argument  if the mesh is empty, an index is out of range, a
-///                                coordinate is not finite or above 1e75, or a cell has no
-///                                positive volume
+///                                coordinate not finite or above 1e75, a cell of no
+///                                positive volume, or a facet labelled twice
 template <int dim>
 void require_valid(const SimplexMesh<dim>& mesh);
 
