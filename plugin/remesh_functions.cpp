@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What contactmesh in ffcontact.idp needs around adaptmesh: labels that keep corners, and
-// vertices put back on lines and curves.
+// What contactmesh in ffcontact.idp needs around adaptmesh: bodies one by one, labels that
+// keep corners, and vertices put back on lines and curves.
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/moved_onto_parts.hpp"
+#include "ffcontact/mesh/self_touch.hpp"
+#include "ffcontact/mesh/separate_bodies.hpp"
 //
 #include "guard.hpp"
 #include "new_mesh.hpp"
@@ -22,6 +25,48 @@ VectorXi regions_of(const Fem2D::Mesh& Th) {
   return regions;
 }
 
+/// count = contactmeshbodies(Th): of bodies that share no vertex
+long contactmeshbodies(Stack, pmesh const& Th) {
+  return GetAny<long>(guarded("contactmesh", [&] {
+    return SetAny<long>(count_of(separate_bodies(mesh_of(Th))));
+  }));
+}
+
+/// Tb = contactmeshbody(Th, k, vertices): body k from 0 on, and the numbers that its
+/// vertices have in Th
+pmesh contactmeshbody(Stack stack, pmesh const& Th, const long& k,
+                      KN<long>* const& vertices) {
+  return GetAny<pmesh>(guarded("contactmesh", [&] {
+    const SeparateBody body = separate_bodies(mesh_of(Th)).at(k);
+    vertices->resize(count_of(body.vertex));
+    std::copy(body.vertex.begin(), body.vertex.end(),
+              static_cast<long*>(*vertices));
+    return SetAny<pmesh>(
+        fem_mesh_of(stack, body.mesh, regions_of(*Th)(body.cell)));
+  }));
+}
+
+/// Tj = contactmeshjoined(T1, T2): both bodies, whose vertices stay apart
+pmesh contactmeshjoined(Stack stack, pmesh const& T1, pmesh const& T2) {
+  return GetAny<pmesh>(guarded("contactmesh", [&] {
+    const std::vector<Mesh> bodies = {mesh_of(T1), mesh_of(T2)};
+    Mesh joined = joined_mesh(bodies).mesh;
+    joined.vertices.colwise() += joined.origin;
+    joined.boundary_label << bodies[0].boundary_label, bodies[1].boundary_label;
+    VectorXi regions(joined.cell_count());
+    regions << regions_of(*T1), regions_of(*T2);
+    return SetAny<pmesh>(fem_mesh_of(stack, joined, regions));
+  }));
+}
+
+/// adaptmesh ends FreeFEM where it finds two of its vertices at one place.
+void require_no_touch(const Mesh& mesh) {
+  if (const auto vertex = self_touch(mesh))
+    refuse("the body touches itself at ", in_words(mesh.place(*vertex)),
+           ", which adaptmesh cannot keep apart: mesh it by gmsh, "
+           "gmshmesh(\"x.geo\", Th, h[])");
+}
+
 /// A mesh and its lines and curves.
 struct Parted {
   Mesh mesh;
@@ -36,6 +81,7 @@ struct Parted {
 pmesh contactmeshparts(Stack stack, pmesh const& Th, const double& corner) {
   return GetAny<pmesh>(guarded("contactmesh", [&] {
     Parted parted(Th, corner);
+    require_no_touch(parted.mesh);
     parted.mesh.boundary_label = labelled_by_parts(parted.mesh, parted.parts);
     return SetAny<pmesh>(fem_mesh_of(stack, parted.mesh, regions_of(*Th)));
   }));
@@ -80,6 +126,13 @@ pmesh contactmeshlabelled(Stack stack, pmesh const& fine, pmesh const& Th,
 }  // namespace
 
 void register_remesh_functions() {
+  Global.Add("contactmeshbodies", "(",
+             new OneOperator1s_<long, pmesh>(contactmeshbodies));
+  Global.Add(
+      "contactmeshbody", "(",
+      new OneOperator3s_<pmesh, pmesh, long, KN<long>*>(contactmeshbody));
+  Global.Add("contactmeshjoined", "(",
+             new OneOperator2s_<pmesh, pmesh, pmesh>(contactmeshjoined));
   Global.Add("contactmeshparts", "(",
              new OneOperator2s_<pmesh, pmesh, double>(contactmeshparts));
   Global.Add("contactmeshangle", "(",
