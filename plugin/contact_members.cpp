@@ -85,15 +85,19 @@ KN<long>* states(Stack stack, ContactVariable* const& variable) {
   });
 }
 
+/// One column a node.
+MatrixXd normals_of(const Contact& contact) {
+  if (contact.shared) return contact.shared->shown.normal;
+  return contact.solid ? MatrixXd(contact.solid->problem->surface.normal)
+                       : MatrixXd(contact.problem->own_normal);
+}
+
 template <int component>
 KN<double>* normals(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
-    if (!is_solid(contact)) refuse_result_of_solids();
-    const VectorXd values =
-        (contact.shared ? contact.shared->shown.normal
-                        : contact.solid->problem->surface.normal)
-            .row(component);
+    if (component == 2 && !is_solid(contact)) refuse_result_of_solids();
+    const VectorXd values = normals_of(contact).row(component);
     return array_of<double>(stack, values);
   });
 }
@@ -139,8 +143,8 @@ void register_contact_members() {
   add_member("ft", of_plane_bodies<&NodalResults::ft>);
   add_member("ft1", of_solids<&SolidResults::ft1>);
   add_member("ft2", of_solids<&SolidResults::ft2>);
-  add_member("fx", of_solids<&SolidResults::fx>);
-  add_member("fy", of_solids<&SolidResults::fy>);
+  add_member("fx", of_both<&NodalResults::fx, &SolidResults::fx>);
+  add_member("fy", of_both<&NodalResults::fy, &SolidResults::fy>);
   add_member("fz", of_solids<&SolidResults::fz>);
   add_member("gap", of_both<&NodalResults::gap, &SolidResults::gap>);
   add_member("slip", of_plane_bodies<&NodalResults::slip>);

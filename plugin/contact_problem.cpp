@@ -156,15 +156,18 @@ void ContactProblem::clear_line() {
   own_vertex.clear();
   abscissa.resize(0);
   edge_abscissa.resize(2, 0);
+  own_normal.resize(2, 0);
 }
 
-/// But for the line itself.
-void ContactProblem::append_carrier(const Carrier& carrier) {
+/// But for the line itself, whose n points out of the body that carries the multipliers.
+void ContactProblem::append_carrier(const Carrier& carrier, bool on_opposite) {
   own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
                     carrier.own_vertex.end());
   first_node.push_back(count_of(own_vertex));
   append(carrier.abscissa, abscissa);
   append(carrier.edge_abscissa, edge_abscissa);
+  const Matrix2Xd& normal = carrier.line.normal;
+  append(on_opposite ? Matrix2Xd(-normal) : normal, own_normal);
   for (VectorXd ContactLaw::*nodal :
        {&ContactLaw::friction, &ContactLaw::slip_bound,
         &ContactLaw::shear_limit, &ContactLaw::gap})
@@ -186,7 +189,7 @@ void ContactProblem::join_carriers() {
     const bool on_other = !pairs_[k].rigid && side[k] == 2;
     const Carrier& carrier = on_other ? *pairs_[k].other : pairs_[k].own;
     lines.push_back(carrier.line);
-    append_carrier(carrier);
+    append_carrier(carrier, on_other);
   }
   line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
   if (previous_.size() > 0)

@@ -44,6 +44,8 @@ struct ContactProblem : PlaneBodies {
       own_vertex;
   /// of each node, or of what it faces, on the line of the body that comes first [mm]
   VectorXd abscissa;
+  /// of each node, out of the body that comes first [2 x p]
+  Matrix2Xd own_normal;
   Matrix2Xd
       edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
   /// of each pair: the first of its nodes; then the number of all nodes
@@ -101,7 +103,7 @@ struct ContactProblem : PlaneBodies {
                   bool on_opposite) const;
   void join_carriers();
   void clear_line();
-  void append_carrier(const Carrier& carrier);
+  void append_carrier(const Carrier& carrier, bool on_opposite);
 
   mutable Topology
       topology_;  ///< stars are made when an estimate asks for them

@@ -12,8 +12,10 @@ namespace ffcontact::plugin {
 struct NodalResults {
   VectorXd pn, pt;  ///< pressures [MPa]
   VectorXd fn, ft;  ///< forces [N/mm]
-  VectorXd gap;     ///< opening, gap - u_n [mm]
-  VectorXd slip;    ///< u_t - u_t of the load step before [mm]
+  /// the same forces along x, y, on the body that comes first [N/mm]
+  VectorXd fx, fy;
+  VectorXd gap;   ///< opening, gap - u_n [mm]
+  VectorXd slip;  ///< u_t - u_t of the load step before [mm]
   std::vector<long>
       state;  ///< 0 open, 1 stick, 2 slip along t, -2 slip against t
 };
@@ -31,8 +33,9 @@ struct SolidResults {
 
 /// Their arrays but for the states.
 inline constexpr std::array arrays_of_plane_bodies = {
-    &NodalResults::pn, &NodalResults::pt,  &NodalResults::fn,
-    &NodalResults::ft, &NodalResults::gap, &NodalResults::slip};
+    &NodalResults::pn,  &NodalResults::pt,  &NodalResults::fn,
+    &NodalResults::ft,  &NodalResults::fx,  &NodalResults::fy,
+    &NodalResults::gap, &NodalResults::slip};
 inline constexpr std::array arrays_of_solids = {
     &SolidResults::pn,  &SolidResults::pt1,   &SolidResults::pt2,
     &SolidResults::fn,  &SolidResults::ft1,   &SolidResults::ft2,

@@ -16,11 +16,20 @@ namespace ffcontact::plugin {
 
 namespace {
 
+/// F = F_n n + F_t t with t = (-n_y, n_x): whose n and t it is makes no difference to F_n
+/// and F_t, n and t of the body that comes first make it the force on that body.
+void put_vectors(const Matrix2Xd& normal, NodalResults& results) {
+  const Eigen::ArrayXd nx = normal.row(0), ny = normal.row(1);
+  results.fx = results.fn.array() * nx - results.ft.array() * ny;
+  results.fy = results.fn.array() * ny + results.ft.array() * nx;
+}
+
 /// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
 /// lengths.
-NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
+NodalResults nodal_results(const ContactProblem& problem, const ContactLaw& law,
                            const Flags& prescribed,
                            const ContactSolution& solution) {
+  const ContactLine& line = problem.line;
   const Matrix2Xd pressure =
       law.multiplier == Multiplier::pressure
           ? solution.pressure
@@ -32,6 +41,7 @@ NodalResults nodal_results(const ContactLine& line, const ContactLaw& law,
   results.pt = pressure.row(1);
   results.fn = solution.force.row(0);
   results.ft = solution.force.row(1);
+  put_vectors(problem.own_normal, results);
   results.gap = -moved.row(0);
   results.slip = moved.row(1);
   results.state = state_numbers(solution.state);
@@ -96,12 +106,12 @@ ContactSettings settings_of(const SolveCall& call, const Contact& contact,
 void put(const SolveCall& call, const std::vector<long>& own_vertex,
          const VectorXd& abscissa, const NodalResults& nodes) {
   const NamedArguments& named = call.named;
-  named.put(call.stack, "pn", nodes.pn);
-  named.put(call.stack, "pt", nodes.pt);
-  named.put(call.stack, "fn", nodes.fn);
-  named.put(call.stack, "ft", nodes.ft);
-  named.put(call.stack, "gap", nodes.gap);
-  named.put(call.stack, "slip", nodes.slip);
+  for (const auto& [name, values] :
+       {std::pair{"pn", &nodes.pn}, std::pair{"pt", &nodes.pt},
+        std::pair{"fn", &nodes.fn}, std::pair{"ft", &nodes.ft},
+        std::pair{"fx", &nodes.fx}, std::pair{"fy", &nodes.fy},
+        std::pair{"gap", &nodes.gap}, std::pair{"slip", &nodes.slip}})
+    named.put(call.stack, name, *values);
   named.put_integers(call.stack, "node", own_vertex);
   named.put(call.stack, "abscissa", abscissa);
   named.put_integers(call.stack, "state", nodes.state);
@@ -132,7 +142,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
 
   write_displacement(call, problem, solution.displacement);
   solved.nodes =
-      nodal_results(problem.line, solved.law, system.prescribed, solution);
+      nodal_results(problem, solved.law, system.prescribed, solution);
   put(call, problem.own_vertex, problem.abscissa, solved.nodes);
   call.named.put(call.stack, "tool", solved.motion);
   put(call, answer_of(solution));

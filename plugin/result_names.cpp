@@ -6,8 +6,7 @@
 namespace ffcontact::plugin {
 
 void require_plane_results(const NamedArguments& named) {
-  for (const char* name :
-       {"pt1", "pt2", "ft1", "ft2", "slip1", "slip2", "fx", "fy", "fz"})
+  for (const char* name : {"pt1", "pt2", "ft1", "ft2", "slip1", "slip2", "fz"})
     if (named.given(name)) refuse_result_of_solids();
 }
 
@@ -19,7 +18,7 @@ void require_solid_results(const NamedArguments& named) {
 void refuse_result_of_solids() {
   refuse(
       "the contact is that of plane bodies: pt, ft, slip are in place of pt1, "
-      "pt2, ft1, ft2, slip1, slip2, and fx, fy, fz are of a mesh3");
+      "pt2, ft1, ft2, slip1, slip2, and fz, nz are of a mesh3");
 }
 
 void refuse_result_of_plane_bodies() {

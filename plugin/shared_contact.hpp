@@ -13,7 +13,7 @@ namespace ffcontact::plugin {
 struct ShownNodes {
   std::vector<long> own_vertex, first_node, side;
   VectorXd abscissa;  ///< of plane bodies
-  Matrix3Xd normal;   ///< of solids
+  MatrixXd normal;    ///< [dim x nodes]
   bool solved = false;
   NodalResults plane;
   SolidResults solid;

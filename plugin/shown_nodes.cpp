@@ -98,6 +98,7 @@ ShownNodes shown_nodes(const ContactProblem& problem,
   const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
   ShownNodes shown = numbered(problem, nodes);
   shown.abscissa = problem.abscissa(nodes.node);
+  shown.normal = problem.own_normal(Eigen::all, nodes.node);
   if (!solved) return shown;
   shown.solved = true;
   choose(*solved, arrays_of_plane_bodies, nodes.node, shown.plane);
@@ -118,7 +119,7 @@ ShownNodes shown_nodes(const SolidProblem& problem,
 
 void put(const ShownNodes& nodes, Packet& packet) {
   packet.put(nodes.own_vertex).put(nodes.first_node).put(nodes.side);
-  packet.put(nodes.abscissa).put(MatrixXd(nodes.normal)).put(nodes.solved);
+  packet.put(nodes.abscissa).put(nodes.normal).put(nodes.solved);
   put(nodes.plane, arrays_of_plane_bodies, packet);
   put(nodes.solid, arrays_of_solids, packet);
 }
