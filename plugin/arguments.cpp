@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 
 namespace ffcontact::plugin {
 
@@ -15,10 +16,9 @@ namespace {
 int number_after(const char* parameter, const char* name) {
   const std::size_t size = std::strlen(parameter);
   if (std::strncmp(parameter, name, size) != 0 || name[size] == 0) return -1;
-  char* end;
-  const long number = std::strtol(name + size, &end, 10);
-  constexpr long most = 1000;
-  return *end == 0 && number <= most ? static_cast<int>(number) : -1;
+  constexpr int most = 1000;
+  const int number = whole_number(name + size).value_or(-1);
+  return number <= most ? number : -1;
 }
 
 /// The same name as long as the plugin is loaded.
@@ -221,8 +221,14 @@ NamedArguments::Key NamedArguments::key_of(Expression expression) const {
 }
 
 Expression NamedArguments::expression_of(const Key& key) const {
-  return key.component < 0 ? values_.at(key.parameter)
-                           : components_.at(key.parameter).at(key.component);
+  const bool known = key.parameter < count_of(values_) &&
+                     key.component < count_of(components_[key.parameter]);
+  if (!known)
+    refuse(
+        "another process calls it with more parameters: do all run the "
+        "same script?");
+  return key.component < 0 ? values_[key.parameter]
+                           : components_[key.parameter][key.component];
 }
 
 void put_by_bodies(Stack stack, const NamedArguments& named,

@@ -2,12 +2,18 @@
 #pragma once
 
 #include <exception>
-#include <new>
 #include <string>
 
+#include "ffcontact/base/require.hpp"
+//
 #include "freefem.hpp"
 
 namespace ffcontact::plugin {
+
+/// The sentence that a script stops with: FreeFEM's own, or ours.
+inline std::string sentence_for_script(const std::exception& error) {
+  return dynamic_cast<const Error*>(&error) ? error.what() : sentence_of(error);
+}
 
 /// Runs the body of a script function; what it throws becomes FreeFEM's ExecError, one
 /// sentence "function: what", exit code 8. FreeFEM loses the message of any other
@@ -19,10 +25,8 @@ auto guarded(const char* function, Body&& body) -> decltype(body()) {
     return body();
   } catch (Error&) {  // FreeFEM's own, raised while an argument was evaluated
     throw;
-  } catch (const std::bad_alloc&) {
-    sentence = "out of memory";
   } catch (const std::exception& error) {
-    sentence = error.what();
+    sentence = sentence_of(error);
   }
   ExecError(std::string(function) + ": " + sentence);
   std::terminate();  // ExecError throws

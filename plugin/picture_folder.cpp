@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <system_error>
 #include <vector>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 
 namespace ffcontact::plugin {
 
@@ -33,16 +35,15 @@ bool is_picture(const std::string& name, const std::string& letter,
 /// Is this a file of the step or of a later one?
 bool is_of_step(const fs::path& file, long step) {
   constexpr auto digits = "0123456789";
-  constexpr std::size_t most_digits = 9;
   const std::string stem = file.stem().string(),
                     extension = file.extension().string();
   const std::size_t start = std::min(stem.find_first_of(digits), stem.size()),
                     end = std::min(stem.find_first_not_of(digits, start),
                                    stem.size());
-  const std::string number = stem.substr(start, end - start);
+  const std::optional<int> number =
+      whole_number(stem.substr(start, end - start));
   return is_picture(stem.substr(0, start), stem.substr(end), extension) &&
-         !number.empty() && number.size() <= most_digits &&
-         std::stol(number) >= step;
+         number && *number >= step;
 }
 
 void make_folder(const fs::path& folder) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/words.hpp"
 
 namespace ffcontact::plugin {
 
@@ -22,7 +23,7 @@ struct BodyName {
     const std::size_t end = given.find_last_not_of("0123456789") + 1;
     if (bodies == 1 || end == given.size()) return;
     name = given.substr(0, end);
-    body = std::stoi(given.substr(end)) - 1;
+    body = whole_number(given.substr(end)).value_or(1) - 1;
   }
 };
 
@@ -47,7 +48,7 @@ Outputs outputs_of(const Outputs& whole, const SharedBodies<dim>& bodies,
     const bool on_cells =
         std::count(over_cells.begin(), over_cells.end(), known.name) > 0;
     if (!on_cells && known.name != "size") continue;
-    const MeshParts<dim>& parts = bodies.parts.at(known.body);
+    const MeshParts<dim>& parts = bodies.parts[known.body];
     const auto& numbers = on_cells ? parts.cell : parts.vertex;
     values = of_part(values, numbers[rank], count_in_whole(numbers));
   }

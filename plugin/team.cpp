@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/require.hpp"
 //
 #include "part_packet.hpp"
@@ -60,8 +61,8 @@ Packet Team::answer_of(int rank) const {
   Packet packet(processes_->receive(rank));
   const bool failed = packet.take<Word>() == Word::failed;
   if (failed)
-    throw std::runtime_error("process " + std::to_string(rank) + ": " +
-                             packet.take<std::string>());
+    throw Failure("process " + std::to_string(rank) + ": " +
+                  packet.take<std::string>());
   return packet;
 }
 
@@ -113,18 +114,26 @@ std::pair<long, MatrixXd> Team::factorise(
   forget(discarded);
   make(number, std::move(part), orders[0]);
   if (orders[0].storage == SchurStorage::whole)
-    return {number, factors_.at(number)->take_schur()};
-  rows_[number] = {blocks_.at(number).row};
+    return {number, factor_of(number).take_schur()};
+  rows_[number] = {block_of(number).row};
   for (int r = 1; r < count(); ++r)
     rows_[number].push_back(answer_of(r).take<std::vector<int>>());
   return {number, MatrixXd()};
 }
 
+SharedFactor& Team::factor_of(long number) const {
+  return *entry_of(factors_, number, "factor of this number");
+}
+
+const SchurBlock& Team::block_of(long number) const {
+  return entry_of(blocks_, number, "block of this number");
+}
+
 VectorXd Team::schur_product(long factor, const VectorXd& x) const {
   tell_all(Word::multiply, Packet().put(factor).put(x));
-  const auto& rows = rows_.at(factor);
+  const auto& rows = entry_of(rows_, factor, "rows of this factor");
   VectorXd y = VectorXd::Zero(x.size());
-  y(rows[0]) += product_part(blocks_.at(factor), x);
+  y(rows[0]) += product_part(block_of(factor), x);
   for (int r = 1; r < count(); ++r) y(rows[r]) += answer_of(r).take<VectorXd>();
   return y;
 }
@@ -134,7 +143,7 @@ MatrixXd Team::schur_congruent(long factor, const SparseMatrix& R) const {
   packet.put(factor);
   put(packet, R);
   tell_all(Word::reduce, packet);
-  MatrixXd sum = congruent_part(blocks_.at(factor), R);
+  MatrixXd sum = congruent_part(block_of(factor), R);
   for (int r = 1; r < count(); ++r) sum += answer_of(r).take<MatrixXd>();
   return sum;
 }
@@ -142,7 +151,7 @@ MatrixXd Team::schur_congruent(long factor, const SparseMatrix& R) const {
 SparseMatrix Team::schur_diagonal_blocks(long factor,
                                          const std::vector<int>& group) const {
   tell_all(Word::show_diagonal, Packet().put(factor).put(group));
-  Triplets entries = diagonal_part(blocks_.at(factor), group);
+  Triplets entries = diagonal_part(block_of(factor), group);
   for (int r = 1; r < count(); ++r) {
     const auto others = answer_of(r).take<Triplets>();
     entries.insert(entries.end(), others.begin(), others.end());
@@ -151,7 +160,7 @@ SparseMatrix Team::schur_diagonal_blocks(long factor,
 }
 
 void Team::answer_about_schur(Word word, Packet& packet) const {
-  const SchurBlock& block = blocks_.at(packet.take<long>());
+  const SchurBlock& block = block_of(packet.take<long>());
   if (word == Word::multiply)
     answer(Packet().put(product_part(block, packet.take<VectorXd>())));
   else if (word == Word::reduce)
@@ -162,12 +171,12 @@ void Team::answer_about_schur(Word word, Packet& packet) const {
 
 VectorXd Team::condensed(long factor, const VectorXd& load) const {
   tell_all(Word::condense, Packet().put(factor));
-  return factors_.at(factor)->condensed(load);
+  return factor_of(factor).condensed(load);
 }
 
 VectorXd Team::extended(long factor, const VectorXd& kept) const {
   tell_all(Word::extend, Packet().put(factor));
-  return factors_.at(factor)->extended(kept);
+  return factor_of(factor).extended(kept);
 }
 
 std::vector<double> Team::relaxed(const FaceSetting& setting,
@@ -222,17 +231,15 @@ Packet Team::served(const Service& service) {
         forget(discarded);
         make(number, std::exchange(part, {}), order);
         if (order.storage == SchurStorage::whole)
-          factors_.at(number)->take_schur();
+          factor_of(number).take_schur();
         else
-          answer(Packet().put(blocks_.at(number).row));
+          answer(Packet().put(block_of(number).row));
         break;
       case Word::multiply:
       case Word::reduce:
       case Word::show_diagonal: answer_about_schur(word, packet); break;
-      case Word::condense:
-        factors_.at(packet.take<long>())->condensed({});
-        break;
-      case Word::extend: factors_.at(packet.take<long>())->extended({}); break;
+      case Word::condense: factor_of(packet.take<long>()).condensed({}); break;
+      case Word::extend: factor_of(packet.take<long>()).extended({}); break;
       case Word::share:
         settings = packet.take<SolidRelaxationSettings>();
         relaxation =

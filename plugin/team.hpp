@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/shared_relaxation.hpp"
 //
+#include "guard.hpp"
 #include "packet.hpp"
 #include "processes.hpp"
 
@@ -110,6 +112,8 @@ class Team {
   Packet answer_of(int rank) const;
   void make(long number, MatrixPart part, const FactorOrder& order);
   void forget(const std::vector<long>& factors);
+  SharedFactor& factor_of(long number) const;
+  const SchurBlock& block_of(long number) const;
   void answer_about_schur(Word word, Packet& packet) const;
 
   std::unique_ptr<Processes> processes_;
@@ -122,8 +126,8 @@ class Team {
 };
 
 /// The call failed on another process, and all know.
-class FailedElsewhere : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct FailedElsewhere : Failure {
+  using Failure::Failure;
 };
 
 /// A call that process 0 leads and the others follow; what one of them throws all throw.
@@ -138,9 +142,9 @@ void together(Team& team, Lead&& lead, Follow&& follow) {
     throw;
   } catch (const std::exception& error) {
     if (team.leads())
-      team.fail_all(error.what());
+      team.fail_all(sentence_for_script(error));
     else
-      team.fail(error.what());
+      team.fail(sentence_for_script(error));
     throw;
   }
 }

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <new>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/base/symmetric.hpp"
 #include "ffcontact/elastic/scaled_stiffness.hpp"
 
@@ -28,11 +28,10 @@ constexpr int positive_definite = 1, host_works = 1;
     case -10: fail_as_singular();
     case -9:
     case -13:
-    case -19: throw std::runtime_error("out of memory");
+    case -19: throw Failure("out of memory");
     default:
-      throw std::runtime_error(
-          "MUMPS failed with INFOG(1) = " + std::to_string(info) +
-          ", INFOG(2) = " + std::to_string(detail));
+      throw Failure("MUMPS failed with INFOG(1) = " + std::to_string(info) +
+                    ", INFOG(2) = " + std::to_string(detail));
   }
 }
 
@@ -236,7 +235,7 @@ class MumpsFactor : public SharedFactor {
       there = 0;
     }
     MPI_Allreduce(&there, &everywhere, 1, MPI_INT, MPI_MIN, communicator_);
-    if (!everywhere) throw std::runtime_error("out of memory");
+    if (!everywhere) throw Failure("out of memory");
     mumps_.schur_lld = std::max(1, static_cast<int>(schur_.rows()));
     mumps_.schur = schur_.data();
   }

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <new>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 
@@ -18,6 +21,26 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 TEST(Require, refuse_joins_its_parts_into_one_sentence) {
   EXPECT_EQ(refusal([] { refuse("friction[", 3, "] is ", -0.5); }),
             "friction[3] is -0.5");
+}
+
+TEST(Require, the_sentence_of_what_is_no_refusal_says_so) {
+  EXPECT_EQ(sentence_of(Refusal("mu is -1")), "mu is -1");
+  EXPECT_EQ(sentence_of(Failure("CHOLMOD failed")), "CHOLMOD failed");
+  EXPECT_EQ(sentence_of(std::bad_alloc()), "out of memory");
+  EXPECT_EQ(sentence_of(std::out_of_range("map::at")),
+            "an internal error of ffcontact (map::at): please report it, with "
+            "the script");
+  EXPECT_EQ(sentence_of(std::invalid_argument("stoi")),
+            "an internal error of ffcontact (stoi): please report it, with the "
+            "script");
+}
+
+TEST(Require, an_entry_that_a_map_must_have_is_found_or_missed_by_name) {
+  std::map<int, int> squares{{2, 4}};
+  EXPECT_EQ(entry_of(squares, 2, "square"), 4);
+  entry_of(squares, 2, "square") = 5;
+  EXPECT_EQ(squares[2], 5);
+  EXPECT_THROW(entry_of(squares, 3, "square"), std::logic_error);
 }
 
 TEST(Require, a_wrong_size_is_named_with_the_right_one) {

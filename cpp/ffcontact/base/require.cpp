@@ -2,11 +2,21 @@
 #include "ffcontact/base/require.hpp"
 
 #include <cmath>
+#include <new>
 
 namespace ffcontact {
 
+std::string sentence_of(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return "out of memory";
+  if (dynamic_cast<const Refusal*>(&error) ||
+      dynamic_cast<const Failure*>(&error))
+    return error.what();
+  return std::string("an internal error of ffcontact (") + error.what() +
+         "): please report it, with the script";
+}
+
 void refuse_by(const std::ostringstream& sentence) {
-  throw std::invalid_argument(sentence.str());
+  throw Refusal(sentence.str());
 }
 
 void require_size(const std::string& name, Index actual, Index expected) {

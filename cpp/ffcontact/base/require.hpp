@@ -11,10 +11,25 @@
 /// Refusals: every bad input ends in one sentence that names what was wrong and where.
 namespace ffcontact {
 
-/// @throws std::invalid_argument  always
+/// Input that cannot be used, in one sentence for the user.
+struct Refusal : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A method that cannot go on, in one sentence for the user. Any other exception than
+/// these two and std::bad_alloc is a mistake of this library.
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The sentence of an exception; what is no sentence of this library is said to be an
+/// error of its own, to be reported.
+std::string sentence_of(const std::exception& error);
+
+/// @throws Refusal  always
 [[noreturn]] void refuse_by(const std::ostringstream& sentence);
 
-/// @throws std::invalid_argument  always, with the parts joined into one sentence
+/// @throws Refusal  always, with the parts joined into one sentence
 template <class... Parts>
 [[noreturn]] void refuse(const Parts&... parts) {
   std::ostringstream sentence;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/words.hpp"
 
+#include <charconv>
 #include <sstream>
 
 namespace ffcontact {
@@ -18,6 +19,14 @@ std::string in_words(const Ref<const VectorXd>& x, int digits) {
     components +=
         (components.empty() ? "" : ", ") + in_digits(component, digits);
   return "(" + components + ")";
+}
+
+std::optional<int> whole_number(const std::string& word) {
+  const char *begin = word.data(), *end = begin + word.size();
+  int number = 0;
+  const auto [stop, error] = std::from_chars(begin, end, number);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return number;
 }
 
 std::string listed(const std::vector<std::string>& words,

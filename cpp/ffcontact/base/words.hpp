@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ std::string in_digits(double value, int digits = digits_of_figures);
 /// The components of a point or a vector: "(0, 1)".
 std::string in_words(const Ref<const VectorXd>& x,
                      int digits = digits_of_refusals);
+
+/// The number that a word is, nothing where it is none, or too large for an int.
+std::optional<int> whole_number(const std::string& word);
 
 /// "a, b or c", with " or " before the last.
 /// @param words  not empty

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/condensed_contact.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/congruent.hpp"
@@ -93,7 +92,7 @@ void factorize_opposite(const MatrixXd& O, CondensedContact& contact) {
   contact.opposite_stiffness.emplace(MatrixXd(R * symmetric_part(O) * R));
   if (!contact.opposite_stiffness->is_positive_definite() ||
       contact.opposite_stiffness->reciprocal_condition() < 1e-15)
-    throw std::runtime_error(
+    throw Failure(
         "the bodies are not held, even with their contact lines glued to each "
         "other");
 }

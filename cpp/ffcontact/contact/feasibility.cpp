@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/nonnegative_least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
@@ -230,7 +231,8 @@ MatrixXd transposed_rows(const WeightsByNode& G,
   MatrixXd rows = MatrixXd::Zero(count_of(place), count_of(selected));
   for (std::size_t k = 0; k < selected.size(); ++k)
     for (WeightsByNode::InnerIterator entry(G, selected[k]); entry; ++entry)
-      rows(place.at(entry.col()), static_cast<Index>(k)) = entry.value();
+      rows(entry_of(place, entry.col(), "place of a dof"),
+           static_cast<Index>(k)) = entry.value();
   return rows;
 }
 

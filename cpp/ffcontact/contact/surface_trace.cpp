@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
@@ -103,10 +104,14 @@ class TraceBuilder {
     if (const auto own = place_.find(row); own != place_.end())
       entries_.emplace_back(row, own->second, 1);
     else
-      add_motion(row, direction, motions_.at(surface_.vertex[node]));
+      add_motion(row, direction, motion_of(surface_.vertex[node]));
     visit_opposite(surface_, node, [&](int vertex, double weight) {
-      add_motion(row, -weight * direction, motions_.at(vertex));
+      add_motion(row, -weight * direction, motion_of(vertex));
     });
+  }
+
+  const Motion& motion_of(int vertex) const {
+    return entry_of(motions_, vertex, "motion of a vertex");
   }
 
   static bool moves(const Motion& motion, const Vector3d& direction) {
@@ -123,7 +128,7 @@ class TraceBuilder {
     for (const auto nodes : surface_.face_node.colwise()) {
       if ((nodes.array() != node).all()) continue;
       for (int other : nodes)
-        if (other >= 0 && moves(motions_.at(surface_.vertex[other]), direction))
+        if (other >= 0 && moves(motion_of(surface_.vertex[other]), direction))
           return true;
     }
     return false;
@@ -135,7 +140,7 @@ class TraceBuilder {
     double fixed = 0;
     bool any = false;
     visit_opposite(surface_, node, [&](int vertex, double weight) {
-      if (!moves(motions_.at(vertex), direction))
+      if (!moves(motion_of(vertex), direction))
         fixed += weight;
       else if (std::abs(weight) >= least_weight)
         any = true;
@@ -160,7 +165,7 @@ class TraceBuilder {
   SparseMatrix to_kept(const std::vector<int>& kept) const {
     Triplets entries;
     for (int k = 0; k < count_of(kept); ++k) {
-      const Motion& motion = motions_.at(kept[k] / 3);
+      const Motion& motion = motion_of(kept[k] / 3);
       for (Index j = 0; j < motion.directions.cols(); ++j)
         entries.emplace_back(k, motion.column + j,
                              motion.directions(kept[k] % 3, j));

@@ -2,19 +2,19 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
 namespace ffcontact {
 
 /// Loads that contact forces cannot balance.
-struct NoEquilibrium : std::invalid_argument {
+struct NoEquilibrium : Refusal {
   /// @param who  as the sentence calls the body that is pushed
   NoEquilibrium(const std::string& sentence, std::string who, int vertex)
-      : std::invalid_argument(sentence), who(std::move(who)), vertex(vertex) {}
+      : Refusal(sentence), who(std::move(who)), vertex(vertex) {}
   std::string who;
   int vertex;  ///< of that body
 };

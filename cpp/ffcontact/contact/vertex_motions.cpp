@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
@@ -38,6 +39,10 @@ void add(int vertex, VertexMotion motion, VertexMotions& all) {
   all.of_vertex.emplace(vertex, std::move(motion));
 }
 
+const VertexMotion& motion_of(const VertexMotions& motions, int vertex) {
+  return entry_of(motions.of_vertex, vertex, "motion of a vertex");
+}
+
 /// The part that a vertex has in the trace at a node.
 void add_trace(const ContactLine& line, const Flags& held, int node,
                const VertexMotion& motion, double factor, Triplets& entries) {
@@ -69,7 +74,7 @@ SparseMatrix trace_operator(const ContactLine& line, const Flags& held,
   Triplets entries;
   for (int i = 0; i < line.node_count(); ++i) {
     const auto add_part = [&](int vertex, double factor) {
-      const VertexMotion& motion = motions.of_vertex.at(vertex);
+      const VertexMotion& motion = motion_of(motions, vertex);
       add_trace(line, held, i, motion, factor, entries);
     };
     add_part(line.vertex[i], 1);
@@ -83,7 +88,7 @@ SparseMatrix kept_operator(const VertexMotions& motions,
                            const std::vector<int>& kept) {
   Triplets entries;
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    const VertexMotion& motion = motions.of_vertex.at(kept[k] / 2);
+    const VertexMotion& motion = motion_of(motions, kept[k] / 2);
     for (Index j = 0; j < motion.directions.cols(); ++j)
       entries.emplace_back(static_cast<int>(k), motion.column + j,
                            motion.directions(kept[k] % 2, j));

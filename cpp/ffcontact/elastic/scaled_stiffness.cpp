@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 
 #include "ffcontact/base/flags.hpp"
@@ -102,7 +101,7 @@ template MatrixXd unscaled(MatrixXd, const VectorXd&);
 template MatrixXd unscaled(Matrix<float, Dynamic, Dynamic>, const VectorXd&);
 
 void fail_as_singular() {
-  throw std::runtime_error(
+  throw Failure(
       "the stiffness matrix is singular: a part of the body is held neither by "
       "prescribed displacements nor by contact");
 }

@@ -3,13 +3,13 @@
 
 #include <cmath>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/aggregates.hpp"
 #include "ffcontact/base/conjugate_gradients.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/products.hpp"
+#include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
 
@@ -132,7 +132,7 @@ int SchurSolver::steps_allowed() const {
 
 MatrixXd SchurSolver::regular_matrix() const {
   if (stiffness_.storage() != SchurStorage::whole)
-    throw std::runtime_error(
+    throw Failure(
         "conjugate gradients with the distributed Schur complement do not "
         "converge");
   MatrixXd regular = stiffness_.schur();

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <new>
-#include <stdexcept>
 #include <string>
+
+#include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
 
@@ -48,8 +49,8 @@ class Owned {
       : object_(object), session_(session) {
     if (object_) return;
     session.require_memory();
-    throw std::runtime_error("CHOLMOD failed with status " +
-                             std::to_string(session.common.status));
+    throw Failure("CHOLMOD failed with status " +
+                  std::to_string(session.common.status));
   }
   ~Owned() { free(&object_, &session_.common); }
   Owned(const Owned&) = delete;

@@ -57,7 +57,8 @@ std::vector<int> dofs_of_part(const std::vector<int>& vertex, int dimension) {
 
 ElasticSystem joined_parts(const std::vector<ElasticSystem>& parts,
                            const std::vector<std::vector<int>>& vertex) {
-  const int dimension = parts.at(0).dimension,
+  if (parts.empty()) refuse("there are no parts of a system");
+  const int dimension = parts.front().dimension,
             n = dimension * count_in_whole(vertex);
   ElasticSystem whole{RowMatrix(n, n), VectorXd::Zero(n), Flags(n, 0),
                       VectorXd::Zero(n), dimension};

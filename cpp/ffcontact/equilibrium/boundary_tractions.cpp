@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
@@ -50,8 +51,8 @@ BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
     if (!edges.on_boundary(e)) continue;
     const int b = edges.boundary_index[e];
     const bool same_direction = mesh.boundary(0, b) == edges.vertices(0, e);
-    put_edge(e, fixed.at(mesh.boundary_label[b]), neumann.col(b),
-             same_direction, given);
+    put_edge(e, entry_of(fixed, mesh.boundary_label[b], "facet with a label"),
+             neumann.col(b), same_direction, given);
   }
   return given;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/face_tractions.hpp"
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/prescribed_labels.hpp"
@@ -39,7 +40,8 @@ FaceTractions given_tractions(const SolidMesh& mesh, const Facets<3>& faces,
   for (int f = 0; f < faces.count(); ++f) {
     if (!faces.on_boundary(f)) continue;
     const int column = faces.boundary_index[f];
-    put_face(mesh, faces, f, column, fixed.at(mesh.boundary_label[column]),
+    put_face(mesh, faces, f, column,
+             entry_of(fixed, mesh.boundary_label[column], "facet with a label"),
              neumann, given);
   }
   return given;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/edge_form.hpp"
@@ -102,6 +103,9 @@ class JointNumbering {
 
   JointEdge::Part part(int edge, double turn,
                        const std::map<int, int>& bars) const {
+    const auto first_bar = [&](int face) {
+      return entry_of(bars, face, "bar of a face");
+    };
     const std::vector<int> faces = faces_around(topology_.edges, edge);
     const int size = unknowns_around(topology_.edges, edge);
     JointEdge::Part part{edge, VectorXi::LinSpaced(size, 0, size - 1),
@@ -111,12 +115,12 @@ class JointNumbering {
       auto place = part.place.segment<3>(6 + 3 * i);
       const auto facing = facing_.find(faces[i]);
       if (facing == facing_.end()) {
-        place = Vector3i(0, 1, 2).array() + bars.at(faces[i]);
+        place = Vector3i(0, 1, 2).array() + first_bar(faces[i]);
         continue;
       }
       const ContactFace& own = *facing->second;
       for (int k = 0; k < 3; ++k)
-        place[own.opposite_corner[k]] = bars.at(own.face) + k;
+        place[own.opposite_corner[k]] = first_bar(own.face) + k;
       part.sign.segment<3>(6 + 3 * i).setConstant(-1);
     }
     return part;

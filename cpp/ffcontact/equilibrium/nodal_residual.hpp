@@ -2,10 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
-#include "ffcontact/base/words.hpp"
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
 #include "ffcontact/mesh/topology.hpp"
@@ -59,9 +58,9 @@ Vector2d moment_at(const Edges& edges, const EdgeMoments& moments, int spoke,
                    int vertex);
 
 /// Given tractions that do not balance the stresses at a vertex.
-struct Imbalance : std::invalid_argument {
+struct Imbalance : Refusal {
   Imbalance(const std::string& sentence, int vertex, int component)
-      : std::invalid_argument(sentence), vertex(vertex), component(component) {}
+      : Refusal(sentence), vertex(vertex), component(component) {}
   int vertex, component;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/rebalancing.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
 
@@ -45,7 +45,7 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
   }
   if (last <= 1e3 * wanted) return u;
   if (stiffness_->storage() == SchurStorage::distributed)
-    throw std::runtime_error(
+    throw Failure(
         "the distributed Schur complement does not balance the tractions to "
         "rounding");
   return Rebalancing(system_, contact_dofs_, motions_)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/edge_cuts.hpp"
 
+#include "ffcontact/base/entry_of.hpp"
+
 namespace ffcontact {
 
 namespace {
@@ -32,7 +34,7 @@ void number_new_vertices(int next, EdgeCuts& cuts) {
 }  // namespace
 
 int EdgeCuts::vertex_at(int edge, double place) const {
-  return find(of_edge.at(edge), place)->second;
+  return find(entry_of(of_edge, edge, "cut of an edge"), place)->second;
 }
 
 bool EdgeCuts::lies_on(int vertex, int edge) const {

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/interface/directed_pieces.hpp"
 #include "ffcontact/interface/joined_pieces.hpp"
 #include "ffcontact/interface/opposite_projection.hpp"
@@ -40,7 +41,9 @@ Pieces turned(const ContactLine& line, const ContactLine& opposite) {
   for (int e = 0; e < opposite.edge_count(); ++e) number[opposite.edge[e]] = e;
   Pieces result;
   for (const DirectedPiece& own : directed(line, line.pieces))
-    result.push_back(turned(line, own, number.at(own.piece.opposite_edge)));
+    result.push_back(turned(line, own,
+                            entry_of(number, own.piece.opposite_edge,
+                                     "number of an opposite edge")));
   std::sort(result.begin(), result.end(), comes_before);
   return result;
 }

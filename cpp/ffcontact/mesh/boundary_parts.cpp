@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 
 namespace ffcontact {
@@ -37,7 +38,7 @@ struct Chain {
 /// The other edge at a vertex, nothing where it is an end or a branch.
 std::optional<int> next_column(const EdgesAtVertex& at, int vertex,
                                int column) {
-  const std::vector<int>& columns = at.at(vertex);
+  const std::vector<int>& columns = entry_of(at, vertex, "edge at a vertex");
   if (columns.size() != 2) return std::nullopt;
   return columns[0] + columns[1] - column;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
@@ -182,7 +183,8 @@ void put_boundary(const std::vector<SimplexMesh<dim>>& meshes,
     std::vector<int> column;
     for (int e = 0; e < meshes[r].boundary.cols(); ++e) {
       const auto facet = facet_of_whole(meshes[r], parts.vertex[r], e);
-      const bool is_cut = shares.at(key_of<dim>(facet)) > 1;
+      const bool is_cut =
+          entry_of(shares, key_of<dim>(facet), "count of a facet") > 1;
       column.push_back(is_cut ? -1 : count_of(facets));
       if (is_cut) continue;
       facets.push_back(facet);
@@ -224,7 +226,8 @@ template MeshParts<3> joined_parts(const std::vector<SolidMesh>&,
 
 MatrixXd of_whole(const std::vector<MatrixXd>& parts,
                   const std::vector<std::vector<int>>& number) {
-  MatrixXd whole = MatrixXd::Zero(parts.at(0).rows(), count_in_whole(number));
+  const Index rows = parts.empty() ? 0 : parts.front().rows();
+  MatrixXd whole = MatrixXd::Zero(rows, count_in_whole(number));
   for (std::size_t r = parts.size(); r-- > 0;)
     for (std::size_t k = 0; k < number[r].size(); ++k)
       if (number[r][k] >= 0)

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/mesh/smooth_curve.hpp"
@@ -56,11 +57,15 @@ class OldSurface {
       place = own;
     }
     Matrix3d normals;
-    for (int i = 0; i < 3; ++i) normals.col(i) = normal_.at(vertices_[face][i]);
+    for (int i = 0; i < 3; ++i) normals.col(i) = normal_at(vertices_[face][i]);
     return point_on_cubic_triangle(corners_[face], normals, place);
   }
 
  private:
+  const Vector3d& normal_at(int vertex) const {
+    return entry_of(normal_, vertex, "normal at a vertex");
+  }
+
   /// Weights of N. Max, J. Graphics Tools 4(2), 1999: exact on spheres.
   void add_normals(const Vector3i& v, const Matrix3d& corners) {
     for (int i = 0; i < 3; ++i) {
@@ -105,13 +110,13 @@ class OldSurface {
     for (int pass = 0; pass < passes; ++pass)
       for (const auto& [v, edges] : edges_at) {
         Matrix3d matrix = own_weight * Matrix3d::Identity();
-        Vector3d wanted = own_weight * first.at(v);
+        Vector3d wanted = own_weight * entry_of(first, v, "normal at a vertex");
         for (const auto& [w, e] : edges) {
           if (pass == 0 && edges_at.count(w) > 0) continue;
           matrix += e * e.transpose();
-          wanted -= e.dot(normal_.at(w)) * e;
+          wanted -= e.dot(normal_at(w)) * e;
         }
-        normal_.at(v) = matrix.ldlt().solve(wanted).normalized();
+        normal_[v] = matrix.ldlt().solve(wanted).normalized();
       }
   }
 

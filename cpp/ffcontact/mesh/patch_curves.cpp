@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
@@ -69,8 +70,12 @@ class CurveFinder {
   }
 
  private:
+  const std::vector<int>& links_at(int v) const {
+    return entry_of(at_, v, "link at a vertex");
+  }
+
   bool ends_at(int v) const {
-    const std::vector<int>& links = at_.at(v);
+    const std::vector<int>& links = links_at(v);
     return links.size() != 2 ||
            links_[links[0]].patches != links_[links[1]].patches;
   }
@@ -81,7 +86,7 @@ class CurveFinder {
 
   /// Angle by which links turn at v, where two of them meet [rad].
   double turn(int v) const {
-    const std::vector<int>& links = at_.at(v);
+    const std::vector<int>& links = links_at(v);
     const Vector3d in = direction(links_[links[0]].beyond(v), v),
                    out = direction(v, links_[links[1]].beyond(v));
     return 2 * std::atan2((in - out).norm(), (in + out).norm());
@@ -89,7 +94,7 @@ class CurveFinder {
 
   /// Does a straight line of several links end at v?
   bool is_beside_straight(int v) const {
-    for (const int k : at_.at(v)) {
+    for (const int k : links_at(v)) {
       const int w = links_[k].beyond(v);
       if (!ends_at(w) && turn(w) < straight) return true;
     }
@@ -98,7 +103,7 @@ class CurveFinder {
 
   /// The cuts of a surface are rugged, and have no corners.
   bool turns_at(int v, double corner) const {
-    if (ends_at(v) || !links_[at_.at(v)[0]].is_rim) return false;
+    if (ends_at(v) || !links_[links_at(v)[0]].is_rim) return false;
     const double angle = turn(v);
     return angle > corner || (angle > bent && is_beside_straight(v));
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
@@ -73,7 +74,8 @@ class LinesOfEdges {
  private:
   /// The edge that goes on at a vertex, or -1.
   int next(int edge, int vertex) const {
-    const std::vector<int>& around = at_vertex_.at(vertex);
+    const std::vector<int>& around =
+        entry_of(at_vertex_, vertex, "singular edge at a vertex");
     if (around.size() != 2) return -1;
     const int other = around[0] == edge ? around[1] : around[0];
     const double cosine = along(topology_, edge)
