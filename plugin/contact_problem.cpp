@@ -6,10 +6,8 @@
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/facing_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
-#include "ffcontact/interface/line_ends.hpp"
 //
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "contact_problem.hpp"
@@ -116,24 +114,12 @@ ContactProblem::Carrier ContactProblem::carrier(
     Stack stack, const NamedArguments& named, int body,
     const ContactLine& stated, ContactLine line, bool on_opposite) const {
   const StatedPlaces places = stated_places(line, on_opposite);
-  std::map<int, int> number;  // contact edge of each mesh edge
-  for (int e = 0; e < stated.edge_count(); ++e) number[stated.edge[e]] = e;
+  StatedAbscissae at = stated_abscissae(edges, stated, line, places);
   Carrier result;
-  result.own_vertex.resize(line.node_count());
-  result.abscissa.resize(line.node_count());
-  result.edge_abscissa.resize(2, line.edge_count());
-  for (int e = line.edge_count() - 1; e >= 0; --e)
-    for (int end = 1; end >= 0; --end) {
-      const auto [edge, place] =
-          end == 0 ? places[e].front() : places[e].back();
-      result.edge_abscissa(end, e) =
-          abscissa_at(stated, number.at(edge), place);
-      if (!ends_at_its_node(line, end, e)) continue;
-      const int node = line.edge_node(end, e);
-      result.own_vertex[node] =
-          edges.vertices(place < 0.5 ? 0 : 1, edge) - joined.first_vertex[body];
-      result.abscissa[node] = result.edge_abscissa(end, e);
-    }
+  for (int vertex : at.vertex)
+    result.own_vertex.push_back(vertex - joined.first_vertex[body]);
+  result.abscissa = std::move(at.node);
+  result.edge_abscissa = std::move(at.edge_end);
   result.law =
       stated_law(stack, named, part(body, elsewhere_), edges, line, places);
   result.line = std::move(line);

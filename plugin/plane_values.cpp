@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/base/plane.hpp"
 #include "ffcontact/equilibrium/boundary_springs.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 //
@@ -10,9 +9,6 @@
 namespace ffcontact::plugin {
 
 namespace {
-
-/// Points of a contact edge at which a coefficient is evaluated.
-constexpr int samples_of_an_edge = 9;
 
 /// Evaluates expressions at points of a plane mesh.
 class PlanePoint : public PointEvaluator {
@@ -70,24 +66,10 @@ double oscillation_square(const Matrix2Xd& f, const Matrix3Xd& phi,
   return 2 * area / (M_PI * M_PI) * square;
 }
 
-/// Place on its mesh edge of point k of a contact edge.
-double sampled_place(const ContactLine& line, int e, int k) {
-  const double share = static_cast<double>(k) / (samples_of_an_edge - 1);
-  return between(line.place(0, e), line.place(1, e), share);
-}
-
 VectorXd values_of(Stack stack, Expression expression, const BodyPart& part,
                    const std::vector<BoundaryPlace<2>>& places) {
   return part.elsewhere ? part.elsewhere->values(expression, part.body, places)
                         : at_boundary(stack, expression, part, places);
-}
-
-StatedPlaces own_places(const ContactLine& line) {
-  StatedPlaces places(line.edge_count());
-  for (int e = 0; e < line.edge_count(); ++e)
-    for (int k = 0; k < samples_of_an_edge; ++k)
-      places[e].push_back({line.edge[e], sampled_place(line, e, k)});
-  return places;
 }
 
 /// A place on an edge of the joined mesh as one of the body that the edge is of.
@@ -98,18 +80,6 @@ BoundaryPlace<2> on_boundary(const BodyPart& part, const Edges& edges,
   if (part.mesh.boundary(0, column) != edges.vertices(0, at.edge))
     weights.reverseInPlace();
   return {column - part.first_boundary, weights};
-}
-
-/// The points of a piece become those that they face.
-void move_to_opposite(const ContactLine& line, const FacingPiece& piece,
-                      std::vector<EdgePlace>& places) {
-  for (int k = 0; k < samples_of_an_edge; ++k) {
-    const double x = sampled_place(line, piece.contact_edge, k);
-    if (x < piece.begin || x > piece.end) continue;
-    const double share = (x - piece.begin) / (piece.end - piece.begin);
-    places[k] = {piece.opposite_edge,
-                 between(piece.opposite_begin, piece.opposite_end, share)};
-  }
 }
 
 /// A vector field, 0 where a component is not given.
@@ -165,14 +135,6 @@ struct SampledForce {
 };
 
 }  // namespace
-
-StatedPlaces stated_places(const ContactLine& line, bool on_opposite) {
-  StatedPlaces places = own_places(line);
-  if (!on_opposite) return places;
-  for (auto piece = line.pieces.rbegin(); piece != line.pieces.rend(); ++piece)
-    move_to_opposite(line, *piece, places[piece->contact_edge]);
-  return places;
-}
 
 VectorXd at_boundary(Stack stack, Expression expression, const BodyPart& part,
                      const std::vector<BoundaryPlace<2>>& places) {

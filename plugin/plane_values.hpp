@@ -4,6 +4,7 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/interface/stated_places.hpp"
 //
 #include "arguments.hpp"
 #include "boundary_places.hpp"
@@ -22,19 +23,6 @@ struct BodyPart {
 /// An expression at places of one body's boundary (x, y, label, N), which is here.
 VectorXd at_boundary(Stack stack, Expression expression, const BodyPart& part,
                      const std::vector<BoundaryPlace<2>>& places);
-
-/// Where an expression is evaluated for a point of a contact edge: a mesh edge of the
-/// body that it is stated on, and the place on it (0 at its first vertex).
-struct EdgePlace {
-  int edge;
-  double place;
-};
-
-/// The places that belong to the points of a line, evenly spaced on each contact edge,
-/// ends included [edge][point]. They are on the line itself, or on what it faces when
-/// coefficients are stated on the opposite body.
-using StatedPlaces = std::vector<std::vector<EdgePlace>>;
-StatedPlaces stated_places(const ContactLine& line, bool on_opposite);
 
 /// An expression of the script at the nodes of a contact line (x, y, label, N as on the
 /// boundary) [p].

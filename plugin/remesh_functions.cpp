@@ -37,7 +37,7 @@ long contactmeshbodies(Stack, pmesh const& Th) {
 pmesh contactmeshbody(Stack stack, pmesh const& Th, const long& k,
                       KN<long>* const& vertices) {
   return GetAny<pmesh>(guarded("contactmesh", [&] {
-    const SeparateBody body = separate_bodies(mesh_of(Th)).at(k);
+    const SeparateBody body = separate_bodies(mesh_of(Th))[k];
     vertices->resize(count_of(body.vertex));
     std::copy(body.vertex.begin(), body.vertex.end(),
               static_cast<long*>(*vertices));
