@@ -76,6 +76,23 @@ std::string other_multiplier_in_words(Multiplier own) {
          ", not with " + name_of(own);
 }
 
+/// Is the component that is out of balance prescribed at both ends of a contact edge?
+bool is_prescribed_along_line(const Imbalance& imbalance,
+                              const ContactLine& line,
+                              const ElasticSystem& system) {
+  const auto has = [&](int node) {
+    return system.prescribed[2 * line.vertex[node] + imbalance.component] != 0;
+  };
+  for (const auto nodes : line.edge_node.colwise()) {
+    const bool ends_here = line.vertex[nodes[0]] == imbalance.vertex ||
+                           line.vertex[nodes[1]] == imbalance.vertex;
+    if (ends_here && line.vertex[nodes[0]] != line.vertex[nodes[1]] &&
+        has(nodes[0]) && has(nodes[1]))
+      return true;
+  }
+  return false;
+}
+
 /// What else may be missing at a vertex.
 std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
   if (!(mesh.boundary.array() == vertex).any())
@@ -93,6 +110,11 @@ std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
                      const ContactLine& line, const ElasticSystem& system,
                      const SolvedBody& body) {
+  if (is_prescribed_along_line(imbalance, line, system))
+    return "it is the reaction of displacements that are prescribed along the "
+           "contact line, which is no friction and is not judged: leave them "
+           "free there and take a large friction= that holds them, or take "
+           "these edges out of label=";
   if (system.prescribed[2 * imbalance.vertex + imbalance.component])
     return "it is the reaction of a point support, which no admissible stress "
            "has: prescribe displacements on whole edges";

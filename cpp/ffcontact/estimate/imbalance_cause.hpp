@@ -9,7 +9,8 @@
 namespace ffcontact {
 
 /// Why the stresses of u_h are not in equilibrium with the loads at a vertex, as the end
-/// of a sentence: a point support, pressures of the other multiplier, or loads that are
+/// of a sentence: a point support, displacements
+/// prescribed along the contact line, pressures of the other multiplier, or loads that are
 /// not those of u_h.
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
                      const ContactLine& line, const ElasticSystem& system,
