@@ -4,13 +4,16 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/interface/faceted_curves.hpp"
 #include "ffcontact/interface/facing_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
 //
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "contact_problem.hpp"
+#include "doubtful_curve.hpp"
 
 namespace ffcontact::plugin {
 
@@ -75,10 +78,28 @@ void ContactProblem::require_one_side(const StatedPair& pair,
                       in_words(Vector2d(mesh.origin + touching->place)));
 }
 
+/// Once for all pairs.
+void ContactProblem::warn_of_polygon(int body, const ContactLine& own) {
+  if (has_polygonal_curve) return;
+  const auto curves = faceted_curves(mesh, edges, own);
+  if (curves.empty()) return;
+  has_polygonal_curve = true;
+  const int edge = curves.front().edge;
+  warn_of_curve(joined, body, edges.vertices(0, edge),
+                edges.boundary_index[edge],
+                ", but fits what it faces, is hollow, or turns too far from it "
+                "to have one contact direction: its " +
+                    std::to_string(curves.front().edges) +
+                    " edges are taken for a polygon, which locks sliding and "
+                    "makes pressures up to several times too high on any mesh; "
+                    "give the curve's normal=[nx, ny], and the exact gap=");
+}
+
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
                               const StatedPair& pair) {
   const ContactLine own = own_line(stack, named, pair);
   require_one_side(pair, own);
+  if (!named.given("normal")) warn_of_polygon(pair.body, own);
   if (!pair.rigid()) {
     add_facing_pair(stack, named, pair, own);
     return;

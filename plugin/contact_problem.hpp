@@ -52,6 +52,8 @@ struct ContactProblem : PlaneBodies {
   std::vector<long> first_node;
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
+  /// whether a smooth curve has the normals of its edges, which was said
+  bool has_polygonal_curve = false;
 
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   ContactProblem(Stack stack, const NamedArguments& named,
@@ -94,6 +96,7 @@ struct ContactProblem : PlaneBodies {
   ContactLine own_line(Stack stack, const NamedArguments& named,
                        const StatedPair& pair) const;
   void require_one_side(const StatedPair& pair, const ContactLine& own) const;
+  void warn_of_polygon(int body, const ContactLine& own);
   void add_pair(Stack stack, const NamedArguments& named,
                 const StatedPair& pair);
   void add_facing_pair(Stack stack, const NamedArguments& named,

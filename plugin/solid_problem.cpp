@@ -10,7 +10,10 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/compliance_ratio.hpp"
+#include "ffcontact/interface/fitted_surface.hpp"
 #include "ffcontact/interface/joined_surfaces.hpp"
+//
+#include "doubtful_curve.hpp"
 
 namespace ffcontact::plugin {
 
@@ -72,11 +75,30 @@ void SolidProblem::require_one_side(const StatedPair& stated,
                     in_words(Vector3d(mesh.origin + middle)));
 }
 
+/// Once for all pairs.
+void SolidProblem::warn_of_fit(int body, const Pair& pair) {
+  if (fits) return;
+  const auto spot =
+      node_of_fitted_surface(mesh, faces, pair.whole, pair.polygons);
+  if (!spot) return;
+  fits = true;
+  warn_of_curve(joined, body, pair.whole.vertex[spot->node],
+                faces.boundary_index[pair.whole.face[spot->face]],
+                " and fits what it faces: mean normals of its faces and gaps "
+                "of the flat ones make pressures up to several times too high "
+                "on any mesh; give the surface's normal=[nx, ny, nz], and the "
+                "exact gap=");
+}
+
 void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
                             const StatedPair& stated) {
   Pair pair;
   pair.whole = stated_surface(stack, named, stated.body, stated.labels);
   require_one_side(stated, pair.whole);
+  if (!stated.rigid())
+    pair.polygons = facing_polygons(mesh, faces, pair.whole, stated.opposite);
+  if (!named.given("normal") && !named.given("gap"))
+    warn_of_fit(stated.body, pair);
   if (!stated.rigid()) {
     add_facing_pair(stack, named, stated, std::move(pair));
     return;
@@ -90,7 +112,6 @@ void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                    const StatedPair& stated, Pair pair) {
   pair.wanted = wanted_side(stack, named, count_of(pairs_),
                             std::max(1, body_count() - 1));
-  pair.polygons = facing_polygons(mesh, faces, pair.whole, stated.opposite);
   FacingSurface facing = facing_surface(mesh, faces, pair.whole, pair.polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
   pair.own = carrier(stack, named, stated.body, std::move(facing), places);
@@ -139,7 +160,7 @@ std::optional<SolidProblem::Carrier> SolidProblem::as_good(
     Carrier other = exchanged(stack, named, stated);
     if (other.surface.area.sum() >= as_much * own.surface.area.sum())
       return other;
-  } catch (const std::invalid_argument&) {  // what stands against it
+  } catch (const Refusal&) {  // what stands against it
   }
   return std::nullopt;
 }

@@ -60,7 +60,8 @@ void answer_no_equilibrium(const SolveCall& call,
 void report_solution(const SolveCall& call, const BodyDofs& bodies,
                      const std::vector<long>& side, const SolveAnswer& answer);
 
-/// Says that a second solution is near or may exist (critical_friction).
+/// Says that a second solution is near or may exist (critical_friction), but not of
+/// curves that the statement has warned of.
 void report_friction(long level, const ContactProblem& problem,
                      const SolvedContact& solved);
 

@@ -139,13 +139,77 @@ expect("gmshmesh: reports.geo, " + Tg.nt + " triangles, " + Tg.nv + " vertices")
 EOF
 
 fails() { echo "$*"; exit 1; }
-printed=$("$1" $script)
-echo "$printed"
-mapfile -t said < <(grep -E '^[a-z]+: ' <<<"$printed" | grep -v '^expect: ')
-mapfile -t expected < <(sed -n 's/^expect: //p' <<<"$printed")
-for k in "${!said[@]}"; do
-  [[ ${said[k]} = ${expected[k]-} ]] || fails "printed: ${said[k]}; expected: ${expected[k]-nothing}"
-done
-[ ${#said[@]} = ${#expected[@]} ] || fails "not printed: ${expected[${#said[@]}]}"
+prints_what_it_expects() {
+  local printed said expected
+  printed=$("$@")
+  echo "$printed"
+  mapfile -t said < <(grep -E '^[a-z]+: ' <<<"$printed" | grep -v '^expect: ')
+  mapfile -t expected < <(sed -n 's/^expect: //p' <<<"$printed")
+  for k in "${!said[@]}"; do
+    [[ ${said[k]} = ${expected[k]-} ]] || fails "printed: ${said[k]}; expected: ${expected[k]-nothing}"
+  done
+  [ ${#said[@]} = ${#expected[@]} ] || fails "not printed: ${expected[${#said[@]}]}"
+}
+prints_what_it_expects "$1" $script
 printed=$("$1" $script -level 0)
 [ -z "$printed" ] || fails "printed at verbosity 0: $printed"
+
+# What statements warn of at any verbosity, once each: a curve that is taken for a polygon, a solid's surface that fits what it faces.
+script=doubts.edp
+cat >$script <<'EOF'
+include "ffcontact.idp"
+load "msh3"
+func int expect(string line) {
+  cout << "expect: " << line << endl;
+  return 0;
+}
+string polygon = ", but fits what it faces, is hollow, or turns too far from it to have one contact direction: its * edges are taken for a polygon*";
+string hollow = " and fits what it faces: mean normals*";
+
+// A pin in a bore
+real R = 10, r = 9.95;
+border pin(t=0, 2*pi) { x=r*cos(t); y=r*sin(t); label=11; }
+border bore(t=0, 2*pi) { x=R*cos(t); y=R*sin(t); label=12; }
+border box1(t=-20, 20) { x=t; y=-20; label=2; }
+border box2(t=-20, 20) { x=20; y=t; label=2; }
+border box3(t=20, -20) { x=t; y=20; label=2; }
+border box4(t=20, -20) { x=-20; y=t; label=2; }
+mesh T1 = buildmesh(pin(40)), T2 = buildmesh(box1(4) + box2(4) + box3(4) + box4(4) + bore(-46));
+expect("contact: label 11 is curved at vertex * (*) of mesh 1" + polygon);
+contact C1(T1, T2, label1=11, label2=12, friction=0);
+expect("contact: label 12 is curved at vertex * (*) of mesh 1" + polygon);
+contact C2(T2, T1, label1=12, label2=11, friction=0, gap=R - r);
+contact C3(T1, T2, label1=11, label2=12, friction=0, normal=[x/r, y/r]);
+contact C4(T2, T1, label1=12, label2=11, friction=0, normal=[-x/R, -y/R], gap=R - r);
+// Coarse ones: 16 edges are a curve, 12 a polygon
+mesh T5 = buildmesh(pin(16)), T6 = buildmesh(pin(12));
+expect("contact: label 11 is curved at vertex * (*) of mesh 1" + polygon);
+contact C5(T5, T2, label1=11, label2=12, friction=0);
+contact C6(T6, T2, label1=11, label2=12, friction=0);
+
+// A half cylinder on a plane: all of it labelled, and a part
+for (int degrees = 30; degrees <= 90; degrees += 30) {
+  border low(t=-pi/2 - degrees*pi/180, -pi/2 + degrees*pi/180) { x=R*cos(t); y=R*sin(t); label=1; }
+  border up(t=-pi/2 + degrees*pi/180, 3*pi/2 - degrees*pi/180) { x=R*cos(t); y=R*sin(t); label=4; }
+  mesh Th = buildmesh(low(degrees) + up(60));
+  if (degrees > 60) expect("contact: label 1 is curved at vertex * (*)" + polygon);
+  contact C(Th, label=1, friction=0.3, gap=y + R);
+}
+
+// What is a polygon: a hexagon, a punch with chamfers, a die with two edges
+border nut(t=0, 2*pi) { x=cos(t); y=sin(t); label=1; }
+mesh Tn = buildmesh(nut(6)), Ts = square(12, 4, [x*12, y*4 + (1 - y)*max(0., abs(12*x - 6) - 4)]),
+     Td = square(9, 3, [x*9, y*4 + (1 - y)*0.3*(min(3., max(0., 9*x - 3)) + 2*max(0., 9*x - 6))]);
+contact Cn(Tn, label=1, friction=0.1, gap=y + 1), Cs(Ts, label=1, friction=0.1, gap=y), Cd(Td, label=1, friction=0.1, gap=y);
+
+// A part of a solid pin in its bore, and on a plane
+mesh3 P = cube(8, 2, 2, [(r - 2*z)*sin(x - 0.5), 4*y, -(r - 2*z)*cos(x - 0.5)]),
+      B = cube(9, 3, 2, [(R + 2*(1 - z))*sin(1.2*x - 0.6), 4*y, -(R + 2*(1 - z))*cos(1.2*x - 0.6)]),
+      F = cube(9, 3, 2, [12*x - 6, 4*y, z - 11]);
+expect("contact: label 5 is curved at vertex * (*) of mesh 1" + hollow);
+contact S1(P, B, label1=5, label2=6, friction=0.1);
+contact S2(P, B, label1=5, label2=6, friction=0.1, normal=[x/r, 0, z/r]);
+contact S3(P, B, label1=5, label2=6, friction=0.1, gap=R - r);
+contact S4(P, F, label1=5, label2=6, friction=0.1);
+EOF
+prints_what_it_expects "$1" $script
