@@ -252,6 +252,20 @@ TEST(FacingTraces, overlaps_come_before_what_is_in_front) {
   EXPECT_TRUE((two.traces.gap.array() + 0.1).isZero(1e-14));
 }
 
+/// An edge in front of a joint of two bodies stays one where these all but touch.
+TEST(FacingTraces, have_no_holes_that_are_too_narrow) {
+  const auto edges_above = [](double joint) {
+    Mesh lower = joined(rectangle(1, 1, 2, 2),
+                        shifted(rectangle(1, 1, 2, 2), {2 + joint, 0}));
+    lower.boundary_label.tail(4).array() -= 10;
+    return Facing(shifted(rectangle(3, 1, 4, 1), {0, 2}), lower)
+        .line.edge_count();
+  };
+  EXPECT_EQ(edges_above(0), 3);
+  EXPECT_EQ(edges_above(M_PI * 1e-5), 3);
+  EXPECT_EQ(edges_above(0.1), 4);
+}
+
 /// A slit between 1 and 5 in a rectangle.
 Mesh slit() {
   return cracked<2>(rectangle(6, 4, 6, 4), 2,
