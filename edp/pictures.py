@@ -23,6 +23,7 @@ from PIL import Image
 
 INK, GREY, BLUE, RED = "#1a1a1a", "#8c8c8c", "#2b5c8a", "#b5342b"
 WIDTH = 6.8  # inches
+MOST_LINES = 8
 
 plt.rcParams.update({
     "font.family": "STIXGeneral", "mathtext.fontset": "stix", "font.size": 11, "axes.titlesize": 11,
@@ -37,19 +38,22 @@ class Step:
     def __init__(self, folder, number):
         bodies = [read_body(file) for file in sorted(folder.glob(f"step{number}*.vtu"))
                   if re.fullmatch(f"step{number}[a-z]?.vtu", file.name)]
-        self.on_foundation = len(bodies) == 1
         first = np.cumsum([0] + [len(body["points"]) for body in bodies])
         self.points = np.vstack([body["points"] for body in bodies])
         self.triangles = np.vstack([body["triangles"] + start for body, start in zip(bodies, first)])
         self.displacement = np.vstack([body["displacement"] for body in bodies])
+        self.on_foundation = pieces_of(self.triangles).max() == 0
         head, self.nodes = read_nodes(folder / f"contact{number}.txt")
+        self.line = self.nodes.get("line", np.ones(len(self.nodes["x"]))).astype(int)
         self.facing = np.column_stack([self.nodes["facingx"], self.nodes["facingy"]])
         self.is_coulomb = head["law"] == "coulomb"
         self.is_judged = "eps" in head
         if self.is_judged:
             self.eps = float(head["eps"])
             self.error = np.hstack([body["eps_E"] for body in bodies])
-            self.edges = np.loadtxt(folder / f"tractions{number}.txt", ndmin=2).reshape(-1, 2, 3)
+            edges = np.loadtxt(folder / f"tractions{number}.txt", ndmin=2)
+            self.edges = edges[:, :6].reshape(-1, 2, 3)
+            self.line_of_edge = edges[:, 6].astype(int) if edges.shape[1] > 6 else np.ones(len(edges), int)
         largest = np.linalg.norm(self.displacement, axis=1).max()
         self.scale = round_down(0.08 * np.ptp(self.points, axis=0).max() / largest) if largest > 0 else 1
         self.moved = self.points + self.scale * self.displacement
@@ -61,10 +65,27 @@ class Step:
         pad = 0.02 * (high - low).max()
         return low - pad, high + pad
 
+    def lines(self):
+        """The numbers of the contact lines, those with the largest pressures where there are too many to draw."""
+        numbers = np.unique(self.line)
+        largest = [np.abs(self.nodes["pn"][self.line == k]).max() for k in numbers]
+        return np.sort(numbers[np.argsort(largest)[::-1][:MOST_LINES]])
+
     def boundary(self):
         edges = np.sort(self.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
         unique, count = np.unique(edges, axis=0, return_counts=True)
         return unique[count == 1]
+
+
+def pieces_of(cells):
+    """The piece of each cell, from 0 on; pieces share no vertex."""
+    lowest = np.arange(cells.max() + 1)
+    while True:
+        before = lowest.copy()
+        np.minimum.at(lowest, cells, lowest[cells].min(axis=1, keepdims=True))
+        lowest = lowest[lowest]
+        if (lowest == before).all():
+            return np.unique(lowest[cells[:, 0]], return_inverse=True)[1]
 
 
 def read_body(path):
@@ -113,10 +134,16 @@ def outline(points, edges, **style):
     return LineCollection(points[edges], **{"colors": INK, "linewidths": 0.9, "capstyle": "round", **style})
 
 
+def fine_line(step, usual):
+    """The width of lines that leaves some white between many triangles."""
+    return usual * min(1, np.sqrt(5000 / len(step.triangles)))
+
+
 def draw_mesh(axes, step, name):
-    axes.add_collection(PolyCollection(step.points[step.triangles], facecolors="none", edgecolors=INK, linewidths=0.35))
+    axes.add_collection(PolyCollection(step.points[step.triangles], facecolors="none", edgecolors=INK, linewidths=fine_line(step, 0.35)))
     axes.add_collection(outline(step.points, step.boundary()))
-    error = f", $\\epsilon$ = {100 * step.eps:.2f} %" if step.is_judged else ""
+    percent = 100 * step.eps if step.is_judged else 0
+    error = f", $\\epsilon$ = {percent:{'.2f' if percent > 0.005 else '.0e'}} %" if step.is_judged else ""
     finish(axes, f"{name}: {len(step.triangles)} triangles{error}")
 
 
@@ -134,12 +161,27 @@ def draw_foundation(axes, line):
 
 def draw_deformed(axes, step):
     shapes = step.moved[step.triangles]
-    axes.add_collection(PolyCollection(shapes, facecolors="#e6ecf2", edgecolors=INK, linewidths=0.3))
+    axes.add_collection(PolyCollection(shapes, facecolors="#e6ecf2", edgecolors=INK, linewidths=fine_line(step, 0.3)))
     axes.add_collection(outline(step.moved, step.boundary()))
     axes.add_collection(outline(step.points, step.boundary(), colors=RED, linewidths=0.8, linestyles=(0, (5, 3))))
-    if step.on_foundation:
-        draw_foundation(axes, step.facing)
+    for k in step.lines():
+        if step.on_foundation:
+            draw_foundation(axes, step.facing[step.line == k])
+    number_lines(axes, step)
     finish(axes, f"Deformed {'body' if step.on_foundation else 'bodies'}, displacement × {step.scale:g}")
+
+
+def number_lines(axes, step):
+    """The numbers of several lines beside them, where they are in the deformed body."""
+    if len(step.lines()) < 2:
+        return
+    places = np.column_stack([step.nodes[name] for name in ("x", "y")])
+    moves = np.column_stack([step.nodes[name] for name in ("ux", "uy")])
+    for k in step.lines():
+        of_line = (places + step.scale * moves)[step.line == k]
+        x, y = of_line[len(of_line) // 2]
+        axes.annotate(str(k), (x, y), ha="center", va="center", fontsize=8, color="white",
+                      bbox={"boxstyle": "circle,pad=0.2", "facecolor": BLUE, "edgecolor": "white", "linewidth": 0.6})
 
 
 def draw_error(axes, step):
@@ -150,7 +192,10 @@ def draw_error(axes, step):
     axes.add_collection(outline(step.points, step.boundary()))
     finish(axes, "Contributions to the error")
     low, high = step.points.min(axis=0), step.points.max(axis=0)
-    place = [high[0] + 0.02 * (high - low)[0], low[1], 0.03 * (high - low)[0], (high - low)[1]]
+    bottom, height = low[1], (high - low)[1]
+    if height < 0.1 * (high - low)[0]:  # a flat body
+        bottom, height = axes.get_ylim()[0], np.ptp(axes.get_ylim())
+    place = [high[0] + 0.02 * (high - low)[0], bottom, 0.03 * min(np.ptp(axes.get_xlim()), 8 * height), height]
     bar = axes.figure.colorbar(colours, cax=axes.inset_axes(place, transform=axes.transData))
     bar.set_label(r"$\epsilon_E$  [%]", labelpad=1)
     bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
@@ -158,36 +203,87 @@ def draw_error(axes, step):
     bar.ax.tick_params(which="both", length=2)
 
 
-def draw_pressures(axes, step):
-    nodes = step.nodes
+def draw_line(axes, step, k, single):
+    """Pressures and tractions along one contact line."""
+    nodes = {name: values[step.line == k] for name, values in step.nodes.items()}
     abscissa, friction, limit = nodes["abscissa"], nodes["friction"], nodes["limit"]
     bound = np.minimum(friction * np.abs(nodes["pn"]), limit) if step.is_coulomb else limit
-    dots = {"linewidth": 1.1, "marker": "o", "markersize": 2.4}
+    dots = {"linewidth": 1.1, "marker": "o", "markersize": 2.4 if single else 1.8}
     name = r"$\pm\mu|\lambda_{hn}|$" if step.is_coulomb else r"$\pm k$"
     axes.fill_between(abscissa, -bound, bound, color="#e2e2e2", linewidth=0, label=name)
     axes.axhline(0, color=GREY, linewidth=0.5)
     axes.plot(abscissa, -nodes["pn"], color=INK, label=r"$-\lambda_{hn}$", **dots)
     axes.plot(abscissa, -nodes["pt"], color=BLUE, label=r"$-\lambda_{ht}$", **dots)
-    title = "computed $\\lambda_h$"
     if step.is_judged:
-        draw_tractions(axes, step)
-        title += ", admissible $r$"
-    axes.set(xlim=(abscissa.min(), abscissa.max()), xlabel="contact line  [mm]", ylabel="pressure  [MPa]")
-    axes.set_title(f"Contact pressures on the first mesh: {title}", pad=22)
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 0.985), ncols=5, handlelength=1.8, columnspacing=1.8,
-                borderaxespad=0.2)
+        draw_tractions(axes, step, k, nodes)
+    axes.set(xlim=shown_part(abscissa, nodes["pn"]))
+    mean = abs(np.trapz(nodes["pn"], abscissa)) / max(np.ptp(abscissa), 1e-300)
+    if -nodes["pn"].min() > 20 * mean > 0:  # an infinite pressure at an end would hide the others
+        axes.set(ylim=(-mean, 6 * mean))
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def draw_tractions(axes, step):
-    broken = np.insert(step.edges, 2, np.nan, axis=1).reshape(-1, 3)  # a gap after each edge
+def shown_part(abscissa, pressure):
+    """All of a line, or the part about its pressures where these are on a small one."""
+    low, high = abscissa.min(), abscissa.max()
+    pressed = abscissa[pressure < 0] if (pressure < 0).any() else abscissa
+    if np.ptp(pressed) < 0.2 * (high - low):
+        pad = max(np.ptp(pressed), 0.05 * (high - low))
+        low, high = max(low, pressed.min() - pad), min(high, pressed.max() + pad)
+    return (low, high) if high > low else (low - 1, high + 1)
+
+
+def draw_tractions(axes, step, k, nodes):
+    broken = np.insert(step.edges[step.line_of_edge == k], 2, np.nan, axis=1).reshape(-1, 3)  # a gap after each edge
     if step.is_coulomb:
-        bound = np.minimum(np.interp(broken[:, 0], step.nodes["abscissa"], step.nodes["friction"]) * np.abs(broken[:, 1]),
-                           np.interp(broken[:, 0], step.nodes["abscissa"], step.nodes["limit"]))
+        order = np.argsort(nodes["abscissa"])  # of the second body it falls
+        friction, limit = (np.interp(broken[:, 0], nodes["abscissa"][order], nodes[name][order]) for name in ("friction", "limit"))
+        bound = np.minimum(friction * np.abs(broken[:, 1]), limit)
         for side in (1, -1):
             axes.plot(broken[:, 0], side * bound, color=RED, linewidth=0.7, linestyle=(0, (2, 2)),
                       label=r"$\pm\mu|r_n|$" if side > 0 else None)
     axes.plot(broken[:, 0], -broken[:, 2], color=RED, linewidth=1.3, label=r"$-r_t$")
+
+
+LINE_HEIGHT = 1.55  # inches, of one of several lines
+
+
+def step_of_pressures(first, last):
+    """The first one, as in the paper, where its lines have enough nodes to tell."""
+    enough = len(first.line) > 8 * len(first.lines())
+    return first if enough or len(last.triangles) == len(first.triangles) else last
+
+
+def height_of_pressures(step):
+    """Of draw_pressures [inches]."""
+    rows = (len(step.lines()) + 1) // 2
+    return 3.1 if len(step.lines()) == 1 else 0.7 + rows * (LINE_HEIGHT + 0.35)
+
+
+def draw_pressures(figure, top, step, where):
+    """Every contact line on axes of its own."""
+    lines = step.lines()
+    title = "computed $\\lambda_h$" + (", admissible $r$" if step.is_judged else "")
+    if len(lines) == 1:
+        panels = [new_axes(figure, 0.7, top + 0.62, WIDTH - 0.85, 1.95)]
+    else:
+        width = (WIDTH - 0.6) / 2
+        panels = [new_axes(figure, 0.5 + i % 2 * (width + 0.1), top + 0.72 + i // 2 * (LINE_HEIGHT + 0.35), width - 0.4, LINE_HEIGHT - 0.2)
+                  for i in range(len(lines))]
+    for axes, k in zip(panels, lines):
+        draw_line(axes, step, k, len(lines) == 1)
+        if len(lines) > 1:
+            axes.annotate(str(k), (0.5, 1.04), xycoords="axes fraction", ha="center", va="center", fontsize=8, color="white",
+                          bbox={"boxstyle": "circle,pad=0.2", "facecolor": BLUE, "edgecolor": "white", "linewidth": 0.6})
+            axes.tick_params(labelsize=8)
+    if len(lines) == 1:
+        panels[0].set(xlabel="contact line  [mm]", ylabel="pressure  [MPa]")
+    down = figure.get_size_inches()[1]
+    several = f" along the {len(lines)} contact lines  [mm, MPa]" if len(lines) > 1 else ""
+    figure.text(0.5, 1 - (top + 0.2) / down, f"Contact pressures{several}{where}: {title}", ha="center", va="center", fontsize=11)
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="center", bbox_to_anchor=(0.5, 1 - (top + 0.45) / down), ncols=5, handlelength=1.8,
+                  columnspacing=1.8, borderaxespad=0.2)
 
 
 def new_axes(figure, left, top, width, height):
@@ -220,12 +316,13 @@ def draw(folder):
     first, last = Step(folder, numbers[0]), Step(folder, numbers[-1])
     low, high = first.limits()
     aspect = (high - low)[1] / (high - low)[0]
-    panels = {"mesh_first": lambda axes: draw_mesh(axes, first, "First mesh")}
+    is_adapted = len(last.triangles) != len(first.triangles)
+    panels = {"mesh_first": lambda axes: draw_mesh(axes, first, "First mesh" if is_adapted else "Mesh")}
     if first.is_judged:
         panels["error"] = lambda axes: draw_error(axes, first)
     panels["deformed"] = lambda axes: draw_deformed(axes, first)
-    if len(last.triangles) != len(first.triangles):
-        panels["mesh_last"] = lambda axes: draw_mesh(axes, last, "Optimised mesh")
+    if is_adapted:
+        panels["mesh_last"] = lambda axes: draw_mesh(axes, last, "Optimised mesh" if first.is_judged else "Last mesh")
     title, bar, gap = 0.32, 0.62, 0.1  # inches
 
     width = min(WIDTH - bar - gap, 4.2 / aspect)
@@ -233,16 +330,20 @@ def draw(folder):
         figure = plt.figure(figsize=(width + (bar if name == "error" else gap) + gap, width * aspect + title + gap))
         paint(body_axes(figure, gap, title, width, first))
         save(figure, folder / f"{name}.png", 200)
-    figure = plt.figure(figsize=(WIDTH, 3.2))
-    draw_pressures(new_axes(figure, 0.6, 0.62, WIDTH - 0.75, 2.05), first)
+    of_pressures = step_of_pressures(first, last)
+    where = "" if not is_adapted else f" on the {'first' if of_pressures is first else 'last'} mesh"
+    figure = plt.figure(figsize=(WIDTH, height_of_pressures(of_pressures)))
+    draw_pressures(figure, 0, of_pressures, where)
     save(figure, folder / "pressures.png", 200)
 
-    width = (WIDTH - bar - gap) / 2
+    across = 2 if aspect > 0.2 else 1  # flat bodies one below the other
+    width = (WIDTH - bar - gap) / across
     height = width * aspect + title
-    figure = plt.figure(figsize=(WIDTH, 2 * height + 3.1))
+    bodies = (len(panels) + across - 1) // across * height
+    figure = plt.figure(figsize=(WIDTH, bodies + height_of_pressures(of_pressures)))
     for k, paint in enumerate(panels.values()):
-        paint(body_axes(figure, k % 2 * (width + gap), title + k // 2 * height, width, first))
-    draw_pressures(new_axes(figure, 0.6, 2 * height + 0.62, WIDTH - 0.75, 1.95), first)
+        paint(body_axes(figure, k % across * (width + gap), title + k // across * height, width, first))
+    draw_pressures(figure, bodies, of_pressures, where)
     save(figure, folder / "overview.png", 150)
 
 

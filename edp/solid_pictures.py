@@ -8,8 +8,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.ticker import FuncFormatter
 
-from pictures import BLUE, GREY, INK, RED, WIDTH, new_axes, read_nodes, round_down, save, steps_in
+from pictures import INK, RED, WIDTH, new_axes, pieces_of, read_nodes, round_down, save, steps_in
 
+MOST_SHEETS, SHEET_HEIGHT = 6, 2.3  # inches
 FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])  # of a tetrahedron, outward
 MAP = plt.get_cmap("YlOrRd")
 
@@ -43,6 +44,9 @@ class SolidStep:
         largest = np.linalg.norm(self.displacement, axis=1).max()
         self.scale = round_down(0.08 * np.ptp(self.points, axis=0).max() / largest) if largest > 0 else 1
         self.moved = self.points + self.scale * self.displacement
+
+    def pressure_name(self):
+        return "rn" if self.is_judged else "pn"
 
     def normal(self):
         """Of the contact surface in the mean."""
@@ -145,19 +149,68 @@ def draw_deformed(axes, step, camera):
     axes.set_title(f"Deformed, displacement × {step.scale:g}", pad=2)
 
 
-def draw_pressure_map(axes, step, camera):
-    """-r_n, or -p_n where nothing is judged, on the contact surface."""
-    right, up = (sign * axis for sign, axis in ((np.sign(camera.along @ camera.right), camera.along), (-1, camera.side)))
-    points, triangles = step.surface["points"], step.surface["connectivity"]
-    pressure = -step.surface["rn" if step.is_judged else "pn"]
-    flat = np.column_stack([points @ right, points @ up])
-    colours = axes.tripcolor(*flat.T, triangles, pressure, shading="gouraud", cmap="Blues",
-                             norm=Normalize(0, max(pressure.max(), 1e-300)))
+class Sheet:
+    """A piece of the contact surface, seen from outside along its normal where it carries the most."""
+
+    def __init__(self, step, triangles):
+        nodes = np.unique(triangles)
+        normals = np.column_stack([step.nodes[name] for name in ("nx", "ny", "nz")])
+        self.force = -step.nodes["fn"][nodes].sum()
+        weights = -step.nodes["fn"][nodes] if self.force > 0 else np.ones(len(nodes))
+        towards = weights @ normals[nodes]
+        if np.linalg.norm(towards) < 1e-6 * weights.sum():
+            towards = normals[nodes[0]]
+        self.camera = Camera(towards / np.linalg.norm(towards))
+        self.towards = towards / np.linalg.norm(towards)
+        # what is beyond the rim lies behind the rest
+        in_sight = (normals[triangles] @ self.towards).mean(axis=1) > 0.15
+        self.triangles = triangles[in_sight]
+
+    def flat(self, points):
+        """Coordinates to the right and up, the eye at the side that n points to."""
+        camera = self.camera
+        right = np.sign(camera.along @ camera.right) * camera.along
+        return np.column_stack([points @ right, points @ np.cross(self.towards, right)])
+
+
+def sheets_of(step):
+    """The sheets that carry forces, those with the largest first; all of them where none does."""
+    triangles = step.surface["connectivity"]
+    piece = pieces_of(triangles)
+    sheets = [Sheet(step, triangles[piece == k]) for k in range(piece.max() + 1)]
+    sheets.sort(key=lambda sheet: -sheet.force)
+    return [sheet for sheet in sheets if sheet.force > 1e-6 * sheets[0].force][:MOST_SHEETS] or sheets[:MOST_SHEETS]
+
+
+def shown_part(corners, pressure):
+    """Lower left and upper right corner of a sheet, or of the part about its pressures where these are on a small one."""
+    low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+    pad = 0.02 * (high - low).max()
+    pressed = corners[pressure.max(axis=1) > 0.01 * pressure.max()] if pressure.max() > 0 else corners
+    inner_low, inner_high = pressed.min(axis=(0, 1)), pressed.max(axis=(0, 1))
+    around = 0.4 * (inner_high - inner_low).max()
+    if 2 * around < 0.3 * (high - low).max():
+        low, high = np.maximum(low, inner_low - around), np.minimum(high, inner_high + around)
+    return low - pad, high + pad
+
+
+def draw_pressure_map(axes, step, sheet, title):
+    """-r_n, or -p_n where nothing is judged, on a sheet of the contact surface."""
+    triangles = sheet.triangles
+    pressure = -step.surface[step.pressure_name()]
+    flat = sheet.flat(step.surface["points"])
+    colours = axes.tripcolor(*flat.T, triangles, pressure, shading="gouraud", cmap="Blues", norm=Normalize(0, max(pressure[triangles].max(), 1e-300)))
     axes.add_collection(PolyCollection(flat[triangles], facecolors="none", edgecolors=INK, linewidths=0.12))
+    low, high = shown_part(flat[triangles], pressure[triangles])
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
     axes.set_aspect("equal")
     axes.axis("off")
-    axes.set_title("Pressure " + ("$-r_n$" if step.is_judged else "$-\\lambda_{hn}$") + " on the contact surface  [MPa]", pad=4)
-    bar = axes.figure.colorbar(colours, cax=axes.inset_axes([0.1, -0.16, 0.8, 0.05]), orientation="horizontal")
+    axes.set_title(title, pad=4)
+    return colours
+
+
+def draw_pressure_bar(figure, place, colours):
+    bar = figure.colorbar(colours, cax=new_axes(figure, *place), orientation="horizontal")
     bar.outline.set_linewidth(0.6)
     bar.ax.tick_params(length=2, labelsize=9)
 
@@ -181,9 +234,32 @@ def draw_cone(axes, step):
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def draw_pressures(figure, top, step, camera):
-    draw_pressure_map(new_axes(figure, 0.1, top, 3.2, 2.0), step, camera)
-    draw_cone(new_axes(figure, 4.05, top, WIDTH - 4.25, 1.95), step)
+def height_of_pressures(step):
+    """Of draw_pressures [inches]."""
+    return 3.1 if len(sheets_of(step)) == 1 else 3.0 + (len(sheets_of(step)) + 1) // 2 * SHEET_HEIGHT
+
+
+def draw_pressures(figure, top, step):
+    """Maps of the sheets, then the cone."""
+    sheets = sheets_of(step)
+    name = "$-r_n$" if step.is_judged else "$-\\lambda_{hn}$"
+    if len(sheets) == 1:
+        axes = new_axes(figure, 0.1, top + 0.45, 3.2, 1.9)
+        colours = draw_pressure_map(axes, step, sheets[0], f"Pressure {name} on the contact surface  [MPa]")
+        draw_pressure_bar(figure, (0.5, top + 2.45, 2.4, 0.1), colours)
+        draw_cone(new_axes(figure, 4.05, top + 0.5, WIDTH - 4.25, 1.95), step)
+        return
+    down = figure.get_size_inches()[1]
+    figure.text(0.5, 1 - (top + 0.15) / down, f"Pressure {name} on the {len(sheets)} sheets of the contact surface that carry the most  [MPa]",
+                ha="center", va="center", fontsize=11)
+    width = (WIDTH - 0.3) / 2
+    for i, sheet in enumerate(sheets):
+        left, down = 0.1 + i % 2 * (width + 0.1), top + 0.6 + i // 2 * SHEET_HEIGHT
+        axes = new_axes(figure, left, down, width, SHEET_HEIGHT - 0.8)
+        normal = ", ".join(f"{x:.2g}" for x in np.round(sheet.towards, 2) + 0.0)
+        colours = draw_pressure_map(axes, step, sheet, f"n = ({normal}): {sheet.force:.4g} N")
+        draw_pressure_bar(figure, (left + width / 2 - 1.1, down + SHEET_HEIGHT - 0.72, 2.2, 0.08), colours)
+    draw_cone(new_axes(figure, 1.9, top + 0.75 + (len(sheets) + 1) // 2 * SHEET_HEIGHT, WIDTH - 3.8, 1.7), step)
 
 
 def aspect_of(step, camera):
@@ -198,7 +274,7 @@ def draw(folder):
     camera = Camera(first.normal())
     aspect = aspect_of(first, camera)
     is_adapted = len(last.cells) != len(first.cells)
-    panels = {"surface_first": lambda axes: draw_surface(axes, first, camera, "First mesh")}
+    panels = {"surface_first": lambda axes: draw_surface(axes, first, camera, "First mesh" if is_adapted else "Mesh")}
     if is_adapted:
         panels["surface_last"] = lambda axes: draw_surface(axes, last, camera, "Optimised mesh")
     panels["deformed"] = lambda axes: draw_deformed(axes, last, camera)
@@ -210,15 +286,15 @@ def draw(folder):
         figure = plt.figure(figsize=(width + bar + gap, width * aspect + title + gap))
         paint(new_axes(figure, gap, title, width, width * aspect))
         save(figure, folder / f"{name}.png", 200)
-    figure = plt.figure(figsize=(WIDTH, 3.1))
-    draw_pressures(figure, 0.45, last, camera)
+    figure = plt.figure(figsize=(WIDTH, height_of_pressures(last)))
+    draw_pressures(figure, 0, last)
     save(figure, folder / "pressures.png", 200)
 
     width = (WIDTH - 2 * bar - gap) / 2
     height = width * aspect + title
     rows = (len(panels) + 1) // 2
-    figure = plt.figure(figsize=(WIDTH, rows * height + 3.2))
+    figure = plt.figure(figsize=(WIDTH, rows * height + height_of_pressures(last) + 0.1))
     for k, paint in enumerate(panels.values()):
         paint(new_axes(figure, gap + k % 2 * (width + bar), title + k // 2 * height, width, width * aspect))
-    draw_pressures(figure, rows * height + 0.5, last, camera)
+    draw_pressures(figure, rows * height + 0.1, last)
     save(figure, folder / "overview.png", 150)

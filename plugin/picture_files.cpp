@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/unions.hpp"
 #include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 //
@@ -94,6 +95,21 @@ void write_stress(const fs::path& folder, long step,
   write_vtu(folder / picture_file("stress", step, body), parts);
 }
 
+/// The line of each node, from 1 on: contact edges and corners join nodes.
+std::vector<int> lines_of_nodes(const ContactProblem& problem) {
+  const ContactLine& line = problem.line;
+  Unions lines(line.node_count());
+  for (int e = 0; e < line.edge_count(); ++e)
+    lines.join(line.edge_node(0, e), line.edge_node(1, e));
+  for (int i = 0; i + 1 < line.node_count(); ++i)
+    if (line.vertex[i] == line.vertex[i + 1] &&
+        problem.abscissa[i] == problem.abscissa[i + 1])
+      lines.join(i, i + 1);
+  std::vector<int> numbers = lines.numbers();
+  for (int& number : numbers) ++number;
+  return numbers;
+}
+
 /// x, u and the place that faces x along n.
 void write_places(const ContactProblem& problem, const SolvedContact& solved,
                   int i, TextFile& text) {
@@ -126,13 +142,14 @@ void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
   if (solved.estimate)
     text << " eps " << solved.estimate->relative << " e " << solved.estimate->e;
   text << "\n# abscissa x y ux uy facingx facingy state pn pt fn ft gap slip "
-          "friction limit\n";
+          "friction limit line\n";
+  const std::vector<int> lines = lines_of_nodes(problem);
   for (int i = 0; i < problem.line.node_count(); ++i) {
     text << problem.abscissa[i];
     write_places(problem, solved, i, text);
     write_results(solved.nodes, i, text);
     write_law(law, i, text);
-    text << "\n";
+    text << " " << lines[i] << "\n";
   }
   text.close();
 }
@@ -141,12 +158,18 @@ void write_tractions(const fs::path& file, const ContactProblem& problem,
                      const Estimate& estimate) {
   const ContactDensities& r = estimate.tractions;
   const VectorXd abscissa = abscissae(problem, estimate);
+  const std::vector<int> lines = lines_of_nodes(problem);
   TextFile text(file);
-  text << "# abscissa rn rt at the first end, abscissa rn rt at the other\n";
-  for (Index k = 0; k < r.normal.cols(); ++k)
+  text << "# abscissa rn rt at the first end, abscissa rn rt at the other, "
+          "line\n";
+  for (int k = 0; k < r.normal.cols(); ++k) {
     for (int end = 0; end < 2; ++end)
       text << abscissa[2 * k + end] << " " << r.normal(end, k) << " "
-           << r.tangential(end, k) << (end == 0 ? " " : "\n");
+           << r.tangential(end, k) << " ";
+    const int edge =
+        estimate.refinement ? estimate.refinement->parent_contact_edge[k] : k;
+    text << lines[problem.line.edge_node(0, edge)] << "\n";
+  }
   text.close();
 }
 
