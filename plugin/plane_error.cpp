@@ -44,7 +44,7 @@ EstimateSettings estimate_settings(Stack stack, const NamedArguments& named) {
   const int sweeps = relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;
   relaxation.sweeps = static_cast<int>(named.integer(stack, "sweeps", sweeps));
   relaxation.report =
-      progress_lines("contacterror", named.verbosity_level(stack));
+      progress_lines("contacterror", named.verbosity_level(stack), 2);
   return settings;
 }
 

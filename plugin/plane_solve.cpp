@@ -91,7 +91,7 @@ ContactSettings settings_of(const SolveCall& call, const Contact& contact,
   ContactLine stated = contact.problem->line;
   stated.abscissa = contact.problem->abscissa;
   ContactSettings settings = settings_of(
-      call, states_at(stated, contact.last_abscissa, contact.last_states));
+      call, states_at(stated, contact.last_abscissa, contact.last_states), 2);
   if (settings.storage == SchurStorage::distributed)
     refuse(
         "schur=\"distributed\" is for solids: lines of plane bodies have few "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "progress_lines.hpp"
 
+#include <memory>
+
 #include "freefem.hpp"
 #include "stopwatch.hpp"
 
@@ -9,15 +11,14 @@ namespace ffcontact::plugin {
 namespace {
 
 constexpr double between_lines = 2;  ///< seconds
-constexpr double long_phase = 3e5;   ///< dofs
 
 /// The lines of one call of a function.
 class Lines {
  public:
-  explicit Lines(const char* function) : function_(function) {}
+  Lines(const char* function, int dim) : function_(function), dim_(dim) {}
 
   void operator()(const Progress& progress) {
-    const bool begins = progress.step == 0 && progress.value >= long_phase;
+    const bool begins = progress.step == 0 && progress.value >= many_dofs(dim_);
     if (!begins && last_.seconds() < between_lines) return;
     last_ = Stopwatch();
     cout << function_ << ": " << progress.phase;
@@ -28,14 +29,17 @@ class Lines {
 
  private:
   const char* function_;
+  int dim_;
   Stopwatch start_, last_;
 };
 
 }  // namespace
 
-ProgressReport progress_lines(const char* function, long verbosity) {
+ProgressReport progress_lines(const char* function, long verbosity, int dim) {
   if (verbosity < 1 || mpirank != 0) return {};
-  return Lines(function);
+  // copies of the report share what was said when
+  return [lines = std::make_shared<Lines>(function, dim)](
+             const Progress& progress) { (*lines)(progress); };
 }
 
 }  // namespace ffcontact::plugin

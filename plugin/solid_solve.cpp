@@ -82,7 +82,7 @@ SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
 ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
                             const ElasticSystem& system) {
   ContactSettings settings =
-      settings_of(call, states_at(*contact.problem, contact.last));
+      settings_of(call, states_at(*contact.problem, contact.last), 3);
   settings.state_of_another_mesh =
       !contact.solved && !call.named.given("initial");
   if (contact.solved && is_same(*contact.solved->system, system)) {

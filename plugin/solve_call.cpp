@@ -89,7 +89,8 @@ template ElasticSystem system_of(const SolveCall&, const BodyDofs&,
 template ElasticSystem system_of(const SolveCall&, const BodyDofs&,
                                  const SolidMesh&);
 
-ContactSettings settings_of(const SolveCall& call, ContactStates states) {
+ContactSettings settings_of(const SolveCall& call, ContactStates states,
+                            int dim) {
   const Stack stack = call.stack;
   const NamedArguments& named = call.named;
   ContactSettings settings;
@@ -104,7 +105,7 @@ ContactSettings settings_of(const SolveCall& call, ContactStates states) {
   settings.tolerance = named.number(stack, "tol", settings.tolerance);
   if (!(settings.tolerance > 0))
     refuse("tol must be positive, got ", settings.tolerance);
-  settings.report = progress_lines("contactsolve", call.verbosity());
+  settings.report = progress_lines("contactsolve", call.verbosity(), dim);
   settings.initial_state = std::move(states);
   if (call.shared) settings.factorise = call.shared->factorise;
   if (named.given("initial")) settings.initial_state.clear();

@@ -38,7 +38,8 @@ ElasticSystem system_of(const SolveCall& call, const BodyDofs& bodies,
                         const SimplexMesh<dim>& mesh);
 
 /// What solver=, maxit=, tol= and initial= say; without initial= it starts from `states`.
-ContactSettings settings_of(const SolveCall& call, ContactStates states);
+ContactSettings settings_of(const SolveCall& call, ContactStates states,
+                            int dim);
 
 bool is_same(const ElasticSystem& a, const ElasticSystem& b);
 

@@ -9,6 +9,7 @@
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 #include "support/solid_defects.hpp"
+#include "support/told.hpp"
 
 namespace ffcontact {
 namespace {
@@ -38,6 +39,27 @@ RC_GTEST_PROP(SolidContact, is_the_same_by_a_factor_in_single_precision,
   const double size = other.displacement.cwiseAbs().maxCoeff();
   RC_ASSERT((solution.displacement - other.displacement).cwiseAbs().maxCoeff() <
             1e-7 * size);
+}
+
+TEST(SolidContact, tells_of_its_factor_and_of_every_step) {
+  const SolidProblem problem =
+      block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::press, 0.5);
+  for (ContactSettings settings : {ContactSettings{}, in_single_precision()}) {
+    std::vector<Progress> told;
+    settings.report = [&](const Progress& p) { told.push_back(p); };
+    const SurfaceSolution solution = problem.solve(settings);
+    ASSERT_TRUE(solution.accepted({}));
+    EXPECT_STREQ(told.front().phase, "factorisation");
+    EXPECT_EQ(told.front().value, problem.mesh.vertices.size());
+    EXPECT_TRUE(counts_columns(of_phase(told, "factorisation, column")));
+    const auto schur = of_phase(told, "Schur complement, column");
+    EXPECT_TRUE(counts_columns(schur));
+    EXPECT_LE(schur.back().value, 3 * problem.surface.node_count());
+    const auto newton = of_phase(told, "Newton");
+    EXPECT_EQ(static_cast<int>(newton.size()), solution.iterations);
+    EXPECT_GT(newton.front().value, newton.back().value);
+    EXPECT_LT(newton.back().value, 1e-6);
+  }
 }
 
 /// Where full steps of Newton cycle, and the fixed point does too.

@@ -39,7 +39,7 @@ std::shared_ptr<const CondensedStiffness> prepared_stiffness(
     return settings.factorise(system, contact_dofs, precision,
                               settings.storage);
   return std::make_shared<const CondensedStiffness>(
-      system, contact_dofs, precision, settings.storage);
+      system, contact_dofs, precision, settings.storage, settings.report);
 }
 
 /// By the chosen solver, from the chosen states.

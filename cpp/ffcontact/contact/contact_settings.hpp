@@ -41,7 +41,7 @@ struct ContactSettings {
   /// free dofs from which on a solid that prescribed displacements hold is factored in
   /// single precision, and its answer corrected
   int single_precision_from = 30000;
-  /// told of the factorisation and of every step, with its violation; of a solid of none
+  /// told of the factorisation, its columns and those of Schur's complement, and of every step, with its violation
   ProgressReport report{};
 
   ContactStates first_states(int nodes) const {

@@ -54,10 +54,8 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
                              StepSolver& solver) {
   const double enough = std::max(settings.tolerance, tolerance_to_be_corrected);
   const NewtonSettings limits{
-      std::min(most_newton_systems, settings.max_iterations),
-      enough,
-      {},
-      enough};
+      std::min(most_newton_systems, settings.max_iterations), enough,
+      settings.report, enough};
   return near ? surface_newton(contact, law, held, *near, solver, limits)
               : surface_newton(contact, law, held,
                                settings.first_states(law.node_count()), solver,
@@ -69,7 +67,8 @@ FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
                                 const std::optional<ContactRows>& near,
                                 const ContactSettings& settings) {
   const ContactStates start = settings.first_states(law.node_count());
-  NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  NewtonSettings limits{settings.max_iterations, settings.tolerance,
+                        settings.report};
   FixedPointResult result;
   if (settings.solver == ContactSolver::newton) {
     result.answer = near ? newton_answer(relation, law, held, *near, limits)
@@ -92,7 +91,8 @@ FixedPointResult surface_answer(const CondensedContact& contact,
                                 const NodalLaw& law, const Flags& held,
                                 const ContactSettings& settings) {
   const ContactStates start = settings.first_states(law.node_count());
-  const NewtonSettings limits{settings.max_iterations, settings.tolerance};
+  const NewtonSettings limits{settings.max_iterations, settings.tolerance,
+                              settings.report};
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);
   FixedPointResult result{newton_answer(contact, law, held, start, limits), {}};

@@ -79,6 +79,8 @@ class Newton {
     if (failures_ > most_full_steps) shorten_step(last);
     const double violation =
         loose ? infinity : surface_violation(relation_, law_, held_, rows_);
+    tell(settings_.report,
+         {"Newton", result_.iterations, "violation", violation});
     const bool better = violation < result_.violation,
                gains = violation < wanted_violation();
     if (better || result_.iterations == 1) keep(violation);

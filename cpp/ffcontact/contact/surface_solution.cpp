@@ -115,8 +115,8 @@ class Answer {
   NewtonSettings limits() const {
     const double enough =
         std::max(beside_tolerance(), beside_residual * solution_.residual);
-    return {
-        most_systems, std::max(stated_.settings.tolerance, enough), {}, enough};
+    return {most_systems, std::max(stated_.settings.tolerance, enough),
+            stated_.settings.report, enough};
   }
   /// Nothing beside what is asked for.
   double beside_tolerance() const { return 1e-2 * stated_.settings.tolerance; }

@@ -65,17 +65,19 @@ constexpr double least_condition =
     std::is_same_v<Scalar, double> ? 1e-15 : 1e-6;
 
 template <class Scalar>
-PartialCholesky<Scalar> regular_factor(const SparseMatrix& lower, int kept) {
-  PartialCholesky<Scalar> factor(lower, kept);
+PartialCholesky<Scalar> regular_factor(const SparseMatrix& lower, int kept,
+                                       const ProgressReport& report) {
+  PartialCholesky<Scalar> factor(lower, kept, report);
   if (factor.reciprocal_condition() < least_condition<Scalar>)
     fail_as_singular();
   return factor;
 }
 
-AnyCholesky factorised(const SparseMatrix& lower, int kept,
-                       Precision precision) {
-  if (precision == Precision::full) return regular_factor<double>(lower, kept);
-  return regular_factor<float>(lower, kept);
+AnyCholesky factorised(const SparseMatrix& lower, int kept, Precision precision,
+                       const ProgressReport& report) {
+  if (precision == Precision::full)
+    return regular_factor<double>(lower, kept, report);
+  return regular_factor<float>(lower, kept, report);
 }
 
 /// S, taken out of the factor of R K R.
@@ -97,14 +99,15 @@ struct CondensedStiffness::Factor {
   SchurStorage storage;
 
   Factor(const ElasticSystem& system, const std::vector<int>& kept_dofs,
-         Precision precision, SchurStorage schur_storage)
+         Precision precision, SchurStorage schur_storage,
+         const ProgressReport& report)
       : kept(kept_dofs),
         scale(inverse_roots(system)),
         order(elimination_order(system, kept)),
         place(places(order, system.prescribed.size())),
         cholesky(factorised(
             Eliminated{system.stiffness, order, place, scale}.lower_triangle(),
-            static_cast<int>(kept.size()), precision)),
+            static_cast<int>(kept.size()), precision, report)),
         schur(schur_of(cholesky, scale(kept))),
         storage(schur_storage) {}
 
@@ -136,9 +139,11 @@ struct CondensedStiffness::Factor {
 CondensedStiffness::CondensedStiffness(const ElasticSystem& system,
                                        const std::vector<int>& kept,
                                        Precision precision,
-                                       SchurStorage storage)
-    : factor_(std::make_unique<Factor>(
-          system, required_kept(system, kept, storage), precision, storage)) {}
+                                       SchurStorage storage,
+                                       const ProgressReport& report)
+    : factor_(std::make_unique<Factor>(system,
+                                       required_kept(system, kept, storage),
+                                       precision, storage, report)) {}
 
 CondensedStiffness::CondensedStiffness() = default;
 CondensedStiffness::~CondensedStiffness() = default;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/progress.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/elastic/precision.hpp"
 #include "ffcontact/elastic/schur_products.hpp"
@@ -38,13 +39,15 @@ class CondensedStiffness {
   /// @param kept  free dofs to keep, without repetition; the order is that of all vectors
   ///              and matrices of kept dofs
   /// @param storage  distributed: S is for products() alone, as of one process of several
+  /// @param report   as that of PartialCholesky
   /// @throws std::invalid_argument  if a kept dof is prescribed or out of range, or by
   ///                                require_room_for_schur
   /// @throws std::runtime_error     if K_ii is not positive definite: a part of the body
   ///                                is held by nothing, or, in single precision, nearly
   CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept,
                      Precision precision = Precision::full,
-                     SchurStorage storage = SchurStorage::whole);
+                     SchurStorage storage = SchurStorage::whole,
+                     const ProgressReport& report = {});
   virtual ~CondensedStiffness();
   CondensedStiffness(CondensedStiffness&&) noexcept;
   CondensedStiffness& operator=(CondensedStiffness&&) noexcept;

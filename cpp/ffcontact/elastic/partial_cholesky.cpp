@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -40,15 +41,19 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
   /// those that have rows among the columns of each, ascending; of S the last
   std::vector<std::vector<int>> descendants;
   Square schur;
+  ProgressReport report;     ///< none once it is factored
+  std::atomic<int> done{0};  ///< columns
 
-  Factor(const SparseMatrix& lower, int kept_columns)
+  Factor(const SparseMatrix& lower, int kept_columns, ProgressReport told)
       : FactorBlocks<Scalar>(
             supernodes(lower, static_cast<int>(lower.cols()) - kept_columns)),
         eliminated(static_cast<int>(lower.cols()) - kept_columns),
         kept(kept_columns),
-        descendants(nodes.count() + 1) {
+        descendants(nodes.count() + 1),
+        report(std::move(told)) {
     find_descendants();
     factorise(lower);
+    report = nullptr;
   }
 
   int size() const { return eliminated + kept; }
@@ -95,6 +100,13 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
     compute_schur(lower, work);
   }
 
+  /// Columns of L_ii or S that are done; the thread that asked for the factor tells.
+  void count_columns(const char* phase, int more, int all) {
+    const int columns = done += more;
+    if (omp_get_thread_num() == 0)
+      tell(report, {phase, columns, "of", static_cast<double>(all)});
+  }
+
   Index largest_product() const {
     Index rows = 0;
     for (int s = 0; s < nodes.count(); ++s)
@@ -113,6 +125,8 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
         subtract_products(s, panel_of(s, 0, widest_supernode, own.place),
                           own.product);
         factorise_block(s);
+        count_columns("factorisation, column", nodes.column_count(s),
+                      eliminated);
       }
     }
   }
@@ -126,9 +140,11 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
       subtract_products(s, panel_of(s, first, shared_width, work[0].place),
                         work[omp_get_thread_num()].product);
     factorise_block(s);
+    count_columns("factorisation, column", nodes.column_count(s), eliminated);
   }
 
   void compute_schur(const SparseMatrix& lower, Work& work) {
+    done = 0;
     schur = Square::Zero(kept, kept);
     for (int j = 0; j < kept; ++j)
       for (SparseMatrix::InnerIterator e(lower, eliminated + j); e; ++e)
@@ -136,9 +152,12 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
     for (int row = eliminated; row < size(); ++row)
       work[0].place[row] = row - eliminated;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(work.size())
-    for (int first = 0; first < kept; first += schur_width)
+    for (int first = 0; first < kept; first += schur_width) {
       subtract_products(nodes.count(), schur_panel(first, work[0].place),
                         work[omp_get_thread_num()].product);
+      count_columns("Schur complement, column",
+                    std::min(schur_width, kept - first), kept);
+    }
     mirror_lower(schur);
   }
 
@@ -205,8 +224,9 @@ struct PartialCholesky<Scalar>::Factor : FactorBlocks<Scalar> {
 };
 
 template <class Scalar>
-PartialCholesky<Scalar>::PartialCholesky(const SparseMatrix& lower, int kept)
-    : factor_(std::make_unique<Factor>(lower, kept)) {}
+PartialCholesky<Scalar>::PartialCholesky(const SparseMatrix& lower, int kept,
+                                         const ProgressReport& report)
+    : factor_(std::make_unique<Factor>(lower, kept, report)) {}
 
 template <class Scalar>
 PartialCholesky<Scalar>::~PartialCholesky() = default;

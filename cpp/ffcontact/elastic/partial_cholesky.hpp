@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "ffcontact/base/progress.hpp"
 #include "ffcontact/elastic/supernodes.hpp"
 
 namespace ffcontact {
@@ -23,7 +24,9 @@ class PartialCholesky {
 
   /// @param lower  the lower triangle of A, rows of a column in any order
   /// @param kept   size of S
-  PartialCholesky(const SparseMatrix& lower, int kept);
+  /// @param report  told of the columns of L_ii and of S as the calling thread goes on
+  PartialCholesky(const SparseMatrix& lower, int kept,
+                  const ProgressReport& report = {});
   ~PartialCholesky();
   PartialCholesky(PartialCholesky&&) noexcept;
   PartialCholesky& operator=(PartialCholesky&&) noexcept;
