@@ -54,6 +54,16 @@ TEST(Balance,
             "(1, 0) with 2.01 N/mm, against which contact has 2 N/mm at most");
 }
 
+TEST(Balance, whatever_its_friction_a_rough_block_is_held) {
+  for (const double mu : {1.0, 1e4, 1e8, 1e30}) {
+    Problem problem = standing_block(mu);
+    add_body_force(problem, {0.3, 0});
+    EXPECT_EQ(refusal_by_balance(problem), "accepted") << mu;
+    add_traction(problem, top, {0, 1.5});
+    EXPECT_NE(refusal_by_balance(problem), "accepted") << mu;
+  }
+}
+
 TEST(Balance, without_friction_a_push_sideways_is_refused) {
   Problem problem = standing_block(0);
   add_body_force(problem, {0.1, 0});

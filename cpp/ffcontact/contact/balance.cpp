@@ -19,13 +19,14 @@ constexpr double unbalanced = 1e-9;
 /// |z|.
 constexpr double motion_rounding = 1e-11;
 
-/// Work of the extreme contact multipliers along each motion, one column per multiplier
-/// [motions x multipliers].
+/// Work along each motion of multipliers that span the cones, one column per multiplier
+/// [motions x multipliers]. Those of Coulomb's law are of size 1 whatever mu is, and -n is
+/// one of them: of two that are nearly +t and -t it would be the rounding.
 MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
                         const MatrixXd& motions) {
   const MatrixXd weighted =
       weight_of_rows(law.multiplier, line) * traces_of(line, motions);
-  MatrixXd work(motions.cols(), (law.tresca() ? 3 : 2) * line.node_count());
+  MatrixXd work(motions.cols(), 3 * line.node_count());
   Index next = 0;
   for (int i = 0; i < line.node_count(); ++i) {
     const VectorXd n = weighted.row(2 * i), t = weighted.row(2 * i + 1);
@@ -35,8 +36,10 @@ MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
       work.col(next++) = can_hold * t;
       work.col(next++) = -can_hold * t;
     } else {
-      work.col(next++) = -n + law.friction[i] * t;
-      work.col(next++) = -n - law.friction[i] * t;
+      const double mu = law.friction[i], size = std::hypot(1, mu);
+      work.col(next++) = -n;
+      work.col(next++) = (mu / size) * t - n / size;
+      work.col(next++) = -(mu / size) * t - n / size;
     }
   }
   return work;

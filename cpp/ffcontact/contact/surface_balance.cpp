@@ -10,17 +10,19 @@ namespace ffcontact {
 
 namespace {
 
-/// Forces that span the cone of a node, from a thousandth outside [3 x k].
+/// Forces of size 1 that span the cone of a node, from a thousandth outside [3 x k].
 Matrix3Xd spanning_forces(const FrictionCone& cone) {
   constexpr int sides = 64;
   if (cone.frictionless()) return Vector3d(-1, 0, 0);
   const bool given = !cone.depends_on_contact();
   const double radius = (given ? 1 : cone.friction) / std::cos(M_PI / sides);
+  const double size = given ? radius : std::hypot(1, radius),
+               share = radius / size;
   Matrix3Xd forces(3, sides + 1);
   for (int k = 0; k < sides; ++k) {
     const double angle = 2 * M_PI * k / sides;
-    forces.col(k) = Vector3d(given ? 0 : -1, radius * std::cos(angle),
-                             radius * std::sin(angle));
+    forces.col(k) = Vector3d(given ? 0 : -1 / size, share * std::cos(angle),
+                             share * std::sin(angle));
   }
   forces.col(sides) = Vector3d(-1, 0, 0);
   return forces;
