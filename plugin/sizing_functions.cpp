@@ -156,6 +156,10 @@ class OptimalSizeFunction : public E_F0mps {
          << optimal.size.maxCoeff() << ", about "
          << std::lround(optimal.predicted_count) << " " << cells << " for eps "
          << 100 * optimal.predicted_error << " %" << endl;
+    if (optimal.cautious)
+      cout << "optimalsize: eps is above 50 %, and says little of where the "
+              "error is: none of the "
+           << cells << " grows to more than twice its size" << endl;
   }
 
   NamedArguments named_;

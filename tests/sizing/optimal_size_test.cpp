@@ -162,6 +162,20 @@ RC_GTEST_PROP(OptimalSize, goes_to_far_targets_in_steps, (Random random)) {
   RC_ASSERT(std::abs(sized.size(target(now / 100)).wanted - now / 3) < 1e-14);
 }
 
+RC_GTEST_PROP(OptimalSize, of_an_eps_above_a_half_does_not_coarsen_much,
+              (Random random)) {
+  Sized sized(random);
+  sized.error *= 0.6 / sized.error.norm();
+  sized.error[0] *= 1e-3;
+  const OptimalSize large = sized.size(target(0.5));
+  RC_ASSERT(large.cautious);
+  RC_ASSERT(large.ratio.maxCoeff() == 2);
+  sized.error *= 0.4 / 0.6;
+  const OptimalSize small = sized.size(target(0.3));
+  RC_ASSERT(!small.cautious);
+  RC_ASSERT(small.ratio.maxCoeff() > 2);
+}
+
 TEST(OptimalSize,
      of_an_even_mesh_counts_equilateral_triangles_of_the_wanted_error) {
   const Mesh mesh = rectangle(8, 8, 8, 8);

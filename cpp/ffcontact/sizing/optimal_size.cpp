@@ -20,6 +20,9 @@ constexpr double part_far = 0.92, part_at = 0.85;
 /// A mesh is far from the target when it is off by more than this, as a part of it.
 constexpr double closeness = 0.15;
 
+/// eps above which cells grow by this factor at most
+constexpr double too_large = 0.5, most_growth = 2;
+
 /// shape_quality of the cells that meshers make, which errors of new meshes have
 template <int dim>
 constexpr double usual_quality = dim == 2 ? 1 : 0.9;
@@ -177,6 +180,8 @@ OptimalSize optimal_size(const SimplexMesh<dim>& mesh,
   OptimalSize result;
   result.wanted = wanted_error(local_error.norm(), settings);
   result.ratio = size_ratios<dim>(error, rates, result.wanted);
+  result.cautious = local_error.norm() > too_large;
+  if (result.cautious) result.ratio = result.ratio.cwiseMin(most_growth);
 
   result.size =
       graded_size(mesh, edges,

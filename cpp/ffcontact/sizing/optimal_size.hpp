@@ -33,6 +33,11 @@ struct SizeSettings {
 /// edges. eps_E is therefore taken times shape_quality, and in space, where no mesh is of
 /// regular tetrahedra, over 0.9, which is usual of new ones.
 ///
+/// That eps_E falls like r_E^q_E is what a mesh does that resolves the solution. Where eps is
+/// above 1/2 the pair's stresses differ by about as much as they are large, and eps_E says
+/// little of where the error is: then no element is made larger than twice its size, r_E
+/// <= 2, so that a step of [CHH01, (5.1)] does not throw a mesh away that it needs.
+///
 /// The new mesh has 1.0 to 1.15 times the error that was asked for, since errors scatter
 /// from element to element and this scatter is not what sizes can follow. Less than the
 /// target is therefore asked for: 0.92 of it. A mesh that misses the target closely was
@@ -41,6 +46,7 @@ struct SizeSettings {
 struct OptimalSize {
   VectorXd ratio;  ///< r_E per cell [-]
   VectorXd size;   ///< h per vertex [mm]: edge length, bounded and graded
+  bool cautious = false;  ///< eps is above 1/2, and r_E is at most 2
   /// eps_0 of this step: 0.85 to 0.92 of the target, or a value on the way to it
   double wanted = 0;
   double predicted_error =
