@@ -25,6 +25,42 @@ MatrixXd free_end_values(const EdgeCone& cone) {
   return basis;
 }
 
+/// (-1, -sign mu) at each end.
+MatrixXd rays_of_slip(const ConesAtEnds& cones, int sign) {
+  MatrixXd basis = MatrixXd::Zero(4, 2);
+  for (int end = 0; end < 2; ++end)
+    basis.block<2, 1>(2 * end, end) =
+        Vector2d(-1, -sign * cones[end].friction).normalized();
+  return basis;
+}
+
+/// Basis of the end values that are left.
+MatrixXd basis_of(const ConesAtEnds& cones, const EdgeCone& cone,
+                  Carrying carrying) {
+  if (carrying == Carrying::slip_forward) return rays_of_slip(cones, 1);
+  if (carrying == Carrying::slip_backward) return rays_of_slip(cones, -1);
+  const MatrixXd free = free_end_values(cone);
+  if (carrying == Carrying::any) return free;
+  if (cones[0].depends_on_contact() || cone.frictionless.all())
+    return MatrixXd(4, 0);
+  MatrixXd tangential = free;
+  tangential.row(0).setZero();
+  tangential.row(2).setZero();
+  return tangential(Eigen::all, numbers_where(free.cols(), [&](int k) {
+                      return !tangential.col(k).isZero(0);
+                    }));
+}
+
+/// On a ray r_n <= 0 is all that there is.
+EdgeCone conditions_on(EdgeCone cone, Carrying carrying) {
+  if (carrying != Carrying::slip_forward && carrying != Carrying::slip_backward)
+    return cone;
+  cone.C = Matrix<double, 2, 4>::Zero();
+  cone.C(0, 0) = cone.C(1, 2) = -1;
+  cone.d = Vector2d::Zero();
+  return cone;
+}
+
 }  // namespace
 
 EndValues motions_on_edge(const ContactLine& line, const MatrixXd& motions,
@@ -44,19 +80,21 @@ Matrix4d mass_of(const ContactLine& line, int e) {
 }
 
 EdgeProjection::EdgeProjection(const ContactLine& line, const ContactLaw& law,
-                               const MatrixXd& motions, int e)
+                               const MatrixXd& motions, int e,
+                               Carrying carrying)
     : line_(line),
       law_(law),
       edge_(e),
-      cone_(edge_cone(line, law, e)),
+      cone_(conditions_on(edge_cone(line, law, e), carrying)),
       mass_(mass_of(line, e)),
       motions_(motions_on_edge(line, motions, e)),
-      basis_(free_end_values(cone_)),
+      basis_(basis_of(least_cones(line, law, e), cone_, carrying)),
       free_mass_(congruent(mass_, basis_)),
       half_(free_mass_),
       moving_(half_.half_solve(transposed_product(mass_ * basis_, motions_))) {}
 
 Vector4d EdgeProjection::operator()(const Vector4d& r) const {
+  if (basis_.cols() == 0) return Vector4d::Zero();
   const auto y = quadratic_minimum(free_mass_, -basis_.transpose() * mass_ * r,
                                    product(cone_.C, basis_), cone_.d);
   return y ? clamped_to_cone(line_, law_, edge_, basis_ * *y)
@@ -65,6 +103,8 @@ Vector4d EdgeProjection::operator()(const Vector4d& r) const {
 
 MatrixXd EdgeProjection::slope(const Vector4d& r,
                                const Vector4d& outside) const {
+  if (basis_.cols() == 0)
+    return MatrixXd::Zero(motions_.cols(), motions_.cols());
   return transposed_product(moving_, moving_on_face(held(r, outside)));
 }
 

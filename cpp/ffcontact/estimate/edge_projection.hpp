@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/cholesky.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
+#include "ffcontact/estimate/carrying_edges.hpp"
 
 namespace ffcontact {
 
@@ -21,12 +22,13 @@ Matrix4d mass_of(const ContactLine& line, int e);
 
 /// The projection Pi_C of end values r [MPa] of tractions on the cone of one edge, in L2
 /// of the edge: |Pi_C r - r| is the least, r_n <= 0 and |r_t| within friction's bound all
-/// along; 0 where rounding hides the minimum.
+/// along, and what Carrying leaves of it; 0 where rounding hides the minimum.
 class EdgeProjection {
  public:
   /// @param line, law  stay where they are
   EdgeProjection(const ContactLine& line, const ContactLaw& law,
-                 const MatrixXd& motions, int e);
+                 const MatrixXd& motions, int e,
+                 Carrying carrying = Carrying::any);
 
   Vector4d operator()(const Vector4d& r) const;
 
@@ -61,7 +63,7 @@ class EdgeProjection {
   EdgeCone cone_;
   Matrix4d mass_;
   EndValues motions_;
-  MatrixXd basis_;      ///< free_end_values
+  MatrixXd basis_;      ///< of the end values that are free
   MatrixXd free_mass_;  ///< the mass on them
   Cholesky half_;       ///< of it
   /// the motions in the coordinates y = half' x of the free end values x [b x k]

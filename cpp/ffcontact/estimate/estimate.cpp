@@ -226,7 +226,8 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
 
   // 2., 3. Contact tractions in the cone, edge tractions in equilibrium with them.
   FirstTractions first =
-      first_tractions(solved, bodies, terms, settings.tractions);
+      first_tractions(solved, bodies, terms, settings.tractions,
+                      estimate.displacement);
   estimate.shift = first.contact.shift;
   estimate.unmended = first.contact.unmended;
 

@@ -161,14 +161,25 @@ double part_missed(const ContactLine& line, const HeldMotions& held,
 std::optional<Candidate> candidate(const ContactLine& line,
                                    const ContactLaw& law,
                                    const HeldMotions& held,
-                                   const ContactDensities& near) {
+                                   const ContactDensities& near,
+                                   const std::vector<Carrying>& carrying) {
   for (const double share : {0.0, 1e-3, 0.03, 1.0}) {
     const VectorXd resultants =
         (1 - share) * held.of_loads + share * held.of_forces;
-    const auto r = nearest_in_cone(line, law, near, held.fields, resultants);
+    const auto r =
+        nearest_in_cone(line, law, near, held.fields, resultants, carrying);
     if (r) return Candidate{*r, part_missed(line, held, *r)};
   }
   return std::nullopt;
+}
+
+/// The largest of C in the triangle of each contact edge [MPa].
+VectorXd stiffness_at_edges(const MatchedBodies& bodies) {
+  const ContactLine& line = bodies.line();
+  const Edges& edges = bodies.topology().edges;
+  return VectorXd::NullaryExpr(line.edge_count(), [&](Index e) {
+    return max_norm(bodies.body().hooke[edges.cells(0, line.edge[e])]);
+  });
 }
 
 /// r_hat linear between the nodal pressures p_i = F_i / len_i: the forces obey the law,
@@ -176,22 +187,29 @@ std::optional<Candidate> candidate(const ContactLine& line,
 /// or where rigid motions are held by contact alone and int z . r must be what balances
 /// the loads along them, it is the density in the cone nearest to that
 /// (nearest_in_cone). On the boundary of what the cone allows there may be but one, which
-/// is found from lambda_h rather than from p.
+/// is found from lambda_h rather than from p. Edges carry what does not cost far more than
+/// it gains (carrying_edges), all of the cone where no such tractions hold the body.
 ContactTractions tractions_in_cone(const SolvedProblem& solved,
                                    const MatchedBodies& bodies,
-                                   const MatrixXd& motions) {
+                                   const MatrixXd& motions,
+                                   const Ref<const VectorXd>& u_hat) {
   const SolvedBody& body = solved.body;
-  const Matrix2Xd p = lumped_pressures(solved.line, solved.system.prescribed,
-                                       forces_of(solved.line, body.pressure));
+  const Matrix2Xd p = nodal_pressures(solved);
   HeldMotions held = held_motions(solved, bodies, motions);
   if (body.tool) held.add(motions_of_tool(solved));
-  const auto near = [&](const Matrix2Xd& nodal) {
+  const std::vector<Carrying> carrying =
+      carrying_edges(bodies.line(), bodies.body().law, u_hat,
+                     stiffness_at_edges(bodies), max_norm(p));
+  const auto near = [&](const Matrix2Xd& nodal,
+                        const std::vector<Carrying>& edges) {
     return candidate(bodies.line(), bodies.body().law, held,
-                     edge_densities(bodies.line(), bodies.nodal_values(nodal)));
+                     edge_densities(bodies.line(), bodies.nodal_values(nodal)),
+                     edges);
   };
-  auto best = near(p);
-  if (!best || best->off > rounding_of_terms) {
-    const auto other = near(body.pressure);
+  auto best = near(p, carrying);
+  for (const Matrix2Xd& nodal : {p, body.pressure}) {
+    if (best && best->off <= rounding_of_terms) break;
+    const auto other = near(nodal, {});
     if (other && (!best || other->off < best->off)) best = other;
   }
   if (!best) refuse_unheld(solved);
@@ -217,16 +235,23 @@ struct SpringAnswers {
 
 }  // namespace
 
+Matrix2Xd nodal_pressures(const SolvedProblem& solved) {
+  return lumped_pressures(solved.line, solved.system.prescribed,
+                          forces_of(solved.line, solved.body.pressure));
+}
+
 FirstTractions first_tractions(const SolvedProblem& solved,
                                MatchedBodies& bodies, const StressTerms& terms,
-                               Tractions kind) {
+                               Tractions kind,
+                               const Ref<const VectorXd>& u_hat) {
   const Matrix3Xd computed = computed_stresses(solved, terms);
   const MatrixXd motions = unheld_motions(solved.topology.mesh, solved.system);
   const NodalResidual without =
       residual_without_contact(solved, terms, computed);
-  ContactTractions contact = kind == Tractions::published
-                                 ? tractions_as_published(bodies)
-                                 : tractions_in_cone(solved, bodies, motions);
+  ContactTractions contact =
+      kind == Tractions::published
+          ? tractions_as_published(bodies)
+          : tractions_in_cone(solved, bodies, motions, u_hat);
 
   const Matrix3Xd stress = balanced_stresses(
       solved.topology, solved.body.hooke,

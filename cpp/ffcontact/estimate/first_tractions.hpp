@@ -23,15 +23,20 @@ struct FirstTractions {
   EdgeMoments moments;
 };
 
+/// p_i = F_i / len_i of lambda_h [2 x p].
+Matrix2Xd nodal_pressures(const SolvedProblem& solved);
+
 /// Tractions of the kind that is asked for. Those in the cone are not those that u_h was
 /// computed with: one back-substitution gives the small displacement whose stresses make
 /// up for the difference, and one or two more its rounding (Rebalancing); springs answer
 /// it.
+/// @param u_hat  admissible displacement of the matched bodies
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with
 ///                                the cause, or where no tractions in the cone hold the
 ///                                body
 FirstTractions first_tractions(const SolvedProblem& solved,
                                MatchedBodies& bodies, const StressTerms& terms,
-                               Tractions kind);
+                               Tractions kind,
+                               const Ref<const VectorXd>& u_hat);
 
 }  // namespace ffcontact

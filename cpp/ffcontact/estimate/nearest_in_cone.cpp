@@ -22,10 +22,12 @@ constexpr int most_steps = 100;
 using EdgeProjections = std::vector<EdgeProjection>;
 
 EdgeProjections edge_projections(const ContactLine& line, const ContactLaw& law,
-                                 const MatrixXd& motions) {
+                                 const MatrixXd& motions,
+                                 const std::vector<Carrying>& carrying) {
   EdgeProjections edges;
   for (int e = 0; e < line.edge_count(); ++e)
-    edges.emplace_back(line, law, motions, e);
+    edges.emplace_back(line, law, motions, e,
+                       carrying.empty() ? Carrying::any : carrying[e]);
   return edges;
 }
 
@@ -156,9 +158,9 @@ std::optional<Dual::Point> minimum(const Dual& dual, double length) {
 std::optional<ContactDensities> nearest_in_cone(
     const ContactLine& line, const ContactLaw& law,
     const ContactDensities& densities, const MatrixXd& motions,
-    const VectorXd& resultants) {
+    const VectorXd& resultants, const std::vector<Carrying>& carrying) {
   const double length = line.length.sum();
-  const EdgeProjections edges = edge_projections(line, law, motions);
+  const EdgeProjections edges = edge_projections(line, law, motions, carrying);
   const Dual dual(edges, densities, resultants);
   if (motions.cols() == 0) return dual.start().r;
   const auto nearest = minimum(dual, length);

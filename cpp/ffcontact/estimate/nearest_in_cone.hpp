@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
+#include "ffcontact/estimate/carrying_edges.hpp"
 
 namespace ffcontact {
 
@@ -18,11 +20,12 @@ namespace ffcontact {
 /// have these resultants.
 /// @param motions     vertex fields z_k, linear on the edges [2 * vertices x k]
 /// @param resultants  R_k [k]
+/// @param carrying    what each edge may carry; none: all of the cone
 /// @return nothing if there are no such tractions
 std::optional<ContactDensities> nearest_in_cone(
     const ContactLine& line, const ContactLaw& law,
     const ContactDensities& densities, const MatrixXd& motions,
-    const VectorXd& resultants);
+    const VectorXd& resultants, const std::vector<Carrying>& carrying = {});
 
 /// int [z_k] . r over all edges [k].
 VectorXd resultants_of(const ContactLine& line,
