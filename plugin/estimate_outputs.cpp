@@ -69,4 +69,12 @@ void put_defects(Stack stack, const NamedArguments& named,
   named.put(stack, "admissible", error.admissible);
 }
 
+void report_reason(Stack stack, const NamedArguments& named,
+                   const PairError& error) {
+  if (error.admissible || mpirank != 0) return;
+  if (named.verbosity_level(stack) < 1 && named.given("admissible")) return;
+  cout << "contacterror: not admissible: e is no bound, as " << error.reason
+       << endl;
+}
+
 }  // namespace ffcontact::plugin

@@ -115,8 +115,6 @@ void report(Stack stack, const NamedArguments& named,
        << 100 * estimate.relative << " %, e " << estimate.e << ", "
        << estimate.corrected_count() << " edges corrected, " << seconds << " s"
        << endl;
-  if (!estimate.admissible)
-    cout << "contacterror: not admissible: " << estimate.reason << endl;
   if (bound)
     cout << "contacterror: mu kappa "
          << bound->constant.friction * bound->constant.kappa << ", bound "
@@ -154,6 +152,7 @@ Estimate plane_error(Stack stack, const NamedArguments& named,
     named.put(stack, "bound", bound->value);
   }
   report(stack, named, problem, estimate, bound, seconds);
+  report_reason(stack, named, estimate);
   return estimate;
 }
 

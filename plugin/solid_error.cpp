@@ -112,8 +112,6 @@ void report(Stack stack, const NamedArguments& named,
     cout << "contacterror: what tractions between the bodies have beyond "
             "linear ones is at most "
          << estimate.oscillation << " beside e" << endl;
-  if (!estimate.admissible)
-    cout << "contacterror: not admissible: " << estimate.reason << endl;
   if (level > 1) report_parts(estimate);
 }
 
@@ -176,6 +174,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   put_solid_rates(stack, named, topology, problem, *contact.solved, body);
   named.put(stack, "oscillation", oscillation);
   report(stack, named, estimate, watch.seconds());
+  report_reason(stack, named, estimate);
   put_bound(stack, named, topology, problem, *contact.solved, body, estimate,
             stuck);
   const double relative = estimate.relative;

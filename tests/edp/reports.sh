@@ -47,8 +47,9 @@ expect("contacterror: elastic part " + elastic + ", contact part of e^2 " + part
   + ", equilibrium defect " + balance + ", cone defect " + cone + ", penetration " + penetration);
 
 int corrected;
+bool admissible;
 eps = contacterror(C, lambda=lambda, G=G, traction=[10*(label==4), 0], tractions="published", e=e, corrected=corrected,
-                   verbosity=min(level, 1));
+                   admissible=admissible, verbosity=min(level, 1));
 expect("contacterror: " + Th.nt + " triangles, eps " + 100*eps + " %, e " + e + ", " + corrected + " edges corrected, * s");
 expect("contacterror: not admissible: *");
 

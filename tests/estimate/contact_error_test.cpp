@@ -98,6 +98,47 @@ RC_GTEST_PROP(ContactError, is_not_negative_in_the_cone_without_penetration,
                 .minCoeff() >= 0);
 }
 
+RC_GTEST_PROP(ContactError, between_nodes_no_integrand_is_negative_in_the_cone,
+              (Random random)) {
+  Fields f = random_fields(random, Law::coulomb);
+  const ContactLine& line = f.problem.line;
+  ContactLaw& law = f.problem.law;
+  law.friction.setConstant(0.5);
+  f.densities.normal = -f.densities.normal.cwiseAbs();
+  f.densities.tangential =
+      f.densities.tangential.cwiseProduct(0.5 * f.densities.normal);
+  law.gap = contact_components(line, f.displacement).row(0).transpose() +
+            random_vector(line.node_count(), random).cwiseAbs();
+  const auto found = [&] {
+    return between_nodes(line, law, f.densities, f.displacement);
+  };
+  RC_ASSERT(found().negative < 1e-13);
+  RC_ASSERT(found().turn == 0);
+  const int e = random() % line.edge_count();
+  law.gap[line.edge_node(1, e)] -= 3;
+  RC_ASSERT(found().negative > 0);
+}
+
+RC_GTEST_PROP(ContactError, between_nodes_directions_turn_where_tractions_are,
+              (Random random)) {
+  Fields f = random_fields(random, Law::coulomb);
+  ContactLine& line = f.problem.line;
+  f.problem.law.gap.setConstant(100);
+  const int e = random() % line.edge_count();
+  const double angle = 0.1;
+  const int node = line.edge_node(1, e);
+  line.normal.col(node) = (std::cos(angle) * line.normal.col(node) +
+                           std::sin(angle) * line.tangent(node))
+                              .eval();
+  const auto found = [&] {
+    return between_nodes(line, f.problem.law, f.densities, f.displacement);
+  };
+  RC_ASSERT(std::abs(found().turn - angle) < 1e-12);
+  f.densities.normal.setZero();
+  f.densities.tangential.setZero();
+  RC_ASSERT(found().turn == 0);
+}
+
 RC_GTEST_PROP(ContactError,
               in_the_cone_is_linear_in_the_tractions_with_the_costs,
               (Random random)) {

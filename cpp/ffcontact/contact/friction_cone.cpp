@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/base/plane.hpp"
+#include "ffcontact/contact/bounded_friction.hpp"
 
 namespace ffcontact {
 
@@ -171,7 +172,10 @@ double part_inside(const EdgeCone& cone, const Vector4d& inner,
 
 ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
                         int edge) {
-  return cones(line, law, &EdgeRange::least, edge);
+  ConesAtEnds least = cones(line, law, &EdgeRange::least, edge);
+  for (FrictionCone& cone : least)
+    cone.friction = bounded_friction(cone.friction);
+  return least;
 }
 
 ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
@@ -203,11 +207,11 @@ double cone_defect(const ContactLine& line, const ContactLaw& law,
   if (scale == 0) return 0;
   double excess = std::max(0.0, densities.normal.maxCoeff());
   for (int e = 0; e < line.edge_count(); ++e) {
-    const ConesAtEnds cones = least_cones(line, law, e);
+    const ConesAtEnds of_law = cones(line, law, &EdgeRange::least, e);
     const Vector2d normal = densities.normal.col(e),
                    tangential = densities.tangential.col(e);
-    excess = std::max({excess, excess_of_limit(cones, tangential),
-                       excess_of_friction(cones, normal, tangential)});
+    excess = std::max({excess, excess_of_limit(of_law, tangential),
+                       excess_of_friction(of_law, normal, tangential)});
   }
   return excess / scale;
 }

@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "ffcontact/contact/friction_cone.hpp"
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
 
 namespace ffcontact {
 
 namespace {
+
+/// Largest mu of traction_costs.
+constexpr double most_cost = 1e4;
 
 /// A function that is linear on an edge, by its end values.
 struct Linear {
@@ -101,6 +105,15 @@ double integral(std::vector<double> breaks, Function&& f) {
   return sum;
 }
 
+/// (w_n - gap, w_t - previous), w_t 0 where it is rounding [2 x p].
+Matrix2Xd motions_at_nodes(const ContactLine& line, const ContactLaw& law,
+                           const Ref<const VectorXd>& displacement) {
+  Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  const double least = rounding_of_slip(law, displacement);
+  for (double& slip : w.row(1)) slip = slip_beyond(least, slip);
+  return w;
+}
+
 Linear linear(const Vector2d& ends) { return {ends[0], ends[1]}; }
 
 EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
@@ -131,12 +144,29 @@ double tangential_cost(const EdgeFields& edge, const Linear& phi) {
   return integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
 }
 
+/// On one edge, where r_hat has the frame of its first node.
+FacetFields<2> fields_on_edge(const ContactLine& line, const ContactLaw& law,
+                              const ContactDensities& densities,
+                              const Matrix2Xd& w, int e) {
+  const ConesAtEnds most = most_cones(line, law, e);
+  const Matrix2d r = end_values(densities, e).reshaped(2, 2);
+  const Matrix2d none = Matrix2d::Zero();
+  FacetFields<2> fields{
+      none, edge_frame(line, e).transpose() * r, none, {most[0], most[1]}};
+  for (int end = 0; end < 2; ++end) {
+    const int node = line.edge_node(end, e);
+    fields.normal.col(end) = line.normal.col(node);
+    fields.motion.col(end) = line.frame(node) * w.col(node);
+  }
+  return fields;
+}
+
 }  // namespace
 
 VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
                        const ContactDensities& densities,
                        const Ref<const VectorXd>& displacement) {
-  const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  const Matrix2Xd w = motions_at_nodes(line, law, displacement);
   VectorXd error(line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
     const EdgeFields edge = edge_fields(line, law, densities, w, e);
@@ -150,11 +180,13 @@ VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
 TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
                              const ContactDensities& densities,
                              const Ref<const VectorXd>& displacement) {
-  const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  const Matrix2Xd w = motions_at_nodes(line, law, displacement);
   TractionCosts costs{Matrix2Xd(2, line.edge_count()),
                       Matrix2Xd(2, line.edge_count())};
   for (int e = 0; e < line.edge_count(); ++e) {
-    const EdgeFields edge = edge_fields(line, law, densities, w, e);
+    EdgeFields edge = edge_fields(line, law, densities, w, e);
+    edge.friction = {std::min(edge.friction.first, most_cost),
+                     std::min(edge.friction.second, most_cost)};
     for (int end = 0; end < 2; ++end) {
       const Linear phi = linear(Vector2d::Unit(end));
       costs.normal(end, e) = 2 * line.length[e] * normal_cost(edge, phi);
@@ -163,6 +195,18 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
     }
   }
   return costs;
+}
+
+BetweenNodes between_nodes(const ContactLine& line, const ContactLaw& law,
+                           const ContactDensities& densities,
+                           const Ref<const VectorXd>& displacement) {
+  const Matrix2Xd w = motions_at_nodes(line, law, displacement);
+  BetweenNodes found;
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const FacetFields<2> fields = fields_on_edge(line, law, densities, w, e);
+    note<2>(fields, fields.normal, e, found);
+  }
+  return found;
 }
 
 }  // namespace ffcontact

@@ -4,6 +4,7 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_densities.hpp"
 #include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/estimate/between_nodes.hpp"
 
 namespace ffcontact {
 
@@ -25,12 +26,18 @@ VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
 /// at the two ends of each edge [2 x m]. For Tresca's law the constant 2 int k |w_t| is
 /// left out. With a shear limit mu |w_t| counts where -mu r_n is below the limit k for
 /// the given densities: min(-mu r_n, k) is concave in r_n, so that this is never below
-/// its change.
+/// its change. mu counts as 1e4 where it is larger: relaxation would round what
+/// larger ones cost, and has no reason to pay them.
 struct TractionCosts {
   Matrix2Xd normal, tangential;
 };
 TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
                              const ContactDensities& densities,
                              const Ref<const VectorXd>& displacement);
+
+/// Along all edges of the line; facets are numbers of contact edges.
+BetweenNodes between_nodes(const ContactLine& line, const ContactLaw& law,
+                           const ContactDensities& densities,
+                           const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

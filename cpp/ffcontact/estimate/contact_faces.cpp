@@ -6,6 +6,7 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/estimate/between_nodes.hpp"
 #include "ffcontact/estimate/cone_projection.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 #include "ffcontact/interface/matching_faces.hpp"
@@ -49,11 +50,14 @@ SeenMotions seen_motions(const Facets<3>& faces, const ContactSurface& surface,
   return seen;
 }
 
-/// @param least  |w_t| without direction [mm]
-void put_motions(const SeenMotions& seen, double least, ContactFace& face) {
+/// @param least     |w_t| without direction [mm]
+/// @param rounding  |w_t| that is 0
+void put_motions(const SeenMotions& seen, double least, double rounding,
+                 ContactFace& face) {
   for (int i = 0; i < 3; ++i) {
     Matrix3d slip = Matrix3d::Zero();
-    slip.row(0) = seen[i].bottomRows<2>().colwise().norm();
+    for (int k = 0; k < 3; ++k)
+      slip(0, k) = slip_beyond(rounding, seen[i].col(k).tail<2>().norm());
     face.work.col(i) = face_moments_of(seen[i], face.area).col(i);
     face.slip[i] = face_moments_of(slip, face.area)(0, i);
     face.direction.col(i).setZero();
@@ -72,7 +76,8 @@ std::vector<ContactFace> contact_faces(
   const std::vector<MatchingFace> matches =
       matching_faces(mesh, faces, surface);
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
-  const double least = least_motion * largest_displacement(law, displacement);
+  const double least = least_motion * largest_displacement(law, displacement),
+               rounding = rounding_of_slip(law, displacement);
   std::vector<ContactFace> contact;
   for (int m = 0; m < surface.face_count(); ++m) {
     const Vector3i nodes = surface.face_node.col(m);
@@ -89,9 +94,19 @@ std::vector<ContactFace> contact_faces(
       face.cone[i] = cones[nodes[i]];
     }
     put_motions(seen_motions(faces, surface, law, m, matches[m], displacement),
-                least, face);
+                least, rounding, face);
     contact.push_back(face);
   }
+  return contact;
+}
+
+std::vector<ContactFace> paid_faces(const ContactSurface& surface,
+                                    const SurfaceLaw& law,
+                                    std::vector<ContactFace> contact) {
+  const std::vector<FrictionCone> paid = paid_cones(law, surface);
+  for (ContactFace& face : contact)
+    for (int i = 0; i < 3; ++i)
+      face.cone[i] = paid[surface.face_node(i, face.surface_face)];
   return contact;
 }
 

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/bounded_friction.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/estimate/compared.hpp"
 #include "ffcontact/estimate/error_history.hpp"
@@ -27,13 +28,36 @@ double largest_value(const std::vector<CompositeStress>& stress) {
   return largest;
 }
 
+/// Coulomb's coefficient at an end of an edge, the least along it; 0 of Tresca's law.
+double least_friction(const ContactLine& line, const ContactLaw& law, int e,
+                      int end) {
+  if (law.tresca()) return 0;
+  const Matrix2Xd& along = law.between_nodes.least;
+  return along.size() > 0 ? along(end, e)
+                          : law.friction[line.edge_node(end, e)];
+}
+
+/// r_n that is rounding as small as the law allows, |r_t| / mu: with a large mu e would pay
+/// mu |w_t| for it.
+Vector2d without_rounding(double mu, const Vector2d& r, double least) {
+  if (mu <= most_friction || std::abs(r[0]) >= least) return r;
+  return {-std::abs(r[1]) / mu, r[1]};
+}
+
 /// Relaxation leaves tractions outside of the cone by its rounding; inside they unbalance
 /// the stresses by as little.
 void clamp_rounding(const ContactLine& line, const ContactLaw& law,
                     ContactDensities& densities) {
-  for (int e = 0; e < line.edge_count(); ++e)
-    set_end_values(densities, e,
-                   clamped_to_cone(line, law, e, end_values(densities, e)));
+  constexpr double rounding = 2e-11;
+  const double least = rounding * largest_traction(densities);
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const Vector4d r = clamped_to_cone(line, law, e, end_values(densities, e));
+    const Vector2d first = r.head<2>(), second = r.tail<2>();
+    Vector4d cleaned;
+    cleaned << without_rounding(least_friction(line, law, e, 0), first, least),
+        without_rounding(least_friction(line, law, e, 1), second, least);
+    set_end_values(densities, e, cleaned);
+  }
 }
 
 /// sigma_hat and r_hat: by its edge loads less those of the compared stress.
@@ -128,7 +152,7 @@ void put_error(const MatchedBodies& bodies, const StressNorms& norms,
                scale = sum > 0 ? sum : 1;
   estimate.elastic = std::sqrt(elastic);
   estimate.e =
-      std::sqrt(std::max(0.0, elastic + estimate.springs + estimate.contact));
+      std::sqrt(elastic + estimate.springs + std::max(0.0, estimate.contact));
   estimate.relative = estimate.e / std::sqrt(scale);
   VectorXd local = norms.difference;
   share_contact_part(bodies.topology().edges, bodies.line(), contact_part,
@@ -199,9 +223,20 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
   const PenetrationDefect penetration =
       penetration_defect(line, body.law, u_hat, max_norm(body.displacement));
   estimate.penetration = penetration.value;
-  const Vector2d deepest = mesh.place(line.vertex[penetration.node]);
+  const BetweenNodes found =
+      between_nodes(line, body.law, estimate.tractions, u_hat);
+  const double displacement = std::max(max_norm(body.displacement),
+                                       largest_displacement(body.law, u_hat));
+  put_between_nodes(
+      found,
+      std::max(scale, largest_traction(estimate.tractions)) * displacement,
+      estimate);
   estimate.reason =
-      reason_against(estimate, deepest, construction, estimate.unmended.size());
+      reason_against(estimate,
+                     {mesh.place(line.vertex[penetration.node]),
+                      middle_of(mesh, edges, line.edge[found.turned_facet]),
+                      middle_of(mesh, edges, line.edge[found.negative_facet])},
+                     construction, estimate.unmended.size());
   estimate.admissible = estimate.reason.empty();
 }
 
@@ -225,9 +260,8 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
           : compared(bodies, estimate.displacement);
 
   // 2., 3. Contact tractions in the cone, edge tractions in equilibrium with them.
-  FirstTractions first =
-      first_tractions(solved, bodies, terms, settings.tractions,
-                      estimate.displacement);
+  FirstTractions first = first_tractions(
+      solved, bodies, terms, settings.tractions, estimate.displacement);
   estimate.shift = first.contact.shift;
   estimate.unmended = first.contact.unmended;
 

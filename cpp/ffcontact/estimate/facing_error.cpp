@@ -8,6 +8,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
+#include "ffcontact/estimate/face_fields.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 
@@ -77,13 +78,25 @@ class PolygonJump {
   Eigen::RowVectorXd gap_;
 };
 
+/// w at the corners, less gap and load step before [3 x corners].
+Matrix3Xd motions_of(const PolygonJump& jump, const ContactSurface& surface) {
+  Matrix3Xd motions = Matrix3Xd::Zero(3, jump.corner_count());
+  for (int k = 0; k < jump.corner_count(); ++k)
+    for (int a = 0; a < jump.node_count(); ++a)
+      motions.col(k) += jump.share(a, k) * surface.frame(jump.node(a)) *
+                        jump.components(a, k);
+  return motions;
+}
+
 /// Values at the corners of c_a |w_t| + r_a . w.
+/// @param least  of |w_t|, less is rounding [mm]
 VectorXd integrand_at(const PolygonJump& jump, int a, const FrictionCone& cone,
-                      const Vector3d& traction) {
+                      const Vector3d& traction, double least) {
   VectorXd values(jump.corner_count());
   for (int k = 0; k < jump.corner_count(); ++k) {
     const Vector3d w = jump.components(a, k);
-    values[k] = cone.bound(traction[0]) * w.tail<2>().norm() + traction.dot(w);
+    const double slip = slip_beyond(least, w.tail<2>().norm());
+    values[k] = cone.bound(traction[0]) * slip + traction.dot(w);
   }
   return values;
 }
@@ -195,7 +208,8 @@ VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
                               const SurfaceLaw& law,
                               const Ref<const Matrix3Xd>& traction,
                               const Ref<const VectorXd>& displacement) {
-  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const std::vector<FrictionCone> cones = paid_cones(law, surface);
+  const double least = rounding_of_slip(law, displacement);
   VectorXd result = VectorXd::Zero(surface.face_count());
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;
@@ -203,7 +217,8 @@ VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
     const double area = facet_measure(mesh, faces, surface.face[m]);
     for (int a = 0; a < jump.node_count(); ++a) {
       const int node = jump.node(a);
-      const VectorXd f = integrand_at(jump, a, cones[node], traction.col(node));
+      const VectorXd f =
+          integrand_at(jump, a, cones[node], traction.col(node), least);
       result[m] += 2 * area * integral_of(polygon, jump, a, f);
     }
   }
@@ -234,6 +249,29 @@ DeepestNode deepest_facing_node(const Facets<3>& faces,
       }
   }
   return deepest;
+}
+
+BetweenNodes facing_between_nodes(const Facets<3>& faces,
+                                  const ContactSurface& surface,
+                                  const SurfaceLaw& law,
+                                  const SurfaceTractions& tractions,
+                                  const Ref<const VectorXd>& displacement) {
+  const std::vector<FrictionCone> cones = paid_cones(law, surface);
+  BetweenNodes found;
+  for (const FacingPolygon& polygon : surface.polygons) {
+    const int m = polygon.contact_face;
+    const FacetFields<3> face =
+        fields_on_face(surface, cones, m, tractions.col(m));
+    FacetFields<3> part{
+        face.normal * polygon.own,
+        face.traction * polygon.own,
+        motions_of({faces, surface, law, polygon, displacement}, surface),
+        {}};
+    for (const auto& place : polygon.own.colwise())
+      part.cone.push_back(cone_between(face.cone, place));
+    note<3>(part, face.normal, m, found);
+  }
+  return found;
 }
 
 }  // namespace ffcontact

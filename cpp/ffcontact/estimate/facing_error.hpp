@@ -3,6 +3,8 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/surface_law.hpp"
+#include "ffcontact/estimate/between_nodes.hpp"
+#include "ffcontact/estimate/contact_faces.hpp"
 #include "ffcontact/estimate/deepest_node.hpp"
 
 namespace ffcontact {
@@ -40,5 +42,12 @@ DeepestNode deepest_facing_node(const Facets<3>& faces,
                                 const ContactSurface& surface,
                                 const SurfaceLaw& law,
                                 const Ref<const VectorXd>& displacement);
+
+/// On all polygons; facets are contact faces.
+BetweenNodes facing_between_nodes(const Facets<3>& faces,
+                                  const ContactSurface& surface,
+                                  const SurfaceLaw& law,
+                                  const SurfaceTractions& tractions,
+                                  const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

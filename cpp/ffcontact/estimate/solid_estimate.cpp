@@ -122,8 +122,8 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
                             topology.mesh, topology.faces, surface, body.law,
                             estimate.tractions, estimate.displacement)
                       : VectorXd::Zero(surface.face_count());
-  part(relaxed) =
-      contact_error(contact, estimate.face_tractions(Eigen::all, relaxed));
+  part(relaxed) = contact_error(paid_faces(surface, body.law, contact),
+                                estimate.face_tractions(Eigen::all, relaxed));
   return part;
 }
 
@@ -139,7 +139,7 @@ void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
                scale = norms.sum > 0 ? norms.sum : 1;
   estimate.contact = contact_part.sum();
   estimate.elastic = std::sqrt(elastic);
-  estimate.e = std::sqrt(std::max(0.0, elastic + estimate.contact));
+  estimate.e = std::sqrt(elastic + std::max(0.0, estimate.contact));
   estimate.relative = estimate.e / std::sqrt(scale);
   estimate.history = error_history(elastic + estimate.contact, falls);
   VectorXd local = norms.difference;
@@ -166,13 +166,23 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
           cone_violation(contact, estimate.face_tractions(
                                       Eigen::all, surface_faces(contact)))) /
       scale;
+  const BetweenNodes found =
+      between_nodes(topology.faces, surface, body.law, estimate.face_tractions,
+                    estimate.displacement);
+  put_between_nodes(found,
+                    scale * largest_displacement(body.law, body.displacement),
+                    estimate);
   const DeepestNode deepest =
       deepest_node(topology.faces, surface, body.law, estimate.displacement);
   if (deepest.depth > 0)
     estimate.penetration =
         deepest.depth / largest_displacement(body.law, body.displacement);
+  const auto middle = [&](int facet) {
+    return middle_of(topology.mesh, topology.faces, surface.face[facet]);
+  };
   estimate.reason = reason_against(
-      estimate, topology.mesh.place(surface.vertex[deepest.node]));
+      estimate, {topology.mesh.place(surface.vertex[deepest.node]),
+                 middle(found.turned_facet), middle(found.negative_facet)});
   estimate.admissible = estimate.reason.empty();
 }
 

@@ -8,6 +8,7 @@
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
+#include "ffcontact/estimate/face_fields.hpp"
 #include "ffcontact/estimate/facing_error.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 
@@ -72,6 +73,29 @@ DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
           .maxCoeff(&deepest.node);
   deepest.depth = std::max(0.0, value);
   return deepest;
+}
+
+BetweenNodes between_nodes(const Facets<3>& faces,
+                           const ContactSurface& surface, const SurfaceLaw& law,
+                           const SurfaceTractions& tractions,
+                           const Ref<const VectorXd>& displacement) {
+  if (surface.against_a_body())
+    return facing_between_nodes(faces, surface, law, tractions, displacement);
+  const std::vector<FrictionCone> cones = paid_cones(law, surface);
+  const Matrix3Xd w =
+      displacement_against_foundation(surface, law, displacement);
+  BetweenNodes found;
+  for (int m = 0; m < surface.face_count(); ++m) {
+    if (surface.face_node.col(m).minCoeff() < 0) continue;
+    FacetFields<3> fields = fields_on_face(surface, cones, m, tractions.col(m));
+    fields.motion = Matrix3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const int node = surface.face_node(k, m);
+      fields.motion.col(k) = surface.frame(node) * w.col(node);
+    }
+    note<3>(fields, fields.normal, m, found);
+  }
+  return found;
 }
 
 }  // namespace ffcontact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ffcontact/base/flags.hpp"
+#include "ffcontact/estimate/between_nodes.hpp"
 #include "ffcontact/estimate/contact_faces.hpp"
 #include "ffcontact/estimate/deepest_node.hpp"
 
@@ -35,5 +36,12 @@ VectorXd admissible_displacement(const Facets<3>& faces,
 DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
                          const SurfaceLaw& law,
                          const Ref<const VectorXd>& displacement);
+
+/// Facets are contact faces.
+/// @param tractions  on all of them
+BetweenNodes between_nodes(const Facets<3>& faces,
+                           const ContactSurface& surface, const SurfaceLaw& law,
+                           const SurfaceTractions& tractions,
+                           const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

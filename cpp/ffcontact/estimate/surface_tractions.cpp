@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/contact/bounded_friction.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
 #include "ffcontact/estimate/cone_projection.hpp"
@@ -156,11 +157,19 @@ Matrix4Xd sums_beside(const ContactSurface& surface, const Flags& held,
 
 }  // namespace
 
-std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
-                                         const ContactSurface& surface) {
+std::vector<FrictionCone> paid_cones(const SurfaceLaw& law,
+                                     const ContactSurface& surface) {
   SurfaceLaw of_pressures = law;
   of_pressures.multiplier = Multiplier::pressure;
   return nodal_law(of_pressures, surface).cone;
+}
+
+std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
+                                         const ContactSurface& surface) {
+  std::vector<FrictionCone> cones = paid_cones(law, surface);
+  for (FrictionCone& cone : cones)
+    cone.friction = bounded_friction(cone.friction);
+  return cones;
 }
 
 Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
