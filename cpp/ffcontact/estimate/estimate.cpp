@@ -14,6 +14,7 @@
 #include "ffcontact/estimate/law_of_matrix.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/sound_problem.hpp"
+#include "ffcontact/estimate/sticking_displacement.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
 #include "ffcontact/estimate/tool_work.hpp"
 
@@ -251,9 +252,10 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
   Estimate estimate;
 
   // 1. Admissible displacement [CHH01, 4.1].
-  estimate.displacement =
+  estimate.displacement = sticking_displacement(
+      bodies, nodal_pressures(solved),
       admissible_displacement(bodies.line(), bodies.body().law,
-                              bodies.body().displacement, bodies.prescribed());
+                              bodies.body().displacement, bodies.prescribed()));
   const Compared u_hat =
       terms.unstressed
           ? compared_change(bodies, terms.stress, estimate.displacement)

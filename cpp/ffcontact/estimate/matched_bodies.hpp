@@ -38,6 +38,13 @@ class MatchedBodies {
     return cut_ ? cut_->prescribed : solved_.system.prescribed;
   }
 
+  const ContactLine& solved_line() const { return solved_.line; }
+  const ContactLaw& solved_law() const { return solved_.body.law; }
+  /// Is it a vertex at which an edge was cut?
+  bool is_cut(int vertex) const {
+    return vertex >= solved_.topology.mesh.vertex_count();
+  }
+
   /// Moments of the springs' tractions [4 x Mesh::boundary], of those that answer u_h at
   /// first.
   Matrix4Xd& spring_tractions() { return springs_; }

@@ -15,6 +15,7 @@
 #include "ffcontact/estimate/law_of_matrix.hpp"
 #include "ffcontact/estimate/reason_against.hpp"
 #include "ffcontact/estimate/sound_solid.hpp"
+#include "ffcontact/estimate/sticking_solid.hpp"
 #include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/estimate/surface_tractions.hpp"
 #include "ffcontact/estimate/traction_oscillation.hpp"
@@ -208,8 +209,9 @@ SolidEstimate estimate_error(const SolidTopology& topology,
   SolidEstimate estimate;
 
   // 1. Admissible displacement [CHH01, 4.1].
-  estimate.displacement = admissible_displacement(
-      topology.faces, surface, body.law, body.displacement, system.prescribed);
+  estimate.displacement = sticking_displacement(
+      solved, admissible_displacement(topology.faces, surface, body.law,
+                                      body.displacement, system.prescribed));
   const Matrix6Xd of_displacement =
       stress.unstressed
           ? stress.computed
