@@ -36,8 +36,7 @@ class Step:
     """What one call of contactpicture wrote."""
 
     def __init__(self, folder, number):
-        bodies = [read_body(file) for file in sorted(folder.glob(f"step{number}*.vtu"))
-                  if re.fullmatch(f"step{number}[a-z]?.vtu", file.name)]
+        bodies = [read_body(file) for file in files_of_bodies(folder, number)]
         first = np.cumsum([0] + [len(body["points"]) for body in bodies])
         self.points = np.vstack([body["points"] for body in bodies])
         self.triangles = np.vstack([body["triangles"] + start for body, start in zip(bodies, first)])
@@ -110,6 +109,11 @@ def round_down(value):
     """The largest 1, 2 or 5 times a power of ten that is at most `value`."""
     power = 10.0 ** np.floor(np.log10(value))
     return power * max(digit for digit in (1, 2, 5) if digit * power <= value)
+
+
+def files_of_bodies(folder, number):
+    """Those of step 1 are not those of step 10."""
+    return [file for file in sorted(folder.glob(f"step{number}*.vtu")) if re.fullmatch(rf"step{number}[a-z]?\.vtu", file.name)]
 
 
 def steps_in(folder):

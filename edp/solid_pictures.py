@@ -8,7 +8,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.ticker import FuncFormatter
 
-from pictures import INK, RED, WIDTH, new_axes, pieces_of, read_nodes, round_down, save, steps_in
+from pictures import INK, RED, WIDTH, files_of_bodies, new_axes, pieces_of, read_nodes, round_down, save, steps_in
 
 MOST_SHEETS, SHEET_HEIGHT = 6, 2.3  # inches
 FACES = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])  # of a tetrahedron, outward
@@ -29,7 +29,7 @@ class SolidStep:
     """What one call of contactpicture wrote of solids."""
 
     def __init__(self, folder, number):
-        bodies = [read_cells(file) for file in sorted(folder.glob(f"step{number}*.vtu"))]
+        bodies = [read_cells(file) for file in files_of_bodies(folder, number)]
         first = np.cumsum([0] + [len(body["points"]) for body in bodies])
         self.points = np.vstack([body["points"] for body in bodies])
         self.cells = np.vstack([body["connectivity"] + start for body, start in zip(bodies, first)])
