@@ -295,6 +295,17 @@ TEST(FacingTraces, of_a_crack_are_its_faces_without_the_edges_at_its_tips) {
   }
 }
 
+TEST(FacingTraces, of_a_crack_need_an_edge_that_does_not_end_at_a_tip) {
+  const Mesh mesh = cracked<2>(rectangle(6, 4, 6, 4), 2, [](const Vector2d& x) {
+    return x.x() > 2 && x.x() < 4;
+  });
+  const Edges edges = edges_of(mesh);
+  const ContactLine line = contact_line(mesh, edges, {crack_above});
+  const std::string sentence =
+      refusal([&] { facing_traces(mesh, edges, line, {crack_below}); });
+  EXPECT_TRUE(says(sentence, "divide the faces of a crack")) << sentence;
+}
+
 TEST(FacingTraces, tell_where_a_line_touches_itself) {
   const auto touches_itself = [](const Mesh& mesh,
                                  const std::vector<int>& labels) {

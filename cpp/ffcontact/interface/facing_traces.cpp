@@ -136,7 +136,10 @@ class Pairing {
     faced.pieces.clear();
     for (const DirectedPiece& directed : without_slivers(std::move(found)))
       faced.pieces.push_back(directed.piece);
-    if (faced.pieces.empty()) refuse_unfaced();
+    if (faced.pieces.empty()) {
+      require_own_vertices();
+      refuse_unfaced();
+    }
     return {faced.pieces, facing_gap(faced)};
   }
 
@@ -285,6 +288,16 @@ class Pairing {
           left.begin(), left.end(),
           [&](const Target& target) { return target.edge == next.edge; }));
     }
+  }
+
+  /// @throws std::invalid_argument  if all edges do, as those of a crack of two edges
+  void require_own_vertices() const {
+    for (int e = 0; e < line_.edge_count(); ++e)
+      if (!shares_a_vertex(e)) return;
+    refuse("every edge of the contact line, as at ",
+           in_words(Vector2d(mesh_.origin + rays(0).edge.at(0.5))),
+           ", has a vertex of the edges that it faces, where nothing opens: "
+           "divide the faces of a crack into three edges at least");
   }
 
   [[noreturn]] void refuse_unfaced() const {

@@ -27,7 +27,8 @@ struct FacingTraces {
 };
 
 /// @param opposite_labels  boundary labels of the opposite body
-/// @throws std::invalid_argument  if no point of the line faces an opposite edge
+/// @throws std::invalid_argument  if no point of the line faces an opposite edge, or all
+///                                edges of the line have a vertex of an opposite one
 FacingTraces facing_traces(const Mesh& mesh, const Edges& edges,
                            const ContactLine& line,
                            const std::vector<int>& opposite_labels);
