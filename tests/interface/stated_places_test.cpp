@@ -82,7 +82,16 @@ RC_GTEST_PROP(StatedPlaces, of_arcs_are_on_the_stated_line, ()) {
   RC_ASSERT(of_other.node.maxCoeff() <= two.stated.abscissa.maxCoeff() + 1e-12);
 }
 
-/// The scripts that were refused with "map::at".
+TEST(StatedPlaces, beyond_a_piece_by_rounding_are_those_of_its_end) {
+  ArcOnFlat two(even_angles(-1.3, 1.3, 40), 7);
+  ASSERT_TRUE(two.other);
+  for (FacingPiece& piece : two.other->pieces) {
+    piece.begin += 1e-13;
+    piece.end -= 1e-13;
+  }
+  EXPECT_LT(two.beside(*two.other, true), 1e-2);
+}
+
 TEST(StatedPlaces, of_half_a_roller_on_a_plate_are_on_it) {
   for (const double half : {75.0, 85.0, 90.0})
     for (const int n : {40, 80, 120, 160}) {
