@@ -55,7 +55,9 @@ TEST(ConvexContact, takes_over_where_newton_ends_without_an_answer) {
     const ActiveSetResult convex = solve_convex(c.contact, c.law, c.sticking);
     const ContactSolution solution = solved(c.problem);
     EXPECT_TRUE(solution.accepted({})) << seed;
-    EXPECT_EQ(solution.iterations, convex.iterations) << seed;
+    // What nothing loads stays, without a system.
+    const bool stays = solution.displacement.isZero(0);
+    EXPECT_EQ(solution.iterations, stays ? 0 : convex.iterations) << seed;
   }
   EXPECT_GT(without_answer, 3);
 }

@@ -85,6 +85,21 @@ template MatrixXd unheld_motions(const Mesh&, const ElasticSystem&);
 template MatrixXd unheld_motions(const SolidMesh&, const ElasticSystem&);
 
 template <int dim>
+double balance_defect(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
+                      const VectorXd& contact) {
+  const MatrixXd motions = unheld_motions(mesh, system);
+  if (motions.cols() == 0) return 0;
+  const VectorXd forces = system.load + contact;
+  return relative(max_norm(VectorXd(motions.transpose() * forces)),
+                  system.load.cwiseAbs().sum());
+}
+
+template double balance_defect(const Mesh&, const ElasticSystem&,
+                               const VectorXd&);
+template double balance_defect(const SolidMesh&, const ElasticSystem&,
+                               const VectorXd&);
+
+template <int dim>
 void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
                      const ContactForcesOn& extreme,
                      const AlongNormals& along_n) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_law.hpp"
 #include "ffcontact/contact/unbalanced_motion.hpp"
@@ -40,6 +42,22 @@ template <int dim>
 void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
                      const ContactForcesOn& extreme,
                      const AlongNormals& along_n);
+
+/// What loads and contact forces of an answer miss of equilibrium along the unheld rigid
+/// motions z, |z . (b + W P)| relative to the sum of |b|; 0 without loads. In a body that is very
+/// stiff beside what holds it the residual of an answer does not see this: the rounding
+/// of K u is larger.
+/// @param contact  W P on all dofs
+template <int dim>
+double balance_defect(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
+                      const VectorXd& contact);
+
+/// A residual that counts for nothing where the balance is missed by more than this.
+constexpr double most_unbalanced = 1e-4;
+inline double with_balance(double residual, double balance_defect) {
+  return balance_defect > most_unbalanced ? std::max(residual, balance_defect)
+                                          : residual;
+}
 
 /// u . n at the nodes of a contact line or surface.
 template <class Nodes>

@@ -10,6 +10,7 @@
 #include "ffcontact/base/selected_rows.hpp"
 #include "ffcontact/base/sparse_lu.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
+#include "ffcontact/contact/unheld_bodies.hpp"
 #include "ffcontact/contact/vertex_motions.hpp"
 
 namespace ffcontact {
@@ -92,8 +93,8 @@ void factorize_opposite(const MatrixXd& O, CondensedContact& contact) {
   contact.opposite_stiffness.emplace(MatrixXd(R * symmetric_part(O) * R));
   if (!contact.opposite_stiffness->is_positive_definite() ||
       contact.opposite_stiffness->reciprocal_condition() < 1e-15)
-    throw Failure(
-        "the bodies are not held, even with their contact lines glued to each "
+    throw UnheldBodies(
+        "the bodies are not held, even with their contact sides glued to each "
         "other");
 }
 

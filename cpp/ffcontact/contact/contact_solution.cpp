@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/balance.hpp"
@@ -11,6 +12,8 @@
 #include "ffcontact/contact/feasibility.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/contact/refinement.hpp"
+#include "ffcontact/contact/unheld_bodies.hpp"
+#include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
 
@@ -124,6 +127,28 @@ void require_sound(const Mesh& mesh, const ContactLine& line,
   require_balance(mesh, line, law, system);
 }
 
+/// Is nothing loaded or moved, with a gap somewhere?
+bool is_at_rest(const ContactLaw& law, const ElasticSystem& system) {
+  return system.load.isZero(0) && system.prescribed_value.isZero(0) &&
+         law.gap.size() > 0 && law.gap.minCoeff() >= 0 &&
+         max_norm(law.gap) > 0 && law.previous.isZero(0);
+}
+
+/// A body at rest stays: nothing moves and no node touches. Newton would look for it
+/// among motions that are free, by their rounding.
+FixedPointResult resting_answer(const ContactLine& line, const ContactLaw& law,
+                                Index dofs) {
+  FixedPointResult rest;
+  rest.answer.P = VectorXd::Zero(2 * line.node_count());
+  rest.answer.v =
+      weight_of_rows(law.multiplier, line) *
+      displacement_against_foundation(line, law, VectorXd::Zero(dofs))
+          .reshaped();
+  rest.answer.state.assign(line.node_count(), ContactState::open);
+  rest.answer.status = ContactStatus::converged;
+  return rest;
+}
+
 Index nearest(const Ref<const VectorXd>& values, double value) {
   Index place;
   (values.array() - value).abs().minCoeff(&place);
@@ -175,13 +200,17 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   solution.stiffness =
       prepared_stiffness(contact_dofs(line, system), system, settings);
   const CondensedStiffness& stiffness = *solution.stiffness;
-  solution.contact = std::make_shared<const CondensedContact>(
-      condensed_contact(line, law, system, stiffness));
+  solution.contact = held_or_refused(mesh, line, system, [&] {
+    return std::make_shared<const CondensedContact>(
+        condensed_contact(line, law, system, stiffness));
+  });
   const CondensedContact& contact = *solution.contact;
 
   // 2. The conditions of Prop. 3.4 / 3.5.
   FixedPointResult condensed =
-      condensed_answer(contact, nodal_law(law, line), settings);
+      is_at_rest(law, system)
+          ? resting_answer(line, law, system.dof_count())
+          : condensed_answer(contact, nodal_law(law, line), settings);
   const ActiveSetResult& answer = condensed.answer;
   solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
@@ -195,7 +224,12 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
   put_multipliers(line, law, system.prescribed, P, solution);
 
   // 4. What the theory promises, measured.
-  solution.residual = whole.residual;
+  solution.residual = with_balance(
+      whole.residual,
+      balance_defect(
+          mesh, system,
+          nodal_load(line, loading_forces(contact.held.row, solution.force),
+                     system.dof_count())));
   solution.complementarity =
       complementarity_defect(line, law, contact.held, solution.displacement, P,
                              law_scales(contact, answer.v));

@@ -94,16 +94,14 @@ MatrixXd tool_fields(const Mesh& mesh, const RigidTool& tool) {
   return fields;
 }
 
-ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
-                                     const ContactLaw& law,
-                                     const ElasticSystem& system,
-                                     const RigidTool& tool,
-                                     const ContactSettings& settings) {
-  require_valid(line, tool);
-  require_valid(law, line);
-  require_valid(settings, line.node_count());
+namespace {
+
+ToolSolution solution_with_tool(const Mesh& mesh, const ContactLine& line,
+                                const ContactLaw& law,
+                                const ElasticSystem& system,
+                                const RigidTool& tool,
+                                const ContactSettings& settings) {
   const VectorXd push = tool.free.transpose() * tool.push;
-  require_balance(mesh, line, law, system, tool_fields(mesh, tool), push);
 
   // 1. The motion, with the condensed contact line.
   const FoundationMotions foundation =
@@ -140,6 +138,59 @@ ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
   solution.status = judged_status(solution.status, solution.complementarity,
                                   solution.residual, settings.tolerance);
   return result;
+}
+
+/// Gaps of at most this.
+ContactLaw with_gaps_up_to(ContactLaw law, double most) {
+  law.gap = law.gap.cwiseMin(most);
+  return law;
+}
+
+/// Every node on which a gap was cut is open.
+bool are_open(const ContactStates& state, const VectorXd& gap, double most) {
+  for (Index i = 0; i < gap.size(); ++i)
+    if (gap[i] > most && state[i] != ContactState::open) return false;
+  return true;
+}
+
+/// What bodies and tool move by at most.
+double largest_motion(const Mesh& mesh, const ContactLine& line,
+                      const RigidTool& tool, const ToolSolution& found) {
+  return max_norm(found.solution.displacement) +
+         max_norm(tool_components(mesh, line, tool, found.motion));
+}
+
+}  // namespace
+
+ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
+                                     const ContactLaw& law,
+                                     const ElasticSystem& system,
+                                     const RigidTool& tool,
+                                     const ContactSettings& settings) {
+  constexpr double clear = 2;
+  require_valid(line, tool);
+  require_valid(law, line);
+  require_valid(settings, line.node_count());
+  require_balance(mesh, line, law, system, tool_fields(mesh, tool),
+                  tool.free.transpose() * tool.push);
+  ToolSolution found =
+      solution_with_tool(mesh, line, law, system, tool, settings);
+  const double most = clear * largest_motion(mesh, line, tool, found);
+  const bool is_far = law.gap.size() > 0 && law.gap.maxCoeff() > most;
+  if (found.solution.accepted(settings) || !is_far) return found;
+
+  // Gaps that never close, whose rounding is large beside the forces, are cut.
+  ContactSettings next = settings;
+  next.stiffness = found.solution.stiffness;
+  next.initial_state = found.solution.state;
+  ToolSolution cut = solution_with_tool(mesh, line, with_gaps_up_to(law, most),
+                                        system, tool, next);
+  cut.solution.iterations += found.solution.iterations;
+  if (!cut.solution.accepted(settings) ||
+      !are_open(cut.solution.state, law.gap, most))
+    return found;
+  cut.law = against_moved(law, tool_components(mesh, line, tool, cut.motion));
+  return cut;
 }
 
 }  // namespace ffcontact

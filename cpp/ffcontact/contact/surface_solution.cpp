@@ -3,18 +3,19 @@
 
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/product_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_balance.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
+#include "ffcontact/contact/unheld_bodies.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/elastic/scaled_stiffness.hpp"
 
@@ -192,9 +193,21 @@ std::optional<SurfaceSolution> roughly_factored_solution(
   try {
     SurfaceSolution solution = corrected_solution(stated, Precision::single);
     if (solution.accepted(stated.settings)) return solution;
-  } catch (const std::runtime_error&) {
+  } catch (const Failure&) {
   }
   return std::nullopt;
+}
+
+/// Judged by the balance of loads and contact forces, too.
+SurfaceSolution balanced(const SolidMesh& mesh, const StatedSurface& stated,
+                         SurfaceSolution solution) {
+  const auto& system = stated.system;
+  solution.residual = with_balance(
+      solution.residual,
+      balance_defect(mesh, system, stated.load_of(solution.force)));
+  solution.status = judged_status(solution.status, solution.complementarity,
+                                  solution.residual, stated.settings.tolerance);
+  return solution;
 }
 
 /// Distributed where that is asked for or where one matrix has no room.
@@ -228,7 +241,9 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
             roughly_factored_solution(stated))
       return *std::move(solution);
   if (is_rough) settings.stiffness = nullptr;
-  return corrected_solution(stated, Precision::full);
+  return balanced(mesh, stated, held_or_refused(mesh, surface, system, [&] {
+                    return corrected_solution(stated, Precision::full);
+                  }));
 }
 
 }  // namespace ffcontact
