@@ -60,7 +60,7 @@ std::vector<Carrying> carrying_edges(const ContactLine& line,
     Matrix2d on_edge;
     for (int end = 0; end < 2; ++end)
       on_edge.col(end) = w.col(line.edge_node(end, e));
-    const double worth = far_larger * line.length[e] * largest / stiffness[e];
+    const double worth = far_larger * largest / stiffness[e];
     result[e] = carrying(least_cones(line, law, e), most_cones(line, law, e),
                          on_edge, worth);
   }

@@ -16,8 +16,8 @@ enum class Carrying : char {
   nothing,        ///< r_n = 0, and r_t = 0 where friction asks for contact
 };
 
-/// A traction of size |r| on an edge of length l changes e^2 by about |r|^2 l^2 / |C|, and
-/// costs in its contact part 2 l int (c |w_t| + r_t . w_t + r_n (w_n - gap)) per |r|. Where
+/// A traction of size |r| on an edge of length l changes e^2 by about |r|^2 l^2 / |C|, on a
+/// part of it by that part of it, and costs in its contact part 2 l int (c |w_t| + r_t . w_t + r_n (w_n - gap)) per |r|. Where
 /// the latter is far larger for tractions as large as the largest of the first r_hat,
 ///     mean of c |w_t| + r_t w_t + r_n (w_n - gap)  >  10 (l / |C|) |r_max| |r|,
 /// no gain pays for it. By the two directions d = (-1, +-mu) that span Coulomb's cone: an
@@ -28,7 +28,8 @@ enum class Carrying : char {
 ///
 /// r_hat is in the cone in any case, so that e remains a bound.
 /// @param displacement  u_hat on all dofs [mm]
-/// @param stiffness     |C| beside each edge [MPa, m]
+/// @param stiffness     |C| / l beside each edge [MPa/mm, m], l the length of the solved edge that
+///                      it is a part of
 /// @param largest       |r_max| [MPa]
 std::vector<Carrying> carrying_edges(const ContactLine& line,
                                      const ContactLaw& law,

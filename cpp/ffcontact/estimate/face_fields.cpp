@@ -14,7 +14,7 @@ FacetFields<3> fields_on_face(const ContactSurface& surface,
     const int node = nodes[k] >= 0 ? nodes[k] : nodes.maxCoeff();
     fields.normal.col(k) = surface.normal.col(node);
     fields.traction.col(k) = surface.frame(node) * traction.segment<3>(3 * k);
-    fields.cone.push_back(cones[node]);
+    fields.cone.push_back({cones[node].bound(traction[3 * k])});
   }
   return fields;
 }

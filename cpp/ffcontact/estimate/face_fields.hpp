@@ -6,7 +6,8 @@
 
 namespace ffcontact {
 
-/// Directions, tractions and cones at the corners of a contact face; no motions. A corner
+/// Directions, tractions and bounds c of |r_t|, which e takes linear, at the corners of a
+/// contact face; no motions. A corner
 /// that is no node has those of one of the face's nodes.
 /// @param cones     at all nodes [MPa]
 /// @param traction  (r_n, r_t1, r_t2) at the corners [9]

@@ -173,12 +173,14 @@ std::optional<Candidate> candidate(const ContactLine& line,
   return std::nullopt;
 }
 
-/// The largest of C in the triangle of each contact edge [MPa].
+/// The largest of C in the triangle of each contact edge over the length of the solved one
+/// [MPa/mm].
 VectorXd stiffness_at_edges(const MatchedBodies& bodies) {
   const ContactLine& line = bodies.line();
   const Edges& edges = bodies.topology().edges;
   return VectorXd::NullaryExpr(line.edge_count(), [&](Index e) {
-    return max_norm(bodies.body().hooke[edges.cells(0, line.edge[e])]);
+    return max_norm(bodies.body().hooke[edges.cells(0, line.edge[e])]) /
+           bodies.solved_length(static_cast<int>(e));
   });
 }
 

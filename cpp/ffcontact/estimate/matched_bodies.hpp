@@ -40,6 +40,10 @@ class MatchedBodies {
 
   const ContactLine& solved_line() const { return solved_.line; }
   const ContactLaw& solved_law() const { return solved_.body.law; }
+  /// Length of the solved contact edge that a contact edge is a part of [mm].
+  double solved_length(int e) const {
+    return solved_.line.length[cut_ ? refinement_->parent_contact_edge[e] : e];
+  }
   /// Is it a vertex at which an edge was cut?
   bool is_cut(int vertex) const {
     return vertex >= solved_.topology.mesh.vertex_count();
