@@ -20,7 +20,8 @@ set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/debian/dependencies.cmak
 set(CPACK_FFCONTACT_PLUGIN_DIR ${PROJECT_BINARY_DIR}/plugin)
 
 set(debian ${PROJECT_BINARY_DIR}/debian)
-configure_file(${CMAKE_CURRENT_LIST_DIR}/debian/changelog.in ${debian}/changelog @ONLY)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/debian/changelog.txt ${debian}/changelog @ONLY)
 execute_process(COMMAND gzip -9nf -k changelog WORKING_DIRECTORY ${debian})
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/debian/copyright ${debian}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT plugin)
+install(FILES ${debian}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT plugin)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/debian/copyright.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT plugin RENAME copyright)
 include(CPack)
