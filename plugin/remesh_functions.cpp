@@ -37,7 +37,9 @@ long contactmeshbodies(Stack, pmesh const& Th) {
 pmesh contactmeshbody(Stack stack, pmesh const& Th, const long& k,
                       KN<long>* const& vertices) {
   return GetAny<pmesh>(guarded("contactmesh", [&] {
-    const SeparateBody body = separate_bodies(mesh_of(Th))[k];
+    const std::vector<SeparateBody> bodies = separate_bodies(mesh_of(Th));
+    if (k < 0 || k >= count_of(bodies)) refuse("there is no body ", k);
+    const SeparateBody& body = bodies[k];
     vertices->resize(count_of(body.vertex));
     std::copy(body.vertex.begin(), body.vertex.end(),
               static_cast<long*>(*vertices));
