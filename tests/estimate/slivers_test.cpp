@@ -45,16 +45,19 @@ RC_GTEST_PROP(Slivers, keep_equilibrium_and_cone, (Random random)) {
   RC_ASSERT(found.cone < 1e-12);
 }
 
-/// But for the order in which contact stars are relaxed, and single precision in flat ones:
-/// up to 1.6 % of e in sixty cases.
+/// Steps converge to the same e; on the way to it the order in which contact stars are relaxed,
+/// and single precision in flat ones, matter: of 2100 cases e after 16 steps differs by up to
+/// 5 % where it is still four times as large, after 64 steps by up to 2 %.
 RC_GTEST_PROP(Slivers, do_not_depend_on_numbers, (Random random)) {
   const SolidMesh mesh = slivers(random);
-  const SolidEstimate first =
-                          estimate(block_problem(mesh, BlockCase::shear, 0.5)),
+  const SolidRelaxationSettings many{64};
+  const SolidEstimate first = estimate(
+                          block_problem(mesh, BlockCase::shear, 0.5), many),
                       second = estimate(block_problem(shuffled(mesh, random),
-                                                      BlockCase::shear, 0.5));
+                                                      BlockCase::shear, 0.5),
+                                        many);
   RC_ASSERT(std::abs(first.history[0] / second.history[0] - 1) < 1e-4);
-  RC_ASSERT(std::abs(first.e / second.e - 1) < 0.1);
+  RC_ASSERT(std::abs(first.e / second.e - 1) < 0.05);
 }
 
 /// Held by friction and contact alone but for one side that is guided.
