@@ -87,21 +87,19 @@ build_alone() {
   [ $code = 0 ] || { grep -m 1 -A 30 '^FAILED' "$log" >&2 || tail -n 30 "$log" >&2; fail "the build failed: $log has all that was said"; }
 }
 
-# Ninja's steps, "[12/345] Building ...": on a terminal one line that counts, elsewhere a line for each tenth.
+# Ninja's steps, "[12/345] Building ...": on a terminal one line that counts, elsewhere a line for each tenth. (Debian's awk would
+# keep them to itself until it has 4 kB.)
 show_progress() {
-  awk -v preset="$1" -v terminal="$([ -t 2 ] && echo yes)" '
-    match($0, /^\[[0-9]+\/[0-9]+\]/) {
-      split(substr($0, 2, RLENGTH - 2), step, "/")
-      if (step[1] == 0) next                        # it looks for new files
-      tenth = int(10 * step[1] / step[2])
-      text = "ffcontact: building (" preset "), step " step[1] " of " step[2]
-      if (terminal) printf "\r%s", text
-      else if (!shown || tenth > last) print text
-      last = tenth
-      shown = 1
-      fflush()
-    }
-    END { if (terminal && shown) print "" }' >&2
+  local line text tenth shown='' end='\n' begin=''
+  if [ -t 2 ]; then end='' begin='\r'; fi
+  while IFS= read -r line; do
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] && [ "${BASH_REMATCH[1]}" != 0 ] || continue  # 0: it looks for new files
+    text="ffcontact: building ($1), step ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+    tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+    if [ -n "$begin" ] || [ "$tenth" != "$shown" ]; then printf "$begin%s$end" "$text" >&2; fi
+    shown=$tenth
+  done
+  [ -z "$begin" ] || [ -z "$shown" ] || echo >&2
 }
 
 # A new seed for the random cases of the tests, one for all programs of a run; said, so that the run can be replayed.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Read by cpack. A plugin loads in the version of FreeFEM it was built for, and in no other. What only the module for several
+# Read by cpack. A plugin loads in the version of FreeFEM it was built for, and in no other; FreeFEM's own plugins and the files that
+# scripts include (getARGV.idp) are in packages of their own. What only the module for several
 # processes needs is recommended, as is gmsh: without them all else works.
 set(plugin ${CPACK_FFCONTACT_PLUGIN_DIR})
 set(work ${plugin}/dependencies)
@@ -21,5 +22,6 @@ endif()
 execute_process(COMMAND dpkg-query -W -f "\${source:Upstream-Version}" freefem++ OUTPUT_VARIABLE version COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" version "${version}")
 math(EXPR next "${CMAKE_MATCH_2} + 1")
-set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS "freefem++ (>= ${version}), freefem++ (<< ${CMAKE_MATCH_1}.${next}~), ${depends}")
+set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS "freefem++ (>= ${version}), freefem++ (<< ${CMAKE_MATCH_1}.${next}~), \
+libfreefem++, libfreefem++-dev, ${depends}")
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_RECOMMENDS "${recommends}")
