@@ -221,7 +221,9 @@ def draw_line(axes, step, k, single):
     if step.is_judged:
         draw_tractions(axes, step, k, nodes)
     axes.set(xlim=shown_part(abscissa, nodes["pn"]))
-    mean = abs(np.trapz(nodes["pn"], abscissa)) / max(np.ptp(abscissa), 1e-300)
+    pressed = abscissa[nodes["pn"] < 0]
+    force = abs(np.sum(0.5 * (nodes["pn"][1:] + nodes["pn"][:-1]) * np.diff(abscissa)))
+    mean = force / np.ptp(pressed) if pressed.size > 1 else 0
     if -nodes["pn"].min() > 20 * mean > 0:  # an infinite pressure at an end would hide the others
         axes.set(ylim=(-mean, 6 * mean))
     axes.spines[["top", "right"]].set_visible(False)
