@@ -28,10 +28,12 @@ inline double slip_worth_sticking(double bound, double traction, double length,
          stiffness;
 }
 
-/// Is friction at its bound?
-inline bool slips(double bound, double friction) {
-  constexpr double at_the_bound = 1e-6;
-  return friction > 0 && friction >= (1 - at_the_bound) * bound;
+/// Is friction at its bound, and more than the rounding of the largest traction? (An open node
+/// whose pressures are rounding, (-p, mu p), does not slip.)
+inline bool slips(double bound, double friction, double largest) {
+  constexpr double at_the_bound = 1e-6, rounding = 1e-12;
+  return friction > rounding * largest &&
+         friction >= (1 - at_the_bound) * bound;
 }
 
 }  // namespace ffcontact

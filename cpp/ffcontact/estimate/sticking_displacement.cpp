@@ -18,12 +18,14 @@ namespace {
 /// 1 at the nodes of a line that slip: friction is at its bound, and there is some.
 Flags slipping_nodes(const ContactLine& line, const ContactLaw& law,
                      const Ref<const Matrix2Xd>& pressure) {
+  const double largest = max_norm(pressure);
   Flags slipping(line.node_count(), 0);
   for (int e = 0; e < line.edge_count(); ++e) {
     const ConesAtEnds cones = most_cones(line, law, e);
     for (int end = 0; end < 2; ++end) {
       const int i = line.edge_node(end, e);
-      if (slips(cones[end].bound(pressure(0, i)), std::abs(pressure(1, i))))
+      if (slips(cones[end].bound(pressure(0, i)), std::abs(pressure(1, i)),
+                largest))
         slipping[i] = 1;
     }
   }

@@ -81,13 +81,15 @@ VectorXd sticking_displacement(const SolvedSolidProblem& solved,
   const VectorXd worth =
       worth_on_surface(surface, cones, traction, stiffest(body.hooke));
   if (worth.isZero(0)) return displacement;
+  const double largest = max_norm(traction);
   const Flags movable = movable_nodes(surface, topology.mesh.vertex_count());
   const Matrix3Xd w =
       displacement_against_foundation(surface, body.law, displacement);
   for (int i = 0; i < surface.node_count(); ++i) {
     const Vector2d slip = w.col(i).tail<2>();
     if (!movable[i] || slip.norm() >= worth[i] ||
-        slips(cones[i].bound(traction(0, i)), traction.col(i).tail<2>().norm()))
+        slips(cones[i].bound(traction(0, i)), traction.col(i).tail<2>().norm(),
+              largest))
       continue;
     take_slip(surface.vertex[i], surface.frame(i).rightCols<2>() * slip,
               system.prescribed, displacement);
