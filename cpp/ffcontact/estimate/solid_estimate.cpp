@@ -178,8 +178,9 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
   if (deepest.depth > 0)
     estimate.penetration =
         deepest.depth / largest_displacement(body.law, body.displacement);
-  const auto middle = [&](int facet) {
-    return middle_of(topology.mesh, topology.faces, surface.face[facet]);
+  const auto middle = [&solved](int facet) {
+    return middle_of(solved.topology.mesh, solved.topology.faces,
+                     solved.surface.face[facet]);
   };
   estimate.reason = reason_against(
       estimate, {topology.mesh.place(surface.vertex[deepest.node]),
