@@ -7,6 +7,12 @@
 
 namespace ffcontact {
 
+/// e^2 from its contact part and the sum of its others: what is below 0, by rounding or in a
+/// pair that is not admissible, does not lower it.
+inline double square_of_error(double others, double contact) {
+  return others + std::max(0.0, contact);
+}
+
 /// e before the first and after every step from the last square and what every step took
 /// off.
 inline std::vector<double> error_history(double last_square,

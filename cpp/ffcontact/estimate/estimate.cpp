@@ -153,7 +153,7 @@ void put_error(const MatchedBodies& bodies, const StressNorms& norms,
                scale = sum > 0 ? sum : 1;
   estimate.elastic = std::sqrt(elastic);
   estimate.e =
-      std::sqrt(elastic + estimate.springs + std::max(0.0, estimate.contact));
+      std::sqrt(square_of_error(elastic + estimate.springs, estimate.contact));
   estimate.relative = estimate.e / std::sqrt(scale);
   VectorXd local = norms.difference;
   share_contact_part(bodies.topology().edges, bodies.line(), contact_part,
@@ -177,7 +177,8 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
   StressNorms norms =
       norms_by(Construction::composite, bodies, compared, relaxed);
   estimate.history = error_history(
-      norms.difference.sum() + estimate.springs + estimate.contact,
+      square_of_error(norms.difference.sum() + estimate.springs,
+                      estimate.contact),
       relaxed.falls);
   if (construction != Construction::composite)
     norms = norms_by(construction, bodies, compared, relaxed);

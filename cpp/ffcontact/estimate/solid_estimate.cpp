@@ -139,10 +139,11 @@ void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
                                     [&](int t) { return norms.difference[t]; }),
                scale = norms.sum > 0 ? norms.sum : 1;
   estimate.contact = contact_part.sum();
+  const double square = square_of_error(elastic, estimate.contact);
   estimate.elastic = std::sqrt(elastic);
-  estimate.e = std::sqrt(elastic + std::max(0.0, estimate.contact));
+  estimate.e = std::sqrt(square);
   estimate.relative = estimate.e / std::sqrt(scale);
-  estimate.history = error_history(elastic + estimate.contact, falls);
+  estimate.history = error_history(square, falls);
   VectorXd local = norms.difference;
   for (int m = 0; m < surface.face_count(); ++m)
     local[topology.faces.cells(0, surface.face[m])] += contact_part[m];
