@@ -3,10 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
+#include <array>
 #include <vector>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -54,19 +55,6 @@ void require_positive(const SimplexMesh<dim>& mesh) {
   }
 }
 
-/// The columns of `boundary`, those of one facet one after the other, as they stand.
-template <int dim>
-std::vector<Index> sorted_columns(const Matrix<int, dim, Dynamic>& sorted) {
-  std::vector<Index> order(sorted.cols());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    const auto first = sorted.col(a), second = sorted.col(b);
-    return std::lexicographical_compare(first.begin(), first.end(),
-                                        second.begin(), second.end());
-  });
-  return order;
-}
-
 /// Has it cells on both sides?
 template <int dim>
 bool is_inside(const SimplexMesh<dim>& mesh,
@@ -110,13 +98,22 @@ template <int dim>
 /// Which of several labels of a facet should count? Their order says nothing.
 template <int dim>
 void require_labelled_once(const SimplexMesh<dim>& mesh) {
-  Matrix<int, dim, Dynamic> sorted = mesh.boundary;
-  for (auto facet : sorted.colwise()) std::sort(facet.begin(), facet.end());
-  const std::vector<Index> order = sorted_columns<dim>(sorted);
-  for (std::size_t k = 1; k < order.size(); ++k)
-    if (sorted.col(order[k]) == sorted.col(order[k - 1]))
-      refuse_labels(mesh, order[k], mesh.boundary_label[order[k - 1]],
-                    mesh.boundary_label[order[k]]);
+  // vertices, sorted, and the column
+  using Facet = std::array<int, dim + 1>;
+  std::vector<Facet> facets(mesh.boundary.cols());
+  for (int column = 0; column < count_of(facets); ++column) {
+    Facet& facet = facets[column];
+    std::copy_n(mesh.boundary.col(column).data(), dim, facet.begin());
+    std::sort(facet.begin(), facet.begin() + dim);
+    facet[dim] = column;
+  }
+  std::sort(facets.begin(), facets.end());
+  for (std::size_t k = 1; k < facets.size(); ++k)
+    if (std::equal(facets[k].begin(), facets[k].begin() + dim,
+                   facets[k - 1].begin()))
+      refuse_labels(mesh, facets[k][dim],
+                    mesh.boundary_label[facets[k - 1][dim]],
+                    mesh.boundary_label[facets[k][dim]]);
 }
 
 }  // namespace
