@@ -29,6 +29,7 @@
 #include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/interface/facing_line.hpp"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/line_balance.hpp"
 #include "support/problems.hpp"
 #include "support/refusals.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/convex_contact.hpp"
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/bodies.hpp"
 #include "support/cases.hpp"
 #include "support/condensed.hpp"

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/bodies.hpp"
 #include "support/coulomb.hpp"
 #include "support/nested_reference.hpp"

@@ -11,6 +11,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/surface_trace.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/bodies.hpp"
 #include "support/coulomb.hpp"
 #include "support/random.hpp"

@@ -10,6 +10,7 @@
 
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/elastic/scaled_stiffness.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/free_displacement.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"

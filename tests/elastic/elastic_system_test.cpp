@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/free_displacement.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"

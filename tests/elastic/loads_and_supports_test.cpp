@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ffcontact/elastic/elastic_system.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/refusals.hpp"
 #include "support/solids.hpp"
 

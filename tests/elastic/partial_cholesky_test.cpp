@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/elastic/subtrees.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"

@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/free_displacement.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/cut_meshes.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"

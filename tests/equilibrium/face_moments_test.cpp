@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/loaded_solid.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/refusals.hpp"

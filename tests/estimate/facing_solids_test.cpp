@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/estimate/facing_error.hpp"
 #include "ffcontact/estimate/surface_error.hpp"
 #include "ffcontact/interface/traction_parts.hpp"

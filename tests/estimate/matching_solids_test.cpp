@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/equilibrium/contact_pass.hpp"
 #include "ffcontact/estimate/facing_error.hpp"
 #include "ffcontact/estimate/first_surface_tractions.hpp"

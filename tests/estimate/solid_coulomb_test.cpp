@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"
 #include "support/solid_coulomb.hpp"

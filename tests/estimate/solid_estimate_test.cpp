@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/solid_defect.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/interface/facing_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
 #include "ffcontact/interface/line_ends.hpp"

@@ -3,6 +3,7 @@
 
 #include "ffcontact/contact/active_set.hpp"
 #include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/problems.hpp"
 
 namespace ffcontact::test {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/solid_residual.hpp"
 #include "support/free_displacement.hpp"
 #include "support/solids.hpp"

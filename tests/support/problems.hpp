@@ -6,6 +6,7 @@
 
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "support/meshes.hpp"
 
 /// Contact problems that the tests share.

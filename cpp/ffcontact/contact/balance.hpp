@@ -16,28 +16,18 @@ template <int dim>
 MatrixXd unheld_motions(const SimplexMesh<dim>& mesh,
                         const ElasticSystem& system);
 
+/// What loads may miss of balance, relative to the sum of |b|.
+constexpr double unbalanced_loads = 1e-9;
+
 /// Can contact balance the loads on the unheld rigid motions z?
 ///
-/// It can when admissible multipliers P exist with z . (b + W P) = 0 for all z. Coulomb's
-/// law at a node spans -n + mu t and -n - mu t, so this is a nonnegative least-squares
-/// problem with one row per motion; what it leaves over is (Farkas) a motion that the
-/// loads push and no admissible force opposes. It is named by the motion that an engineer
-/// would see (unbalanced_motion). With Tresca's law the bounded tangential
-/// forces are taken at their largest in either direction.
+/// It can when admissible multipliers P exist with z . (b + W P) = 0 for all z. Contact is
+/// known by what multipliers that span its cones do along each motion (line_balance,
+/// surface_balance), so this is a nonnegative least-squares problem with one row per
+/// motion; what it leaves over is (Farkas) a motion that the loads push and no admissible
+/// force opposes. It is named by the motion that an engineer would see
+/// (unbalanced_motion).
 /// @throws NoEquilibrium  naming that motion
-void require_balance(const Mesh& mesh, const ContactLine& line,
-                     const ContactLaw& law, const ElasticSystem& system);
-
-/// Can contact balance the loads of the body and those on a rigid foundation that forces
-/// move?
-/// @param motions  of the foundation, as fields on all dofs, one a column
-/// @param push     force or moment along each of them, which contact passes on to the body
-/// @throws std::invalid_argument  if it cannot
-void require_balance(const Mesh& mesh, const ContactLine& line,
-                     const ContactLaw& law, const ElasticSystem& system,
-                     const MatrixXd& motions, const VectorXd& push);
-
-/// Likewise for contact that is known by what its forces can do.
 template <int dim>
 void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
                      const ContactForcesOn& extreme,

@@ -10,6 +10,7 @@
 #include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/feasibility.hpp"
+#include "ffcontact/contact/line_balance.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/unheld_bodies.hpp"

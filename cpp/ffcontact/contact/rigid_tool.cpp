@@ -7,9 +7,9 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/held_rows.hpp"
+#include "ffcontact/contact/line_balance.hpp"
 
 namespace ffcontact {
 

@@ -134,8 +134,9 @@ std::vector<VectorXd> translations(const Pushed& pushed, const Vertices& part) {
 
 /// Rotations of a part, either way, about those of its contact vertices that are farthest
 /// to either side.
-std::vector<VectorXd> rotations(const Mesh& mesh, const Pushed& pushed,
-                                const Vertices& part) {
+[[maybe_unused]] std::vector<VectorXd> rotations(const Mesh& mesh,
+                                                 const Pushed& pushed,
+                                                 const Vertices& part) {
   const Index dofs = pushed.load.size();
   const Vector2d normal = main_normal<2>(pushed, part),
                  tangent(-normal.y(), normal.x());
@@ -161,8 +162,9 @@ std::vector<VectorXd> rotations(const Mesh& mesh, const Pushed& pushed,
   return fields;
 }
 
-std::vector<VectorXd> rotations(const SolidMesh&, const Pushed&,
-                                const Vertices&) {
+[[maybe_unused]] std::vector<VectorXd> rotations(const SolidMesh&,
+                                                 const Pushed&,
+                                                 const Vertices&) {
   return {};
 }
 
@@ -245,11 +247,9 @@ void refuse_unbalanced(const SimplexMesh<dim>& mesh,
                       who, parts.front().front());
 }
 
-template UnbalancedMotion unbalanced_motion(const Mesh&, const Pushed&,
-                                            VectorXd);
-template UnbalancedMotion unbalanced_motion(const SolidMesh&, const Pushed&,
-                                            VectorXd);
-template void refuse_unbalanced(const Mesh&, const UnbalancedMotion&);
-template void refuse_unbalanced(const SolidMesh&, const UnbalancedMotion&);
+template UnbalancedMotion unbalanced_motion(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Pushed&, VectorXd);
+template void refuse_unbalanced(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                const UnbalancedMotion&);
 
 }  // namespace ffcontact

@@ -23,7 +23,7 @@ void refuse_unheld(const SimplexMesh<dim>& mesh, const MatrixXd& motions,
                 motion_in_words(mesh, together));
 }
 
-template void refuse_unheld(const Mesh&, const MatrixXd&, const MatrixXd&);
-template void refuse_unheld(const SolidMesh&, const MatrixXd&, const MatrixXd&);
+template void refuse_unheld(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                            const MatrixXd&, const MatrixXd&);
 
 }  // namespace ffcontact

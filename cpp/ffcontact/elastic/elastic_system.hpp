@@ -45,9 +45,4 @@ std::vector<int> free_dofs_at(const std::vector<int>& vertices,
 /// @throws std::invalid_argument  if their dimensions differ
 ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies);
 
-/// K without boundary conditions, K_ij = int C eps(phi_i) : eps(phi_j).
-template <int dim>
-RowMatrix stiffness(const SimplexMesh<dim>& mesh,
-                    const HookeTensors<dim>& hooke);
-
 }  // namespace ffcontact

@@ -27,15 +27,6 @@ bool is_elliptic(const Tensor& C) {
          has_positive_pivots(C);
 }
 
-template <int dim>
-void require_all_elliptic(const HookeTensors<dim>& hooke, int cell_count) {
-  require_size("Hooke's tensor", static_cast<Index>(hooke.size()), cell_count);
-  for (std::size_t t = 0; t < hooke.size(); ++t)
-    if (!is_elliptic(hooke[t]))
-      refuse("Hooke's tensor on ", MeshWords<dim>::cell, " ", t,
-             " is not symmetric and positive definite");
-}
-
 /// du_i / dx_j
 template <int dim>
 Matrix<double, dim, dim> gradient(const SimplexMesh<dim>& mesh,
@@ -62,12 +53,13 @@ VoigtMatrix<dim> isotropic(double lambda, double G) {
   return C;
 }
 
-void require_elliptic(const HookeTensors<2>& hooke, int cell_count) {
-  require_all_elliptic<2>(hooke, cell_count);
-}
-
-void require_elliptic(const HookeTensors<3>& hooke, int cell_count) {
-  require_all_elliptic<3>(hooke, cell_count);
+void require_elliptic(const HookeTensors<FFCONTACT_DIMENSION>& hooke,
+                      int cell_count) {
+  require_size("Hooke's tensor", static_cast<Index>(hooke.size()), cell_count);
+  for (std::size_t t = 0; t < hooke.size(); ++t)
+    if (!is_elliptic(hooke[t]))
+      refuse("Hooke's tensor on ", MeshWords<FFCONTACT_DIMENSION>::cell, " ", t,
+             " is not symmetric and positive definite");
 }
 
 template <int dim>
@@ -95,16 +87,13 @@ Matrix<double, voigt_size<dim>, Dynamic> stresses(
   return result;
 }
 
-template VoigtMatrix<2> isotropic<2>(double, double);
-template VoigtMatrix<3> isotropic<3>(double, double);
-template VoigtVector<2> strain(const Mesh&, const Ref<const VectorXd>&, int);
-template VoigtVector<3> strain(const SolidMesh&, const Ref<const VectorXd>&,
-                               int);
-template Matrix<double, 3, Dynamic> stresses<2>(const Mesh&,
-                                                const HookeTensors<2>&,
-                                                const Ref<const VectorXd>&);
-template Matrix<double, 6, Dynamic> stresses<3>(const SolidMesh&,
-                                                const HookeTensors<3>&,
-                                                const Ref<const VectorXd>&);
+template VoigtMatrix<FFCONTACT_DIMENSION> isotropic<FFCONTACT_DIMENSION>(
+    double, double);
+template VoigtVector<FFCONTACT_DIMENSION> strain(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Ref<const VectorXd>&, int);
+template Matrix<double, voigt_size<FFCONTACT_DIMENSION>, Dynamic>
+stresses<FFCONTACT_DIMENSION>(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                              const HookeTensors<FFCONTACT_DIMENSION>&,
+                              const Ref<const VectorXd>&);
 
 }  // namespace ffcontact

@@ -22,8 +22,8 @@ VectorXd inner_forces(
   return forces;
 }
 
-template VectorXd inner_forces<2>(const Mesh&, const Ref<const Matrix3Xd>&);
-template VectorXd inner_forces<3>(const SolidMesh&,
-                                  const Ref<const Matrix<double, 6, Dynamic>>&);
+template VectorXd inner_forces<FFCONTACT_DIMENSION>(
+    const SimplexMesh<FFCONTACT_DIMENSION>&,
+    const Ref<const Matrix<double, voigt_size<FFCONTACT_DIMENSION>, Dynamic>>&);
 
 }  // namespace ffcontact

@@ -61,10 +61,13 @@ template <int dim>
 constexpr int motion_count = dim*(dim + 1) / 2;
 
 /// The rotations about the axes at r, one column each: e_z x r in the plane.
-Vector2d rotations(const Vector2d& r) { return {-r.y(), r.x()}; }
-Matrix3d rotations(const Vector3d& r) {
-  Matrix3d result;
-  for (int k = 0; k < 3; ++k) result.col(k) = Vector3d::Unit(k).cross(r);
+template <int dim>
+Matrix<double, dim, motion_count<dim> - dim> rotations(
+    const Matrix<double, dim, 1>& r) {
+  if constexpr (dim == 2) return Vector2d(-r.y(), r.x());
+  Matrix<double, dim, motion_count<dim> - dim> result;
+  if constexpr (dim == 3)
+    for (int k = 0; k < 3; ++k) result.col(k) = Vector3d::Unit(k).cross(r);
   return result;
 }
 
@@ -78,7 +81,7 @@ struct Frame {
   Matrix<double, dim, motion_count<dim>> motions_at(const Point& x) const {
     const Point r = (x - centre) / radius;
     Matrix<double, dim, motion_count<dim>> motions;
-    motions << Matrix<double, dim, dim>::Identity(), rotations(r);
+    motions << Matrix<double, dim, dim>::Identity(), rotations<dim>(r);
     return motions;
   }
 };
@@ -255,10 +258,9 @@ std::string motion_in_words(const SimplexMesh<dim>& mesh,
          components_in_words<dim>(rigid.shift.normalized());
 }
 
-template MatrixXd free_rigid_motions(const Mesh&, const Flags&);
-template MatrixXd free_rigid_motions(const SolidMesh&, const Flags&);
-template std::string motion_in_words(const Mesh&, const Ref<const VectorXd>&);
-template std::string motion_in_words(const SolidMesh&,
+template MatrixXd free_rigid_motions(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                     const Flags&);
+template std::string motion_in_words(const SimplexMesh<FFCONTACT_DIMENSION>&,
                                      const Ref<const VectorXd>&);
 
 }  // namespace ffcontact

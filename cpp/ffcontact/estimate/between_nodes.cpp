@@ -38,18 +38,6 @@ double largest_turn(const Matrix<double, dim, Dynamic>& normals) {
 
 }  // namespace
 
-FrictionCone cone_between(const std::vector<FrictionCone>& cones,
-                          const Ref<const VectorXd>& weights) {
-  FrictionCone cone{0, 0, 0};
-  for (Index k = 0; k < weights.size(); ++k) {
-    if (weights[k] == 0) continue;  // of a limit that is infinite, too
-    cone.cohesion += weights[k] * cones[k].cohesion;
-    cone.friction += weights[k] * cones[k].friction;
-    cone.limit += weights[k] * cones[k].limit;
-  }
-  return cone;
-}
-
 template <int dim>
 void note(const FacetFields<dim>& fields,
           const Matrix<double, dim, Dynamic>& normals_of_nodes, int facet,
@@ -76,9 +64,8 @@ void note(const FacetFields<dim>& fields,
   found.turned_facet = facet;
 }
 
-template void note<2>(const FacetFields<2>&, const Matrix<double, 2, Dynamic>&,
-                      int, BetweenNodes&);
-template void note<3>(const FacetFields<3>&, const Matrix<double, 3, Dynamic>&,
-                      int, BetweenNodes&);
+template void note<FFCONTACT_DIMENSION>(
+    const FacetFields<FFCONTACT_DIMENSION>&,
+    const Matrix<double, FFCONTACT_DIMENSION, Dynamic>&, int, BetweenNodes&);
 
 }  // namespace ffcontact

@@ -48,10 +48,6 @@ struct FacetFields {
   std::vector<FrictionCone> cone;
 };
 
-/// c, mu and k linear between the corners.
-FrictionCone cone_between(const std::vector<FrictionCone>& cones,
-                          const Ref<const VectorXd>& weights);
-
 /// f at the corners, at the quarters of the sides between neighbours, and in the middle.
 template <int dim>
 void note(const FacetFields<dim>& fields,

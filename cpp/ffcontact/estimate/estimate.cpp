@@ -176,10 +176,10 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
   estimate.springs = springs.difference.sum();
   StressNorms norms =
       norms_by(Construction::composite, bodies, compared, relaxed);
-  estimate.history = error_history(
-      square_of_error(norms.difference.sum() + estimate.springs,
-                      estimate.contact),
-      relaxed.falls);
+  estimate.history =
+      error_history(square_of_error(norms.difference.sum() + estimate.springs,
+                                    estimate.contact),
+                    relaxed.falls);
   if (construction != Construction::composite)
     norms = norms_by(construction, bodies, compared, relaxed);
   put_error(bodies, norms, springs, contact_part, estimate);

@@ -8,6 +8,7 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/parted_sum.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/equilibrium/solid_defect.hpp"
 #include "ffcontact/estimate/error_history.hpp"
 #include "ffcontact/estimate/facing_error.hpp"

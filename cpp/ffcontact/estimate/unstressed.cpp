@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
-#include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
 
 namespace ffcontact {
@@ -28,24 +28,6 @@ double terms_along_line(const Edges& edges, const ContactLine& line,
   for (int e = 0; e < line.edge_count(); ++e) count(line.edge[e], e);
   for (const FacingPiece& piece : line.pieces)
     count(piece.opposite_edge, piece.contact_edge);
-  return largest;
-}
-
-/// |C| |grad phi_k| |u_k| summed over the vertices of a cell, the largest.
-template <int dim>
-double largest_terms_inside(const SimplexMesh<dim>& mesh,
-                            const HookeTensors<dim>& hooke,
-                            const VectorXd& displacement) {
-  double largest = 0;
-#pragma omp parallel for reduction(max : largest)
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    const auto gradients = hat_gradients(mesh, t);
-    double strain = 0;
-    for (int k = 0; k <= dim; ++k)
-      strain += gradients.col(k).norm() *
-                vector_at<dim>(displacement, mesh.cells(k, t)).norm();
-    largest = std::max(largest, max_norm(hooke[t]) * strain);
-  }
   return largest;
 }
 
@@ -79,12 +61,7 @@ double largest_stress_terms(const Topology& topology, const ContactLine& line,
   const double given = std::max(
       terms_along_line(edges, line, body.hooke, largest_given(body.law)),
       largest_value(body.initial));
-  return std::max(given, largest_terms_inside(mesh, body.hooke, displacement));
-}
-
-double largest_stress_terms(const SolidMesh& mesh, const HookeTensors<3>& hooke,
-                            const VectorXd& displacement) {
-  return largest_terms_inside(mesh, hooke, displacement);
+  return std::max(given, largest_stress_terms(mesh, body.hooke, displacement));
 }
 
 bool is_unstressed(const Topology& topology, const ContactLine& line,

@@ -29,10 +29,6 @@ double largest_stress_terms(const Topology& topology, const ContactLine& line,
                             const SolvedBody& body,
                             const VectorXd& displacement);
 
-/// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a tetrahedron [MPa].
-double largest_stress_terms(const SolidMesh& mesh, const HookeTensors<3>& hooke,
-                            const VectorXd& displacement);
-
 /// Bodies without loads whose stresses and tractions are rounding, and that slide nowhere
 /// against Tresca's friction: rigid motions.
 /// @param prescribed    1 where the dof is prescribed [2 * vertices]

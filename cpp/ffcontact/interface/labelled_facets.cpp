@@ -44,9 +44,8 @@ std::vector<int> labelled_facets(const SimplexMesh<dim>& mesh,
   return found;
 }
 
-template std::vector<int> labelled_facets(const Mesh&, const Facets<2>&,
-                                          const std::vector<int>&);
-template std::vector<int> labelled_facets(const SolidMesh&, const Facets<3>&,
-                                          const std::vector<int>&);
+template std::vector<int> labelled_facets(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Facets<FFCONTACT_DIMENSION>&,
+    const std::vector<int>&);
 
 }  // namespace ffcontact

@@ -34,7 +34,6 @@ VectorXd cell_quality(const SimplexMesh<dim>& mesh) {
   });
 }
 
-template VectorXd cell_quality(const Mesh&);
-template VectorXd cell_quality(const SolidMesh&);
+template VectorXd cell_quality(const SimplexMesh<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

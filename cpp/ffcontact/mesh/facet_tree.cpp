@@ -45,7 +45,6 @@ void FacetTree<dim>::add(Iterator first, Iterator last) {
   nodes_[number].beyond = nodes_.size();
 }
 
-template class FacetTree<2>;
-template class FacetTree<3>;
+template class FacetTree<FFCONTACT_DIMENSION>;
 
 }  // namespace ffcontact

@@ -180,11 +180,12 @@ Matrix<double, dim, 1> facet_normal(const SimplexMesh<dim>& mesh,
   return vector_of(mesh, facets, facet).normalized();
 }
 
-template Facets<2> facets_of(const Mesh&);
-template Facets<3> facets_of(const SolidMesh&);
-template double facet_measure(const Mesh&, const Facets<2>&, int);
-template double facet_measure(const SolidMesh&, const Facets<3>&, int);
-template Vector2d facet_normal(const Mesh&, const Facets<2>&, int);
-template Vector3d facet_normal(const SolidMesh&, const Facets<3>&, int);
+template Facets<FFCONTACT_DIMENSION> facets_of(
+    const SimplexMesh<FFCONTACT_DIMENSION>&);
+template double facet_measure(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                              const Facets<FFCONTACT_DIMENSION>&, int);
+template Matrix<double, FFCONTACT_DIMENSION, 1> facet_normal(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Facets<FFCONTACT_DIMENSION>&,
+    int);
 
 }  // namespace ffcontact

@@ -78,7 +78,7 @@ JoinedBodies<dim> joined_mesh(const std::vector<SimplexMesh<dim>>& bodies) {
   return joined;
 }
 
-template JoinedMesh joined_mesh(const std::vector<Mesh>&);
-template JoinedSolids joined_mesh(const std::vector<SolidMesh>&);
+template JoinedBodies<FFCONTACT_DIMENSION> joined_mesh(
+    const std::vector<SimplexMesh<FFCONTACT_DIMENSION>>&);
 
 }  // namespace ffcontact

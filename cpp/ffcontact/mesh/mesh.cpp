@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/mesh.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -118,17 +117,6 @@ void require_labelled_once(const SimplexMesh<dim>& mesh) {
 
 }  // namespace
 
-Vector2d facet_vector(const Matrix2d& corners) {
-  const Vector2d along = corners.col(1) - corners.col(0);
-  return {along.y(), -along.x()};
-}
-
-Vector3d facet_vector(const Matrix3d& corners) {
-  const Vector3d a = corners.col(1) - corners.col(0);
-  const Vector3d b = corners.col(2) - corners.col(0);
-  return a.cross(b) / 2;
-}
-
 template <int dim>
 double boundary_measure(const SimplexMesh<dim>& mesh, Index column) {
   return facet_vector(facet_points<dim>(mesh, mesh.boundary.col(column)))
@@ -168,13 +156,11 @@ void require_valid(const SimplexMesh<dim>& mesh) {
   require_labelled_once(mesh);
 }
 
-template double boundary_measure(const Mesh&, Index);
-template double boundary_measure(const SolidMesh&, Index);
-template double signed_volume(const Mesh&, int);
-template double signed_volume(const SolidMesh&, int);
-template Matrix<double, 2, 3> hat_gradients(const Mesh&, int);
-template Matrix<double, 3, 4> hat_gradients(const SolidMesh&, int);
-template void require_valid(const Mesh&);
-template void require_valid(const SolidMesh&);
+template double boundary_measure(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                 Index);
+template double signed_volume(const SimplexMesh<FFCONTACT_DIMENSION>&, int);
+template Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION + 1>
+hat_gradients(const SimplexMesh<FFCONTACT_DIMENSION>&, int);
+template void require_valid(const SimplexMesh<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 
 #include "ffcontact/base/eigen.hpp"
@@ -63,8 +64,15 @@ inline constexpr std::array<std::array<int, 3>, 4> facet_corners<3>{
 /// turned clockwise [mm], or half the vector product of two sides of a triangle, which
 /// runs counter-clockwise where the normal points to [mm^2].
 /// @param corners  one column each
-Vector2d facet_vector(const Matrix2d& corners);
-Vector3d facet_vector(const Matrix3d& corners);
+inline Vector2d facet_vector(const Matrix2d& corners) {
+  const Vector2d along = corners.col(1) - corners.col(0);
+  return {along.y(), -along.x()};
+}
+inline Vector3d facet_vector(const Matrix3d& corners) {
+  const Vector3d a = corners.col(1) - corners.col(0);
+  const Vector3d b = corners.col(2) - corners.col(0);
+  return a.cross(b) / 2;
+}
 
 /// The corners of a facet, one column each.
 template <int dim>

@@ -32,7 +32,7 @@ void take_from_near_origin(SimplexMesh<dim>& mesh) {
   mesh.vertices.colwise() -= mesh.origin;
 }
 
-template void take_from_near_origin<2>(Mesh&);
-template void take_from_near_origin<3>(SolidMesh&);
+template void take_from_near_origin<FFCONTACT_DIMENSION>(
+    SimplexMesh<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -13,17 +13,18 @@ namespace ffcontact {
 
 namespace {
 
-double angle_of(const Vector2d& a, const Vector2d& b) {
-  return angle_between(a, b);
-}
-double angle_of(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 template <int dim>
 using PointOf = Matrix<double, dim, 1>;
 template <int dim>
 using PointsOf = Matrix<double, dim, Dynamic>;
+
+template <int dim>
+double angle_of(const PointOf<dim>& a, const PointOf<dim>& b) {
+  if constexpr (dim == 2)
+    return angle_between(a, b);
+  else
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 template <int dim>
 PointOf<dim> circle_tangent(const Ref<const PointsOf<dim>>& points,
@@ -98,7 +99,7 @@ double angle_at(const Ref<const PointsOf<dim>>& points, Index before, Index at,
                 Index after) {
   const PointOf<dim> in = points.col(at) - points.col(before),
                      out = points.col(after) - points.col(at);
-  return angle_of(in, out);
+  return angle_of<dim>(in, out);
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ double angle_at(const Ref<const PointsOf<dim>>& points, Index before, Index at,
 template <int dim>
 PointOf<dim> SmoothCurve<dim>::at(int piece, double s) const {
   const Chord<dim> chord = chord_of(*this, piece);
-  const double theta = angle_of(chord.first_tangent, chord.last_tangent),
+  const double theta = angle_of<dim>(chord.first_tangent, chord.last_tangent),
                quarter = std::cos(theta / 4);
   const double length = chord.vector.norm() / (quarter * quarter);
   const Point bend = (1 - s) * chord.first_tangent - s * chord.last_tangent;
@@ -149,11 +150,10 @@ SmoothCurve<dim> smooth_curve(
   return curve;
 }
 
-template struct SmoothCurve<2>;
-template struct SmoothCurve<3>;
-template bool closes_smoothly<2>(const Ref<const Matrix2Xd>&);
-template bool closes_smoothly<3>(const Ref<const Matrix3Xd>&);
-template SmoothCurve<2> smooth_curve<2>(const Ref<const Matrix2Xd>&, bool);
-template SmoothCurve<3> smooth_curve<3>(const Ref<const Matrix3Xd>&, bool);
+template struct SmoothCurve<FFCONTACT_DIMENSION>;
+template bool closes_smoothly<FFCONTACT_DIMENSION>(
+    const Ref<const Matrix<double, FFCONTACT_DIMENSION, Dynamic>>&);
+template SmoothCurve<FFCONTACT_DIMENSION> smooth_curve<FFCONTACT_DIMENSION>(
+    const Ref<const Matrix<double, FFCONTACT_DIMENSION, Dynamic>>&, bool);
 
 }  // namespace ffcontact

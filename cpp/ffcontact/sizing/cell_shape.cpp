@@ -38,11 +38,8 @@ VectorXd shape_quality(const SimplexMesh<dim>& mesh) {
   });
 }
 
-template double regular_volume<2>();
-template double regular_volume<3>();
-template double size_of_volume<2>(double);
-template double size_of_volume<3>(double);
-template VectorXd shape_quality(const Mesh&);
-template VectorXd shape_quality(const SolidMesh&);
+template double regular_volume<FFCONTACT_DIMENSION>();
+template double size_of_volume<FFCONTACT_DIMENSION>(double);
+template VectorXd shape_quality(const SimplexMesh<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -52,9 +52,7 @@ VectorXd graded_size(const SimplexMesh<dim>& mesh,
   return size;
 }
 
-template VectorXd graded_size(const Mesh&, const Ref<const Matrix2Xi>&,
-                              VectorXd, double);
-template VectorXd graded_size(const SolidMesh&, const Ref<const Matrix2Xi>&,
-                              VectorXd, double);
+template VectorXd graded_size(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                              const Ref<const Matrix2Xi>&, VectorXd, double);
 
 }  // namespace ffcontact

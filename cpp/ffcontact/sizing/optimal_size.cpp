@@ -193,14 +193,11 @@ OptimalSize optimal_size(const SimplexMesh<dim>& mesh,
   return result;
 }
 
-template VectorXd size_ratios<2>(const Ref<const VectorXd>&,
-                                 const Ref<const VectorXd>&, double);
-template VectorXd size_ratios<3>(const Ref<const VectorXd>&,
-                                 const Ref<const VectorXd>&, double);
-template OptimalSize optimal_size(const Mesh&, const Ref<const Matrix2Xi>&,
-                                  const Ref<const VectorXd>&, const VectorXd&,
-                                  const SizeSettings&);
-template OptimalSize optimal_size(const SolidMesh&, const Ref<const Matrix2Xi>&,
+template VectorXd size_ratios<FFCONTACT_DIMENSION>(const Ref<const VectorXd>&,
+                                                   const Ref<const VectorXd>&,
+                                                   double);
+template OptimalSize optimal_size(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                  const Ref<const Matrix2Xi>&,
                                   const Ref<const VectorXd>&, const VectorXd&,
                                   const SizeSettings&);
 

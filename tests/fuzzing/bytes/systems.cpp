@@ -3,6 +3,7 @@
 #include "bytes/data.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/rigid_tool.hpp"
+#include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 
