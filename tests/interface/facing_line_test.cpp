@@ -50,6 +50,19 @@ TEST(FacingLine, on_few_edges_has_nodes_at_its_ends) {
   EXPECT_TRUE(is_constant_on(about, 1));
 }
 
+/// With matching meshes, too: a jump against two vertices at once would count both.
+TEST(FacingLine, faces_both_bodies_in_front_of_a_joint) {
+  Mesh lower =
+      joined(rectangle(2, 1, 2, 1), shifted(rectangle(2, 1, 2, 1), {2, 0}));
+  lower.boundary_label.tail(6).array() -= 10;
+  const ContactLine line =
+      Facing(shifted(rectangle(4, 1, 4, 1), {0, 1}), lower).line;
+  ASSERT_EQ(line.node_count(), 5);
+  EXPECT_FALSE(line.matches());
+  for (int i = 0; i < line.node_count(); ++i)
+    EXPECT_NEAR(line.opposite.row(i).sum(), 1, 1e-14) << i;
+}
+
 TEST(FacingLine, ends_at_a_vertex_that_the_opposite_end_all_but_meets) {
   for (const double off : {-5e-5, 5e-5}) {
     const ContactLine line = overhanging(1 + off, 3 + off).line;

@@ -77,10 +77,13 @@ struct ContactLine {
   double share(int e, double at) const {
     return (at - place(0, e)) / (place(1, e) - place(0, e));
   }
-  /// Does every contact edge that faces another body face one whole edge?
+  /// Does every contact edge that faces another body face one whole edge, and every node
+  /// one vertex? Not in front of a joint between two bodies.
   bool matches() const {
-    return std::all_of(pieces.begin(), pieces.end(),
-                       [](const FacingPiece& p) { return p.is_whole(); });
+    return std::all_of(
+        pieces.begin(), pieces.end(), [this](const FacingPiece& p) {
+          return opposite_edge[p.contact_edge] == p.opposite_edge;
+        });
   }
   Vector2d tangent(int node) const {
     return {-normal(1, node), normal(0, node)};

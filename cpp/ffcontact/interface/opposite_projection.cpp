@@ -2,6 +2,7 @@
 #include "ffcontact/interface/opposite_projection.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/plane.hpp"
@@ -117,12 +118,25 @@ WeightsByNode facing_vertices(const Mesh& mesh, const Edges& edges,
   return Pi;
 }
 
+/// Is what faces an edge one whole edge, and what faces a node one vertex?
+bool is_faced_one_by_one(const Edges& edges, const ContactLine& line) {
+  std::vector<int> faced(line.node_count(), -1);
+  for (const FacingPiece& piece : line.pieces)
+    for (int end = 0; end < 2; ++end) {
+      int& known = faced[line.edge_node(end, piece.contact_edge)];
+      const int vertex = edges.vertices(1 - end, piece.opposite_edge);
+      if (!piece.is_whole() || (known >= 0 && known != vertex)) return false;
+      known = vertex;
+    }
+  return true;
+}
+
 }  // namespace
 
 ContactLine with_opposite(const Mesh& mesh, const Edges& edges,
                           ContactLine line) {
   line.opposite_edge = VectorXi::Constant(line.edge_count(), -1);
-  const bool matches = line.matches();
+  const bool matches = is_faced_one_by_one(edges, line);
   line.opposite = matches ? facing_vertices(mesh, edges, line)
                           : projection(mesh, edges, line);
   if (!matches) return line;
