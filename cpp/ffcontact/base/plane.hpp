@@ -13,9 +13,10 @@ inline double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// A linear function of s with the values `first` at 0 and `second` at 1.
+/// A linear function of s with the values `first` at 0 and `second` at 1, exactly also where
+/// one is far smaller than the other: a large coefficient of friction multiplies it.
 inline double between(double first, double second, double s) {
-  return first + s * (second - first);
+  return (1 - s) * first + s * second;
 }
 inline Vector2d between(const Vector2d& first, const Vector2d& second,
                         double s) {

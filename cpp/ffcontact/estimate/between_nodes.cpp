@@ -10,6 +10,8 @@ namespace {
 
 /// Directions that differ by less are the same but for rounding [rad].
 constexpr double least_turn = 1e-11;
+/// Of a component, in parts of the vector.
+constexpr double rounding = 1e-15;
 
 /// Weights of the corners at the points that are tested, one column each.
 MatrixXd tested_points(Index corners) {
@@ -52,7 +54,10 @@ void note(const FacetFields<dim>& fields,
     const Vector rt = r - rn * n, wt = w - wn * n;
     const double slip = wt.norm();
     double f = rt.dot(wt) + rn * wn;
-    if (slip > 0) f += cone_between(fields.cone, weights).bound(rn) * slip;
+    // with a large mu what carries r_t may be less than the rounding of r . n
+    const double pressing = rn - rounding * r.norm();
+    if (slip > 0)
+      f += cone_between(fields.cone, weights).bound(pressing) * slip;
     matters = matters || wn > 0;
     if (-f <= found.negative) continue;
     found.negative = -f;

@@ -29,20 +29,21 @@ double largest_value(const std::vector<CompositeStress>& stress) {
   return largest;
 }
 
-/// Coulomb's coefficient at an end of an edge, the least along it; 0 of Tresca's law.
-double least_friction(const ContactLine& line, const ContactLaw& law, int e,
-                      int end) {
+/// Coulomb's coefficient, the least along an edge; 0 of Tresca's law.
+double least_friction(const ContactLine& line, const ContactLaw& law, int e) {
   if (law.tresca()) return 0;
   const Matrix2Xd& along = law.between_nodes.least;
-  return along.size() > 0 ? along(end, e)
-                          : law.friction[line.edge_node(end, e)];
+  if (along.size() > 0) return along.col(e).minCoeff();
+  return std::min(law.friction[line.edge_node(0, e)],
+                  law.friction[line.edge_node(1, e)]);
 }
 
-/// r_n that is rounding as small as the law allows, |r_t| / mu: with a large mu e would pay
-/// mu |w_t| for it.
-Vector2d without_rounding(double mu, const Vector2d& r, double least) {
-  if (mu <= most_friction || std::abs(r[0]) >= least) return r;
-  return {-std::abs(r[1]) / mu, r[1]};
+/// The nearest r in a wide cone: what gives way is r_n, not r_t, which would by mu times as
+/// much. An r_n below `least` is rounding, and is as small as the law allows, |r_t| / mu: e
+/// would pay mu |w_t| for it.
+Vector2d in_wide_cone(double mu, const Vector2d& r, double least) {
+  const double allowed = -std::abs(r[1]) / mu;
+  return {std::abs(r[0]) < least ? allowed : std::min(r[0], allowed), r[1]};
 }
 
 /// Relaxation leaves tractions outside of the cone by its rounding; inside they unbalance
@@ -52,12 +53,14 @@ void clamp_rounding(const ContactLine& line, const ContactLaw& law,
   constexpr double rounding = 2e-11;
   const double least = rounding * largest_traction(densities);
   for (int e = 0; e < line.edge_count(); ++e) {
-    const Vector4d r = clamped_to_cone(line, law, e, end_values(densities, e));
-    const Vector2d first = r.head<2>(), second = r.tail<2>();
-    Vector4d cleaned;
-    cleaned << without_rounding(least_friction(line, law, e, 0), first, least),
-        without_rounding(least_friction(line, law, e, 1), second, least);
-    set_end_values(densities, e, cleaned);
+    Vector4d r = end_values(densities, e);
+    const double mu = least_friction(line, law, e);
+    if (mu > most_friction && !law.limited())
+      r << in_wide_cone(mu, r.head<2>(), least),
+          in_wide_cone(mu, r.tail<2>(), least);
+    else
+      r = clamped_to_cone(line, law, e, r);
+    set_end_values(densities, e, r);
   }
 }
 
