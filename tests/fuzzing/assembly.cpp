@@ -138,10 +138,12 @@ void put_lines(const Case& problem, Assembled& parts) {
     for (int label : contact.labels)
       labels.push_back(parts.joined.label(contact.body, label));
     ContactLine line = contact_line(mesh, parts.edges, labels);
-    if (contact.opposite_body >= 0) {
-      const FacingTraces traces = facing_traces(
-          mesh, parts.edges, line,
-          {parts.joined.label(contact.opposite_body, contact.opposite_label)});
+    if (!contact.opposites.empty()) {
+      std::vector<int> opposite;
+      for (const auto& [body, label] : contact.opposites)
+        opposite.push_back(parts.joined.label(body, label));
+      const FacingTraces traces =
+          facing_traces(mesh, parts.edges, line, opposite);
       line = facing_line(mesh, parts.edges, line, traces);
       const VectorXd gap = facing_gap(line);
       gaps.insert(gaps.end(), gap.begin(), gap.end());

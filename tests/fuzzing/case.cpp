@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -10,7 +11,7 @@ namespace ffcontact::fuzz {
 
 namespace {
 
-constexpr const char* heading = "ffcontact-fuzz-1";
+constexpr const char* heading = "ffcontact-fuzz-2";
 
 /// Writes name and numbers, line by line.
 class Writer {
@@ -40,6 +41,14 @@ class Writer {
   void add(const std::vector<int>& values) {
     add(values.size());
     for (int value : values) add(value);
+  }
+
+  void add(const std::vector<Opposite>& opposites) {
+    add(opposites.size());
+    for (const auto& [body, label] : opposites) {
+      add(body);
+      add(label);
+    }
   }
 
   std::ostringstream text_;
@@ -79,6 +88,13 @@ class Reader {
     text_ >> size;
     values.assign(size, 0);
     for (int& value : values) text_ >> value;
+  }
+
+  void get(std::vector<Opposite>& opposites) {
+    std::size_t size = 0;
+    text_ >> size;
+    opposites.assign(size, {});
+    for (auto& [body, label] : opposites) text_ >> body >> label;
   }
 
   std::istringstream text_;
@@ -144,12 +160,19 @@ int Case::cell_count() const {
   return count;
 }
 
+bool Case::has_opposites() const {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [](const Contact& c) { return !c.opposites.empty(); });
+}
+
 std::string kind(const Case& problem) {
   constexpr const char* laws[] = {"frictionless", "tresca", "coulomb"};
   return std::string(laws[static_cast<int>(problem.law)]) +
          (problem.multiplier == Multiplier::force ? " force " : " pressure ") +
          std::to_string(problem.bodies.size()) +
-         (problem.bodies.size() == 1 ? " body" : " bodies") +
+         (problem.bodies.size() > 1 ? " bodies"
+          : problem.has_opposites() ? " body with a crack"
+                                    : " body") +
          (problem.promise == Promise::solution ? "" : " (soundness only)");
 }
 
@@ -166,8 +189,7 @@ std::string text_of(const Case& c) {
   out.line("bodies", c.bodies.size(), c.contacts.size());
   for (const Body& body : c.bodies) write(out, body);
   for (const Contact& contact : c.contacts)
-    out.line("contact", contact.body, contact.opposite_body,
-             contact.opposite_label, contact.labels);
+    out.line("contact", contact.body, contact.labels, contact.opposites);
   return out.text();
 }
 
@@ -190,8 +212,7 @@ Case case_of(const std::string& text) {
   while (c.bodies.size() < bodies) c.bodies.push_back(body_of(in));
   c.contacts.resize(contacts);
   for (Contact& contact : c.contacts)
-    in.line("contact", contact.body, contact.opposite_body,
-            contact.opposite_label, contact.labels);
+    in.line("contact", contact.body, contact.labels, contact.opposites);
   return c;
 }
 

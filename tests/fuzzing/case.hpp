@@ -49,12 +49,16 @@ struct Body {
   Vector2d force{0, 0};  ///< [N/mm^3]
 };
 
-/// A contact line: labels of a body, against the rigid foundation (opposite_body < 0) or
-/// a label of another body.
+struct Opposite {
+  int body, label;
+};
+
+/// A contact line: labels of a body, against the rigid foundation (no opposites) or labels
+/// of other bodies, or of its own.
 struct Contact {
   int body;
   std::vector<int> labels;
-  int opposite_body = -1, opposite_label = 0;
+  std::vector<Opposite> opposites;
 };
 
 enum class Law { frictionless, tresca, coulomb };
@@ -88,6 +92,8 @@ struct Case {
 
   Vector2d place(const Vector2d& x) const { return (x - origin) / size; }
   int cell_count() const;
+  /// Does a line face a trace that yields?
+  bool has_opposites() const;
 };
 
 /// One word each: "tresca force 2 bodies".

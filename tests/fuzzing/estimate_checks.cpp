@@ -175,16 +175,18 @@ GivenTractions given_tractions(const Case& problem, const Assembled& parts,
                    estimate.tractions.tangential(end, e) * t;
     add(a, b, r);
     if (line.opposite.rows() == 0) continue;
-    const auto facing = [&](int node) {
-      return static_cast<int>(
-          WeightsByNode::InnerIterator(line.opposite, node).col());
-    };
-    const double ratio =
-        (ground.mesh.vertices.col(a) - ground.mesh.vertices.col(b)).norm() /
-        (ground.mesh.vertices.col(facing(i)) -
-         ground.mesh.vertices.col(facing(j)))
-            .norm();
-    add(facing(j), facing(i), -ratio * r.rowwise().reverse());
+    // where two bodies meet a node has a vertex of each
+    for (WeightsByNode::InnerIterator x(line.opposite, j); x; ++x)
+      for (WeightsByNode::InnerIterator y(line.opposite, i); y; ++y) {
+        const std::pair<int, int> facing(x.col(), y.col());
+        if (given.count(facing) == 0) continue;
+        const double ratio =
+            (ground.mesh.vertices.col(a) - ground.mesh.vertices.col(b)).norm() /
+            (ground.mesh.vertices.col(facing.first) -
+             ground.mesh.vertices.col(facing.second))
+                .norm();
+        add(facing.first, facing.second, -ratio * r.rowwise().reverse());
+      }
   }
   return given;
 }

@@ -110,6 +110,10 @@ Shape random_shape(int most, Dice& dice) {
       1, std::clamp(most / (2 * shape.nx), 1, dice.chance(0.3) ? 2 : 8));
   shape.width = dice.chance(0.5) ? shape.nx : dice.decades(0.1, 10) * shape.nx;
   shape.height = shape.ny;
+  if (dice.chance(0.15)) {  // a strip
+    shape.ny = dice.integer(1, 2);
+    shape.height = dice.decades(0.02, 1) * shape.ny;
+  }
   return shape;
 }
 
@@ -242,6 +246,8 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
     bite(body.mesh, dice.integer(1, body.mesh.cell_count()), kept, {}, dice);
   if (dice.chance(0.3)) renumber(body.mesh, dice);
   give_materials(body, plan, dice);
+  if (plan.support == Holding::held && dice.chance(0.1))
+    body.supports.push_back({dice.pick(contact), dice.integer(0, 1), {}});
   if (plan.support == Holding::held) {
     if (plan.moved) move_supports(body, plan.strain * shape.height, dice);
     if (plan.loaded) load(body, free_labels(body, contact), plan, dice);
@@ -259,7 +265,37 @@ void one_body(Case& c, Plan& plan, Dice& dice) {
   } else {
     body.force = {0, -plan.strain * plan.softest};
   }
-  c.contacts = {{0, contact}};
+  c.contacts = {{0, contact, {}}};
+  c.bodies = {body};
+}
+
+/// One body with a crack that lies along its columns, its ends inside or at a side.
+void cracked_body(Case& c, Plan& plan, Dice& dice) {
+  plan.support = Holding::held;
+  Body body;
+  Shape shape = random_shape(most_triangles, dice);
+  shape.nx = std::max(shape.nx, 4);
+  shape.ny = std::clamp(shape.ny, 2, 5);
+  body.mesh = grid(
+      places(shape.nx, shape.width, dice.chance(0.7) ? 1 : 8, dice),
+      places(shape.ny, shape.height, dice.chance(0.7) ? 1 : 8, dice), dice);
+  // an edge at least between those at the ends, where nothing opens
+  const bool from_side = dice.chance(0.4);
+  const int first = from_side ? 0 : dice.integer(1, shape.nx - 3);
+  const int last =
+      dice.integer(first + (from_side ? 2 : 3), shape.nx - (from_side ? 1 : 0));
+  crack(body.mesh, shape.nx, dice.integer(1, shape.ny - 1), first, last);
+  support_held(body, free_labels(body, {}), dice);
+  if (dice.chance(0.3)) split_triangles(body.mesh, dice.integer(1, 8), dice);
+  if (dice.chance(0.6)) move_inner_vertices(body.mesh, 0.4, dice);
+  if (dice.chance(0.5)) flip_edges(body.mesh, dice.integer(1, 10), dice);
+  if (dice.chance(0.3)) renumber(body.mesh, dice);
+  give_materials(body, plan, dice);
+  if (plan.moved) move_supports(body, plan.strain * shape.height, dice);
+  if (plan.loaded) load(body, free_labels(body, {}), plan, dice);
+  c.contacts = {dice.chance(0.5)
+                    ? Contact{0, {above_crack}, {{0, below_crack}}}
+                    : Contact{0, {below_crack}, {{0, above_crack}}}};
   c.bodies = {body};
 }
 
@@ -280,7 +316,9 @@ Stack random_stack(Plan& plan, Dice& dice) {
   stack.matching = dice.chance(0.5);
   stack.equal = dice.chance(0.4);
   stack.width = dice.decades(0.5, 4);
-  stack.distance = dice.chance(0.3) ? plan.strain * dice.real(0, 1) : 0;
+  stack.distance = dice.chance(0.3)
+                       ? plan.strain * dice.real(dice.chance(0.3) ? -1 : 0, 1)
+                       : 0;
   stack.columns =
       places(dice.integer(1, 5), stack.width, dice.chance(0.5) ? 1 : 4, dice);
   plan.flat = !(stack.matching && stack.equal && stack.count == 2 &&
@@ -399,8 +437,47 @@ void stacked_bodies(Case& c, Plan& plan, Dice& dice) {
   }
   for (int k = 0; k + 1 < stack.count; ++k)
     c.contacts.push_back(stack.equal && dice.chance(0.5)
-                             ? Contact{k + 1, {top}, k, bottom}
-                             : Contact{k, {bottom}, k + 1, top});
+                             ? Contact{k + 1, {top}, {{k, bottom}}}
+                             : Contact{k, {bottom}, {{k + 1, top}}});
+  // What lies behind what a line faces is not faced.
+  if (stack.count == 3 && dice.chance(0.5)) {
+    Contact& first = c.contacts.front();
+    if (first.body == 0) first.opposites.push_back({2, top});
+    Contact& last = c.contacts.back();
+    if (last.body == 2) last.opposites.push_back({0, bottom});
+  }
+}
+
+/// A body on two others that touch each other, its line facing both.
+void body_on_two(Case& c, Plan& plan, Dice& dice) {
+  plan.support = dice.chance(0.7) ? Holding::held : Holding::pressed;
+  const double width = dice.decades(0.5, 4);
+  const std::vector<double> columns =
+      places(dice.integer(2, 5), width, dice.chance(0.5) ? 1 : 4, dice);
+  const double joint =
+      dice.chance(0.5) ? columns[1] : dice.real(0.2, 0.8) * width;
+  const auto body_between = [&](double from, double to, bool upper) {
+    const double height = dice.decades(0.3, 2);
+    Body body;
+    body.mesh =
+        grid(upper ? columns
+                   : places(dice.integer(1, 4), to - from,
+                            dice.chance(0.5) ? 1 : 4, dice),
+             places(dice.integer(1, 3), height, dice.chance(0.7) ? 1 : 4, dice),
+             dice);
+    body.mesh.vertices.row(0).array() += from;
+    if (!upper) body.mesh.vertices.row(1).array() -= height;
+    if (dice.chance(0.5)) move_inner_vertices(body.mesh, 0.4, dice);
+    hold(body, plan, upper, !upper, height, dice);
+    give_materials(body, plan, dice);
+    load_in_stack(body, plan, upper, dice);
+    c.bodies.push_back(std::move(body));
+  };
+  body_between(0, width, true);
+  body_between(dice.chance(0.5) ? 0 : -dice.real(0.1, 1) * width, joint, false);
+  body_between(joint, dice.chance(0.5) ? width : dice.real(1.1, 2) * width,
+               false);
+  c.contacts = {{0, {bottom}, {{1, top}, {2, top}}}};
 }
 
 void give_law(Case& c, const Plan& plan, Dice& dice) {
@@ -414,6 +491,8 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
       (c.promise == Promise::soundness || dice.chance(0.3))) {
     c.promise = Promise::soundness;
     c.friction = positive_field(3, dice);
+    if (dice.chance(0.2))
+      c.friction = {dice.decades(1, 1e30), {0, 0}, 0, {0, 0}};
   } else if (c.law == Law::coulomb) {
     c.friction.mean = dice.real(0, 0.2);
     if (dice.chance(0.3))
@@ -424,10 +503,10 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
         plan.strain * plan.softest * dice.decades(0.01, 10), dice);
   }
   const bool pressed = plan.support != Holding::held;
-  c.has_gap = dice.chance(0.4) && (c.bodies.size() == 1 || plan.flat);
+  c.has_gap = dice.chance(0.4) && (!c.has_opposites() || plan.flat);
   if (c.has_gap)
-    c.gap = c.bodies.size() > 1 ? positive_field(plan.strain, dice)
-                                : random_field(plan.strain, dice);
+    c.gap = c.has_opposites() ? positive_field(plan.strain, dice)
+                              : random_field(plan.strain, dice);
   if (pressed && c.has_gap) c.gap.slope.setZero();
   c.has_previous = c.law != Law::frictionless && dice.chance(0.2);
   if (c.has_previous) c.previous = random_field(plan.strain, dice);
@@ -507,10 +586,14 @@ Case drawn(Dice& dice) {
   plan.strain = dice.decades(1e-6, 1e-2);
   plan.loaded = dice.chance(0.75);
   plan.moved = dice.chance(0.5);
-  if (dice.chance(0.65))
+  if (dice.chance(0.6))
     one_body(c, plan, dice);
-  else
+  else if (dice.chance(0.6))
     stacked_bodies(c, plan, dice);
+  else if (dice.chance(0.5))
+    body_on_two(c, plan, dice);
+  else
+    cracked_body(c, plan, dice);
   c.size = (c.bodies.back().mesh.vertices.rowwise().maxCoeff() -
             c.bodies.front().mesh.vertices.rowwise().minCoeff())
                .cwiseAbs()

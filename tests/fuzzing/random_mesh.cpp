@@ -128,6 +128,39 @@ Mesh grid(const std::vector<double>& columns, const std::vector<double>& rows,
   return mesh;
 }
 
+void crack(Mesh& mesh, int columns, int row, int first, int last) {
+  const auto id = [&](int i) { return row * (columns + 1) + i; };
+  const Index old = mesh.vertices.cols(), edges = mesh.boundary.cols();
+  std::vector<int> above(old);  // what vertices are called there
+  std::iota(above.begin(), above.end(), 0);
+  std::vector<int> cut;
+  for (int i = first; i <= last; ++i)
+    if ((i > first || i == 0) && (i < last || i == columns)) {
+      above[id(i)] = static_cast<int>(old) + static_cast<int>(cut.size());
+      cut.push_back(id(i));
+    }
+  mesh.vertices.conservativeResize(2, old + static_cast<Index>(cut.size()));
+  for (std::size_t k = 0; k < cut.size(); ++k)
+    mesh.vertices.col(old + static_cast<Index>(k)) = mesh.vertices.col(cut[k]);
+  const double height = mesh.vertices(1, id(0));
+  const auto rename = [&](auto&& vertices) {
+    double middle = 0;
+    for (const int v : vertices) middle += mesh.vertices(1, v);
+    if (middle > height * static_cast<double>(vertices.size()))
+      for (int& v : vertices) v = above[v];
+  };
+  for (auto cell : mesh.cells.colwise()) rename(cell);
+  for (auto edge : mesh.boundary.colwise()) rename(edge);
+  mesh.boundary.conservativeResize(2, edges + 2 * (last - first));
+  mesh.boundary_label.conservativeResize(edges + 2 * (last - first));
+  for (int i = first; i < last; ++i) {
+    const Index e = edges + 2 * (i - first);
+    mesh.boundary.col(e) << id(i + 1), id(i);
+    mesh.boundary.col(e + 1) << above[id(i)], above[id(i + 1)];
+    mesh.boundary_label.segment<2>(e) << below_crack, above_crack;
+  }
+}
+
 std::vector<double> places(int cells, double length, double grading,
                            Dice& dice) {
   std::vector<double> result{0};

@@ -17,6 +17,8 @@ enum Side : int {
   left = 4,
   bottom_rest = 5,
   top_rest = 6,
+  below_crack = 7,
+  above_crack = 8,
   bitten = 9
 };
 
@@ -34,6 +36,10 @@ void move_inner_vertices(Mesh& mesh, double fraction, Dice& dice);
 
 /// Flips inner edges whose two triangles make a convex quadrilateral.
 void flip_edges(Mesh& mesh, int tries, Dice& dice);
+
+/// Cuts a grid of so many columns of cells along a row, from vertex `first` to `last` of it.
+/// The faces of the crack share the ends that are inside.
+void crack(Mesh& mesh, int columns, int row, int first, int last);
 
 /// Takes triangles out, one by one, as long as the rest hangs together by edges, no
 /// vertex is left between two fans, and every label in `kept` keeps an edge and every one

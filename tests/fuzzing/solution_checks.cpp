@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ground.hpp"
@@ -13,11 +14,11 @@ namespace {
 constexpr double of_the_whole = 1e-10, of_the_row = 1e-9, law_tolerance = 1e-9,
                  geometry_tolerance = 1e-9, unsteered = 1e-6;
 
-/// The contact label and opposite label of each boundary edge on the line, by its
+/// Of which Case::contacts each boundary edge is, and which it is opposite to, by its
 /// vertices in counter-clockwise order.
 struct Labelled {
-  int contact;  ///< which of Case::contacts
-  bool opposite;
+  int contact = -1;
+  std::set<int> opposite_of;
 };
 std::map<std::pair<int, int>, Labelled> labelled_edges(const Case& problem,
                                                        const Assembled& parts) {
@@ -36,11 +37,10 @@ std::map<std::pair<int, int>, Labelled> labelled_edges(const Case& problem,
         const Contact& contact = problem.contacts[c];
         for (int own : contact.labels)
           if (label == parts.joined.label(contact.body, own))
-            result[{a, b}] = {static_cast<int>(c), false};
-        if (contact.opposite_body >= 0 &&
-            label == parts.joined.label(contact.opposite_body,
-                                        contact.opposite_label))
-          result[{a, b}] = {static_cast<int>(c), true};
+            result[{a, b}].contact = static_cast<int>(c);
+        for (const auto& [body, other] : contact.opposites)
+          if (label == parts.joined.label(body, other))
+            result[{a, b}].opposite_of.insert(static_cast<int>(c));
       }
     }
   return result;
@@ -72,7 +72,7 @@ std::vector<FacingPart> facing_parts(
   std::vector<FacingPart> parts;
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& [ends, what] : labelled) {
-    if (!what.opposite || what.contact != labelled.at(edge).contact) continue;
+    if (what.opposite_of.count(labelled.at(edge).contact) == 0) continue;
     const Segment other = segment(mesh, ends);
     if (own.outward().dot(other.outward()) > -0.99) continue;
     const auto place = [&](const Vector2d& y) {
@@ -129,8 +129,22 @@ double largest_coordinate(const Case& problem) {
   return largest;
 }
 
+/// Has an edge a vertex that its line shares with what it faces? Nothing opens there.
+bool is_at_an_end(const std::map<std::pair<int, int>, Labelled>& labelled,
+                  const std::pair<int, int>& edge) {
+  const int contact = labelled.at(edge).contact;
+  const auto shares = [&](int v) {
+    return std::any_of(labelled.begin(), labelled.end(), [&](const auto& e) {
+      return e.second.opposite_of.count(contact) > 0 &&
+             (e.first.first == v || e.first.second == v);
+    });
+  };
+  return shares(edge.first) || shares(edge.second);
+}
+
 void check_edges(const Case& problem, const Assembled& parts, Finds& finds) {
-  auto expected = labelled_edges(problem, parts);
+  const auto labelled = labelled_edges(problem, parts);
+  auto expected = labelled;
   // A straight line may be so to within the precision of its coordinates, and has one
   // normal.
   const double straight =
@@ -139,7 +153,7 @@ void check_edges(const Case& problem, const Assembled& parts, Finds& finds) {
   for (int e = 0; e < line.edge_count(); ++e) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e);
     const auto found = expected.find({line.vertex[i], line.vertex[j]});
-    if (found == expected.end() || found->second.opposite) {
+    if (found == expected.end() || found->second.contact < 0) {
       finds.push_back(
           finding("line", "contact edge ", e,
                   " is no edge of the contact labels, or is there twice"));
@@ -157,7 +171,7 @@ void check_edges(const Case& problem, const Assembled& parts, Finds& finds) {
     expected.erase(found);
   }
   for (const auto& [ends, what] : expected)
-    if (!what.opposite)
+    if (what.contact >= 0 && !is_at_an_end(labelled, ends))
       finds.push_back(finding("line", "the edge from ", ends.first, " to ",
                               ends.second, " is missing"));
 }
@@ -190,7 +204,7 @@ void check_corners(const Case& problem, const Assembled& parts, Finds& finds) {
 }
 
 void check_coupling(const Case& problem, const Assembled& parts, Finds& finds) {
-  if (problem.bodies.size() == 1) return;
+  if (!problem.has_opposites()) return;
   const Dense M = mass_of(parts.mesh(), parts.line),
               difference =
                   M * Dense(parts.line.opposite) - coupling(problem, parts);
@@ -438,7 +452,7 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
     // a motion out of the foundation a thousand times as long as its depth is none
     if (movable && along < 2e-3 && w(0, i) > 0) worsen(Feasible::unknown);
     if (!movable && w(0, i) > 0)
-      worsen(w(0, i) > 1e-6 * scale && problem.bodies.size() == 1
+      worsen(w(0, i) > 1e-6 * scale && !problem.has_opposites()
                  ? Feasible::no
                  : Feasible::unknown);
     for (

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "trial.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <functional>
@@ -22,6 +23,16 @@ bool is_sentence(const std::string& message) {
 }
 
 Feasible always() { return Feasible::yes; }
+
+/// Reactions along the line itself are not judged.
+bool is_held_along_the_line(const Case& problem) {
+  for (const Contact& contact : problem.contacts)
+    for (const Support& s : problem.bodies[contact.body].supports)
+      if (std::find(contact.labels.begin(), contact.labels.end(), s.label) !=
+          contact.labels.end())
+        return true;
+  return false;
+}
 
 /// Runs a step; notes what it threw. @return whether it ended
 /// @param possible  asked for where it threw
@@ -61,8 +72,10 @@ void judge_estimate(const Case& problem, const Assembled& parts,
   if (!ended(
           "estimate", promised,
           [&] {
-            return no_density_holds(problem, parts, solution) ? Feasible::no
-                                                              : Feasible::yes;
+            return is_held_along_the_line(problem) ||
+                           no_density_holds(problem, parts, solution)
+                       ? Feasible::no
+                       : Feasible::yes;
           },
           [&] {
             estimate = estimate_error(topology_of(parts.mesh()), parts.line,
@@ -70,6 +83,10 @@ void judge_estimate(const Case& problem, const Assembled& parts,
           },
           outcome))
     return;
+  if (!estimate.admissible && is_held_along_the_line(problem)) {
+    outcome.answer = "not admissible: held along the line";
+    return;
+  }
   append(estimate_finds(problem, parts, estimate), outcome.finds);
   if (problem.with_reference && problem.promise == Promise::solution &&
       outcome.finds.empty())
