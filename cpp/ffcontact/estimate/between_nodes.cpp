@@ -10,8 +10,8 @@ namespace {
 
 /// Directions that differ by less are the same but for rounding [rad].
 constexpr double least_turn = 1e-11;
-/// Of a component, in parts of the vector.
-constexpr double rounding = 1e-15;
+/// In parts of the vector.
+constexpr double rounding_of_component = 1e-15;
 
 /// Weights of the corners at the points that are tested, one column each.
 MatrixXd tested_points(Index corners) {
@@ -55,7 +55,7 @@ void note(const FacetFields<dim>& fields,
     const double slip = wt.norm();
     double f = rt.dot(wt) + rn * wn;
     // with a large mu what carries r_t may be less than the rounding of r . n
-    const double pressing = rn - rounding * r.norm();
+    const double pressing = rn - rounding_of_component * r.norm();
     if (slip > 0)
       f += cone_between(fields.cone, weights).bound(pressing) * slip;
     matters = matters || wn > 0;
