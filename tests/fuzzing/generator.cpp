@@ -491,7 +491,7 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
       (c.promise == Promise::soundness || dice.chance(0.3))) {
     c.promise = Promise::soundness;
     c.friction = positive_field(3, dice);
-    if (dice.chance(0.2))
+    if (dice.chance(0.05))
       c.friction = {dice.decades(1, 1e30), {0, 0}, 0, {0, 0}};
   } else if (c.law == Law::coulomb) {
     c.friction.mean = dice.real(0, 0.2);
