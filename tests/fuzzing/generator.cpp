@@ -110,7 +110,7 @@ Shape random_shape(int most, Dice& dice) {
       1, std::clamp(most / (2 * shape.nx), 1, dice.chance(0.3) ? 2 : 8));
   shape.width = dice.chance(0.5) ? shape.nx : dice.decades(0.1, 10) * shape.nx;
   shape.height = shape.ny;
-  if (dice.chance(0.15)) {  // a strip
+  if (dice.chance(0.08)) {  // a strip
     shape.ny = dice.integer(1, 2);
     shape.height = dice.decades(0.02, 1) * shape.ny;
   }
@@ -491,7 +491,7 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
       (c.promise == Promise::soundness || dice.chance(0.3))) {
     c.promise = Promise::soundness;
     c.friction = positive_field(3, dice);
-    if (dice.chance(0.05))
+    if (dice.chance(0.03))
       c.friction = {dice.decades(1, 1e30), {0, 0}, 0, {0, 0}};
   } else if (c.law == Law::coulomb) {
     c.friction.mean = dice.real(0, 0.2);
