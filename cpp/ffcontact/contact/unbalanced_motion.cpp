@@ -162,12 +162,6 @@ std::vector<VectorXd> translations(const Pushed& pushed, const Vertices& part) {
   return fields;
 }
 
-[[maybe_unused]] std::vector<VectorXd> rotations(const SolidMesh&,
-                                                 const Pushed&,
-                                                 const Vertices&) {
-  return {};
-}
-
 /// The parts that the motions move.
 template <int dim>
 std::vector<Vertices> moved_parts(const SimplexMesh<dim>& mesh,
@@ -226,9 +220,10 @@ UnbalancedMotion unbalanced_motion(const SimplexMesh<dim>& mesh,
       if (*hold <= nothing * push) return {field};
       resisted.push_back({field, push, *hold});
     }
-  for (const Vertices& part : parts)
-    for (const VectorXd& field : rotations(mesh, pushed, part))
-      if (balance.is_unopposed(field)) return {field};
+  if constexpr (dim == 2)
+    for (const Vertices& part : parts)
+      for (const VectorXd& field : rotations(mesh, pushed, part))
+        if (balance.is_unopposed(field)) return {field};
   return resisted.empty() ? UnbalancedMotion{std::move(otherwise)}
                           : resisted.front();
 }

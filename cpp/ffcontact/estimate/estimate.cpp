@@ -40,10 +40,13 @@ double least_friction(const ContactLine& line, const ContactLaw& law, int e) {
 
 /// The nearest r in a wide cone: what gives way is r_n, not r_t, which would by mu times as
 /// much. An r_n below `least` is rounding, and is as small as the law allows, |r_t| / mu: e
-/// would pay mu |w_t| for it.
-Vector2d in_wide_cone(double mu, const Vector2d& r, double least) {
-  const double allowed = -std::abs(r[1]) / mu;
-  return {std::abs(r[0]) < least ? allowed : std::min(r[0], allowed), r[1]};
+/// would pay mu |w_t|, or the shear limit's, for it.
+Vector2d in_wide_cone(double mu, double limit, const Vector2d& r,
+                      double least) {
+  const double tangential = std::clamp(r[1], -limit, limit),
+               allowed = -std::abs(tangential) / mu;
+  return {std::abs(r[0]) < least ? allowed : std::min(r[0], allowed),
+          tangential};
 }
 
 /// Relaxation leaves tractions outside of the cone by its rounding; inside they unbalance
@@ -55,11 +58,13 @@ void clamp_rounding(const ContactLine& line, const ContactLaw& law,
   for (int e = 0; e < line.edge_count(); ++e) {
     Vector4d r = end_values(densities, e);
     const double mu = least_friction(line, law, e);
-    if (mu > most_friction && !law.limited())
-      r << in_wide_cone(mu, r.head<2>(), least),
-          in_wide_cone(mu, r.tail<2>(), least);
-    else
+    if (mu > most_friction) {
+      const auto [first, second] = least_cones(line, law, e);
+      r << in_wide_cone(mu, first.limit, r.head<2>(), least),
+          in_wide_cone(mu, second.limit, r.tail<2>(), least);
+    } else {
       r = clamped_to_cone(line, law, e, r);
+    }
     set_end_values(densities, e, r);
   }
 }
