@@ -42,6 +42,18 @@ template <int dim>
 double balance_defect(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
                       const VectorXd& contact);
 
+/// require_balance of a contact line or surface under its law, by its extreme_forces.
+template <int dim, class Nodes, class Law>
+void require_balance(const SimplexMesh<dim>& mesh, const Nodes& nodes,
+                     const Law& law, const ElasticSystem& system) {
+  require_balance(
+      mesh, system,
+      [&](const MatrixXd& motions) {
+        return extreme_forces(nodes, law, motions);
+      },
+      along_normals(nodes));
+}
+
 /// A residual that counts for nothing where the balance is missed by more than this.
 constexpr double most_unbalanced = 1e-4;
 inline double with_balance(double residual, double balance_defect) {

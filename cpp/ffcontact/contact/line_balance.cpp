@@ -9,11 +9,6 @@
 
 namespace ffcontact {
 
-namespace {
-
-/// Work along each motion of multipliers that span the cones, one column per multiplier
-/// [motions x multipliers]. Those of Coulomb's law are of size 1 whatever mu is, and -n is
-/// one of them: of two that are nearly +t and -t it would be the rounding.
 MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
                         const MatrixXd& motions) {
   const MatrixXd weighted =
@@ -35,18 +30,6 @@ MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
     }
   }
   return work;
-}
-
-}  // namespace
-
-void require_balance(const Mesh& mesh, const ContactLine& line,
-                     const ContactLaw& law, const ElasticSystem& system) {
-  require_balance(
-      mesh, system,
-      [&](const MatrixXd& motions) {
-        return extreme_forces(line, law, motions);
-      },
-      along_normals(line));
 }
 
 void require_balance(const Mesh& mesh, const ContactLine& line,

@@ -6,12 +6,13 @@
 
 namespace ffcontact {
 
-/// require_balance of balance.hpp for a contact line. Coulomb's law at a node spans
-/// -n + mu t and -n - mu t; with Tresca's law the bounded tangential forces are taken at
-/// their largest in either direction.
-/// @throws NoEquilibrium  naming the motion that nothing opposes
-void require_balance(const Mesh& mesh, const ContactLine& line,
-                     const ContactLaw& law, const ElasticSystem& system);
+/// Work along each motion of multipliers that span the cones, one column per multiplier
+/// [motions x multipliers]. Coulomb's law at a node spans -n + mu t and -n - mu t, here of
+/// size 1 whatever mu is, and -n is one of them: of two that are nearly +t and -t it would
+/// be the rounding. With Tresca's law the bounded tangential forces are taken at their
+/// largest in either direction.
+MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
+                        const MatrixXd& motions);
 
 /// Can contact balance the loads of the body and those on a rigid foundation that forces
 /// move?

@@ -28,7 +28,8 @@ Matrix3Xd spanning_forces(const FrictionCone& cone) {
   return forces;
 }
 
-/// Their work along each motion, one column a force.
+}  // namespace
+
 MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
                         const MatrixXd& motions) {
   const NodalLaw cones = nodal_law(law, surface);
@@ -48,18 +49,6 @@ MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
     next += of_node.cols();
   }
   return all;
-}
-
-}  // namespace
-
-void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
-                     const SurfaceLaw& law, const ElasticSystem& system) {
-  require_balance(
-      mesh, system,
-      [&](const MatrixXd& motions) {
-        return extreme_forces(surface, law, motions);
-      },
-      along_normals(surface));
 }
 
 }  // namespace ffcontact

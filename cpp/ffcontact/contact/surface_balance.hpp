@@ -6,11 +6,9 @@
 
 namespace ffcontact {
 
-/// Can contact on a surface balance the loads on the unheld rigid motions, as on a line?
-/// The cones are taken a thousandth wider, with 64 sides: what they cannot balance no
-/// force in the cones can.
-/// @throws NoEquilibrium  naming a motion that it cannot balance
-void require_balance(const SolidMesh& mesh, const ContactSurface& surface,
-                     const SurfaceLaw& law, const ElasticSystem& system);
+/// As on a line (line_balance), with the cones a thousandth wider, of 64 sides: what they
+/// cannot balance no force in the cones can.
+MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
+                        const MatrixXd& motions);
 
 }  // namespace ffcontact
