@@ -107,6 +107,30 @@ RC_GTEST_PROP(NearestInCone,
             squared_distance(line, other, given) + 1e-10);
 }
 
+/// With mu > 1 both sides of a right angle hold a body against a pull: opposite forces
+/// wedge it, far larger than the pull.
+TEST(NearestInCone, finds_tractions_far_larger_than_their_resultant) {
+  constexpr double mu = 1.005, taken = 1.0045;
+  Problem problem = body(rectangle(4, 4, 4, 4), material(1, 0), {bottom, left});
+  set_friction(problem, mu);
+  const ContactLine& line = problem.line;
+  const MatrixXd motions = all_motions(problem);
+  const Matrix2Xd zero = Matrix2Xd::Zero(2, line.edge_count());
+  ContactDensities wedged{zero.array() - 1, zero};
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const bool is_left = line.normal(0, line.edge_node(0, e)) < -0.5;
+    wedged.tangential.col(e).setConstant(is_left ? taken : -taken);
+  }
+  const VectorXd pull = resultants_of(line, wedged, motions);
+  ASSERT_LT(pull.norm(), 0.1);
+  const auto r =
+      nearest_in_cone(line, problem.law, {zero, zero}, motions, pull);
+  ASSERT_TRUE(r.has_value());
+  EXPECT_GT(r->normal.cwiseAbs().maxCoeff(), 0.5);
+  EXPECT_LE(cone_defect(line, problem.law, *r), 1e-12);
+  EXPECT_LT((resultants_of(line, *r, motions) - pull).norm(), 1e-12);
+}
+
 TEST(NearestInCone, is_nothing_where_the_cone_has_no_such_resultant) {
   Problem problem = body(rectangle(4, 1, 4, 1), material(1, 0));
   set_friction(problem, 0.3);

@@ -9,6 +9,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/singular_values.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/elastic/row_sum.hpp"
 
 namespace ffcontact {
 
@@ -17,13 +18,6 @@ namespace {
 /// A motion is held by the stiffness when a row of K z is larger than this against |K|
 /// |z|.
 constexpr double motion_rounding = 1e-11;
-
-double row_sum(const RowMatrix& K, Index row) {
-  double sum = 0;
-  for (RowMatrix::InnerIterator entry(K, row); entry; ++entry)
-    sum += std::abs(entry.value());
-  return sum;
-}
 
 /// K z of motions z, each row relative to its sum |K_ij|; 0 on prescribed dofs.
 MatrixXd relative_forces(const ElasticSystem& system, const MatrixXd& motions) {

@@ -12,6 +12,7 @@
 #include "ffcontact/contact/nodal_pressures.hpp"
 #include "ffcontact/contact/unheld_bodies.hpp"
 #include "ffcontact/contact/vertex_motions.hpp"
+#include "ffcontact/elastic/null_motions.hpp"
 
 namespace ffcontact {
 
@@ -146,10 +147,18 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
   put_opposite_loads(h, contact);
 }
 
+/// S_w, of bodies that contact alone holds without stiffness of rounding against their
+/// motions.
+MatrixXd body_stiffness(const CondensedContact& contact, const MatrixXd& S) {
+  if (contact.free_motions.cols() == 0) return congruent(S, contact.to_kept);
+  return congruent(without_stiffness_of(contact.free_motions, S),
+                   contact.to_kept);
+}
+
 /// The relation, loads apart.
 void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
                   CondensedContact& contact) {
-  Terms terms{congruent(stiffness.schur(), contact.to_kept),
+  Terms terms{body_stiffness(contact, stiffness.schur()),
               selected_rows(contact.A, contact.dependent)};
   const OppositeTerms opposite = opposite_terms(terms, factor, contact);
   put_own_relation(std::move(terms), factor, stiffness.precision(), contact);
@@ -194,7 +203,8 @@ CondensedContact condensed_contact(const ContactLine& line,
                                    const ContactLaw& law,
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness,
-                                   const FoundationMotions& foundation) {
+                                   const FoundationMotions& foundation,
+                                   const MatrixXd& free_motions) {
   const VertexMotions motions = vertex_motions(line, system.prescribed);
   if (motions.rows.empty())
     refuse("every dof of the contact line is prescribed");
@@ -208,6 +218,8 @@ CondensedContact condensed_contact(const ContactLine& line,
   trace.A = W * trace_operator(line, held.row, motions);
   trace.v_prescribed = W * v.reshaped();
   add_motions(foundation, law, held.row, W, trace);
+  if (free_motions.cols() > 0)
+    trace.free_motions = free_motions(trace.kept_dofs, Eigen::all);
   CondensedContact contact =
       condensed_contact(std::move(trace), motions.rows, system.load, stiffness);
   contact.held = std::move(held);

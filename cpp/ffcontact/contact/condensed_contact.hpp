@@ -82,13 +82,15 @@ CondensedContact condensed_contact(ContactTrace trace,
                                    const VectorXd& load,
                                    const CondensedStiffness& stiffness);
 
+/// @param free_motions  unheld_motions of the bodies [dofs x k], none: not known
 /// @throws std::invalid_argument  if the contact line has no free dof
 /// @throws std::runtime_error     if foundation and body are not held by each other
 CondensedContact condensed_contact(const ContactLine& line,
                                    const ContactLaw& law,
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness,
-                                   const FoundationMotions& foundation = {});
+                                   const FoundationMotions& foundation = {},
+                                   const MatrixXd& free_motions = {});
 
 /// The same relation for another load on all dofs and other v of the prescribed values:
 /// that of a correction, for instance.

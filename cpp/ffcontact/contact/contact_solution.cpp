@@ -26,7 +26,7 @@ constexpr double residual_rounding = 1e-12;
 /// An answer and how well the body is in equilibrium.
 struct Judged {
   BodyAnswer answer;
-  double residual;
+  ResidualDefect residual;
 };
 
 /// Multipliers that the residual does not notice are none with Coulomb's law: their
@@ -34,13 +34,15 @@ struct Judged {
 Judged judged_without_rounding(const ContactLine& line, const ContactLaw& law,
                                const ElasticSystem& system,
                                const HeldRows& held, BodyAnswer answer) {
-  const double residual = residual_defect(line, law, system, held, answer);
+  const ResidualDefect residual =
+      residual_defect(line, law, system, held, answer);
   Judged judged{std::move(answer), residual};
   if (law.tresca()) return judged;
   BodyAnswer none{judged.answer.displacement,
                   VectorXd::Zero(judged.answer.P.size())};
-  const double without = residual_defect(line, law, system, held, none);
-  if (without > std::max(residual_rounding, residual)) return judged;
+  const ResidualDefect without = residual_defect(line, law, system, held, none);
+  if (without.largest() > std::max(residual_rounding, residual.largest()))
+    return judged;
   return {std::move(none), without};
 }
 
@@ -66,13 +68,13 @@ Judged refined_answer(const ContactLine& line, const ContactLaw& law,
                                         std::move(answer));
   for (int k = 0; k < most_steps; ++k) {
     const ContactStates states = open_where_cut(state, best.answer.P);
-    if (best.residual <= residual_rounding && states == state) break;
+    if (best.residual.largest() <= residual_rounding && states == state) break;
     BodyAnswer next =
         refined(line, law, system, stiffness, contact, states, best.answer);
     put_into_law(nodal, states, next.P);
     Judged judged = judged_without_rounding(line, law, system, contact.held,
                                             std::move(next));
-    if (!(judged.residual < 0.5 * best.residual)) break;
+    if (!(judged.residual.largest() < 0.5 * best.residual.largest())) break;
     best = std::move(judged);
   }
   return best;
@@ -92,7 +94,7 @@ Judged body_answer(const ContactLine& line, const ContactLaw& law,
   if (condensed.status == ContactStatus::converged)
     return refined_answer(line, law, system, stiffness, contact,
                           condensed.state, std::move(answer));
-  const double residual =
+  const ResidualDefect residual =
       residual_defect(line, law, system, contact.held, answer);
   return {std::move(answer), residual};
 }
@@ -202,8 +204,8 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
       prepared_stiffness(contact_dofs(line, system), system, settings);
   const CondensedStiffness& stiffness = *solution.stiffness;
   solution.contact = held_or_refused(mesh, line, system, [&] {
-    return std::make_shared<const CondensedContact>(
-        condensed_contact(line, law, system, stiffness));
+    return std::make_shared<const CondensedContact>(condensed_contact(
+        line, law, system, stiffness, {}, unheld_motions(mesh, system)));
   });
   const CondensedContact& contact = *solution.contact;
 
@@ -226,7 +228,7 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
 
   // 4. What the theory promises, measured.
   solution.residual = with_balance(
-      whole.residual,
+      whole.residual.of_forces,
       balance_defect(
           mesh, system,
           nodal_load(line, loading_forces(contact.held.row, solution.force),

@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/contact/active_set_system.hpp"
+#include "ffcontact/elastic/row_sum.hpp"
 #include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-constexpr double share_of_terms = 1e-4;
+constexpr double share_of_terms = 1e-4, share_of_largest_row = 2.2e-4;
 
 /// Of the contact forces W P on all dofs.
 VectorXd contact_load(const ContactLine& line, const ContactLaw& law,
@@ -87,12 +89,28 @@ double equilibrium_defect(const ElasticSystem& system,
   return defect;
 }
 
-double residual_defect(const ContactLine& line, const ContactLaw& law,
-                       const ElasticSystem& system, const HeldRows& held,
-                       const BodyAnswer& answer) {
-  return equilibrium_defect(system, answer.displacement,
-                            contact_load(line, law, held, answer),
-                            largest_given(law));
+double row_defect(const ElasticSystem& system, const VectorXd& u,
+                  const VectorXd& contact, double apart) {
+  const VectorXd r = force_residual(system, u, contact);
+  const double moved = max_norm(u) + apart;
+  VectorXd size = system.load.cwiseAbs() + contact.cwiseAbs();
+  for (Index dof = 0; dof < r.size(); ++dof)
+    size[dof] = system.prescribed[dof]
+                    ? 0
+                    : size[dof] + moved * row_sum(system.stiffness, dof);
+  const double least = share_of_largest_row * max_norm(size);
+  if (least == 0) return 0;
+  return (r.array().abs() / size.array().max(least)).maxCoeff();
+}
+
+ResidualDefect residual_defect(const ContactLine& line, const ContactLaw& law,
+                               const ElasticSystem& system,
+                               const HeldRows& held, const BodyAnswer& answer) {
+  const VectorXd& u = answer.displacement;
+  const VectorXd contact = contact_load(line, law, held, answer);
+  const double apart = largest_given(law);
+  return {equilibrium_defect(system, u, contact, apart),
+          row_defect(system, u, contact, apart)};
 }
 
 BodyAnswer refined(const ContactLine& line, const ContactLaw& law,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
@@ -32,10 +33,22 @@ double equilibrium_defect(const ElasticSystem& system,
                           const VectorXd& displacement,
                           const VectorXd& contact_load, double apart);
 
-/// The same of an answer on a contact line.
-double residual_defect(const ContactLine& line, const ContactLaw& law,
-                       const ElasticSystem& system, const HeldRows& held,
-                       const BodyAnswer& answer);
+/// |K u - b - contact forces| on the free dofs, dof by dof, relative to what its own row
+/// may have, sum_j |K_ij| (max |u| + d) + |b_i| + |contact force|, but not to less than
+/// 2.2e-4 of the largest of these, a last place of which is 1e-12 of that. Rounding of a
+/// stiff body is large beside the forces of a soft one, which equilibrium_defect does not
+/// see; refinement takes it away.
+double row_defect(const ElasticSystem& system, const VectorXd& displacement,
+                  const VectorXd& contact_load, double apart);
+
+/// equilibrium_defect and row_defect of an answer on a contact line.
+struct ResidualDefect {
+  double of_forces, of_rows;
+  double largest() const { return std::max(of_forces, of_rows); }
+};
+ResidualDefect residual_defect(const ContactLine& line, const ContactLaw& law,
+                               const ElasticSystem& system,
+                               const HeldRows& held, const BodyAnswer& answer);
 
 /// One step of iterative refinement with the states kept: the residual and the
 /// displacements that the states forbid are taken for the loads of a correction

@@ -7,6 +7,7 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/held_rows.hpp"
 #include "ffcontact/contact/line_balance.hpp"
@@ -110,7 +111,8 @@ ToolSolution solution_with_tool(const Mesh& mesh, const ContactLine& line,
   next.stiffness =
       prepared_stiffness(contact_dofs(line, system), system, settings);
   const CondensedContact contact =
-      condensed_contact(line, law, system, *next.stiffness, foundation);
+      condensed_contact(line, law, system, *next.stiffness, foundation,
+                        unheld_motions(mesh, system));
   const ActiveSetResult answer =
       condensed_answer(contact, nodal_law(law, line), settings).answer;
 

@@ -226,7 +226,9 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
                               const ElasticSystem& system,
                               const ContactSettings& given) {
   require_sound(mesh, surface, law, system, given);
-  const SurfaceTrace trace = surface_trace(surface, law, system);
+  SurfaceTrace trace = surface_trace(surface, law, system);
+  trace.trace.free_motions =
+      unheld_motions(mesh, system)(trace.trace.kept_dofs, Eigen::all);
   require_clear(mesh, surface, law, system, trace.held);
   ContactSettings settings = given;
   settings.storage = storage_of(given, count_of(trace.trace.kept_dofs));

@@ -5,9 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "ffcontact/base/cholesky.hpp"
-#include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/estimate/damped_newton.hpp"
 #include "ffcontact/estimate/edge_projection.hpp"
 
 namespace ffcontact {
@@ -16,6 +15,8 @@ namespace {
 
 /// Resultants are kept to this part of their terms.
 constexpr double resultant_tolerance = 1e-13;
+/// Where eta is so large that this part of the terms is lost, it has run away.
+constexpr double most_rounding = 1e-8;
 
 constexpr int most_steps = 100;
 
@@ -44,7 +45,7 @@ class Dual {
     VectorXd off;  ///< gradient: the resultants of r less the wanted ones
   };
 
-  Point at(const VectorXd& eta) const {
+  Point point_at(const VectorXd& eta) const {
     Point point{eta, densities_, -resultants_};
     for (int e = 0; e < edge_count(); ++e) {
       const Vector4d r = edges_[e](outside(e, eta));
@@ -54,7 +55,7 @@ class Dual {
     return point;
   }
 
-  Point start() const { return at(VectorXd::Zero(resultants_.size())); }
+  Point start() const { return point_at(VectorXd::Zero(resultants_.size())); }
 
   MatrixXd slope(const Point& point) const {
     MatrixXd sum = MatrixXd::Zero(resultants_.size(), resultants_.size());
@@ -72,47 +73,12 @@ class Dual {
     return sum;
   }
 
-  /// The point to which a step leads that is shortened until the gradient along it has
-  /// changed its sign by little or itself has halved, or lengthened as long as that
-  /// leaves more than half of the gradient along it: the dual is nearly flat where few
-  /// tractions in the cone have the resultants.
-  Point moved(const Point& from, const VectorXd& step) const {
-    double length = 1;
-    Point next = at(from.eta + step);
-    while (too_far(next, from, step) && length > 1e-10) {
-      length /= 2;
-      next = at(from.eta + length * step);
-    }
-    return length < 1 ? next : lengthened(std::move(next), from, step);
-  }
-
  private:
   int edge_count() const { return static_cast<int>(edges_.size()); }
 
   /// What is projected.
   Vector4d outside(int e, const VectorXd& eta) const {
     return edges_[e].moved(end_values(densities_, e), eta);
-  }
-
-  static bool half_way(const Point& next, const Point& from,
-                       const VectorXd& step) {
-    return next.off.dot(step) > 0.5 * from.off.dot(step);
-  }
-
-  static bool too_far(const Point& next, const Point& from,
-                      const VectorXd& step) {
-    return next.off.dot(step) > -0.1 * from.off.dot(step) &&
-           next.off.norm() > 0.5 * from.off.norm();
-  }
-
-  Point lengthened(Point next, const Point& from, const VectorXd& step) const {
-    for (double length = 4; !half_way(next, from, step) && length < 1e8;
-         length *= 4) {
-      Point farther = at(from.eta + length * step);
-      if (too_far(farther, from, step)) break;
-      next = std::move(farther);
-    }
-    return next;
   }
 
   const EdgeProjections& edges_;
@@ -127,27 +93,17 @@ double rounding(const Dual::Point& point, double length, double scale) {
   return std::max(resultant_tolerance * scale, 2 * of_eta);
 }
 
-/// Regularised by what is left to do: no step is longer than the tractions, and the last
-/// ones are Newton's. [z] is of size 1: `length` is what the slope is where nothing is
-/// held.
-VectorXd newton_step(const Dual& dual, const Dual::Point& point, double length,
-                     double scale) {
-  const Index k = point.eta.size();
-  const double regular = length * max_norm(point.off) / scale;
-  const MatrixXd slope = dual.slope(point) + regular * MatrixXd::Identity(k, k);
-  const Cholesky factor(slope);
-  return -(factor.is_positive_definite() ? factor.solve(point.off)
-                                         : least_squares(slope, point.off));
-}
-
 /// Newton's method; nothing if it runs away. Where the dual is all but flat its last steps
 /// are long and lose digits: the point that was closest to the resultants.
 std::optional<Dual::Point> minimum(const Dual& dual, double length) {
   Dual::Point point = dual.start(), closest = point;
   const double scale = dual.scale();
+  DampedNewton newton(dual, length, scale);
   for (int step = 0; step < most_steps; ++step) {
-    if (max_norm(point.off) <= rounding(point, length, scale)) return closest;
-    point = dual.moved(point, newton_step(dual, point, length, scale));
+    const double missed = rounding(point, length, scale);
+    if (missed > most_rounding * scale) return std::nullopt;
+    if (max_norm(point.off) <= missed) return closest;
+    point = newton.after(point);
     if (point.off.norm() < closest.off.norm()) closest = point;
   }
   return std::nullopt;

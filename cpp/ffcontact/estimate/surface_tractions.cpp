@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/surface_tractions.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -11,6 +10,7 @@
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/clearing.hpp"
 #include "ffcontact/estimate/cone_projection.hpp"
+#include "ffcontact/estimate/damped_newton.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 
 namespace ffcontact {
@@ -73,7 +73,7 @@ class SurfaceDual {
     MatrixXd slope;
   };
 
-  Point at(const VectorXd& eta) const {
+  Point point_at(const VectorXd& eta) const {
     Point point{eta, traction_, -resultants_,
                 MatrixXd::Zero(eta.size(), eta.size())};
     for (std::size_t i = 0; i < cones_.size(); ++i) {
@@ -87,7 +87,7 @@ class SurfaceDual {
     return point;
   }
 
-  Point start() const { return at(VectorXd::Zero(resultants_.size())); }
+  Point start() const { return point_at(VectorXd::Zero(resultants_.size())); }
 
   /// The sizes of the terms of the resultants.
   double scale() const {
@@ -96,31 +96,9 @@ class SurfaceDual {
         max_norm(motions_.cwiseAbs().transpose() * traction_.cwiseAbs()));
   }
 
-  /// Newton's step, no longer than the tractions, shortened where the gradient along it
-  /// has changed its sign.
-  Point moved(const Point& from, double scale) const {
-    const Index k = from.eta.size();
-    const double regular =
-        area_.sum() * max_norm(from.off) / (scale > 0 ? scale : 1);
-    const VectorXd step = -(from.slope + regular * MatrixXd::Identity(k, k))
-                               .ldlt()
-                               .solve(from.off);
-    double length = 1;
-    Point next = at(from.eta + step);
-    while (length > 1e-10 && too_far(next, from, step)) {
-      length /= 2;
-      next = at(from.eta + length * step);
-    }
-    return next;
-  }
+  const MatrixXd& slope(const Point& point) const { return point.slope; }
 
  private:
-  static bool too_far(const Point& next, const Point& from,
-                      const VectorXd& step) {
-    return next.off.dot(step) > -0.1 * from.off.dot(step) &&
-           next.off.norm() > 0.5 * from.off.norm();
-  }
-
   std::vector<FrictionCone> cones_;
   const VectorXd& area_;
   VectorXd traction_;
@@ -234,9 +212,10 @@ std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
                          resultants);
   SurfaceDual::Point point = dual.start(), closest = point;
   const double scale = dual.scale();
+  DampedNewton newton(dual, surface.area.sum(), scale);
   for (int step = 0; step < most_cone_steps; ++step) {
     if (max_norm(closest.off) <= resultant_rounding * scale) break;
-    point = dual.moved(point, scale);
+    point = newton.after(point);
     if (point.off.norm() < closest.off.norm()) closest = point;
   }
   if (max_norm(closest.off) > resultant_missed * scale) return std::nullopt;
