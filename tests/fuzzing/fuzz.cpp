@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fuzz: random problems for some seconds, or one or more that are in files.
+// fuzz: random problems for some seconds, plane or solid ones, or those that are in files.
 #include <omp.h>
 
 #include <chrono>
@@ -8,12 +8,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <sstream>
 
 #include "generator.hpp"
+#include "solid_checks.hpp"
 #include "trial.hpp"
 
 namespace ffcontact::fuzz {
@@ -25,9 +27,46 @@ struct Options {
                 problems = std::numeric_limits<std::uint64_t>::max();
   std::string finds = "finds";  ///< folder
   std::vector<std::string> files;
+  bool solids = false;
 };
 
 constexpr int files_per_cause = 3;
+constexpr const char* solid_file = "ffcontact-fuzz-solid-1";
+
+/// A problem, what became of it, and the file that replays it.
+struct Tried {
+  std::string kind, size;
+  Outcome outcome;
+  /// @param shrink  as much as keeps the find
+  std::function<std::string(const Find&, bool shrink)> text;
+};
+
+Tried tried(const Case& problem) {
+  return {kind(problem), std::to_string(problem.cell_count()) + " triangles",
+          outcome_of(problem), [problem](const Find& found, bool shrink) {
+            return text_of(shrink ? shrunk(problem, found) : problem);
+          }};
+}
+
+/// A solid is drawn again: its file has its numbers alone.
+Tried tried_solid(std::uint64_t seed, std::uint64_t index) {
+  Tried result;
+  result.text = [=](const Find&, bool) {
+    return std::string(solid_file) + " " + std::to_string(seed) + " " +
+           std::to_string(index) + "\n";
+  };
+  try {
+    const SolidCase problem = random_solid(seed, index);
+    result.kind = problem.kind;
+    result.size = std::to_string(problem.mesh.cell_count()) + " tetrahedra";
+    result.outcome = outcome_of(problem);
+  } catch (const std::exception& thrown) {
+    result.kind = "solid that is not stated";
+    result.outcome.answer = without_numbers(thrown.what());
+    result.outcome.finds.push_back({"stated", thrown.what()});
+  }
+  return result;
+}
 
 /// Counts of what was tried and found; finds of one cause have the same name and sentence
 /// but for its numbers.
@@ -35,21 +74,19 @@ class Tally {
  public:
   explicit Tally(std::string folder) : folder_(std::move(folder)) {}
 
-  void add(const Case& problem, const Outcome& outcome,
-           const std::string& name) {
-    ++kinds_[kind(problem)];
-    ++answers_[outcome.answer];
-    ++(outcome.finds.empty() ? passed_ : failed_);
+  void add(const Tried& tried, const std::string& name) {
+    ++kinds_[tried.kind];
+    ++answers_[tried.outcome.answer];
+    ++(tried.outcome.finds.empty() ? passed_ : failed_);
     std::map<std::string, const Find*> causes;
-    for (const Find& found : outcome.finds)
+    for (const Find& found : tried.outcome.finds)
       causes.emplace(found.check + ": " + without_numbers(found.detail),
                      &found);
     for (const auto& [cause, found] : causes) {
       if (causes_[cause]++ >= files_per_cause) continue;
-      std::cout << "find " << name << " (" << kind(problem) << ", "
-                << problem.cell_count() << " triangles) " << found->check
-                << ": " << found->detail << std::endl;
-      if (!folder_.empty()) keep(problem, *found, name, causes_[cause] == 1);
+      std::cout << "find " << name << " (" << tried.kind << ", " << tried.size
+                << ") " << found->check << ": " << found->detail << std::endl;
+      if (!folder_.empty()) keep(tried, *found, name, causes_[cause] == 1);
     }
   }
 
@@ -62,11 +99,11 @@ class Tally {
   }
 
  private:
-  void keep(const Case& problem, const Find& found, const std::string& name,
+  void keep(const Tried& tried, const Find& found, const std::string& name,
             bool shrink) const {
     std::filesystem::create_directories(folder_);
     const std::string path = folder_ + "/" + found.check + "-" + name + ".txt";
-    std::ofstream(path) << text_of(shrink ? shrunk(problem, found) : problem);
+    std::ofstream(path) << tried.text(found, shrink);
     std::cout << "  kept in " << path << std::endl;
   }
   static void print(const char* title,
@@ -82,18 +119,21 @@ class Tally {
   int passed_ = 0, failed_ = 0;
 };
 
+Tried tried_file(const std::string& text) {
+  std::istringstream words(text);
+  std::string format;
+  std::uint64_t seed = 0, index = 0;
+  words >> format >> seed >> index;
+  return format == solid_file ? tried_solid(seed, index) : tried(case_of(text));
+}
+
 int replay(const Options& options) {
   Tally tally("");
   for (const std::string& path : options.files) {
     std::ifstream file(path);
     std::stringstream text;
     text << file.rdbuf();
-    const Case problem = case_of(text.str());
-    const Outcome outcome = outcome_of(problem);
-    for (const Find& found : outcome.finds)
-      std::cout << path << ": " << found.check << ": " << found.detail
-                << std::endl;
-    tally.add(problem, outcome, path);
+    tally.add(tried_file(text.str()), path);
   }
   return tally.report();
 }
@@ -110,8 +150,8 @@ int explore(const Options& options) {
   for (std::uint64_t k = 0; k < options.problems && elapsed() < options.seconds;
        ++k) {
     const std::uint64_t index = options.first + k;
-    const Case problem = random_case(options.seed, index);
-    tally.add(problem, outcome_of(problem),
+    tally.add(options.solids ? tried_solid(options.seed, index)
+                             : tried(random_case(options.seed, index)),
               std::to_string(options.seed) + "-" + std::to_string(index));
   }
   return tally.report();
@@ -122,7 +162,9 @@ Options options_of(int count, char** words) {
   for (int k = 1; k < count; ++k) {
     const std::string word = words[k];
     const bool has_value = k + 1 < count;
-    if (word == "--seconds" && has_value)
+    if (word == "--solids")
+      options.solids = true;
+    else if (word == "--seconds" && has_value)
       options.seconds = std::atof(words[++k]);
     else if (word == "--seed" && has_value)
       options.seed = std::strtoull(words[++k], nullptr, 10);

@@ -100,6 +100,16 @@ class Answer {
     }
   }
 
+  /// Is more left than rounding? Of an inexact factor, or where a body is much softer than
+  /// another: its forces are not much above the rounding of the other's.
+  bool is_off() const {
+    const auto& [surface, law, system, settings, trace, cones] = stated_;
+    const double rows = row_defect(system, solution_.displacement,
+                                   stated_.load_of(solution_.force),
+                                   largest_displacement(law, no_motion()));
+    return std::max(missed_by(solution_), rows) > settings.tolerance;
+  }
+
   SurfaceSolution solution() && { return std::move(solution_); }
 
  private:
@@ -109,6 +119,7 @@ class Answer {
   /// What a violation may be of the residual before a correction, which gains more.
   static constexpr double beside_residual = 1e-3;
 
+  static VectorXd no_motion() { return VectorXd::Zero(1); }
   VectorXd no_forces() const {
     return VectorXd::Zero(stated_.system.dof_count());
   }
@@ -151,7 +162,7 @@ class Answer {
     const VectorXd& u = solution_.displacement;
     solution_.residual =
         equilibrium_defect(system, u, stated_.load_of(solution_.force),
-                           largest_displacement(law, VectorXd::Zero(1)));
+                           largest_displacement(law, no_motion()));
     LawScales scales = relation_->scales(on_nodes(condensed_.v));
     scales.v = std::max(
         scales.v, largest_weight(law, surface) * largest_displacement(law, u));
@@ -183,7 +194,7 @@ SurfaceSolution corrected_solution(const StatedSurface& stated,
   const auto stiffness = prepared_stiffness(
       stated.trace.trace.kept_dofs, stated.system, stated.settings, precision);
   Answer answer(stated, stiffness);
-  if (!stiffness->is_exact()) answer.correct();
+  if (!stiffness->is_exact() || answer.is_off()) answer.correct();
   return std::move(answer).solution();
 }
 

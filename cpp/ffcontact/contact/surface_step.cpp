@@ -37,6 +37,9 @@ class SurfaceStep {
         solved(transposed_, right_, count_of(unknown_), kind, solver);
     if (!x.allFinite()) return SystemKind::inconsistent;
     rows = spread(x);
+    // exactly, so that a body without contact has no forces of rounding
+    for (int row = 0; row < rows.P.size(); ++row)
+      if (equations_.is_free_of_force(row)) rows.P[row] = 0;
     return kind;
   }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/face_fields.hpp"
 
+#include <algorithm>
+
+#include "ffcontact/interface/traction_parts.hpp"
+
 namespace ffcontact {
 
 FacetFields<3> fields_on_face(const ContactSurface& surface,
@@ -8,13 +12,20 @@ FacetFields<3> fields_on_face(const ContactSurface& surface,
                               int contact_face,
                               const Ref<const VectorXd>& traction) {
   const Vector3i nodes = surface.face_node.col(contact_face);
+  const FaceHats hats = face_hats(surface, contact_face);
   const Matrix3d none = Matrix3d::Zero();
   FacetFields<3> fields{none, none, {}, {}};
+  fields.cone.resize(3);
   for (int k = 0; k < 3; ++k) {
     const int node = nodes[k] >= 0 ? nodes[k] : nodes.maxCoeff();
     fields.normal.col(k) = surface.normal.col(node);
     fields.traction.col(k) = surface.frame(node) * traction.segment<3>(3 * k);
-    fields.cone.push_back({cones[node].bound(traction[3 * k])});
+    if (nodes[k] < 0) continue;
+    const double bound = cones[node].bound(traction[3 * k]);
+    const auto place = std::find(hats.node.begin(), hats.node.end(), node);
+    for (int corner = 0; corner < 3; ++corner)
+      fields.cone[corner].cohesion +=
+          hats.hat(corner, place - hats.node.begin()) * bound;
   }
   return fields;
 }

@@ -268,7 +268,8 @@ BetweenNodes facing_between_nodes(const Facets<3>& faces,
         motions_of({faces, surface, law, polygon, displacement}, surface),
         {}};
     for (const auto& place : polygon.own.colwise())
-      part.cone.push_back(cone_between(face.cone, place));
+      // rounding of a place is none of a large bound
+      part.cone.push_back(cone_between(face.cone, place.cwiseMax(0)));
     note<3>(part, face.normal, m, found);
   }
   return found;

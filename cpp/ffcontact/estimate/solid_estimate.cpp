@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "ffcontact/base/norms.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/parted_sum.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/bounded_friction.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/equilibrium/solid_defect.hpp"
 #include "ffcontact/estimate/error_history.hpp"
@@ -59,15 +61,16 @@ struct SolidNorms {
   VectorXd difference;       ///< |sigma_hat - sigma|^2 per tetrahedron [N mm]
   double sum;                ///< |sigma_hat + sigma|^2 in all
   EquilibriumDefect defect;  ///< [MPa]
+  double largest;            ///< component of sigma_hat [MPa]
 };
 
 SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
   const SolidMesh& mesh = setting.topology.mesh;
   const Facets<3>& faces = setting.topology.faces;
-  SolidNorms norms{VectorXd(mesh.cell_count()), 0, {}};
+  SolidNorms norms{VectorXd(mesh.cell_count()), 0, {}, 0};
   VectorXd sums(mesh.cell_count());
-  double divergence = 0, jump = 0;
-#pragma omp parallel for reduction(max : divergence, jump)
+  double divergence = 0, jump = 0, largest = 0;
+#pragma omp parallel for reduction(max : divergence, jump, largest)
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const TetrahedronCorners corners = corners_of(mesh, t);
     const Matrix6d compliance = setting.hooke[t].inverse();
@@ -75,12 +78,17 @@ SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
                       tau = difference_stress(setting, moments, t);
     norms.difference[t] = energy(corners, compliance, tau);
     sums[t] = energy(corners, compliance, tau + 2 * sigma);
-    const EquilibriumDefect defect = tetrahedron_defect(
-        corners, sigma + tau, loads_of(mesh, faces, moments, t),
-        setting.body_loads.col(t).reshaped(3, 4));
+    // not sigma + tau: the stress of u_hat may be far larger than sigma_hat
+    const FaceLoads loads = loads_of(mesh, faces, moments, t);
+    const SolidBodyLoads in_body = setting.body_loads.col(t).reshaped(3, 4);
+    const SolidStress sigma_hat = composite_stress(corners, loads, in_body);
+    const EquilibriumDefect defect =
+        tetrahedron_defect(corners, sigma_hat, loads, in_body);
     divergence = std::max(divergence, defect.divergence);
     jump = std::max(jump, defect.jump);
+    largest = std::max(largest, max_norm(sigma_hat));
   }
+  norms.largest = largest;
   norms.sum = parted_sum(mesh.cell_count(), [&](int t) { return sums[t]; });
   norms.defect = {divergence, jump,
                   boundary_defect(mesh, faces, setting.boundary, moments)};
@@ -151,13 +159,27 @@ void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
   estimate.local = (local / scale).cwiseMax(0.0).cwiseSqrt();
 }
 
+/// Does e pay for next to nothing but friction without bound on what the displacements of
+/// surfaces that do not match differ by between their nodes? No u_hat sticks there.
+bool pays_for_rough_faces(const SolvedSolidProblem& solved,
+                          const std::vector<ContactFace>& matching,
+                          const SolidEstimate& estimate) {
+  constexpr double nearly_all = 0.99;
+  const ContactSurface& surface = solved.surface;
+  const bool match = count_of(matching) == surface.face_count();
+  return surface.against_a_body() && !match &&
+         solved.body.law.friction.maxCoeff() > most_friction &&
+         estimate.contact > nearly_all * estimate.e * estimate.e;
+}
+
 /// What the theory promises, measured.
 void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
            const std::vector<ContactFace>& contact, const SolidNorms& norms,
            SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
   const double largest = std::max(
-      {max_norm(stress.computed), least_part_of_terms * stress.terms,
+      {max_norm(stress.computed), norms.largest,
+       least_part_of_terms * stress.terms,
        largest_traction(topology.mesh, topology.faces, estimate.moments)});
   const double scale = largest > 0 ? largest : 1;
   estimate.equilibrium = {norms.defect.divergence / scale,
@@ -187,6 +209,13 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
   estimate.reason = reason_against(
       estimate, {topology.mesh.place(surface.vertex[deepest.node]),
                  middle(found.turned_facet), middle(found.negative_facet)});
+  if (estimate.reason.empty() &&
+      pays_for_rough_faces(solved, contact, estimate))
+    estimate.reason =
+        "e pays friction= times what the displacements of surfaces whose "
+        "meshes do not match differ by between their nodes: where nothing "
+        "slips make the meshes match, or give friction= no larger than the "
+        "contact needs";
   estimate.admissible = estimate.reason.empty();
 }
 
