@@ -6,6 +6,7 @@
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/faceted_curves.hpp"
 #include "ffcontact/interface/facing_line.hpp"
+#include "ffcontact/interface/fitted_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
 //
 #include <algorithm>
@@ -95,6 +96,22 @@ void ContactProblem::warn_of_polygon(int body, const ContactLine& own) {
                     "give the curve's normal=[nx, ny], and the exact gap=");
 }
 
+/// Once for all pairs.
+void ContactProblem::warn_of_gap(int body, const ContactLine& own,
+                                 const std::vector<FacingPiece>& pieces) {
+  if (has_polygonal_curve) return;
+  const auto fitted = edge_of_fitted_line(mesh, edges, own, pieces);
+  if (!fitted) return;
+  has_polygonal_curve = true;
+  warn_of_curve(joined, body, edges.vertices(0, fitted->edge),
+                edges.boundary_index[fitted->edge],
+                " and fits what it faces: its gap is read between straight "
+                "edges, which is wrong by their heights over their chords, " +
+                    in_digits(fitted->sagitta) +
+                    " mm here, and makes pressures too high; give the exact "
+                    "gap= beside normal=");
+}
+
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
                               const StatedPair& pair) {
   const ContactLine own = own_line(stack, named, pair);
@@ -113,8 +130,10 @@ void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                      const ContactLine& own) {
   const int wanted = wanted_side(stack, named, count_of(pairs_),
                                  std::max(1, body_count() - 1));
-  const ContactLine facing = facing_line(
-      mesh, edges, own, facing_traces(mesh, edges, own, stated.opposite));
+  const FacingTraces traces = facing_traces(mesh, edges, own, stated.opposite);
+  if (named.given("normal") && !named.given("gap"))
+    warn_of_gap(stated.body, own, traces.pieces);
+  const ContactLine facing = facing_line(mesh, edges, own, traces);
   std::optional<ContactLine> exchanged;
   if (wanted != 1)
     exchanged = exchanged_line(mesh, edges, facing, stated.opposite);

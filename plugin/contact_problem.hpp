@@ -97,6 +97,8 @@ struct ContactProblem : PlaneBodies {
                        const StatedPair& pair) const;
   void require_one_side(const StatedPair& pair, const ContactLine& own) const;
   void warn_of_polygon(int body, const ContactLine& own);
+  void warn_of_gap(int body, const ContactLine& own,
+                   const std::vector<FacingPiece>& pieces);
   void add_pair(Stack stack, const NamedArguments& named,
                 const StatedPair& pair);
   void add_facing_pair(Stack stack, const NamedArguments& named,

@@ -12,6 +12,7 @@
 #include "ffcontact/contact/compliance_ratio.hpp"
 #include "ffcontact/interface/fitted_surface.hpp"
 #include "ffcontact/interface/joined_surfaces.hpp"
+#include "ffcontact/interface/matching_faces.hpp"
 //
 #include "doubtful_curve.hpp"
 
@@ -75,19 +76,33 @@ void SolidProblem::require_one_side(const StatedPair& stated,
                     in_words(Vector3d(mesh.origin + middle)));
 }
 
+/// Do faces face each other one by one? Their gap is as exact as their vertices then.
+bool SolidProblem::all_match(const Pair& pair) const {
+  ContactSurface surface = pair.whole;
+  surface.polygons = pair.polygons;
+  const std::vector<MatchingFace> matches =
+      matching_faces(mesh, faces, surface);
+  return std::all_of(matches.begin(), matches.end(),
+                     [](const MatchingFace& match) { return match.face >= 0; });
+}
+
 /// Once for all pairs.
-void SolidProblem::warn_of_fit(int body, const Pair& pair) {
-  if (fits) return;
+void SolidProblem::warn_of_fit(int body, const Pair& pair, bool has_normals) {
+  if (fits || (has_normals && all_match(pair))) return;
   const auto spot =
       node_of_fitted_surface(mesh, faces, pair.whole, pair.polygons);
   if (!spot) return;
   fits = true;
-  warn_of_curve(joined, body, pair.whole.vertex[spot->node],
-                faces.boundary_index[pair.whole.face[spot->face]],
-                " and fits what it faces: mean normals of its faces and gaps "
-                "of the flat ones make pressures up to several times too high "
-                "on any mesh; give the surface's normal=[nx, ny, nz], and the "
-                "exact gap=");
+  warn_of_curve(
+      joined, body, pair.whole.vertex[spot->node],
+      faces.boundary_index[pair.whole.face[spot->face]],
+      has_normals
+          ? " and fits what it faces: its gap is read between flat faces, "
+            "which makes pressures too high; give the exact gap= beside "
+            "normal="
+          : " and fits what it faces: mean normals of its faces and gaps of "
+            "the flat ones make pressures up to several times too high on any "
+            "mesh; give the surface's normal=[nx, ny, nz], and the exact gap=");
 }
 
 void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
@@ -97,8 +112,9 @@ void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
   require_one_side(stated, pair.whole);
   if (!stated.rigid())
     pair.polygons = facing_polygons(mesh, faces, pair.whole, stated.opposite);
-  if (!named.given("normal") && !named.given("gap"))
-    warn_of_fit(stated.body, pair);
+  const bool has_normals = named.given("normal");
+  if (!named.given("gap") && !(has_normals && stated.rigid()))
+    warn_of_fit(stated.body, pair, has_normals);
   if (!stated.rigid()) {
     add_facing_pair(stack, named, stated, std::move(pair));
     return;

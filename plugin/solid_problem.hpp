@@ -66,7 +66,8 @@ struct SolidProblem : SolidBodies {
                                 int body, const std::vector<int>& labels) const;
   void require_one_side(const StatedPair& stated,
                         const ContactSurface& whole) const;
-  void warn_of_fit(int body, const Pair& pair);
+  bool all_match(const Pair& pair) const;
+  void warn_of_fit(int body, const Pair& pair, bool has_normals);
   void add_pair(Stack stack, const NamedArguments& named,
                 const StatedPair& stated);
   void add_facing_pair(Stack stack, const NamedArguments& named,

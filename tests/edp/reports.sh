@@ -155,7 +155,8 @@ prints_what_it_expects "$1" $script
 printed=$("$1" $script -level 0)
 [ -z "$printed" ] || fails "printed at verbosity 0: $printed"
 
-# What statements warn of at any verbosity, once each: a curve that is taken for a polygon, a solid's surface that fits what it faces.
+# What statements warn of at any verbosity, once each: a curve that is taken for a polygon, a solid's surface that fits what it faces,
+# and gaps of polygons along given directions.
 script=doubts.edp
 cat >$script <<'EOF'
 include "ffcontact.idp"
@@ -180,7 +181,10 @@ expect("contact: label 11 is curved at vertex * (*) of mesh 1" + polygon);
 contact C1(T1, T2, label1=11, label2=12, friction=0);
 expect("contact: label 12 is curved at vertex * (*) of mesh 1" + polygon);
 contact C2(T2, T1, label1=12, label2=11, friction=0, gap=R - r);
+string straight = " and fits what it faces: its gap is read between straight edges, which is wrong by their heights over their chords, 0.03* mm here*";
+expect("contact: label 11 is curved at vertex * (*) of mesh 1" + straight);
 contact C3(T1, T2, label1=11, label2=12, friction=0, normal=[x/r, y/r]);
+contact C3b(T1, T2, label1=11, label2=12, friction=0, normal=[x/r, y/r], gap=R - r);
 contact C4(T2, T1, label1=12, label2=11, friction=0, normal=[-x/R, -y/R], gap=R - r);
 // Coarse ones: 16 edges are a curve, 12 a polygon
 mesh T5 = buildmesh(pin(16)), T6 = buildmesh(pin(12));
@@ -209,7 +213,9 @@ mesh3 P = cube(8, 2, 2, [(r - 2*z)*sin(x - 0.5), 4*y, -(r - 2*z)*cos(x - 0.5)]),
       F = cube(9, 3, 2, [12*x - 6, 4*y, z - 11]);
 expect("contact: label 5 is curved at vertex * (*) of mesh 1" + hollow);
 contact S1(P, B, label1=5, label2=6, friction=0.1);
+expect("contact: label 5 is curved at vertex * (*) of mesh 1 and fits what it faces: its gap is read between flat faces*");
 contact S2(P, B, label1=5, label2=6, friction=0.1, normal=[x/r, 0, z/r]);
+contact S2b(P, B, label1=5, label2=6, friction=0.1, normal=[x/r, 0, z/r], gap=R - r);
 contact S3(P, B, label1=5, label2=6, friction=0.1, gap=R - r);
 contact S4(P, F, label1=5, label2=6, friction=0.1);
 EOF
