@@ -256,12 +256,25 @@ Vector2d Assembled::point_in(const Assembled& other, int vertex) const {
          (other.mesh().vertices.col(0) - mesh().vertices.col(0));
 }
 
+namespace {
+
+RigidTool rigid_tool(const Tool& tool, const Vector2d& origin) {
+  RigidTool rigid;
+  rigid.about = tool.about - origin;
+  rigid.push << tool.push, tool.moment;
+  rigid.free = Matrix3d::Identity().leftCols(tool.turns ? 3 : 2);
+  return rigid;
+}
+
+}  // namespace
+
 SolvedBody Assembled::solved(const ContactSolution& solution) const {
   SolvedBody body;
   body.hooke = hooke;
   body.displacement = solution.displacement;
   body.pressure = solution.pressure;
   body.law = law;
+  body.tool = tool;
   body.neumann = neumann;
   body.body_loads.resize(6, mesh().cells.cols());
   for (int t = 0; t < mesh().cell_count(); ++t)
@@ -285,7 +298,18 @@ Assembled assembled(const Case& problem) {
   put_matrix(problem.tgv, parts);
   put_lines(problem, parts);
   put_law(problem, parts);
+  if (problem.tool) parts.tool = rigid_tool(*problem.tool, parts.mesh().origin);
   return parts;
+}
+
+ContactSolution solved_contact(Assembled& parts, const ElasticSystem& system) {
+  if (!parts.tool)
+    return solve_contact(parts.mesh(), parts.line, parts.law, system);
+  ToolSolution solved = solve_contact_with_tool(parts.mesh(), parts.line,
+                                                parts.law, system, *parts.tool);
+  parts.before_tool = parts.law.previous;
+  parts.law = std::move(solved.law);
+  return std::move(solved.solution);
 }
 
 Refined refined(const Case& problem, const Assembled& coarse) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "case.hpp"
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/rigid_tool.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/interface/facing_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
@@ -34,6 +37,8 @@ struct Assembled {
   Matrix4Xd
       neumann;  ///< moments of the tractions at the ends of each boundary edge
   Matrix2Xd body_force;  ///< per triangle
+  std::optional<RigidTool> tool;
+  VectorXd before_tool;  ///< `previous` before it moved
 
   const Mesh& mesh() const { return joined.mesh; }
   SolvedBody solved(const ContactSolution& solution) const;
@@ -41,6 +46,9 @@ struct Assembled {
   /// meshes choose their origin.
   Vector2d point_in(const Assembled& other, int vertex) const;
 };
+
+/// With a tool, the law is then that against the foundation where it has moved it.
+ContactSolution solved_contact(Assembled& parts, const ElasticSystem& system);
 
 /// @throws std::invalid_argument  where the library refuses mesh, line or traces
 Assembled assembled(const Case& problem);

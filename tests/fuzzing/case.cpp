@@ -58,6 +58,8 @@ class Reader {
  public:
   explicit Reader(const std::string& text) : text_(text) {}
 
+  bool at_end() { return (text_ >> std::ws).eof(); }
+
   template <class... Values>
   void line(const char* name, Values&... values) {
     std::string found;
@@ -172,6 +174,7 @@ std::string kind(const Case& problem) {
          std::to_string(problem.bodies.size()) +
          (problem.bodies.size() > 1 ? " bodies"
           : problem.has_opposites() ? " body with a crack"
+          : problem.tool            ? " body and a tool"
                                     : " body") +
          (problem.promise == Promise::solution ? "" : " (soundness only)");
 }
@@ -190,6 +193,9 @@ std::string text_of(const Case& c) {
   for (const Body& body : c.bodies) write(out, body);
   for (const Contact& contact : c.contacts)
     out.line("contact", contact.body, contact.labels, contact.opposites);
+  if (c.tool)
+    out.line("tool", c.tool->push, c.tool->turns, c.tool->moment,
+             c.tool->about);
   return out.text();
 }
 
@@ -213,6 +219,9 @@ Case case_of(const std::string& text) {
   c.contacts.resize(contacts);
   for (Contact& contact : c.contacts)
     in.line("contact", contact.body, contact.labels, contact.opposites);
+  if (in.at_end()) return c;
+  Tool& tool = c.tool.emplace();
+  in.line("tool", tool.push, tool.turns, tool.moment, tool.about);
   return c;
 }
 

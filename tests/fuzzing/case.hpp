@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,14 @@ struct Contact {
   std::vector<Opposite> opposites;
 };
 
+/// A rigid foundation that is pushed, and turns about a point where its moment is given.
+struct Tool {
+  Vector2d push{0, 0};  ///< [N/mm]
+  bool turns = false;
+  double moment = 0;  ///< about `about` [N]
+  Vector2d about{0, 0};
+};
+
 enum class Law { frictionless, tresca, coulomb };
 
 /// What the theory promises of the problem.
@@ -81,6 +90,7 @@ struct Case {
       slip_bound;  ///< what is below 0 counts as 0; read as the law asks
   bool has_gap = false, has_previous = false;
   Field gap, previous;  ///< [mm]; without a gap that of the meshes is taken
+  std::optional<Tool> tool;
   /// how supports stand in the matrix: 1e30, -1 or -2, as FreeFEM's tgv
   double tgv = 1e30;
   Vector2d origin{0, 0};

@@ -35,11 +35,10 @@ Finds solution_finds(const Case& problem, const Assembled& parts,
 
 /// Does no density that is linear on the contact edges, and in the friction cone at nine
 /// places of each, have the resultants of the contact forces along the rigid motions that
-/// prescribed dofs leave free? So it is where a body stands on one end of its line: its
+/// prescribed dofs leave free, and along those of a tool? So it is where a body stands on one end of its line: its
 /// reaction is concentrated, which no finite stress of the continuous problem has, and
-/// there is no admissible pair. Not answered (false) for Tresca's law.
-bool no_density_holds(const Case& problem, const Assembled& parts,
-                      const ContactSolution& solution);
+/// there is no admissible pair.
+bool no_density_holds(const Assembled& parts, const ContactSolution& solution);
 
 /// displacement: u_hat keeps prescribed values and does not penetrate (1e-9);
 /// divergence, jump, traction: div + f = 0 on each subtriangle, sigma n continuous and

@@ -430,6 +430,33 @@ void check_error(const Case& problem, const Assembled& parts,
                             relative_square));
 }
 
+/// Contact tractions push the tool as it is pushed.
+void check_push(const Assembled& parts, const Estimate& estimate,
+                Finds& finds) {
+  if (!parts.tool) return;
+  const ContactLine& line = parts.line;
+  Matrix2Xd x(2, 2 * line.edge_count()), f(2, 2 * line.edge_count());
+  for (int e = 0; e < line.edge_count(); ++e) {
+    Matrix2d r;
+    for (int end = 0; end < 2; ++end) {
+      const Vector2d n = line.normal.col(line.edge_node(end, e));
+      r.col(end) =
+          estimate.tractions.normal(end, e) * n +
+          estimate.tractions.tangential(end, e) * Vector2d(-n.y(), n.x());
+    }
+    for (int end = 0; end < 2; ++end) {
+      x.col(2 * e + end) =
+          parts.mesh().vertices.col(line.vertex[line.edge_node(end, e)]);
+      f.col(2 * e + end) =
+          line.length[e] / 6 * (2 * r.col(end) + r.col(1 - end));
+    }
+  }
+  const double missed = missed_push(*parts.tool, x, f, line.length.sum());
+  if (!(missed <= 1e-9))
+    finds.push_back(
+        finding("tool", how_far(missed), "r_hat misses its push by ", missed));
+}
+
 }  // namespace
 
 Finds estimate_finds(const Case& problem, const Assembled& parts,
@@ -439,6 +466,7 @@ Finds estimate_finds(const Case& problem, const Assembled& parts,
   if (estimate.refinement)
     check_refinement(parts, ground, estimate.refinement->exact, finds);
   check_displacement(parts, ground, estimate, finds);
+  check_push(parts, estimate, finds);
   const double scale = stress_scale(parts, ground, estimate.displacement);
   const double contact =
       std::max(estimate.tractions.normal.cwiseAbs().maxCoeff(),

@@ -512,6 +512,35 @@ void give_law(Case& c, const Plan& plan, Dice& dice) {
   if (c.has_previous) c.previous = random_field(plan.strain, dice);
 }
 
+/// The foundation of a held body becomes a tool that is pressed against it, and turns
+/// about a point near its line.
+void give_tool(Case& c, const Plan& plan, Dice& dice) {
+  const Mesh& mesh = c.bodies.front().mesh;
+  Vector2d n(0, 0), middle(0, 0);
+  double length = 0;
+  for (Index e = 0; e < mesh.boundary.cols(); ++e) {
+    if (mesh.boundary_label[e] != c.contacts.front().labels.front()) continue;
+    const Vector2d a = mesh.vertices.col(mesh.boundary(0, e)),
+                   b = mesh.vertices.col(mesh.boundary(1, e));
+    n += Vector2d((b - a).y(), (a - b).x());
+    middle += (b - a).norm() * (a + b) / 2;
+    length += (b - a).norm();
+  }
+  if (length == 0) return;
+  middle /= length;
+  const double force = plan.softest * plan.strain * length * dice.real(0.1, 1);
+  Tool tool;
+  tool.push =
+      -force * n.normalized() +
+      force * dice.real(0, 0.3) * Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+  tool.turns = dice.chance(0.6);
+  tool.about = middle + length * dice.real(0, 1) *
+                            Vector2d(dice.real(-1, 1), dice.real(-1, 1));
+  if (tool.turns) tool.moment = force * length * dice.real(-0.3, 0.3);
+  c.tool = tool;
+  c.promise = Promise::soundness;
+}
+
 /// x -> scale R S x + shift for all that has places, and lengths with it.
 void transform(Case& c, const Matrix2d& turn, double scale,
                const Vector2d& shift) {
@@ -525,6 +554,11 @@ void transform(Case& c, const Matrix2d& turn, double scale,
       s.value.mean *= scale;
       s.value.slope *= scale;
     }
+  }
+  if (c.tool) {
+    c.tool->push = scale * (turn * c.tool->push);
+    c.tool->moment *= scale * scale;
+    c.tool->about = scale * (turn * c.tool->about) + shift;
   }
   for (Field* f : {&c.gap, &c.previous}) {
     f->mean *= scale;
@@ -599,6 +633,9 @@ Case drawn(Dice& dice) {
                .cwiseAbs()
                .maxCoeff();
   give_law(c, plan, dice);
+  if (c.bodies.size() == 1 && !c.has_opposites() && c.contacts.size() == 1 &&
+      plan.support == Holding::held && dice.chance(0.08))
+    give_tool(c, plan, dice);
   place(c, plan, dice);
   give_matrix(c, dice);
   c.sweeps = dice.chance(0.8) ? 2 : dice.pick<int>({0, 1, 5, 40});

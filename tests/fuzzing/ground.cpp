@@ -84,6 +84,20 @@ Ground ground_of(const Assembled& parts, const Estimate& estimate) {
   return ground;
 }
 
+double missed_push(const RigidTool& tool, const Matrix2Xd& x,
+                   const Matrix2Xd& f, double length) {
+  Vector3d sum(0, 0, 0);
+  double size = tool.push.head<2>().norm() + std::abs(tool.push[2]) / length;
+  for (Index k = 0; k < x.cols(); ++k) {
+    const Vector2d arm = x.col(k) - tool.about, F = f.col(k);
+    sum += Vector3d(F.x(), F.y(), arm.x() * F.y() - arm.y() * F.x());
+    size += F.norm() * (1 + arm.norm() / length);
+  }
+  Vector3d off = sum - tool.push;
+  off[2] = tool.free.cols() > 2 ? off[2] / length : 0;
+  return size > 0 ? off.norm() / size : 0;
+}
+
 Dense mass_of(const Mesh& mesh, const ContactLine& line) {
   Dense M = Dense::Zero(line.node_count(), line.node_count());
   for (int e = 0; e < line.edge_count(); ++e) {

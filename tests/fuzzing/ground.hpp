@@ -56,6 +56,11 @@ struct Largest {
   }
 };
 
+/// How far forces f at places x are from what pushes a tool: force and, where it turns,
+/// moment about its point, relative to all of them.
+double missed_push(const RigidTool& tool, const Matrix2Xd& x,
+                   const Matrix2Xd& f, double length);
+
 /// The mesh and line of the estimate with the case's data on them.
 struct Ground {
   const Mesh& mesh;

@@ -51,6 +51,23 @@ Dense free_motions(const Assembled& parts) {
   return result;
 }
 
+/// And those of a tool, which contact pushes as it is pushed.
+Dense with_tool_motions(const Dense& motions, const Assembled& parts) {
+  if (!parts.tool) return motions;
+  const Index free = parts.tool->free.cols();
+  Dense all(parts.load.size(), motions.cols() + free);
+  all.leftCols(motions.cols()) = motions;
+  const double length = parts.line.length.sum();
+  for (int v = 0; v < parts.mesh().vertex_count(); ++v) {
+    const Vector2d arm =
+        (parts.mesh().vertices.col(v) - parts.tool->about) / length;
+    Dense rigid(2, 3);
+    rigid << 1, 0, -arm.y(), 0, 1, arm.x();
+    all.rightCols(free).middleRows<2>(2 * v) = rigid.leftCols(free);
+  }
+  return all;
+}
+
 /// Distance of a vector to the cone of the columns, by active sets: Lawson and Hanson,
 /// Solving Least Squares Problems, 1974.
 double distance_to_cone(const Dense& columns, const VectorXd& wanted) {
@@ -117,15 +134,23 @@ Dense work_of_densities(const Assembled& parts, const Dense& motions) {
   return work;
 }
 
-/// -r_n >= 0 and -mu r_n +- r_t >= 0 at some places of each edge: what the cone asks for
+/// coefficients x + given >= 0
+struct Conditions {
+  Dense coefficients;
+  VectorXd given;
+};
+
+/// -r_n >= 0 and -mu r_n +- r_t >= 0, or Tresca's bound +- r_t >= 0, at some places of each edge: what the cone asks for
 /// there; and the slope of the latter at ends without friction, where it vanishes
 /// [conditions x 4 edges].
-Dense cone_conditions(const Assembled& parts, int steps) {
+Conditions cone_conditions(const Assembled& parts, int steps) {
   const ContactLine& line = parts.line;
   const std::vector<double> all = places(steps);
   const auto rows = static_cast<Index>(3 * all.size() + 4);
   Dense conditions =
       Dense::Zero(rows * line.edge_count(), 4 * line.edge_count());
+  VectorXd given = VectorXd::Zero(conditions.rows());
+  const VectorXd& bound = parts.law.slip_bound;
   Index row = 0;
   for (int e = 0; e < line.edge_count(); ++e) {
     const double mu[2] = {parts.law.friction[line.edge_node(0, e)],
@@ -136,41 +161,47 @@ Dense cone_conditions(const Assembled& parts, int steps) {
     for (const double s : all)
       for (int sign : {-1, 0, 1}) {
         const double hat[2] = {1 - s, s};
-        const double factor = sign == 0 ? 1 : hat[0] * mu[0] + hat[1] * mu[1];
+        const bool is_tresca = sign != 0 && bound.size() > 0;
+        const double factor = sign == 0   ? 1
+                              : is_tresca ? 0
+                                          : hat[0] * mu[0] + hat[1] * mu[1];
+        for (int end = 0; is_tresca && end < 2; ++end)
+          given[row] +=
+              hat[end] * bound[line.edge_node(end, e)] * line.length[e];
         for (int end = 0; end < 2; ++end)
           condition(end) << -factor * hat[end], sign * hat[end];
         ++row;
       }
     for (int end = 0; end < 2; ++end)
       for (int sign : {-1, 1}) {
-        if (mu[end] > 0) continue;
+        if (mu[end] > 0 || bound.size() > 0) continue;
         condition(end) << -mu[1 - end], sign;
         condition(1 - end) << 0, sign;
         ++row;
       }
   }
-  return conditions.topRows(row);
+  return {conditions.topRows(row), given.head(row)};
 }
 
 /// How far resultants are from those of densities that are in the cone at some places.
 /// work p - work q = resultants and conditions (p - q) = slack with p, q, slack >= 0.
-double distance_to_densities(const Dense& work, const Dense& conditions,
+double distance_to_densities(const Dense& work, const Conditions& conditions,
                              const VectorXd& resultants) {
-  const Index m = work.rows(), n = conditions.rows(), d = work.cols();
+  const Dense& of_values = conditions.coefficients;
+  const Index m = work.rows(), n = of_values.rows(), d = work.cols();
   Dense columns = Dense::Zero(m + n, 2 * d + n);
-  columns << work, -work, Dense::Zero(m, n), conditions, -conditions,
+  columns << work, -work, Dense::Zero(m, n), of_values, -of_values,
       -Dense::Identity(n, n);
   VectorXd wanted = VectorXd::Zero(m + n);
-  wanted.head(m) = resultants / resultants.norm();
+  wanted << resultants, -conditions.given;
+  wanted /= resultants.norm();
   return distance_to_cone(columns, wanted);
 }
 
 }  // namespace
 
-bool no_density_holds(const Case& problem, const Assembled& parts,
-                      const ContactSolution& solution) {
-  if (problem.law == Law::tresca) return false;
-  const Dense motions = free_motions(parts);
+bool no_density_holds(const Assembled& parts, const ContactSolution& solution) {
+  const Dense motions = with_tool_motions(free_motions(parts), parts);
   if (motions.cols() == 0) return false;
   VectorXd resultants(motions.cols());
   for (Index k = 0; k < motions.cols(); ++k)

@@ -412,6 +412,34 @@ bool jams(const Assembled& parts, int i, int j) {
   return opposed >= std::cos(std::atan(mu[i]) + std::atan(mu[j]));
 }
 
+/// Do supports hold a node along its line? Friction there cannot be told from what these
+/// do: it pushes no tool, and a tool's slip is none there.
+bool is_held_along(const Assembled& parts, int node) {
+  const Vector2d n = parts.line.normal.col(node);
+  return is_held(free_parts(parts, node, {-n.y(), n.x()}));
+}
+
+/// The push of pressures is of all of them, that of forces of those that load the body.
+void check_tool(const Case& problem, const Assembled& parts,
+                const ContactSolution& solution, Finds& finds) {
+  if (!parts.tool) return;
+  const ContactLine& line = parts.line;
+  const bool of_all = problem.multiplier == Multiplier::pressure;
+  Matrix2Xd x(2, line.node_count()), F = Matrix2Xd::Zero(2, line.node_count());
+  for (int i = 0; i < line.node_count(); ++i) {
+    const Vector2d n = line.normal.col(i);
+    x.col(i) = parts.mesh().vertices.col(line.vertex[i]);
+    if (of_all || !is_held(free_parts(parts, i, n)))
+      F.col(i) += solution.force(0, i) * n;
+    if (!is_held_along(parts, i))
+      F.col(i) += solution.force(1, i) * Vector2d(-n.y(), n.x());
+  }
+  const double missed = missed_push(*parts.tool, x, F, line.length.sum());
+  if (!(missed <= of_the_row))
+    finds.push_back(finding("tool", how_far(missed),
+                            "contact forces miss its push by ", missed));
+}
+
 }  // namespace
 
 Finds line_finds(const Case& problem, const Assembled& parts) {
@@ -469,9 +497,15 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
 Finds solution_finds(const Case& problem, const Assembled& parts,
                      const ContactSolution& solution) {
   Finds finds;
+  check_tool(problem, parts, solution, finds);
   check_balance(parts, solution, finds);
   check_supports(parts, solution, finds);
-  check_law(problem, parts, solution, finds);
+  Assembled felt = parts;
+  for (int i = 0; parts.tool && i < parts.line.node_count(); ++i)
+    if (is_held_along(parts, i))
+      felt.law.previous[i] =
+          parts.before_tool.size() > 0 ? parts.before_tool[i] : 0;
+  check_law(problem, felt, solution, finds);
   return finds;
 }
 
