@@ -6,7 +6,6 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/bounded_friction.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
 #include "ffcontact/estimate/compared.hpp"
 #include "ffcontact/estimate/error_history.hpp"
@@ -17,6 +16,7 @@
 #include "ffcontact/estimate/sticking_displacement.hpp"
 #include "ffcontact/estimate/stress_norms.hpp"
 #include "ffcontact/estimate/tool_work.hpp"
+#include "ffcontact/estimate/wide_cones.hpp"
 
 namespace ffcontact {
 
@@ -29,46 +29,6 @@ double largest_value(const std::vector<CompositeStress>& stress) {
   return largest;
 }
 
-/// Coulomb's coefficient, the least along an edge; 0 of Tresca's law.
-double least_friction(const ContactLine& line, const ContactLaw& law, int e) {
-  if (law.tresca()) return 0;
-  const Matrix2Xd& along = law.between_nodes.least;
-  if (along.size() > 0) return along.col(e).minCoeff();
-  return std::min(law.friction[line.edge_node(0, e)],
-                  law.friction[line.edge_node(1, e)]);
-}
-
-/// The nearest r in a wide cone: what gives way is r_n, not r_t, which would by mu times as
-/// much. An r_n below `least` is rounding, and is as small as the law allows, |r_t| / mu: e
-/// would pay mu |w_t|, or the shear limit's, for it.
-Vector2d in_wide_cone(double mu, double limit, const Vector2d& r,
-                      double least) {
-  const double tangential = std::clamp(r[1], -limit, limit),
-               allowed = -std::abs(tangential) / mu;
-  return {std::abs(r[0]) < least ? allowed : std::min(r[0], allowed),
-          tangential};
-}
-
-/// Relaxation leaves tractions outside of the cone by its rounding; inside they unbalance
-/// the stresses by as little.
-void clamp_rounding(const ContactLine& line, const ContactLaw& law,
-                    ContactDensities& densities) {
-  constexpr double rounding = 2e-11;
-  const double least = rounding * largest_traction(densities);
-  for (int e = 0; e < line.edge_count(); ++e) {
-    Vector4d r = end_values(densities, e);
-    const double mu = least_friction(line, law, e);
-    if (mu > most_friction) {
-      const auto [first, second] = least_cones(line, law, e);
-      r << in_wide_cone(mu, first.limit, r.head<2>(), least),
-          in_wide_cone(mu, second.limit, r.tail<2>(), least);
-    } else {
-      r = clamped_to_cone(line, law, e, r);
-    }
-    set_end_values(densities, e, r);
-  }
-}
-
 /// sigma_hat and r_hat: by its edge loads less those of the compared stress.
 struct RelaxedTractions {
   EdgeLoadsOfAll difference;
@@ -78,10 +38,12 @@ struct RelaxedTractions {
 
 FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
                              const ContactDensities& densities,
-                             const std::vector<int>& contact_edge) {
+                             std::vector<int> contact_edge) {
   const TractionCosts costs =
       traction_costs(line, compared.law, densities, compared.displacement);
-  return {densities, costs.normal, costs.tangential, contact_edge};
+  for (int& e : contact_edge)
+    if (e >= 0 && stays_unloaded(line, compared, densities, costs, e)) e = -1;
+  return {densities, costs.normal, costs.tangential, std::move(contact_edge)};
 }
 
 RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,

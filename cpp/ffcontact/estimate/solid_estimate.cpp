@@ -95,6 +95,28 @@ SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
   return norms;
 }
 
+bool carries_nothing(const SolidEstimate& estimate, const Vector3i& nodes) {
+  return estimate.tractions(Eigen::all, nodes).isZero(0);
+}
+
+/// |w_t| on a face, where it has one direction.
+double mean_slip(const ContactFace& face) {
+  return 3 * max_norm(face.slip) / face.area;
+}
+
+/// Does a face without tractions stay without? As stays_unloaded in the plane.
+bool stays_unloaded(const SolvedSolidProblem& solved, const ContactFace& face,
+                    const SolidEstimate& estimate) {
+  constexpr double far = 10;
+  const SurfaceLaw& law = solved.body.law;
+  const Vector3i nodes = solved.surface.face_node.col(face.surface_face);
+  if (law.slip_bound.size() > 0) return false;
+  const double mu = law.friction(nodes).minCoeff();
+  return mu > most_friction && carries_nothing(estimate, nodes) &&
+         mu * mean_slip(face) >
+             far * most_friction * max_norm(estimate.displacement);
+}
+
 /// The contact faces whose tractions are relaxed: those that carry nothing beside.
 std::vector<ContactFace> relaxed_faces(const SolvedSolidProblem& solved,
                                        const SolidEstimate& estimate) {
@@ -105,7 +127,9 @@ std::vector<ContactFace> relaxed_faces(const SolvedSolidProblem& solved,
                      estimate.displacement)) {
     const auto given =
         body.neumann.col(topology.faces.boundary_index[face.face]);
-    if (face.opposite < 0 || given.isZero(0)) relaxed.push_back(face);
+    const bool is_free = face.opposite < 0 || given.isZero(0);
+    if (is_free && !stays_unloaded(solved, face, estimate))
+      relaxed.push_back(face);
   }
   return relaxed;
 }
