@@ -44,6 +44,15 @@ inline const char* how_far(double defect) {
   return defect <= 1e-6 ? "little: " : "much: ";
 }
 
+/// Of a problem that has a solution.
+template <class Solution>
+Find unsolved(const Solution& solution) {
+  return finding("unsolved",
+                 how_far(std::max(solution.residual, solution.complementarity)),
+                 in_words(solution.status), ", residual ", solution.residual,
+                 ", violation ", solution.complementarity);
+}
+
 /// The largest of many values and where it was.
 struct Largest {
   double value = 0;

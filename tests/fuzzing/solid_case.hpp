@@ -15,7 +15,6 @@ namespace ffcontact::fuzz {
 /// What a boundary face carries.
 struct OnFace {
   Vector3d traction = Vector3d::Zero();  ///< [MPa]
-  bool in_contact = false;  ///< of a label on one side of a contact
 };
 
 /// One problem as scripts state it. Everything follows from seed and index.

@@ -258,15 +258,14 @@ Side side_of(const Subdivided& stress, int cell, int k, const FaceKey& key) {
 
 class StressChecks {
  public:
-  StressChecks(const SolidCase& problem, const ElasticSystem& system,
-               const SurfaceSolution& solution, const SolidEstimate& estimate)
+  StressChecks(const SolidCase& problem, const SurfaceSolution& solution,
+               const SolidEstimate& estimate)
       : problem_(problem), estimate_(estimate) {
     const SolidTopology topology = topology_of(problem.mesh);
     const SolvedSolid body{problem.hooke,     solution.displacement,
                            solution.force,    problem.law,
                            problem.neumann(), problem.body_loads(),
                            solution.stiffness};
-    static_cast<void>(system);
     for (int t = 0; t < problem.mesh.cell_count(); ++t) {
       stress_.emplace_back(problem.mesh, t,
                            stress_of(topology, estimate, body, t));
@@ -556,7 +555,6 @@ Finds solid_solution_finds(const SolidCase& problem,
 }
 
 Finds solid_estimate_finds(const SolidCase& problem,
-                           const ElasticSystem& system,
                            const SurfaceSolution& solution,
                            const SolidEstimate& estimate) {
   Finds finds;
@@ -569,8 +567,7 @@ Finds solid_estimate_finds(const SolidCase& problem,
   check_supports(problem, estimate.displacement, "u_hat", finds);
   check_clear(problem, estimate, finds);
   check_cone(problem, estimate, finds);
-  const Finds of_stress =
-      StressChecks(problem, system, solution, estimate).finds();
+  const Finds of_stress = StressChecks(problem, solution, estimate).finds();
   finds.insert(finds.end(), of_stress.begin(), of_stress.end());
   return finds;
 }
@@ -606,12 +603,7 @@ Outcome outcome_of(const SolidCase& problem) {
         solve_contact(problem.mesh, problem.surface, problem.law, system);
     if (!solution.accepted({})) {
       outcome.answer = std::string("not solved: ") + in_words(solution.status);
-      if (problem.promised)
-        outcome.finds.push_back(finding(
-            "unsolved",
-            how_far(std::max(solution.residual, solution.complementarity)),
-            in_words(solution.status), ", residual ", solution.residual,
-            ", violation ", solution.complementarity));
+      if (problem.promised) outcome.finds.push_back(unsolved(solution));
       return outcome;
     }
     outcome.finds = solid_solution_finds(problem, solution);
@@ -623,8 +615,7 @@ Outcome outcome_of(const SolidCase& problem) {
         {problem.hooke, solution.displacement, solution.force, problem.law,
          problem.neumann(), problem.body_loads(), solution.stiffness},
         settings);
-    const Finds of_pair =
-        solid_estimate_finds(problem, system, solution, estimate);
+    const Finds of_pair = solid_estimate_finds(problem, solution, estimate);
     outcome.finds.insert(outcome.finds.end(), of_pair.begin(), of_pair.end());
     const bool is_rigid_plane =
         !problem.surface.against_a_body() && problem.law.gap.size() == 0 &&

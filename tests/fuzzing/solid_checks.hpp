@@ -20,7 +20,6 @@ Finds solid_solution_finds(const SolidCase& problem,
 /// their reactions on the other bodies; cone: tractions at many places of every contact
 /// face; error: e^2 summed anew.
 Finds solid_estimate_finds(const SolidCase& problem,
-                           const ElasticSystem& system,
                            const SurfaceSolution& solution,
                            const SolidEstimate& estimate);
 

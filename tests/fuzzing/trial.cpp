@@ -147,11 +147,7 @@ Outcome outcome_of(const Case& problem) {
   if (!solution.accepted({})) {
     outcome.answer = std::string("not solved: ") + in_words(solution.status);
     if (problem.promise == Promise::solution && possible == Feasible::yes)
-      outcome.finds.push_back(finding(
-          "unsolved",
-          how_far(std::max(solution.residual, solution.complementarity)),
-          in_words(solution.status), ", residual ", solution.residual,
-          ", violation ", solution.complementarity));
+      outcome.finds.push_back(unsolved(solution));
     return outcome;
   }
   if (possible == Feasible::no) {
