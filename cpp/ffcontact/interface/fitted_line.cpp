@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
+#include "ffcontact/interface/common_turn.hpp"
+
 namespace ffcontact {
 
 namespace {
-
-/// Directions that turn by less along an edge are those of a straight line.
-constexpr double straight_turn = 0.01;
 
 /// Sums over opposite edges of m by length at each node [2 x p], zero where nothing faces
 /// it.
@@ -29,19 +28,6 @@ bool face_one_by_one(const std::vector<FacingPiece>& pieces) {
                      [](const FacingPiece& piece) { return piece.is_whole(); });
 }
 
-/// How directions turn along the edges.
-struct LineTurning {
-  double own = 0, common = 0;  ///< sums of a . a and a . b
-  CurvedEdge most{-1, 0};
-
-  void add(const CurvedEdge& edge, const Vector2d& a, const Vector2d& b) {
-    own += a.squaredNorm();
-    common += a.dot(b);
-    if (edge.sagitta > most.sagitta) most = edge;
-  }
-  bool fits() const { return common > 0.5 * own && common < 2 * own; }
-};
-
 }  // namespace
 
 std::optional<CurvedEdge> edge_of_fitted_line(
@@ -50,16 +36,18 @@ std::optional<CurvedEdge> edge_of_fitted_line(
   if (face_one_by_one(pieces)) return std::nullopt;
   const Matrix2Xd sums = opposite_normals(mesh, edges, line, pieces);
   const auto faces_nothing = [&](int i) { return sums.col(i).isZero(0); };
-  LineTurning turning;
+  CommonTurn turn;
+  CurvedEdge most{-1, 0};
   for (int e = 0; e < line.edge_count(); ++e) {
     const int i = line.edge_node(0, e), j = line.edge_node(1, e);
-    const Vector2d a = line.normal.col(j) - line.normal.col(i);
-    if (a.norm() <= straight_turn || faces_nothing(i) || faces_nothing(j))
-      continue;
-    turning.add({line.edge[e], line.length[e] * a.norm() / 8}, a,
-                sums.col(i).normalized() - sums.col(j).normalized());
+    if (faces_nothing(i) || faces_nothing(j)) continue;
+    const Vector2d a = line.normal.col(j) - line.normal.col(i),
+                   b = sums.col(i).normalized() - sums.col(j).normalized();
+    const double sagitta = line.length[e] * a.norm() / 8;
+    if (turn.add(a, b) && sagitta > most.sagitta)
+      most = {line.edge[e], sagitta};
   }
-  return turning.fits() ? std::optional(turning.most) : std::nullopt;
+  return turn.fits() ? std::optional(most) : std::nullopt;
 }
 
 }  // namespace ffcontact

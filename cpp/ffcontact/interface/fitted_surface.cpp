@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/fitted_surface.hpp"
 
+#include "ffcontact/interface/common_turn.hpp"
+
 namespace ffcontact {
 
 namespace {
-
-/// Normals that turn by less along a side of a face are those of a plane.
-constexpr double least_turn = 0.01;
 
 /// Sums over opposite faces of m by area at each node [3 x p], zero where nothing faces
 /// it.
@@ -24,15 +23,12 @@ Matrix3Xd opposite_normals(const SolidMesh& mesh, const Facets<3>& faces,
 
 /// How normals turn along the sides of contact faces.
 struct Turning {
-  double own = 0, common = 0;  ///< sums of a . a and a . b
-  double most = least_turn;
+  CommonTurn turn;
+  double most = CommonTurn::least;
   std::optional<NodeOfFace> node;  ///< where |a| is the largest
 
   void add(const NodeOfFace& at, const Vector3d& a, const Vector3d& b) {
-    if (a.norm() <= least_turn) return;
-    own += a.squaredNorm();
-    common += a.dot(b);
-    if (a.norm() <= most) return;
+    if (!turn.add(a, b) || a.norm() <= most) return;
     most = a.norm();
     node = at;
   }
@@ -57,9 +53,7 @@ std::optional<NodeOfFace> node_of_fitted_surface(
         turning.add({j, m}, a,
                     sums.col(k).normalized() - sums.col(j).normalized());
     }
-  const bool fits =
-      turning.common > 0.5 * turning.own && turning.common < 2 * turning.own;
-  return fits ? turning.node : std::nullopt;
+  return turning.turn.fits() ? turning.node : std::nullopt;
 }
 
 }  // namespace ffcontact
