@@ -29,11 +29,10 @@ class SurfaceEquations {
 
   bool is_held(int row) const { return held_[row] != 0; }
   bool is_open(int node) const { return states_[node].open; }
-  /// Is P = 0 the condition on a row, whatever the others are?
-  bool is_free_of_force(int row) const {
-    const NodeState& state = states_[row / 3];
-    return state.open && (row % 3 == 0 || (state.slips && state.share == 0 &&
-                                           state.given == 0));
+  /// Is P = 0 the condition on all rows of a node?
+  bool carries_nothing(int node) const {
+    const NodeState& state = states_[node];
+    return state.open && state.slips && state.share == 0 && state.given == 0;
   }
   /// Is v = 0 the condition on a row?
   bool is_fixed(int row) const { return states_[row / 3].fixes(row % 3); }

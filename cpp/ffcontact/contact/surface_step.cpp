@@ -39,7 +39,7 @@ class SurfaceStep {
     rows = spread(x);
     // exactly, so that a body without contact has no forces of rounding
     for (int row = 0; row < rows.P.size(); ++row)
-      if (equations_.is_free_of_force(row)) rows.P[row] = 0;
+      if (equations_.carries_nothing(row / 3)) rows.P[row] = 0;
     return kind;
   }
 

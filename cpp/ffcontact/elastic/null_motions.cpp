@@ -3,8 +3,6 @@
 
 #include <limits>
 
-#include "ffcontact/base/products.hpp"
-
 namespace ffcontact {
 
 namespace {
