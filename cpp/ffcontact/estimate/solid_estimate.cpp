@@ -95,26 +95,20 @@ SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
   return norms;
 }
 
-bool carries_nothing(const SolidEstimate& estimate, const Vector3i& nodes) {
-  return estimate.tractions(Eigen::all, nodes).isZero(0);
-}
-
 /// |w_t| on a face, where it has one direction.
 double mean_slip(const ContactFace& face) {
   return 3 * max_norm(face.slip) / face.area;
 }
 
-/// Does a face without tractions stay without? As stays_unloaded in the plane.
+/// Does a face without tractions stay without, as outweighs_all_gains says?
 bool stays_unloaded(const SolvedSolidProblem& solved, const ContactFace& face,
                     const SolidEstimate& estimate) {
-  constexpr double far = 10;
   const SurfaceLaw& law = solved.body.law;
   const Vector3i nodes = solved.surface.face_node.col(face.surface_face);
-  if (law.slip_bound.size() > 0) return false;
-  const double mu = law.friction(nodes).minCoeff();
-  return mu > most_friction && carries_nothing(estimate, nodes) &&
-         mu * mean_slip(face) >
-             far * most_friction * max_norm(estimate.displacement);
+  return law.slip_bound.size() == 0 &&
+         estimate.tractions(Eigen::all, nodes).isZero(0) &&
+         outweighs_all_gains(law.friction(nodes).minCoeff(), mean_slip(face),
+                             max_norm(estimate.displacement));
 }
 
 /// The contact faces whose tractions are relaxed: those that carry nothing beside.

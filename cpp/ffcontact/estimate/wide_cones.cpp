@@ -60,11 +60,10 @@ void clamp_rounding(const ContactLine& line, const ContactLaw& law,
 bool stays_unloaded(const ContactLine& line, const Compared& compared,
                     const ContactDensities& densities,
                     const TractionCosts& costs, int e) {
-  constexpr double far = 10;
-  const double mu = least_friction(line, compared.law, e);
-  return mu > most_friction && end_values(densities, e).isZero(0) &&
-         mu * mean_slip(line, costs, e) >
-             far * most_friction * max_norm(compared.displacement);
+  return end_values(densities, e).isZero(0) &&
+         outweighs_all_gains(least_friction(line, compared.law, e),
+                             mean_slip(line, costs, e),
+                             max_norm(compared.displacement));
 }
 
 }  // namespace ffcontact

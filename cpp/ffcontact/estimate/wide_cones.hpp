@@ -14,9 +14,7 @@ namespace ffcontact {
 void clamp_rounding(const ContactLine& line, const ContactLaw& law,
                     ContactDensities& densities);
 
-/// Does an edge without tractions stay without? Friction without bound costs more there
-/// than any traction in the cone of most_friction gains: what relaxation would make of it
-/// is rounding, for which e pays mu times as much.
+/// Does an edge without tractions stay without, as outweighs_all_gains says?
 bool stays_unloaded(const ContactLine& line, const Compared& compared,
                     const ContactDensities& densities,
                     const TractionCosts& costs, int e);
