@@ -42,6 +42,34 @@ double terms_of_equation(const ElasticSystem& system, Index dof,
   return terms;
 }
 
+double defect_of_forces(const ElasticSystem& system, const VectorXd& r,
+                        const VectorXd& u, const VectorXd& contact,
+                        double apart) {
+  const double forces = largest_force(system, contact);
+  double defect = 0;
+  for (Index dof = 0; dof < r.size(); ++dof) {
+    if (r[dof] == 0) continue;
+    const double terms = terms_of_equation(system, dof, u, apart);
+    const double scale = std::max(forces, share_of_terms * terms);
+    defect = std::max(defect, std::abs(r[dof]) / scale);
+  }
+  return defect;
+}
+
+double defect_of_rows(const ElasticSystem& system, const VectorXd& r,
+                      const VectorXd& u, const VectorXd& contact,
+                      double apart) {
+  const double moved = max_norm(u) + apart;
+  VectorXd size = system.load.cwiseAbs() + contact.cwiseAbs();
+  for (Index dof = 0; dof < r.size(); ++dof)
+    size[dof] = system.prescribed[dof]
+                    ? 0
+                    : size[dof] + moved * row_sum(system.stiffness, dof);
+  const double least = share_of_largest_row * max_norm(size);
+  if (least == 0) return 0;
+  return (r.array().abs() / size.array().max(least)).maxCoeff();
+}
+
 /// v of the rows that hold it, W (u_n - gap, u_t - previous), and 0 on the others.
 VectorXd held_displacement(const ContactLine& line, const ContactLaw& law,
                            const HeldRows& held, const ContactStates& state,
@@ -74,43 +102,20 @@ VectorXd force_residual(const ElasticSystem& system, const VectorXd& u,
       system.load + contact - system.stiffness * (u - system.prescribed_value));
 }
 
-double equilibrium_defect(const ElasticSystem& system,
-                          const VectorXd& displacement,
-                          const VectorXd& contact_load, double apart) {
+ResidualDefect residual_defect(const ElasticSystem& system,
+                               const VectorXd& displacement,
+                               const VectorXd& contact_load, double apart) {
   const VectorXd r = force_residual(system, displacement, contact_load);
-  const double forces = largest_force(system, contact_load);
-  double defect = 0;
-  for (Index dof = 0; dof < r.size(); ++dof) {
-    if (r[dof] == 0) continue;
-    const double terms = terms_of_equation(system, dof, displacement, apart);
-    const double scale = std::max(forces, share_of_terms * terms);
-    defect = std::max(defect, std::abs(r[dof]) / scale);
-  }
-  return defect;
-}
-
-double row_defect(const ElasticSystem& system, const VectorXd& u,
-                  const VectorXd& contact, double apart) {
-  const VectorXd r = force_residual(system, u, contact);
-  const double moved = max_norm(u) + apart;
-  VectorXd size = system.load.cwiseAbs() + contact.cwiseAbs();
-  for (Index dof = 0; dof < r.size(); ++dof)
-    size[dof] = system.prescribed[dof]
-                    ? 0
-                    : size[dof] + moved * row_sum(system.stiffness, dof);
-  const double least = share_of_largest_row * max_norm(size);
-  if (least == 0) return 0;
-  return (r.array().abs() / size.array().max(least)).maxCoeff();
+  return {defect_of_forces(system, r, displacement, contact_load, apart),
+          defect_of_rows(system, r, displacement, contact_load, apart)};
 }
 
 ResidualDefect residual_defect(const ContactLine& line, const ContactLaw& law,
                                const ElasticSystem& system,
                                const HeldRows& held, const BodyAnswer& answer) {
-  const VectorXd& u = answer.displacement;
-  const VectorXd contact = contact_load(line, law, held, answer);
-  const double apart = largest_given(law);
-  return {equilibrium_defect(system, u, contact, apart),
-          row_defect(system, u, contact, apart)};
+  return residual_defect(system, answer.displacement,
+                         contact_load(line, law, held, answer),
+                         largest_given(law));
 }
 
 BodyAnswer refined(const ContactLine& line, const ContactLaw& law,

@@ -22,7 +22,7 @@ struct SurfaceSolution {
   int iterations = 0;           ///< dense systems solved
   std::vector<double> history;  ///< of surface_fixed_point, empty without
   double complementarity = 0;  ///< surface_violation of displacement and forces
-  double residual = 0;         ///< equilibrium_defect
+  double residual = 0;         ///< ResidualDefect::of_forces
   std::shared_ptr<const CondensedStiffness> stiffness;  ///< for further loads
 
   bool accepted(const ContactSettings& settings) const {
