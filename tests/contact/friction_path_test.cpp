@@ -79,7 +79,7 @@ RC_GTEST_PROP(FrictionCurve, points_are_solutions_with_less_friction,
   const NodalLaw share =
       with_share_of_bound(law, FrictionCurve::share(place->z));
   const VectorXd P =
-      surface_answer(condensed.contact, share, condensed.trace.held, {})
+      surface_answer(condensed.contact, condensed.stiffness, share, condensed.trace.held, {})
           .answer.P;
   RC_ASSERT((FrictionCurve::rows(place->z).P - P).norm() < 1e-6 * P.norm());
 }

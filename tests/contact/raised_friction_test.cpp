@@ -23,7 +23,7 @@ RC_GTEST_PROP(RaisedFriction, ends_at_the_solution_with_a_given_bound,
       *real(0, 2) *
       random_vector(problem.surface.node_count(), random).cwiseAbs();
   const CondensedProblem condensed(problem);
-  const auto& [trace, contact] = condensed;
+  const auto& [trace, stiffness, contact] = condensed;
   const NodalLaw law = nodal_law(problem.law, problem.surface);
   StepSolver solver;
   CondensedRelation relation(contact, solver);

@@ -11,13 +11,14 @@ namespace ffcontact::test {
 /// The condensed relation of a problem.
 struct CondensedProblem {
   SurfaceTrace trace;
+  CondensedStiffness stiffness;
   CondensedContact contact;
 
   explicit CondensedProblem(const SolidProblem& problem)
       : trace(surface_trace(problem.surface, problem.law, problem.system())),
-        contact(condensed_contact(
-            trace.trace, trace.primary, problem.b,
-            CondensedStiffness(problem.system(), trace.trace.kept_dofs))) {}
+        stiffness(problem.system(), trace.trace.kept_dofs),
+        contact(condensed_contact(trace.trace, trace.primary, problem.b,
+                                  stiffness)) {}
 };
 
 /// A block with moved vertices, any loads and either multiplier.

@@ -125,6 +125,14 @@ void put_opposite_loads(const VectorXd& h, CondensedContact& contact) {
   contact.dependent_offset += contact.opposite_of_q.transpose() * h;
 }
 
+/// Of the components (w, w_o).
+VectorXd body_load(const CondensedContact& contact) {
+  VectorXd g = contact.to_kept.transpose() * contact.load.on_kept;
+  const VectorXd& opposite = contact.opposite_load;
+  if (opposite.size() > 0) g.tail(opposite.size()) += opposite;
+  return g;
+}
+
 /// g and the offsets for a load and the v of prescribed values, by which the relation is
 /// one of v - v_prescribed: in whatever accuracy S is, v = v_prescribed needs no force.
 void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
@@ -134,7 +142,7 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
   const VectorXd given = v_prescribed(contact.primary);
   contact.v_prescribed = v_prescribed;
   contact.load = stiffness.condensed(load);
-  const VectorXd g_w = contact.to_kept.transpose() * contact.load.on_kept,
+  const VectorXd g_w = body_load(contact),
                  own = factor.solve_transposed(g_w.head(f));
   contact.g = own + contact.S * given;
   contact.dependent_offset =
@@ -142,9 +150,7 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
   contact.opposite_offset = -contact.opposite_of_v * given;
   if (o == 0) return;
   const SparseMatrix A_o = opposite_A(contact);
-  VectorXd h = g_w.tail(o) - A_o.transpose() * own;
-  if (contact.opposite_load.size() > 0) h += contact.opposite_load;
-  put_opposite_loads(h, contact);
+  put_opposite_loads(g_w.tail(o) - A_o.transpose() * own, contact);
 }
 
 /// S_w, of bodies that contact alone holds without stiffness of rounding against their
@@ -234,6 +240,11 @@ CondensedContact with_loads(CondensedContact contact,
                             const VectorXd& v_prescribed) {
   put_loads(stiffness, load, v_prescribed, primary_factor(contact), contact);
   return contact;
+}
+
+BodyRelation body_relation(const CondensedContact& contact,
+                           const CondensedStiffness& stiffness) {
+  return {body_stiffness(contact, stiffness.schur()), body_load(contact)};
 }
 
 VectorXd opposite_displacement(const CondensedContact& contact,

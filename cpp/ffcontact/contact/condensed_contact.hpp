@@ -98,6 +98,14 @@ CondensedContact with_loads(CondensedContact contact,
                             const CondensedStiffness& stiffness,
                             const VectorXd& load, const VectorXd& v_prescribed);
 
+/// The bodies in the components z = (w, w_o) of the trace:   S z = g + A'P,   v = A z + v_prescribed.
+struct BodyRelation {
+  MatrixXd S;  ///< [f + o x f + o]
+  VectorXd g;  ///< [f + o]
+};
+BodyRelation body_relation(const CondensedContact& contact,
+                           const CondensedStiffness& stiffness);
+
 /// w_o of the opposite components for v on the primary rows and multipliers q of the
 /// dependent ones.
 VectorXd opposite_displacement(const CondensedContact& contact,

@@ -13,7 +13,7 @@ namespace ffcontact {
 
 namespace {
 
-constexpr double share_of_terms = 1e-4, share_of_largest_row = 2.2e-4;
+constexpr double share_of_terms = 1e-4, share_of_largest_row = 2.2e-7;
 
 /// Of the contact forces W P on all dofs.
 VectorXd contact_load(const ContactLine& line, const ContactLaw& law,

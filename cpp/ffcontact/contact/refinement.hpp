@@ -33,8 +33,8 @@ struct ResidualDefect {
   /// body.
   double of_forces;
   /// Relative to what its own row may have, sum_j |K_ij| (max |u| + d) + |b_i| + |contact
-  /// force|, but not to less than 2.2e-4 of the largest of these, a last place of which is
-  /// 1e-12 of that. Rounding of a stiff body is large beside the forces of a soft one, which
+  /// force|, but not to less than 2.2e-7 of the largest of these, a last place of which is
+  /// 1e-9 of that. Rounding of a stiff body is large beside the forces of a soft one, which
   /// of_forces does not see; refinement takes it away.
   double of_rows;
 

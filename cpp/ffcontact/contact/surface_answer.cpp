@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/friction_path.hpp"
+#include "ffcontact/contact/multiplier_method.hpp"
 #include "ffcontact/contact/spring_path.hpp"
 #include "ffcontact/contact/surface_fixed_point.hpp"
 #include "ffcontact/contact/surface_newton.hpp"
@@ -88,6 +89,7 @@ FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
 }
 
 FixedPointResult surface_answer(const CondensedContact& contact,
+                                const CondensedStiffness& stiffness,
                                 const NodalLaw& law, const Flags& held,
                                 const ContactSettings& settings) {
   const ContactStates start = settings.first_states(law.node_count());
@@ -96,6 +98,10 @@ FixedPointResult surface_answer(const CondensedContact& contact,
   if (settings.solver == ContactSolver::fixed_point)
     return surface_fixed_point(contact, law, held, start, limits);
   FixedPointResult result{newton_answer(contact, law, held, start, limits), {}};
+  if (const int left = systems_left(limits, result.answer);
+      left > 0 && law.is_convex())
+    result.answer.add(multiplier_method(contact, stiffness, law, held,
+                                        limits.with_at_most(left)));
   for (const auto& path : {friction_path, spring_path})
     if (const int left = systems_left(limits, result.answer); left > 0)
       result.answer.add(path(contact, law, held, limits.with_at_most(left)));

@@ -13,10 +13,13 @@
 namespace ffcontact {
 
 /// The law of a surface on its condensed relation: surface_newton from the chosen states,
-/// where these lead nowhere from sticking nodes, then friction_path, and spring_path where
-/// it has no start; or surface_fixed_point. Singular where bodies slide.
-/// @param held  of surface_trace [3 p]
+/// where these lead nowhere from sticking nodes, then multiplier_method where the problem
+/// is convex, friction_path, and spring_path where it has no start; or
+/// surface_fixed_point. Singular where bodies slide.
+/// @param stiffness  that contact was made with
+/// @param held       of surface_trace [3 p]
 FixedPointResult surface_answer(const CondensedContact& contact,
+                                const CondensedStiffness& stiffness,
                                 const NodalLaw& law, const Flags& held,
                                 const ContactSettings& settings);
 

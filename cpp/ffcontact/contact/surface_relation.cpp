@@ -31,7 +31,8 @@ class OfWholeSchur : public SurfaceRelation {
   FixedPointResult answer() override {
     const auto& held = stated_.trace.held;
     if (stiffness_->is_exact())
-      return surface_answer(contact_, stated_.cones, held, stated_.settings);
+      return surface_answer(contact_, *stiffness_, stated_.cones, held,
+                            stated_.settings);
     solver_ = StepSolver(contact_, held);
     return {rough_answer(contact_, stated_.cones, held, start(),
                          stated_.settings, solver_),

@@ -88,13 +88,14 @@ class Answer {
     constexpr int most_corrections = 20;
     for (int k = 0; k < most_corrections && can_gain(); ++k) {
       const SurfaceSolution last = solution_;
+      const double missed = this->missed();
       const ContactRows rows{condensed_.P, condensed_.v};
       relation_->put_loads(
           force_residual(stated_.system, solution_.displacement, no_forces()),
           stated_.v_of(solution_.displacement));
       take(relation_->answer_near(rows, limits()));
       solution_.iterations += last.iterations;
-      if (missed_by(solution_) < missed_by(last) / least_gain) continue;
+      if (this->missed() < missed / least_gain) continue;
       solution_ = last;
       return;
     }
@@ -102,10 +103,7 @@ class Answer {
 
   /// Is more left than rounding? Of an inexact factor, or where a body is much softer than
   /// another: its forces are not much above the rounding of the other's.
-  bool is_off() const {
-    return std::max(missed_by(solution_), missed_by_rows_) >
-           stated_.settings.tolerance;
-  }
+  bool is_off() const { return missed() > stated_.settings.tolerance; }
 
   SurfaceSolution solution() && { return std::move(solution_); }
 
@@ -128,13 +126,13 @@ class Answer {
   }
   /// Nothing beside what is asked for.
   double beside_tolerance() const { return 1e-2 * stated_.settings.tolerance; }
-  static double missed_by(const SurfaceSolution& solution) {
-    return std::max(solution.residual, solution.complementarity);
+  double missed() const {
+    return std::max(
+        {solution_.residual, solution_.complementarity, missed_by_rows_});
   }
   bool can_gain() const {
     return condensed_.status == ContactStatus::converged &&
-           (solution_.residual > beside_tolerance() ||
-            solution_.complementarity > stated_.settings.tolerance);
+           (solution_.residual > beside_tolerance() || is_off());
   }
 
   void take(ActiveSetResult answer) {

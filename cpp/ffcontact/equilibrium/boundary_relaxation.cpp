@@ -2,6 +2,7 @@
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
 #include "ffcontact/base/congruent.hpp"
+#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/products.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/boundary_corrections.hpp"
@@ -119,7 +120,16 @@ EnergyChange energy_change(const StarSetting& setting, const StarGroup& group,
   return change;
 }
 
-/// y = Z x that lowers e^2 most inside the cone.
+/// Does x leave the cone by more than rounding of what it changes there?
+bool leaves_the_cone(const ContactTerms& terms, const VectorXd& x) {
+  constexpr double rounding = 1e-8;
+  if (terms.d.size() == 0) return false;
+  const VectorXd change = terms.C * x;
+  return (terms.d - change).maxCoeff() > rounding * max_norm(change);
+}
+
+/// y = Z x that lowers e^2 most inside the cone; nothing where that is lost in rounding of
+/// much larger stresses.
 std::optional<VectorXd> best_corrections(const EnergyChange& change,
                                          const MatrixXd& Z,
                                          ContactTerms terms) {
@@ -127,7 +137,7 @@ std::optional<VectorXd> best_corrections(const EnergyChange& change,
   const auto x =
       quadratic_minimum(2 * congruent(change.H, Z),
                         Z.transpose() * change.slope, terms.C, terms.d);
-  if (!x) return std::nullopt;
+  if (!x || leaves_the_cone(terms, *x)) return std::nullopt;
   return Z * *x;
 }
 

@@ -19,8 +19,8 @@ namespace {
 /// Shares below this are rounding.
 constexpr double no_share = 1e-12;
 /// Vertices give way where those that are free have at least this share of a corner, the
-/// first value before the second one.
-constexpr double enough_shares[] = {0.5, 1e-3};
+/// larger values first.
+constexpr double enough_shares[] = {0.5, 1e-3, 1e-9};
 
 /// The jump at the corners of one polygon, against gap and load step before.
 class PolygonJump {

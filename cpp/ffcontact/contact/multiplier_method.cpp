@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/multiplier_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ffcontact/base/cholesky.hpp"
+#include "ffcontact/base/norms.hpp"
+#include "ffcontact/contact/surface_newton.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// c over the stiffness of its node: from minimum to minimum that much more.
+constexpr double first_penalty = 1, growth = 10, most_penalty = 1e6;
+constexpr int most_minima = 60;
+/// r
+constexpr double proximal = 1e-9;
+/// Newton's method: gradient beside its terms, and steps.
+constexpr double balanced = 1e-14, least_step = 1e-6;
+constexpr int most_steps = 60;
+
+/// The augmented Lagrangian at the multipliers P_k, in unknowns scaled by D^-1/2.
+class AugmentedLagrangian {
+ public:
+  AugmentedLagrangian(const CondensedContact& contact, BodyRelation body,
+                      const NodalLaw& law, const Flags& held)
+      : contact_(contact),
+        law_(law),
+        held_(held),
+        dimension_(contact.dimension) {
+    const VectorXd unit =
+        body.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    S_ = unit.asDiagonal() * body.S * unit.asDiagonal();
+    g_ = unit.cwiseProduct(body.g);
+    A_ = contact.A * unit.asDiagonal();
+    z_ = last_z_ = VectorXd::Zero(g_.size());
+    P_ = VectorXd::Zero(A_.rows());
+    put_stiffness();
+  }
+
+  /// z_k and P_(k+1). @return Cholesky factorisations
+  int minimise(double penalty, int most) {
+    penalty_ = penalty;
+    last_z_ = z_;
+    int steps = 0;
+    while (steps < std::min(most, most_steps) && !is_minimum()) {
+      ++steps;
+      if (!step()) break;
+    }
+    P_ = force(z_);
+    return steps;
+  }
+
+  ContactRows rows() const { return {P_, displacement(z_)}; }
+
+ private:
+  /// c at penalty 1: what a node's own motion in A meets of S, which has a diagonal of 1.
+  void put_stiffness() {
+    stiffness_ = VectorXd::Zero(law_.node_count());
+    for (int row = 0; row < A_.rows(); ++row) {
+      double square = 0;
+      for (SparseMatrix::InnerIterator a(A_, row); a; ++a)
+        square += a.value() * a.value();
+      double& own = stiffness_[row / dimension_];
+      if (!held_[row]) own = std::max(own, square);
+    }
+    const double most = max_norm(stiffness_);
+    for (double& own : stiffness_)
+      own = 1 / (own > 0 ? own : most > 0 ? most : 1);
+  }
+
+  VectorXd displacement(const VectorXd& z) const {
+    return A_ * z + contact_.v_prescribed;
+  }
+
+  /// P_k - c v of a node, 0 in held rows.
+  VectorXd trial(const VectorXd& v, int node) const {
+    const int first = dimension_ * node;
+    VectorXd tau = P_.segment(first, dimension_) -
+                   penalty_ * stiffness_[node] * v.segment(first, dimension_);
+    for (int c = 0; c < dimension_; ++c)
+      if (held_[first + c]) tau[c] = 0;
+    return tau;
+  }
+
+  double bound(int node) const { return law_.cone[node].bound(0); }
+
+  /// Pi(P_k - c v)
+  VectorXd force(const VectorXd& z) const {
+    const VectorXd v = displacement(z);
+    VectorXd P(v.size());
+    for (int node = 0; node < law_.node_count(); ++node) {
+      VectorXd tau = trial(v, node);
+      const double length = tau.tail(dimension_ - 1).norm(), b = bound(node);
+      tau[0] = std::min(tau[0], 0.0);
+      if (length > b) tau.tail(dimension_ - 1) *= b / length;
+      P.segment(dimension_ * node, dimension_) = tau;
+    }
+    return P;
+  }
+
+  VectorXd forces_of_body(const VectorXd& z) const {
+    return S_ * z - g_ + proximal * (z - last_z_);
+  }
+
+  VectorXd gradient(const VectorXd& z) const {
+    return forces_of_body(z) - A_.transpose() * force(z);
+  }
+
+  bool is_minimum() const {
+    const VectorXd P = force(z_);
+    const VectorXd of_contact = A_.transpose() * P;
+    const double size = std::max(max_norm(of_contact), max_norm(g_));
+    return max_norm(forces_of_body(z_) - of_contact) <= balanced * size;
+  }
+
+  /// Pi' of a node
+  MatrixXd derivative(const VectorXd& tau, double b) const {
+    MatrixXd D = MatrixXd::Zero(dimension_, dimension_);
+    D(0, 0) = tau[0] < 0;
+    const VectorXd tangential = tau.tail(dimension_ - 1);
+    const double length = tangential.norm();
+    auto T = D.bottomRightCorner(dimension_ - 1, dimension_ - 1);
+    T.setIdentity();
+    if (length <= b) return D;
+    const VectorXd e = tangential / length;
+    T = b / length * (MatrixXd(T) - e * e.transpose());
+    return D;
+  }
+
+  /// S + A'c Pi' A + r
+  MatrixXd hessian() const {
+    const VectorXd v = displacement(z_);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int node = 0; node < law_.node_count(); ++node) {
+      const MatrixXd D = penalty_ * stiffness_[node] *
+                         derivative(trial(v, node), bound(node));
+      const int first = dimension_ * node;
+      for (int i = 0; i < dimension_; ++i)
+        for (int j = 0; j < dimension_; ++j)
+          if (!held_[first + i] && !held_[first + j] && D(i, j) != 0)
+            entries.emplace_back(first + i, first + j, D(i, j));
+    }
+    SparseMatrix D(A_.rows(), A_.rows());
+    D.setFromTriplets(entries.begin(), entries.end());
+    MatrixXd H = S_;
+    H += SparseMatrix(A_.transpose() * D * A_);
+    H.diagonal().array() += proximal;
+    return H;
+  }
+
+  /// Along Newton's direction, until the slope there has fallen enough. @return whether
+  /// there was such a step
+  bool step() {
+    const VectorXd now = gradient(z_);
+    const Cholesky H(hessian());
+    if (!H.is_positive_definite()) return false;
+    const VectorXd d = -H.solve(now);
+    const double slope = now.dot(d);
+    if (!(slope < 0)) return false;
+    double low = 0, high = 1, t = 1;
+    for (int k = 0; k < 40; ++k) {
+      const double there = gradient(z_ + t * d).dot(d);
+      if (std::abs(there) <= 0.5 * -slope || (there < 0 && t == 1)) break;
+      (there > 0 ? high : low) = t;
+      t = (low + high) / 2;
+    }
+    z_ += t * d;
+    return t > least_step;
+  }
+
+  const CondensedContact& contact_;
+  const NodalLaw& law_;
+  const Flags& held_;
+  const int dimension_;
+  MatrixXd S_;
+  VectorXd g_;
+  SparseMatrix A_;
+  VectorXd stiffness_;  ///< [p]
+  VectorXd z_, last_z_, P_;
+  double penalty_ = 1;
+};
+
+}  // namespace
+
+ActiveSetResult multiplier_method(const CondensedContact& contact,
+                                  const CondensedStiffness& stiffness,
+                                  const NodalLaw& law, const Flags& held,
+                                  const NewtonSettings& settings) {
+  AugmentedLagrangian lagrangian(contact, body_relation(contact, stiffness),
+                                 law, held);
+  const NaturalMap map(contact, held);
+  ActiveSetResult result;
+  result.violation = infinity;
+  double penalty = first_penalty;
+  for (int k = 0; k < most_minima && result.iterations < settings.max_iterations;
+       ++k) {
+    result.iterations += std::max(
+        1, lagrangian.minimise(penalty,
+                               settings.max_iterations - result.iterations));
+    penalty = std::min(growth * penalty, most_penalty);
+    ContactRows rows = lagrangian.rows();
+    const double violation = surface_violation(contact, law, held, rows);
+    tell(settings.report,
+         {"method of multipliers", result.iterations, "violation", violation});
+    if (violation < result.violation)
+      result.keep(contact_states(map.states(law, rows)), std::move(rows),
+                  violation);
+    if (result.violation <= settings.enough) break;
+  }
+  if (result.violation <= settings.tolerance)
+    result.status = ContactStatus::converged;
+  return result;
+}
+
+}  // namespace ffcontact
