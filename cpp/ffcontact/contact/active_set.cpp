@@ -118,8 +118,15 @@ LawScales law_scales(const CondensedContact& contact, const VectorXd& v) {
 double law_violation(const CondensedContact& contact, const NodalLaw& law,
                      const ContactRows& rows) {
   constexpr double most_of_loads = 1e10;
-  if (max_norm(rows.P) > most_of_loads * load_scale(contact)) return infinity;
-  return law_violation(law, rows.P, rows.v, law_scales(contact, rows.v));
+  if (max_norm(loading_multipliers(contact, rows.P)) >
+      most_of_loads * load_scale(contact))
+    return infinity;
+  Flags idle(law.node_count(), 0);
+  for (std::size_t d = 0; d < contact.dependent.size(); ++d)
+    if (contact.dependent[d] % 2 == 1)
+      idle[contact.dependent[d] / 2] =
+          !contact.loads_the_body(static_cast<Index>(d));
+  return law_violation(law, rows.P, rows.v, law_scales(contact, rows.v), idle);
 }
 
 ActiveSetResult active_set_newton(const CondensedContact& contact,

@@ -173,6 +173,12 @@ void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
 
 }  // namespace
 
+VectorXd loading_multipliers(const CondensedContact& contact, VectorXd P) {
+  for (Index d = 0; d < count_of(contact.dependent); ++d)
+    if (!contact.loads_the_body(d)) P[contact.dependent[d]] = 0;
+  return P;
+}
+
 void number_rows(const std::vector<int>& primary, int row_count,
                  CondensedContact& contact) {
   constexpr int not_yet = -1;

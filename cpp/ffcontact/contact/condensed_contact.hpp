@@ -64,6 +64,10 @@ struct CondensedContact : ContactTrace {
   }
 };
 
+/// P without the multipliers that do nothing to a body: friction where supports hold the
+/// line is what mu makes of it, 1e28 for friction=1e30, and no scale for what does.
+VectorXd loading_multipliers(const CondensedContact& contact, VectorXd P);
+
 /// Fills primary, dependent and position.
 /// @param primary    rows [f]; of nodes of one vertex those of the first are
 /// @param row_count  of all rows

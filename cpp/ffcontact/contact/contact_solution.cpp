@@ -12,92 +12,13 @@
 #include "ffcontact/contact/feasibility.hpp"
 #include "ffcontact/contact/line_balance.hpp"
 #include "ffcontact/contact/nodal_pressures.hpp"
-#include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/unheld_bodies.hpp"
+#include "ffcontact/contact/whole_answer.hpp"
 #include "ffcontact/interface/nodal_force.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Residuals below this are rounding.
-constexpr double residual_rounding = 1e-12;
-
-/// An answer and how well the body is in equilibrium.
-struct Judged {
-  BodyAnswer answer;
-  ResidualDefect residual;
-};
-
-/// Multipliers that the residual does not notice are none with Coulomb's law: their
-/// friction would know no slip.
-Judged judged_without_rounding(const ContactLine& line, const ContactLaw& law,
-                               const ElasticSystem& system,
-                               const HeldRows& held, BodyAnswer answer) {
-  const ResidualDefect residual =
-      residual_defect(line, law, system, held, answer);
-  Judged judged{std::move(answer), residual};
-  if (law.tresca()) return judged;
-  BodyAnswer none{judged.answer.displacement,
-                  VectorXd::Zero(judged.answer.P.size())};
-  const ResidualDefect without = residual_defect(line, law, system, held, none);
-  if (without.largest() > std::max(residual_rounding, residual.largest()))
-    return judged;
-  return {std::move(none), without};
-}
-
-/// Multipliers in tension by rounding are cut to none by the law: the forces that these
-/// nodes miss then are small, but not beside those of a soft body. They are open, unless
-/// no node has multipliers at all.
-ContactStates open_where_cut(ContactStates state, const VectorXd& P) {
-  if (P.isZero(0)) return state;
-  for (Index i = 0; i < count_of(state); ++i)
-    if (P.segment<2>(2 * i).isZero(0)) state[i] = ContactState::open;
-  return state;
-}
-
-/// Refined until rounding is all that is left of the residual.
-Judged refined_answer(const ContactLine& line, const ContactLaw& law,
-                      const ElasticSystem& system,
-                      const CondensedStiffness& stiffness,
-                      const CondensedContact& contact,
-                      const ContactStates& state, BodyAnswer answer) {
-  constexpr int most_steps = 3;
-  const NodalLaw nodal = nodal_law(law, line);
-  Judged best = judged_without_rounding(line, law, system, contact.held,
-                                        std::move(answer));
-  for (int k = 0; k < most_steps; ++k) {
-    const ContactStates states = open_where_cut(state, best.answer.P);
-    if (best.residual.largest() <= residual_rounding && states == state) break;
-    BodyAnswer next =
-        refined(line, law, system, stiffness, contact, states, best.answer);
-    put_into_law(nodal, states, next.P);
-    Judged judged = judged_without_rounding(line, law, system, contact.held,
-                                            std::move(next));
-    if (!(judged.residual.largest() < 0.5 * best.residual.largest())) break;
-    best = std::move(judged);
-  }
-  return best;
-}
-
-/// The whole body of a condensed answer.
-Judged body_answer(const ContactLine& line, const ContactLaw& law,
-                   const ElasticSystem& system,
-                   const CondensedStiffness& stiffness,
-                   const CondensedContact& contact,
-                   const ActiveSetResult& condensed) {
-  const VectorXd kept = kept_displacement(contact, condensed.v(contact.primary),
-                                          condensed.P(contact.dependent));
-  BodyAnswer answer{
-      stiffness.extended(contact.load, kept) + system.prescribed_value,
-      condensed.P};
-  if (condensed.status == ContactStatus::converged)
-    return refined_answer(line, law, system, stiffness, contact,
-                          condensed.state, std::move(answer));
-  const ResidualDefect residual =
-      residual_defect(line, law, system, contact.held, answer);
-  return {std::move(answer), residual};
-}
 
 /// A state as answers have it.
 ContactState answered(ContactState state) {
@@ -214,30 +135,29 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
       is_at_rest(law, system)
           ? resting_answer(line, law, system.dof_count())
           : condensed_answer(contact, nodal_law(law, line), settings);
-  const ActiveSetResult& answer = condensed.answer;
-  solution.iterations = answer.iterations;
   solution.history = std::move(condensed.history);
-  for (ContactState state : answer.state)
-    solution.state.push_back(answered(state));
 
   // 3. Back to the whole body.
-  Judged whole = body_answer(line, law, system, stiffness, contact, answer);
-  const Matrix2Xd P = whole.answer.P.reshaped(2, line.node_count());
-  solution.displacement = std::move(whole.answer.displacement);
-  put_multipliers(line, law, system.prescribed, P, solution);
+  const WholeAnswer whole = whole_answer(line, law, system, settings, stiffness,
+                                         contact, std::move(condensed.answer));
+  for (ContactState state : whole.condensed.state)
+    solution.state.push_back(answered(state));
+  solution.iterations = whole.condensed.iterations;
+  solution.displacement = whole.body.displacement;
+  put_multipliers(line, law, system.prescribed,
+                  whole.body.P.reshaped(2, line.node_count()), solution);
 
   // 4. What the theory promises, measured.
+  solution.complementarity = whole.off;
   solution.residual = with_balance(
       whole.residual.of_forces,
       balance_defect(
           mesh, system,
           nodal_load(line, loading_forces(contact.held.row, solution.force),
                      system.dof_count())));
-  solution.complementarity =
-      complementarity_defect(line, law, contact.held, solution.displacement, P,
-                             law_scales(contact, answer.v));
-  solution.status = judged_status(answer.status, solution.complementarity,
-                                  solution.residual, settings.tolerance);
+  solution.status =
+      judged_status(whole.condensed.status, solution.complementarity,
+                    solution.residual, settings.tolerance);
   return solution;
 }
 

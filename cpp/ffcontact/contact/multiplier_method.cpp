@@ -18,9 +18,11 @@ constexpr double first_penalty = 1, growth = 10, most_penalty = 1e6;
 constexpr int most_minima = 60;
 /// r
 constexpr double proximal = 1e-9;
-/// Newton's method: gradient beside its terms, and steps.
-constexpr double balanced = 1e-14, least_step = 1e-6;
-constexpr int most_steps = 60;
+/// Newton's method: gradient beside its terms at the minimum, and from where on what no
+/// longer halves is rounding.
+constexpr double balanced = 1e-14, nearly_balanced = 1e-9;
+constexpr double least_step = 1e-6;
+constexpr int most_steps = 60, most_halvings = 40;
 
 /// The augmented Lagrangian at the multipliers P_k, in unknowns scaled by D^-1/2.
 class AugmentedLagrangian {
@@ -46,7 +48,9 @@ class AugmentedLagrangian {
     penalty_ = penalty;
     last_z_ = z_;
     int steps = 0;
-    while (steps < std::min(most, most_steps) && !is_minimum()) {
+    for (double off = infinity; steps < std::min(most, most_steps);) {
+      const double last = std::exchange(off, imbalance());
+      if (off <= balanced || (off <= nearly_balanced && off > last / 2)) break;
       ++steps;
       if (!step()) break;
     }
@@ -59,13 +63,14 @@ class AugmentedLagrangian {
  private:
   /// c at penalty 1: what a node's own motion in A meets of S, which has a diagonal of 1.
   void put_stiffness() {
+    VectorXd square = VectorXd::Zero(A_.rows());
+    for (Index column = 0; column < A_.cols(); ++column)
+      for (SparseMatrix::InnerIterator a(A_, column); a; ++a)
+        square[a.row()] += a.value() * a.value();
     stiffness_ = VectorXd::Zero(law_.node_count());
-    for (int row = 0; row < A_.rows(); ++row) {
-      double square = 0;
-      for (SparseMatrix::InnerIterator a(A_, row); a; ++a)
-        square += a.value() * a.value();
+    for (Index row = 0; row < A_.rows(); ++row) {
       double& own = stiffness_[row / dimension_];
-      if (!held_[row]) own = std::max(own, square);
+      if (!held_[row]) own = std::max(own, square[row]);
     }
     const double most = max_norm(stiffness_);
     for (double& own : stiffness_)
@@ -110,11 +115,11 @@ class AugmentedLagrangian {
     return forces_of_body(z) - A_.transpose() * force(z);
   }
 
-  bool is_minimum() const {
-    const VectorXd P = force(z_);
-    const VectorXd of_contact = A_.transpose() * P;
+  /// The gradient beside its terms.
+  double imbalance() const {
+    const VectorXd of_contact = A_.transpose() * force(z_);
     const double size = std::max(max_norm(of_contact), max_norm(g_));
-    return max_norm(forces_of_body(z_) - of_contact) <= balanced * size;
+    return relative(max_norm(forces_of_body(z_) - of_contact), size);
   }
 
   /// Pi' of a node
@@ -136,8 +141,8 @@ class AugmentedLagrangian {
     const VectorXd v = displacement(z_);
     std::vector<Eigen::Triplet<double>> entries;
     for (int node = 0; node < law_.node_count(); ++node) {
-      const MatrixXd D = penalty_ * stiffness_[node] *
-                         derivative(trial(v, node), bound(node));
+      const MatrixXd D =
+          penalty_ * stiffness_[node] * derivative(trial(v, node), bound(node));
       const int first = dimension_ * node;
       for (int i = 0; i < dimension_; ++i)
         for (int j = 0; j < dimension_; ++j)
@@ -162,9 +167,9 @@ class AugmentedLagrangian {
     const double slope = now.dot(d);
     if (!(slope < 0)) return false;
     double low = 0, high = 1, t = 1;
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < most_halvings; ++k) {
       const double there = gradient(z_ + t * d).dot(d);
-      if (std::abs(there) <= 0.5 * -slope || (there < 0 && t == 1)) break;
+      if (std::abs(there) <= -slope / 2 || (there < 0 && t == 1)) break;
       (there > 0 ? high : low) = t;
       t = (low + high) / 2;
     }
@@ -196,19 +201,20 @@ ActiveSetResult multiplier_method(const CondensedContact& contact,
   ActiveSetResult result;
   result.violation = infinity;
   double penalty = first_penalty;
-  for (int k = 0; k < most_minima && result.iterations < settings.max_iterations;
-       ++k) {
-    result.iterations += std::max(
-        1, lagrangian.minimise(penalty,
-                               settings.max_iterations - result.iterations));
+  for (int k = 0;
+       k < most_minima && result.iterations < settings.max_iterations; ++k) {
+    result.iterations +=
+        std::max(1, lagrangian.minimise(
+                        penalty, settings.max_iterations - result.iterations));
     penalty = std::min(growth * penalty, most_penalty);
     ContactRows rows = lagrangian.rows();
     const double violation = surface_violation(contact, law, held, rows);
     tell(settings.report,
          {"method of multipliers", result.iterations, "violation", violation});
-    if (violation < result.violation)
-      result.keep(contact_states(map.states(law, rows)), std::move(rows),
-                  violation);
+    if (violation < result.violation) {
+      ContactStates states = contact_states(map.states(law, rows));
+      result.keep(std::move(states), std::move(rows), violation);
+    }
     if (result.violation <= settings.enough) break;
   }
   if (result.violation <= settings.tolerance)

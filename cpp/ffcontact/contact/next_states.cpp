@@ -120,7 +120,8 @@ void release_sticks(const CondensedContact& contact, const States& state,
 }  // namespace
 
 Rounding rounding_of(const CondensedContact& contact, const ContactRows& rows) {
-  const double P_largest = std::max(max_norm(rows.P), max_norm(contact.g));
+  const double P_largest = std::max(
+      max_norm(loading_multipliers(contact, rows.P)), max_norm(contact.g));
   const double v_largest = motion_scale(contact, rows.v);
   return {relative_rounding * P_largest, relative_rounding * v_largest,
           relative_motion * v_largest};

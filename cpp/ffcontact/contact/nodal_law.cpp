@@ -80,13 +80,21 @@ NodalLaw with_share_of_bound(const NodalLaw& law, double s) {
 }
 
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
-                     const Ref<const VectorXd>& v, const LawScales& scales) {
+                     const Ref<const VectorXd>& v, const LawScales& scales,
+                     const Flags& idle) {
   if (!P.allFinite() || !v.allFinite()) return infinity;
-  const double p_scale = std::max(scales.P, max_norm(P));
+  const auto is_idle = [&idle](int node) {
+    return !idle.empty() && idle[node] != 0;
+  };
+  VectorXd felt = P;
+  for (int i = 0; i < law.node_count(); ++i)
+    if (is_idle(i)) felt[2 * i + 1] = 0;
+  const double p_scale = std::max(scales.P, max_norm(felt));
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {
-    const FrictionCone cone = in_parts_of(p_scale, law.cone[i]);
-    const Vector2d P_i = in_parts_of(p_scale, P.segment<2>(2 * i)),
+    const FrictionCone cone =
+        is_idle(i) ? FrictionCone{} : in_parts_of(p_scale, law.cone[i]);
+    const Vector2d P_i = in_parts_of(p_scale, felt.segment<2>(2 * i)),
                    v_i = in_parts_of(scales.v, v.segment<2>(2 * i));
     largest = std::max(largest, violation(cone, P_i, v_i));
   }
@@ -105,8 +113,11 @@ double complementarity_defect(const ContactLine& line, const ContactLaw& law,
       weight_matrix(law.multiplier, line) * VectorXd::Ones(line.node_count());
   const double largest = largest_displacement(law, displacement);
   const double scale = std::max(least.v, largest * weight.maxCoeff());
+  Flags idle(line.node_count(), 0);  // pressures load what is beside them
+  if (law.multiplier == Multiplier::force)
+    for (int i = 0; i < line.node_count(); ++i) idle[i] = held.row[2 * i + 1];
   return law_violation(nodal_law(law, line), multiplier.reshaped(), v,
-                       {scale, least.P});
+                       {scale, least.P}, idle);
 }
 
 void put_into_law(const NodalLaw& law, const ContactStates& state,

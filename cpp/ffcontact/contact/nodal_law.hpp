@@ -47,8 +47,11 @@ inline double either_violation(double P, double v) {
 /// are but rounding beside it. Where one of two must be 0 (P_n or v_n, the distance to
 /// the bound or v_t, P_t or v_t if they have one sign) the smaller one is the violation:
 /// a product would let both be a hundred thousand roundings.
+/// @param idle  1 where the friction of a node does nothing to a body, and is not looked at
+///              [p]; none: nowhere
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
-                     const Ref<const VectorXd>& v, const LawScales& scales);
+                     const Ref<const VectorXd>& v, const LawScales& scales,
+                     const Flags& idle = {});
 
 /// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the
 /// largest multiplier, or the largest displacement of the body, gap or previous

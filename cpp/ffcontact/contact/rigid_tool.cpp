@@ -2,6 +2,7 @@
 #include "ffcontact/contact/rigid_tool.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
@@ -65,12 +66,23 @@ FoundationMotions foundation_of(const Mesh& mesh, const ContactLine& line,
   return foundation;
 }
 
+/// Relative, motion by motion, to its load or to what all forces that the tool feels may do
+/// along it.
 double imbalance_of(const FoundationMotions& foundation,
                     const Matrix2Xd& force) {
-  const VectorXd passed_on = foundation.trace.transpose() * force.reshaped();
-  const double scale =
-      std::max(max_norm(foundation.load), force.cwiseAbs().sum());
-  return relative(max_norm(passed_on - foundation.load), scale);
+  double felt = 0, largest = 0;
+  for (Index row = 0; row < force.size(); ++row)
+    if (!foundation.trace.row(row).isZero(0))
+      felt += std::abs(force.reshaped()[row]);
+  for (Index k = 0; k < foundation.load.size(); ++k) {
+    const auto z = foundation.trace.col(k);
+    const double load = foundation.load[k],
+                 off = z.dot(force.reshaped()) - load;
+    largest = std::max(
+        largest,
+        relative(std::abs(off), std::max(std::abs(load), max_norm(z) * felt)));
+  }
+  return largest;
 }
 
 }  // namespace
