@@ -78,9 +78,9 @@ RC_GTEST_PROP(FrictionCurve, points_are_solutions_with_less_friction,
   RC_PRE(place.has_value());  // beyond a kink it may be shorter
   const NodalLaw share =
       with_share_of_bound(law, FrictionCurve::share(place->z));
-  const VectorXd P =
-      surface_answer(condensed.contact, condensed.stiffness, share, condensed.trace.held, {})
-          .answer.P;
+  const VectorXd P = surface_answer(condensed.contact, condensed.stiffness,
+                                    share, condensed.trace.held, {})
+                         .answer.P;
   RC_ASSERT((FrictionCurve::rows(place->z).P - P).norm() < 1e-6 * P.norm());
 }
 

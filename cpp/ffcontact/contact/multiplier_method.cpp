@@ -17,7 +17,7 @@ namespace {
 constexpr double first_penalty = 1, growth = 10, most_penalty = 1e6;
 constexpr int most_minima = 60;
 /// r
-constexpr double proximal = 1e-9;
+constexpr double proximal_term = 1e-9;
 /// Newton's method: gradient beside its terms at the minimum, and from where on what no
 /// longer halves is rounding.
 constexpr double balanced = 1e-14, nearly_balanced = 1e-9;
@@ -108,7 +108,7 @@ class AugmentedLagrangian {
   }
 
   VectorXd forces_of_body(const VectorXd& z) const {
-    return S_ * z - g_ + proximal * (z - last_z_);
+    return S_ * z - g_ + proximal_term * (z - last_z_);
   }
 
   VectorXd gradient(const VectorXd& z) const {
@@ -153,7 +153,7 @@ class AugmentedLagrangian {
     D.setFromTriplets(entries.begin(), entries.end());
     MatrixXd H = S_;
     H += SparseMatrix(A_.transpose() * D * A_);
-    H.diagonal().array() += proximal;
+    H.diagonal().array() += proximal_term;
     return H;
   }
 

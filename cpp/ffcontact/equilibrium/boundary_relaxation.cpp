@@ -2,7 +2,6 @@
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 
 #include "ffcontact/base/congruent.hpp"
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/products.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
 #include "ffcontact/equilibrium/boundary_corrections.hpp"
@@ -120,16 +119,7 @@ EnergyChange energy_change(const StarSetting& setting, const StarGroup& group,
   return change;
 }
 
-/// Does x leave the cone by more than rounding of what it changes there?
-bool leaves_the_cone(const ContactTerms& terms, const VectorXd& x) {
-  constexpr double rounding = 1e-8;
-  if (terms.d.size() == 0) return false;
-  const VectorXd change = terms.C * x;
-  return (terms.d - change).maxCoeff() > rounding * max_norm(change);
-}
-
-/// y = Z x that lowers e^2 most inside the cone; nothing where that is lost in rounding of
-/// much larger stresses.
+/// y = Z x that lowers e^2 most inside the cone.
 std::optional<VectorXd> best_corrections(const EnergyChange& change,
                                          const MatrixXd& Z,
                                          ContactTerms terms) {
@@ -137,8 +127,19 @@ std::optional<VectorXd> best_corrections(const EnergyChange& change,
   const auto x =
       quadratic_minimum(2 * congruent(change.H, Z),
                         Z.transpose() * change.slope, terms.C, terms.d);
-  if (!x || leaves_the_cone(terms, *x)) return std::nullopt;
+  if (!x) return std::nullopt;
   return Z * *x;
+}
+
+/// Are the tractions of an edge in the cone but for their rounding?
+bool is_in_cone(const EdgeEnds& ends, const VectorXd& y,
+                const FreeContact& contact) {
+  const EdgeCone cone = edge_cone(contact.line, contact.law, ends.edge);
+  const Vector4d r =
+      end_values(contact.tractions.densities, ends.edge) + ends.change * y;
+  const VectorXd outside =
+      (cone.d - cone.C * r).cwiseQuotient(cone.C.rowwise().norm());
+  return outside.maxCoeff() <= contact.tractions.rounding;
 }
 
 void add_corrections(const StarSetting& setting, const StarGroup& group,
@@ -164,6 +165,8 @@ double relax_boundary(const StarSetting& setting,
   const auto y = best_corrections(energy, Z, terms);
   const double fall = y ? energy.fall(*y) : 0;
   if (!(fall > 0)) return 0;
+  for (const EdgeEnds& of_edge : ends)
+    if (!is_in_cone(of_edge, *y, contact)) return 0;
 
   add_corrections(setting, group, *y, airy);
   for (const auto& [e, change] : ends) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
@@ -23,6 +24,8 @@ struct FreeTractions {
       normal_cost;  ///< cost_n at the two ends of each contact edge [mm^2]
   Matrix2Xd tangential_cost;
   std::vector<int> contact_edge;  ///< contact_edge_numbers
+  /// By how much rounding may put r_hat out of the cone: what would do more is left [MPa]
+  double rounding = std::numeric_limits<double>::infinity();
 };
 
 /// Contact tractions that take part in the relaxation.

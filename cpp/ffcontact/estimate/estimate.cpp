@@ -36,6 +36,9 @@ struct RelaxedTractions {
   std::vector<double> falls;  ///< of e^2, sweep by sweep
 };
 
+/// Beside the largest stress: admissible pairs are in equilibrium to 1e-10 of it.
+constexpr double rounding_of_traction = 1e-11;
+
 FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
                              const ContactDensities& densities,
                              std::vector<int> contact_edge) {
@@ -43,7 +46,10 @@ FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
       traction_costs(line, compared.law, densities, compared.displacement);
   for (int& e : contact_edge)
     if (e >= 0 && stays_unloaded(line, compared, densities, costs, e)) e = -1;
-  return {densities, costs.normal, costs.tangential, std::move(contact_edge)};
+  const double largest =
+      std::max(largest_traction(densities), max_norm(compared.stress.mean));
+  return {densities, costs.normal, costs.tangential, std::move(contact_edge),
+          rounding_of_traction * largest};
 }
 
 RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
