@@ -83,7 +83,10 @@ void judge_estimate(const Case& problem, const Assembled& parts,
           },
           outcome))
     return;
-  if (!estimate.admissible && is_held_along_the_line(problem)) {
+  constexpr double rounding = 1e-12;  // above it is a reaction, however small
+  const bool is_balanced =
+      estimate.admissible && estimate.equilibrium.largest() <= rounding;
+  if (!is_balanced && is_held_along_the_line(problem)) {
     outcome.answer = "not admissible: held along the line";
     return;
   }
