@@ -8,7 +8,7 @@
 namespace ffcontact::plugin {
 
 /// Writes a solution, and what its estimate left if there is one, for pictures.py and
-/// ParaView, as plugin/README.md describes the files:
+/// ParaView, as plugin/reference/contactpicture.md describes the files:
 ///   stepN.vtu, stepNb.vtu, ...      the bodies: displacement, eps_E
 ///   stressN.vtu, stressNb.vtu, ...  sigma_hat on the subtriangles
 ///   contactN.txt                    the nodes of the contact line

@@ -8,7 +8,7 @@
 namespace ffcontact::plugin {
 
 /// Writes a solution of solids, and what its estimate left if there is one, for
-/// pictures.py, ParaView and gmsh, as plugin/README.md describes the files:
+/// pictures.py, ParaView and gmsh, as plugin/reference/contactpicture.md describes the files:
 ///   stepN.vtu, stepNb.vtu, ...      the bodies: displacement, eps_E
 ///   stepN.msh, stepNb.msh, ...      the same for gmsh, with labels and regions
 ///   stressN.vtu, stressNb.vtu, ...  sigma_hat on the subtetrahedra

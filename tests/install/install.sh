@@ -39,7 +39,8 @@ if [ -f "$build/freefem" ]; then
   ! answer=$(FREEFEM_PROGRAM=$scratch/none installed load.edp)
   [[ $answer = *"there is no $scratch/none"* ]]
   installed --help | grep -q '^usage: ffcontact-freefem '
-  for file in README.md plugin/README.md .images/block_pressed.png LICENSE CITATION.cff; do [ -f "$prefix/share/doc/ffcontact/$file" ]; done
+  for file in README.md plugin/README.md LICENSE; do [ -f "$prefix/share/doc/ffcontact/$file" ]; done
+  bash "$(dirname "$0")/../documentation/links.sh" "$prefix/share/doc/ffcontact"
 fi
 
 cmake -G Ninja -S "$prefix/share/ffcontact/examples/cpp" -B "$scratch/block" -DCMAKE_PREFIX_PATH="$prefix" \

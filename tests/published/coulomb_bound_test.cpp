@@ -42,7 +42,7 @@ Judged judged(const Problem& coarse, const Problem& fine) {
 /// Where all that touches sticks, both sides of the bound are equal.
 constexpr double rounding = 1e-10;
 
-/// The published problems on the published meshes; prints the table of the README.
+/// The published problems on the published meshes; prints the table of tests/validation.md.
 struct Published {
   const char* name;
   double friction;
