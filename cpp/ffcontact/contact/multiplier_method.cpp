@@ -20,7 +20,7 @@ constexpr int most_minima = 60;
 constexpr double proximal_term = 1e-9;
 /// Newton's method: gradient beside its terms at the minimum, and from where on what no
 /// longer halves is rounding.
-constexpr double balanced = 1e-14, nearly_balanced = 1e-9;
+constexpr double gradient_of_minimum = 1e-14, gradient_beside_it = 1e-9;
 constexpr double least_step = 1e-6;
 constexpr int most_steps = 60, most_halvings = 40;
 
@@ -50,7 +50,9 @@ class AugmentedLagrangian {
     int steps = 0;
     for (double off = infinity; steps < std::min(most, most_steps);) {
       const double last = std::exchange(off, imbalance());
-      if (off <= balanced || (off <= nearly_balanced && off > last / 2)) break;
+      if (off <= gradient_of_minimum ||
+          (off <= gradient_beside_it && off > last / 2))
+        break;
       ++steps;
       if (!step()) break;
     }
