@@ -73,6 +73,26 @@ TEST(StrongFriction,
   EXPECT_LT(solution.complementarity, 1.01 * newton.violation);
 }
 
+/// A roller moves the end of the line against a foundation whose friction it does not feel:
+/// mu times its pressure there is 1e20 MPa, and must not be what all else is small against.
+TEST(StrongFriction, that_loads_nothing_is_no_scale_for_what_does) {
+  Problem problem = body(rectangle(4, 4, 4, 4), material(1000, 0.3));
+  prescribe(problem, left, 0,
+            [](const Vector2d&) { return Vector2d(1e-4, 0); });
+  add_traction(problem, top, {0, -2});
+  set_friction(problem, 1e3);
+  const ContactSolution rough = solved(problem);
+  ASSERT_TRUE(rough.accepted({}));
+  for (const double mu : {1e8, 1e12, 1e20}) {
+    set_friction(problem, mu);
+    const ContactSolution solution = solved(problem);
+    EXPECT_TRUE(solution.accepted({})) << mu;
+    EXPECT_LT(relative_difference(solution.displacement, rough.displacement),
+              1e-8)
+        << mu;
+  }
+}
+
 /// Without damping it swings until 1000 systems are used up.
 TEST(StrongFriction,
      damping_makes_the_fixed_point_converge_where_it_does_not_contract) {

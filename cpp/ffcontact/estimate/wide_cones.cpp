@@ -46,12 +46,10 @@ void clamp_rounding(const ContactLine& line, const ContactLaw& law,
   for (int e = 0; e < line.edge_count(); ++e) {
     Vector4d r = end_values(densities, e);
     const double mu = least_friction(line, law, e);
-    const auto [first, second] = least_cones(line, law, e);
-    const bool exact = first.friction == mu && second.friction == mu;
-    if (mu > most_friction || (exact && mu > 1)) {
-      const double below = mu > most_friction ? least : 0;
-      r << in_wide_cone(mu, first.limit, r.head<2>(), below),
-          in_wide_cone(mu, second.limit, r.tail<2>(), below);
+    if (mu > most_friction) {
+      const auto [first, second] = least_cones(line, law, e);
+      r << in_wide_cone(mu, first.limit, r.head<2>(), least),
+          in_wide_cone(mu, second.limit, r.tail<2>(), least);
     } else {
       r = clamped_to_cone(line, law, e, r);
     }
