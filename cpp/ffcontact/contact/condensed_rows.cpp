@@ -50,6 +50,14 @@ ContactRows rows_of(const CondensedContact& contact, const VectorXd& v,
   return rows;
 }
 
+VectorXd displacement_of(const CondensedContact& contact,
+                         const CondensedStiffness& stiffness, const VectorXd& v,
+                         const VectorXd& P) {
+  return stiffness.extended(
+      contact.load,
+      kept_displacement(contact, v(contact.primary), P(contact.dependent)));
+}
+
 double motion_scale(const CondensedContact& contact, const VectorXd& v) {
   double scale = max_norm(v);
   for (Index i = 0; i < contact.g.size(); ++i) {

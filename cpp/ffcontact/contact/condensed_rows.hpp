@@ -23,6 +23,13 @@ struct ContactRows {
 ContactRows rows_of(const CondensedContact& contact, const VectorXd& v,
                     const VectorXd& q);
 
+/// The displacement of all dofs that they make, 0 on prescribed ones, under the load of the
+/// relation.
+/// @param stiffness  that contact was made with
+VectorXd displacement_of(const CondensedContact& contact,
+                         const CondensedStiffness& stiffness, const VectorXd& v,
+                         const VectorXd& P);
+
 /// What v is small against: its largest value, or what the loads would move a node alone,
 /// max |g_i| / S_ii with the S_ii of the stiffer component of the node (that of a
 /// component in which the body is free is rounding). Where all nodes stick v is nothing

@@ -29,10 +29,7 @@ class AugmentedLagrangian {
  public:
   AugmentedLagrangian(const CondensedContact& contact, BodyRelation body,
                       const NodalLaw& law, const Flags& held)
-      : contact_(contact),
-        law_(law),
-        held_(held),
-        dimension_(contact.dimension) {
+      : contact_(contact), law_(law), held_(held) {
     const VectorXd unit =
         body.S.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     S_ = unit.asDiagonal() * body.S * unit.asDiagonal();
@@ -71,7 +68,7 @@ class AugmentedLagrangian {
         square[a.row()] += a.value() * a.value();
     stiffness_ = VectorXd::Zero(law_.node_count());
     for (Index row = 0; row < A_.rows(); ++row) {
-      double& own = stiffness_[row / dimension_];
+      double& own = stiffness_[row / 3];
       if (!held_[row]) own = std::max(own, square[row]);
     }
     const double most = max_norm(stiffness_);
@@ -84,28 +81,20 @@ class AugmentedLagrangian {
   }
 
   /// P_k - c v of a node, 0 in held rows.
-  VectorXd trial(const VectorXd& v, int node) const {
-    const int first = dimension_ * node;
-    VectorXd tau = P_.segment(first, dimension_) -
-                   penalty_ * stiffness_[node] * v.segment(first, dimension_);
-    for (int c = 0; c < dimension_; ++c)
-      if (held_[first + c]) tau[c] = 0;
+  Vector3d trial(const VectorXd& v, int node) const {
+    Vector3d tau = P_.segment<3>(3 * node) -
+                   penalty_ * stiffness_[node] * v.segment<3>(3 * node);
+    for (int c = 0; c < 3; ++c)
+      if (held_[3 * node + c]) tau[c] = 0;
     return tau;
   }
-
-  double bound(int node) const { return law_.cone[node].bound(0); }
 
   /// Pi(P_k - c v)
   VectorXd force(const VectorXd& z) const {
     const VectorXd v = displacement(z);
     VectorXd P(v.size());
-    for (int node = 0; node < law_.node_count(); ++node) {
-      VectorXd tau = trial(v, node);
-      const double length = tau.tail(dimension_ - 1).norm(), b = bound(node);
-      tau[0] = std::min(tau[0], 0.0);
-      if (length > b) tau.tail(dimension_ - 1) *= b / length;
-      P.segment(dimension_ * node, dimension_) = tau;
-    }
+    for (int node = 0; node < law_.node_count(); ++node)
+      P.segment<3>(3 * node) = projected(law_.cone[node], trial(v, node));
     return P;
   }
 
@@ -125,16 +114,12 @@ class AugmentedLagrangian {
   }
 
   /// Pi' of a node
-  MatrixXd derivative(const VectorXd& tau, double b) const {
-    MatrixXd D = MatrixXd::Zero(dimension_, dimension_);
-    D(0, 0) = tau[0] < 0;
-    const VectorXd tangential = tau.tail(dimension_ - 1);
-    const double length = tangential.norm();
-    auto T = D.bottomRightCorner(dimension_ - 1, dimension_ - 1);
-    T.setIdentity();
-    if (length <= b) return D;
-    const VectorXd e = tangential / length;
-    T = b / length * (MatrixXd(T) - e * e.transpose());
+  static Matrix3d derivative(const NodeState& node) {
+    Matrix3d D = Matrix3d::Identity();
+    D(0, 0) = node.open ? 0 : 1;
+    if (node.slips)
+      D.bottomRightCorner<2, 2>() =
+          node.share * (Matrix2d::Identity() - node.e * node.e.transpose());
     return D;
   }
 
@@ -143,11 +128,12 @@ class AugmentedLagrangian {
     const VectorXd v = displacement(z_);
     std::vector<Eigen::Triplet<double>> entries;
     for (int node = 0; node < law_.node_count(); ++node) {
-      const MatrixXd D =
-          penalty_ * stiffness_[node] * derivative(trial(v, node), bound(node));
-      const int first = dimension_ * node;
-      for (int i = 0; i < dimension_; ++i)
-        for (int j = 0; j < dimension_; ++j)
+      const Matrix3d D =
+          penalty_ * stiffness_[node] *
+          derivative(node_state(law_.cone[node], trial(v, node)));
+      const int first = 3 * node;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
           if (!held_[first + i] && !held_[first + j] && D(i, j) != 0)
             entries.emplace_back(first + i, first + j, D(i, j));
     }
@@ -182,7 +168,6 @@ class AugmentedLagrangian {
   const CondensedContact& contact_;
   const NodalLaw& law_;
   const Flags& held_;
-  const int dimension_;
   MatrixXd S_;
   VectorXd g_;
   SparseMatrix A_;

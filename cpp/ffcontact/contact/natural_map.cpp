@@ -10,13 +10,6 @@ namespace ffcontact {
 
 namespace {
 
-/// Pi(tau): what the law makes of tau.
-Vector3d projected(const FrictionCone& cone, const Vector3d& tau) {
-  const double rho = cone.bound(tau[0]), length = tau.tail<2>().norm();
-  const double share = length > rho ? rho / length : 1;
-  return {std::min(tau[0], 0.0), share * tau[1], share * tau[2]};
-}
-
 /// Of the primary rows at a node; 0 where there are none.
 double mean_diagonal(const VectorXd& diagonal, const VectorXi& position,
                      Index node) {
@@ -31,6 +24,12 @@ double mean_diagonal(const VectorXd& diagonal, const VectorXi& position,
 }
 
 }  // namespace
+
+Vector3d projected(const FrictionCone& cone, const Vector3d& tau) {
+  const double rho = cone.bound(tau[0]), length = tau.tail<2>().norm();
+  const double share = length > rho ? rho / length : 1;
+  return {std::min(tau[0], 0.0), share * tau[1], share * tau[2]};
+}
 
 NodeState node_state(const FrictionCone& cone, const Vector3d& tau) {
   NodeState node;

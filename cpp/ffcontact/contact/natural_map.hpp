@@ -19,6 +19,9 @@ struct NodeState {
   bool fixes(int component) const { return component == 0 ? !open : !slips; }
 };
 
+/// Pi(tau): what the law makes of tau.
+Vector3d projected(const FrictionCone& cone, const Vector3d& tau);
+
 NodeState node_state(const FrictionCone& cone, const Vector3d& tau);
 /// Of a first guess; a slip without direction has no force.
 NodeState node_state(const FrictionCone& cone, ContactState start);

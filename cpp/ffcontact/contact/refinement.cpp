@@ -133,9 +133,8 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
   if (solve_active_set(correction, unbounded, state, rows) ==
       SystemKind::inconsistent)
     return answer;
-  const VectorXd kept = kept_displacement(correction, rows.v(contact.primary),
-                                          rows.P(contact.dependent));
-  return {answer.displacement + stiffness.extended(correction.load, kept),
+  return {answer.displacement +
+              displacement_of(correction, stiffness, rows.v, rows.P),
           answer.P + rows.P};
 }
 

@@ -50,9 +50,7 @@ class OfWholeSchur : public SurfaceRelation {
   }
 
   VectorXd displacement(const ContactRows& rows) const override {
-    return stiffness_->extended(
-        contact_.load, kept_displacement(contact_, rows.v(contact_.primary),
-                                         rows.P(contact_.dependent)));
+    return displacement_of(contact_, *stiffness_, rows.v, rows.P);
   }
 
   LawScales scales(const VectorXd& v) const override {

@@ -77,10 +77,9 @@ Judged body_answer(const ContactLine& line, const ContactLaw& law,
                    const CondensedStiffness& stiffness,
                    const CondensedContact& contact,
                    const ActiveSetResult& condensed) {
-  const VectorXd kept = kept_displacement(contact, condensed.v(contact.primary),
-                                          condensed.P(contact.dependent));
   BodyAnswer answer{
-      stiffness.extended(contact.load, kept) + system.prescribed_value,
+      displacement_of(contact, stiffness, condensed.v, condensed.P) +
+          system.prescribed_value,
       condensed.P};
   if (condensed.status == ContactStatus::converged)
     return refined_answer(line, law, system, stiffness, contact,
@@ -125,11 +124,9 @@ WholeAnswer corrected(const ContactLine& line, const ContactLaw& law,
   near.initial_state = last.condensed.state;
   ActiveSetResult next =
       condensed_answer(rest, nodal_law(law, line), near).answer;
-  const VectorXd kept =
-      kept_displacement(rest, next.v(rest.primary), next.P(rest.dependent));
   Judged judged = judged_without_rounding(
       line, law, system, contact.held,
-      {u + stiffness.extended(rest.load, kept), next.P});
+      {u + displacement_of(rest, stiffness, next.v, next.P), next.P});
   const double off =
       law_defect(line, law, contact, judged.answer, last.condensed.v);
   next.iterations += last.condensed.iterations;

@@ -55,6 +55,7 @@ struct ContactTerms {
   VectorXd cost;  ///< linear part of e^2
   MatrixXd C;
   VectorXd d;
+  VectorXd reach;  ///< lengths of the rows as conditions on end values
   Index rows = 0;
 
   void add(const EdgeEnds& ends, const FreeContact& contact) {
@@ -67,6 +68,7 @@ struct ContactTerms {
     d.segment(rows, cone.d.size()) =
         // r is inside: the rest is rounding
         (cone.d - cone.C * end_values(tractions.densities, e)).cwiseMin(0);
+    reach.segment(rows, cone.d.size()) = cone.C.rowwise().norm();
     rows += cone.d.size();
   }
 };
@@ -75,10 +77,11 @@ ContactTerms contact_terms(const std::vector<EdgeEnds>& ends, int unknowns,
                            const FreeContact& contact) {
   const auto most = EdgeCone::most_rows * static_cast<Index>(ends.size());
   ContactTerms terms{VectorXd::Zero(unknowns), MatrixXd(most, unknowns),
-                     VectorXd(most)};
+                     VectorXd(most), VectorXd(most)};
   for (const EdgeEnds& of_edge : ends) terms.add(of_edge, contact);
   terms.C.conservativeResize(terms.rows, Eigen::NoChange);
   terms.d.conservativeResize(terms.rows);
+  terms.reach.conservativeResize(terms.rows);
   return terms;
 }
 
@@ -131,15 +134,11 @@ std::optional<VectorXd> best_corrections(const EnergyChange& change,
   return Z * *x;
 }
 
-/// Are the tractions of an edge in the cone but for their rounding?
-bool is_in_cone(const EdgeEnds& ends, const VectorXd& y,
-                const FreeContact& contact) {
-  const EdgeCone cone = edge_cone(contact.line, contact.law, ends.edge);
-  const Vector4d r =
-      end_values(contact.tractions.densities, ends.edge) + ends.change * y;
-  const VectorXd outside =
-      (cone.d - cone.C * r).cwiseQuotient(cone.C.rowwise().norm());
-  return outside.maxCoeff() <= contact.tractions.rounding;
+/// Do corrections y leave the tractions in the cone but for so much [MPa]?
+bool stay_in_cone(const ContactTerms& terms, const VectorXd& y,
+                  double rounding) {
+  return ((terms.d - terms.C * y).array() <= rounding * terms.reach.array())
+      .all();
 }
 
 void add_corrections(const StarSetting& setting, const StarGroup& group,
@@ -164,9 +163,8 @@ double relax_boundary(const StarSetting& setting,
   const EnergyChange energy = energy_change(setting, group, airy, terms.cost);
   const auto y = best_corrections(energy, Z, terms);
   const double fall = y ? energy.fall(*y) : 0;
-  if (!(fall > 0)) return 0;
-  for (const EdgeEnds& of_edge : ends)
-    if (!is_in_cone(of_edge, *y, contact)) return 0;
+  if (!(fall > 0) || !stay_in_cone(terms, *y, contact.tractions.rounding))
+    return 0;
 
   add_corrections(setting, group, *y, airy);
   for (const auto& [e, change] : ends) {
