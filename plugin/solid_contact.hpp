@@ -16,7 +16,7 @@ namespace ffcontact::plugin {
 /// A solution with the system it belongs to.
 struct SolvedSolid {
   std::shared_ptr<const ElasticSystem> system;
-  SurfaceLaw law;  ///< with the multiplier, and u_t of the load step before
+  SurfaceLaw law;  ///< with u_t of the load step before
   SurfaceSolution solution;
   SolidResults nodes;
   /// what contacterror made of it last, and of what; null before

@@ -25,7 +25,7 @@ Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
 SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
                            const SurfaceSolution& solution) {
   const Matrix3Xd& force = solution.force;
-  const Matrix3Xd& pressure = solution.pressure;
+  const Matrix3Xd pressure = force * surface.area.cwiseInverse().asDiagonal();
   const Matrix3Xd vector = force_vectors(surface, force);
   const Matrix3Xd moved =
       displacement_against_foundation(surface, law, solution.displacement);
@@ -66,9 +66,16 @@ ContactStates states_at(const SolidProblem& problem, const PlacedStates& old) {
   return states;
 }
 
+void require_forces(const SolveCall& call) {
+  if (multiplier_of(call.stack, call.named) == Multiplier::pressure)
+    refuse(
+        "multiplier=\"pressure\" is for plane bodies: leave it out, solids "
+        "have "
+        "nodal forces");
+}
+
 SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
   SurfaceLaw law = contact.problem->law;
-  law.multiplier = multiplier_of(call.stack, call.named);
   if (!call.named.flag(call.stack, "loadstep")) return law;
   if (contact.solved)
     law.previous = contact_components(contact.problem->surface,
@@ -112,6 +119,7 @@ void put(const SolveCall& call, const std::vector<long>& own_vertex,
 long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_solid_results(call.named);
   require_no_tool(call.named);
+  require_forces(call);
   SolidProblem& problem = *contact.problem;
   SolvedSolid solved;
   solved.system = std::make_shared<const ElasticSystem>(

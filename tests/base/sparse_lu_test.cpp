@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "support/random.hpp"
-#include "support/threads.hpp"
 
 namespace ffcontact {
 namespace {
@@ -28,7 +25,7 @@ RC_GTEST_PROP(SparseLu, solves_with_the_matrix_and_its_transpose,
             1e-13 * 12);
 }
 
-/// Of any permutation, pattern and number of columns, to the bit on two threads.
+/// Of any permutation, pattern and number of columns.
 RC_GTEST_PROP(SparseLu, transforms_symmetric_matrices, (Random random)) {
   const Index n = *rc::gen::inRange(1, 40);
   MatrixXd A = random_matrix(n, n, random);
@@ -38,14 +35,8 @@ RC_GTEST_PROP(SparseLu, transforms_symmetric_matrices, (Random random)) {
                  S = half + half.transpose();
   const SparseLu lu(A.sparseView());
   const MatrixXd T = lu.congruent(S);
-  const double a = std::exp(*real(-40, 40)), s = std::exp(*real(-70, 70));
-  const MatrixXd rough =
-      SparseLu((a * A).sparseView(0, 0)).congruent_in_single_precision(s * S);
-  RC_ASSERT((a * a / s * rough - T).norm() < 1e-4 * T.norm());
-  RC_ASSERT(rough == rough.transpose());
   RC_ASSERT((A.transpose() * T * A - S).norm() < 1e-12 * S.norm());
   RC_ASSERT(T == T.transpose());
-  RC_ASSERT(on_threads(2, [&] { return lu.congruent(S); }) == T);
 }
 
 TEST(SparseLu, takes_no_columns_and_knows_a_singular_matrix) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contact of a solid, all of solve_contact on an ElasticSystem with either multiplier, and
-// the estimate of its error with the default steps, beside one linear solve of the same
-// matrix: a block 80 x 40 x 40 of 8 n x 4 n x 4 n bricks on a rigid plane, friction 0.5,
+// Contact of a solid, all of solve_contact on an ElasticSystem, and the estimate of its
+// error with the default steps, beside one linear solve of the same matrix: a block 80 x 40 x 40 of 8 n x 4 n x 4 n bricks on a rigid plane, friction 0.5,
 // its top held, pressed from two sides (all nodes slip) or from one (some lift off).
 #include "comparison.hpp"
 #include "linear_solve.hpp"
@@ -38,15 +37,13 @@ std::function<void()> linear_solve(int n) {
   return [solve] { solve->run(); };
 }
 
-Case contact(test::BlockCase loads, Multiplier multiplier) {
-  return [loads, multiplier](int n) {
+Case contact(test::BlockCase loads) {
+  return [loads](int n) {
     const auto body = case_of(n, loads);
-    return [body, multiplier] {
+    return [body] {
       const ContactSettings settings;
       const test::SolidProblem& p = body->problem;
-      SurfaceLaw law = p.law;
-      law.multiplier = multiplier;
-      if (!solve_contact(p.mesh, p.surface, law, body->system, settings)
+      if (!solve_contact(p.mesh, p.surface, p.law, body->system, settings)
                .accepted(settings))
         throw std::runtime_error("the contact problem is not solved");
     };
@@ -77,18 +74,11 @@ int solid_dofs(int n) { return 3 * (8 * n + 1) * (4 * n + 1) * (4 * n + 1); }
 
 int main(int argc, char** argv) {
   using namespace ffcontact::bench;
-  using ffcontact::Multiplier;
   using ffcontact::test::BlockCase;
-  return compare(
-      argc, argv,
-      {{"solid, linear solve", linear_solve},
-       {"solid, pressed, forces", contact(BlockCase::press, Multiplier::force)},
-       {"solid, pressed, pressures",
-        contact(BlockCase::press, Multiplier::pressure)},
-       {"solid, lifted, forces",
-        contact(BlockCase::press_x, Multiplier::force)},
-       {"solid, lifted, pressures",
-        contact(BlockCase::press_x, Multiplier::pressure)},
-       {"solid, estimate", estimate(BlockCase::press)}},
-      {4, 5, 7, 8, 11}, solid_dofs);
+  return compare(argc, argv,
+                 {{"solid, linear solve", linear_solve},
+                  {"solid, pressed", contact(BlockCase::press)},
+                  {"solid, lifted", contact(BlockCase::press_x)},
+                  {"solid, estimate", estimate(BlockCase::press)}},
+                 {4, 5, 7, 8, 11}, solid_dofs);
 }

@@ -22,8 +22,7 @@ struct Relation : CondensedProblem {
         law(nodal_law(problem.law, problem.surface)) {}
 
   std::optional<ContactRows> start() const {
-    return coarse_start(contact, law, problem.surface, problem.law.multiplier,
-                        trace.weight);
+    return coarse_start(contact, law, problem.surface);
   }
   ActiveSetResult from(const ContactRows& near) const {
     StepSolver solver;
@@ -36,25 +35,11 @@ struct Relation : CondensedProblem {
   }
 };
 
-/// Of P in tractions.
-double unit(const SolidProblem& problem, int node) {
-  return problem.law.multiplier == Multiplier::force
-             ? problem.surface.area[node]
-             : 1;
-}
-
-class CoarseStart : public testing::TestWithParam<Multiplier> {};
-
-INSTANTIATE_TEST_SUITE_P(Multipliers, CoarseStart,
-                         testing::Values(Multiplier::force,
-                                         Multiplier::pressure));
-
 /// Of any mesh and any frames, where all nodes stick.
-TEST_P(CoarseStart, keeps_a_uniform_traction) {
+TEST(CoarseStart, keeps_a_uniform_traction) {
   Random random(1);
   SolidProblem problem(moved(brick({9, 7, 1}, {90, 70, 10}), 10, 0.3, random),
                        100);
-  problem.law.multiplier = GetParam();
   problem.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
   ContactSurface& surface = problem.surface;
   surface.normal += 0.2 * random_matrix(3, surface.node_count(), random);
@@ -63,7 +48,7 @@ TEST_P(CoarseStart, keeps_a_uniform_traction) {
   const Vector3d traction(1, -2, 30);
   Matrix3Xd P(3, surface.node_count());
   for (int i = 0; i < surface.node_count(); ++i)
-    P.col(i) = surface.frame(i).transpose() * traction * unit(problem, i);
+    P.col(i) = surface.frame(i).transpose() * traction * surface.area[i];
   relation.contact.g = -P.reshaped()(relation.contact.primary);
   const std::optional<ContactRows> start = relation.start();
   ASSERT_TRUE(start);
@@ -72,11 +57,10 @@ TEST_P(CoarseStart, keeps_a_uniform_traction) {
 }
 
 /// Whose bound is a traction at every node.
-TEST_P(CoarseStart, keeps_a_uniform_bound) {
+TEST(CoarseStart, keeps_a_uniform_bound) {
   Random random(1);
   SolidProblem problem(
       moved(brick({12, 4, 1}, {120, 40, 10}), 10, 0.2, random));
-  problem.law.multiplier = GetParam();
   const int nodes = problem.surface.node_count();
   problem.law.friction.resize(0);
   problem.law.slip_bound = VectorXd::Constant(nodes, 0.5);
@@ -89,17 +73,16 @@ TEST_P(CoarseStart, keeps_a_uniform_bound) {
   ASSERT_TRUE(start);
   for (int i = 0; i < nodes; ++i) {
     if (problem.mesh.place(problem.surface.vertex[i]).x() < 60) continue;
-    EXPECT_NEAR(start->P[3 * i + 1] / unit(problem, i), -0.5, 1e-3);
+    EXPECT_NEAR(start->P[3 * i + 1] / problem.surface.area[i], -0.5, 1e-3);
     EXPECT_GT(start->v[3 * i + 1], 0);
   }
 }
 
 /// Far from where sticking nodes begin.
-TEST_P(CoarseStart, saves_steps) {
+TEST(CoarseStart, saves_steps) {
   for (const BlockCase loads : {BlockCase::press, BlockCase::press_x}) {
-    SolidProblem problem =
+    const SolidProblem problem =
         block_problem(brick({24, 12, 6}, {80, 40, 40}), loads, 0.5);
-    problem.law.multiplier = GetParam();
     const Relation relation(problem);
     const std::optional<ContactRows> start = relation.start();
     ASSERT_TRUE(start);

@@ -25,7 +25,7 @@ CondensedContact relation_of(const SolidProblem& problem) {
   const CondensedStiffness stiffness(
       system,
       surface_trace(problem.surface, problem.law, system).trace.kept_dofs);
-  return forces_relation(problem.surface, problem.law, system, stiffness);
+  return surface_contact(problem.surface, problem.law, system, stiffness);
 }
 
 /// Slip along one direction of space, with weights.

@@ -147,17 +147,5 @@ RC_GTEST_PROP(DistributedSchur, answers_as_dense_algebra_of_free_bodies,
   same_answers(problem, Precision::full);
 }
 
-TEST(DistributedSchur, refuses_pressures_as_multipliers) {
-  SolidProblem problem =
-      block_problem(brick({2, 1, 1}, {80, 40, 40}), BlockCase::press, 0.3);
-  problem.law.multiplier = Multiplier::pressure;
-  EXPECT_EQ(
-      refusal([&] {
-        problem.solve(settings_of(SchurStorage::distributed, Precision::full));
-      }),
-      "multiplier=\"pressure\" needs Schur's complement as one matrix, "
-      "which is distributed here: take multiplier=\"force\"");
-}
-
 }  // namespace
 }  // namespace ffcontact

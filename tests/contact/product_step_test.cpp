@@ -27,8 +27,7 @@ ProductRelation by_products(const SolidProblem& problem,
 
 /// Whatever the states: four digits a step towards what dense algebra finds.
 RC_GTEST_PROP(ProductStep, gains_four_digits_a_step, (Random random)) {
-  SolidProblem problem = random_block(*real(0, 2), random);
-  problem.law.multiplier = Multiplier::force;
+  const SolidProblem problem = random_block(*real(0, 2), random);
   const AnyStep any(problem, random);
   const ProductRelation relation = by_products(problem, any.trace);
   const ContactRows exact = any.exact();

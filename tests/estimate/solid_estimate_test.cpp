@@ -63,13 +63,12 @@ RC_GTEST_PROP(SolidEstimate, falls_by_what_steps_and_passes_say,
 /// node to node.
 SolidProblem with_any_law(SolidProblem problem, std::mt19937& random) {
   SurfaceLaw& law = problem.law;
-  const int nodes = problem.surface.node_count(), kind = random() % 4;
+  const int nodes = problem.surface.node_count(), kind = random() % 3;
   const auto any = [&](double scale) -> VectorXd {
     return scale * random_vector(nodes, random).cwiseAbs();
   };
   if (kind == 0) law.slip_bound = any(10);
   if (kind == 1) law.shear_limit = any(3);
-  if (kind == 2) law.multiplier = Multiplier::pressure;
   if (kind != 0) law.friction = any(1);
   if (random() % 2) law.gap = any(0.01);
   if (random() % 2) law.previous = 1e-3 * random_matrix(2, nodes, random);

@@ -112,19 +112,16 @@ TEST(SurfaceTractions, are_found_where_few_nodes_press) {
   EXPECT_GE(found, 4);
 }
 
-TEST(SurfaceTractions, have_the_same_cones_with_either_multiplier) {
+TEST(SurfaceTractions, have_cones_in_units_of_tractions) {
   std::mt19937 random(2);
   SolidProblem problem(irregular_solid(random), 0.6);
   const int nodes = problem.surface.node_count();
   problem.law.slip_bound = VectorXd::Constant(nodes, 2);
   problem.law.shear_limit = VectorXd::Constant(nodes, 3);
-  for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
-    problem.law.multiplier = multiplier;
-    for (const FrictionCone& cone :
-         traction_cones(problem.law, problem.surface)) {
-      EXPECT_DOUBLE_EQ(cone.cohesion, 2);
-      EXPECT_DOUBLE_EQ(cone.limit, 3);
-    }
+  for (const FrictionCone& cone :
+       traction_cones(problem.law, problem.surface)) {
+    EXPECT_DOUBLE_EQ(cone.cohesion, 2);
+    EXPECT_DOUBLE_EQ(cone.limit, 3);
   }
 }
 

@@ -340,7 +340,7 @@ class Builder {
     law.friction = coefficient(mu);
     if (kind == 9) law.slip_bound = coefficient(stress_ * dice_.real(0, 1));
     if (kind == 6) law.shear_limit = coefficient(stress_ * dice_.real(0, 1));
-    if (dice_.chance(0.1)) law.multiplier = Multiplier::pressure;
+    dice_.chance(0.1);  // asks nothing: a seed keeps its problems
     if (dice_.chance(0.1)) {
       const double slip = 1e-4 * size_;
       law.previous = Matrix2Xd::NullaryExpr(

@@ -124,10 +124,9 @@ void check_supports(const SolidCase& problem, const VectorXd& u,
     }
 }
 
-/// The law for forces or pressures P at the nodes.
+/// The law for forces over areas P at the nodes.
 void check_law(const SolidCase& problem, const SurfaceSolution& solution,
                Finds& finds) {
-  if (problem.law.multiplier == Multiplier::pressure) return;  // with the mass
   const Matrix3Xd v = motion_at_nodes(problem, solution.displacement);
   const double moved = largest_motion(problem, solution.displacement);
   double largest = stress_size(problem, solution.displacement);

@@ -24,11 +24,8 @@ class SparseLu {
   VectorXd solve_transposed(const VectorXd& b) const;          ///< A'^-1 b
   MatrixXd solve_transposed_columns(const MatrixXd& B) const;  ///< A'^-1 B
 
-  /// A'^-1 S A^-1 of a symmetric S of some thousand rows, exactly symmetric; the threads of
-  /// OpenMP share its columns.
+  /// A'^-1 S A^-1 of a symmetric S, exactly symmetric.
   MatrixXd congruent(MatrixXd S) const;
-  /// The same to six digits, in half of the time: where S has no more.
-  MatrixXd congruent_in_single_precision(MatrixXd S) const;
 
  private:
   struct Factor;

@@ -55,22 +55,16 @@ SparseMatrix in_frames(const SparseMatrix& weights,
 /// The relation and the law of the aggregates.
 class Coarse {
  public:
-  Coarse(const NodalLaw& law, const ContactSurface& surface,
-         Multiplier multiplier)
+  Coarse(const NodalLaw& law, const ContactSurface& surface)
       : surface_(surface),
-        unit_(multiplier == Multiplier::pressure
-                  ? surface.area
-                  : VectorXd::Ones(surface.node_count())),
         aggregates_(aggregates(surface.mass)),
         weights_(smoothed(aggregates_, surface.mass)),
         R_(in_frames(weights_, surface, aggregates_.first)) {
     put_law(law);
   }
 
-  /// @param W  of surface_trace
-  SparseMatrix prolongation(const SparseMatrix& W,
-                            const std::vector<int>& primary) const {
-    return selected_rows(W * R_, primary);
+  SparseMatrix prolongation(const std::vector<int>& primary) const {
+    return selected_rows(R_, primary);
   }
 
   std::optional<ContactRows> rows(const CoarseRelation& relation) {
@@ -115,8 +109,8 @@ class Coarse {
         const FrictionCone& own = law.cone[e.row()];
         const double area = e.value() * surface_.area[e.row()];
         cone.friction += area / area_[a] * own.friction;
-        cone.cohesion += e.value() * unit_[e.row()] * own.cohesion;
-        cone.limit += e.value() * unit_[e.row()] * own.limit;
+        cone.cohesion += e.value() * own.cohesion;
+        cone.limit += e.value() * own.limit;
       }
     }
   }
@@ -126,15 +120,12 @@ class Coarse {
     for (Index row = 0; row < traction.size(); ++row)
       traction[row] /= area_[row / 3];
     ContactRows rows{R_ * traction, R_ * coarse.v};
-    for (Index row = 0; row < rows.P.size(); ++row) {
-      rows.P[row] *= surface_.area[row / 3] / unit_[row / 3];
-      rows.v[row] *= unit_[row / 3];
-    }
+    for (Index row = 0; row < rows.P.size(); ++row)
+      rows.P[row] *= surface_.area[row / 3];
     return rows;
   }
 
   const ContactSurface& surface_;
-  VectorXd unit_;  ///< of v: W u = unit u where u is the same everywhere [p]
   Aggregates aggregates_;
   SparseMatrix weights_;  ///< [p x a]
   SparseMatrix R_;        ///< [3p x 3a]
@@ -149,22 +140,18 @@ class Coarse {
 std::optional<ContactRows> coarse_start(
     const std::vector<int>& primary,
     const std::function<CoarseRelation(const SparseMatrix& Q)>& relation,
-    const NodalLaw& law, const ContactSurface& surface, Multiplier multiplier,
-    const SparseMatrix& weight) {
-  Coarse coarse(law, surface, multiplier);
-  return coarse.rows(relation(coarse.prolongation(weight, primary)));
+    const NodalLaw& law, const ContactSurface& surface) {
+  Coarse coarse(law, surface);
+  return coarse.rows(relation(coarse.prolongation(primary)));
 }
 
 std::optional<ContactRows> coarse_start(const CondensedContact& contact,
                                         const NodalLaw& law,
-                                        const ContactSurface& surface,
-                                        Multiplier multiplier,
-                                        const SparseMatrix& weight) {
+                                        const ContactSurface& surface) {
   const auto relation = [&contact](const SparseMatrix& Q) {
     return CoarseRelation{congruent(contact.S, Q), Q.transpose() * contact.g};
   };
-  return coarse_start(contact.primary, relation, law, surface, multiplier,
-                      weight);
+  return coarse_start(contact.primary, relation, law, surface);
 }
 
 }  // namespace ffcontact

@@ -18,20 +18,16 @@ namespace ffcontact {
 /// smoothed prolongation [Vanek, Mandel, Brezina 1996],
 ///     u = R u_a,   R = diag(M 1)^-1 M R_0,
 /// with the mass M and R_0 = 1 from an aggregate to its nodes, directions from the frame of
-/// its first one to theirs. Their forces F_a = R' F = (W R)' P and v = W R u_a make
-///     F_a = (W R)' S (W R) u_a - (W R)' g,
+/// its first one to theirs. Their forces F_a = R' P and v = R u_a make
+///     F_a = R' S R u_a - R' g,
 /// a relation like the nodes' own, under the law with the cones of the means. Back on the
 /// nodes tractions are R F_a / A_a and displacements R u_a.
 ///
 /// Rows that are held or dependent are left out.
-/// @param law     in units of P
-/// @param weight  W of surface_trace [3p x 3p]
 /// @return nothing where the law of the aggregates is not solved
 std::optional<ContactRows> coarse_start(const CondensedContact& contact,
                                         const NodalLaw& law,
-                                        const ContactSurface& surface,
-                                        Multiplier multiplier,
-                                        const SparseMatrix& weight);
+                                        const ContactSurface& surface);
 
 /// Of v = Q v_a on the primary rows: F_a = S v_a - g.
 struct CoarseRelation {
@@ -45,7 +41,6 @@ struct CoarseRelation {
 std::optional<ContactRows> coarse_start(
     const std::vector<int>& primary,
     const std::function<CoarseRelation(const SparseMatrix& Q)>& relation,
-    const NodalLaw& law, const ContactSurface& surface, Multiplier multiplier,
-    const SparseMatrix& weight);
+    const NodalLaw& law, const ContactSurface& surface);
 
 }  // namespace ffcontact

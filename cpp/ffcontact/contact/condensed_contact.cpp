@@ -53,12 +53,9 @@ MatrixXd leading_block(MatrixXd&& M, Index size) {
 
 /// S and E as if w_o were given, S = A^-T S_w A^-1 and E = A^-T A_dependent'.
 void put_own_relation(Terms&& terms, const SparseLu& factor,
-                      Precision precision, CondensedContact& contact) {
+                      CondensedContact& contact) {
   const Index f = count_of(contact.primary);
-  MatrixXd S = leading_block(std::move(terms.S), f);
-  contact.S = precision == Precision::single
-                  ? factor.congruent_in_single_precision(std::move(S))
-                  : factor.congruent(std::move(S));
+  contact.S = factor.congruent(leading_block(std::move(terms.S), f));
   contact.E = factor.solve_transposed_columns(
       terms.A_dependent.leftCols(f).transpose());
 }
@@ -167,7 +164,7 @@ void put_relation(const CondensedStiffness& stiffness, const SparseLu& factor,
   Terms terms{body_stiffness(contact, stiffness.schur()),
               selected_rows(contact.A, contact.dependent)};
   const OppositeTerms opposite = opposite_terms(terms, factor, contact);
-  put_own_relation(std::move(terms), factor, stiffness.precision(), contact);
+  put_own_relation(std::move(terms), factor, contact);
   condense_opposite(opposite, contact);
 }
 

@@ -17,10 +17,10 @@ DirectedConstant directed_constant(const CondensedContact& contact,
   return {forms->largest_ratio(), forms->dual_norm(slip.missed)};
 }
 
-CondensedContact forces_relation(const ContactSurface& surface, SurfaceLaw law,
+CondensedContact surface_contact(const ContactSurface& surface,
+                                 const SurfaceLaw& law,
                                  const ElasticSystem& system,
                                  const CondensedStiffness& stiffness) {
-  law.multiplier = Multiplier::force;
   SurfaceTrace trace = surface_trace(surface, law, system);
   CondensedContact contact = condensed_contact(
       std::move(trace.trace), trace.primary, system.load, stiffness);

@@ -48,13 +48,13 @@ struct DirectedConstant {
 /// Infinite where no v of finite energy exists: at a node with a weight whose normal dof
 /// is prescribed, or where two sheets meet at an edge; and where a motion without energy
 /// changes s . phi.
-/// @param contact  of forces_relation
+/// @param contact  of surface_contact
 DirectedConstant directed_constant(const CondensedContact& contact,
                                    const DirectedSlip& slip);
 
-/// The condensed relation of a surface for nodal forces, whatever the multiplier of the
-/// law is.
-CondensedContact forces_relation(const ContactSurface& surface, SurfaceLaw law,
+/// The condensed relation of a surface.
+CondensedContact surface_contact(const ContactSurface& surface,
+                                 const SurfaceLaw& law,
                                  const ElasticSystem& system,
                                  const CondensedStiffness& stiffness);
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ffcontact/base/norms.hpp"
-#include "ffcontact/base/require.hpp"
 #include "ffcontact/base/selected_rows.hpp"
 #include "ffcontact/contact/coarse_start.hpp"
 #include "ffcontact/elastic/schur_solver.hpp"
@@ -106,13 +105,6 @@ VectorXd stiffest_components(const ProductRelation& relation) {
 }
 
 }  // namespace
-
-void require_forces(Multiplier multiplier) {
-  if (multiplier != Multiplier::force)
-    refuse(
-        "multiplier=\"pressure\" needs Schur's complement as one matrix, which "
-        "is distributed here: take multiplier=\"force\"");
-}
 
 int ProductRelation::row(Index k) const {
   const int f = count_of(primary);

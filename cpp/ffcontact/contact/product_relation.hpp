@@ -15,8 +15,7 @@ namespace ffcontact {
 /// by its products (SchurProducts), and opposite components are not condensed.
 ///
 /// Unknown are x = (v of the primary rows, w_o of the opposite components). Where own
-/// components are v themselves on a rigid foundation, as with the dual multipliers of
-/// forces,
+/// components are v themselves on a rigid foundation,
 ///     u_c = T (x - given),   T = to_kept [1 -A_o; 0 1],   given = (v_prescribed, 0),
 ///     (P, P_o) = T' S T x - g - E q,   v_dependent = E' x + offset,   P_o = 0,
 /// with T and E sparse.
@@ -52,10 +51,6 @@ struct ProductRelation {
   int row(Index k) const;
 };
 
-/// @throws std::invalid_argument  for pressures, whose own components are not v
-void require_forces(Multiplier multiplier);
-
-/// @param trace  of a law of forces
 ProductRelation product_relation(
     const SurfaceTrace& trace, const ElasticSystem& system,
     std::shared_ptr<const CondensedStiffness> stiffness);

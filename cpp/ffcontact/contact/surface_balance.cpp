@@ -35,10 +35,9 @@ MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
   const NodalLaw cones = nodal_law(law, surface);
   std::vector<MatrixXd> work;
   Index columns = 0;
-  const MatrixXd weighted =
-      weight_of_rows(law, surface) * traces_of(surface, motions);
+  const MatrixXd traces = traces_of(surface, motions);
   for (int i = 0; i < surface.node_count(); ++i) {
-    work.push_back(weighted.middleRows<3>(3 * i).transpose() *
+    work.push_back(traces.middleRows<3>(3 * i).transpose() *
                    spanning_forces(cones.cone[i]));
     columns += work.back().cols();
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "ffcontact/base/norms.hpp"
-#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -51,39 +50,25 @@ void require_valid(const SurfaceLaw& law, const ContactSurface& surface) {
   }
 }
 
-SparseMatrix weight_of_rows(const SurfaceLaw& law,
-                            const ContactSurface& surface) {
-  const Index rows = 3 * surface.node_count();
-  Triplets entries;
-  if (law.multiplier == Multiplier::force)
-    for (int row = 0; row < rows; ++row) entries.emplace_back(row, row, 1);
-  else
-    for (int j = 0; j < surface.node_count(); ++j)
-      for (SparseMatrix::InnerIterator m(surface.mass, j); m; ++m) {
-        const auto i = static_cast<int>(m.row());
-        const Matrix3d turn =
-            i == j ? Matrix3d::Identity()
-                   : Matrix3d(surface.frame(i).transpose() * surface.frame(j));
-        for (int c = 0; c < 3; ++c)
-          for (int d = 0; d < 3; ++d)
-            if (turn(c, d) != 0)
-              entries.emplace_back(3 * i + c, 3 * j + d,
-                                   m.value() * turn(c, d));
-      }
-  return packed(rows, rows, entries);
+std::vector<FrictionCone> law_cones(const SurfaceLaw& law,
+                                    const ContactSurface& surface) {
+  std::vector<FrictionCone> cones(surface.node_count());
+  for (int i = 0; i < surface.node_count(); ++i) {
+    FrictionCone& cone = cones[i];
+    if (law.slip_bound.size() > 0)
+      cone.cohesion = law.slip_bound[i];
+    else
+      cone.friction = law.friction[i];
+    if (law.shear_limit.size() > 0) cone.limit = law.shear_limit[i];
+  }
+  return cones;
 }
 
 NodalLaw nodal_law(const SurfaceLaw& law, const ContactSurface& surface) {
-  const bool forces = law.multiplier == Multiplier::force;
-  NodalLaw nodal{std::vector<FrictionCone>(surface.node_count())};
+  NodalLaw nodal{law_cones(law, surface)};
   for (int i = 0; i < surface.node_count(); ++i) {
-    FrictionCone& cone = nodal.cone[i];
-    const double area = forces ? surface.area[i] : 1;
-    if (law.slip_bound.size() > 0)
-      cone.cohesion = area * law.slip_bound[i];
-    else
-      cone.friction = law.friction[i];
-    if (law.shear_limit.size() > 0) cone.limit = area * law.shear_limit[i];
+    nodal.cone[i].cohesion *= surface.area[i];
+    nodal.cone[i].limit *= surface.area[i];
   }
   return nodal;
 }

@@ -10,11 +10,10 @@ namespace ffcontact {
 /// The law of contact and friction on a surface, at its nodes:
 ///     P_n <= 0,  v_n <= 0,  P_n v_n = 0
 ///     |P_t| <= b,   v_t = 0 where |P_t| < b,   P_t = -b v_t / |v_t| where v_t != 0
-/// for v = W (u_n - gap, u_t - previous), with b of ContactLaw; |.| is Euclid's norm, the
-/// cone is a circular one. Nodal forces F = W' P load the bodies: W = I for forces, P = F
-/// (M''_h), and the mass for pressures P (M'_h).
+/// for v = (u_n - gap, u_t - previous) and the nodal forces P = F that load the bodies
+/// (M''_h), with b of ContactLaw and Tresca's bound and the shear limit times the area of
+/// the node; |.| is Euclid's norm, the cone is a circular one.
 struct SurfaceLaw {
-  Multiplier multiplier = Multiplier::force;
   VectorXd friction;    ///< mu >= 0 [p]
   VectorXd slip_bound;  ///< Tresca's bound [MPa, p], in place of mu; or empty
   VectorXd
@@ -27,12 +26,12 @@ struct SurfaceLaw {
 ///                                negative or not finite
 void require_valid(const SurfaceLaw& law, const ContactSurface& surface);
 
-/// W of the rows 3 i + c, in the frames of the nodes [3p x 3p].
-SparseMatrix weight_of_rows(const SurfaceLaw& law,
-                            const ContactSurface& surface);
-
-/// The cones at the nodes, in units of P.
+/// The cones of nodal forces [N].
 NodalLaw nodal_law(const SurfaceLaw& law, const ContactSurface& surface);
+
+/// The cones of tractions at the nodes [MPa, p].
+std::vector<FrictionCone> law_cones(const SurfaceLaw& law,
+                                    const ContactSurface& surface);
 
 /// (u_n - gap, u_t - previous) at the nodes [3 x p] of a displacement on all dofs.
 Matrix3Xd displacement_against_foundation(

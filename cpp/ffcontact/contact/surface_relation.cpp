@@ -60,8 +60,7 @@ class OfWholeSchur : public SurfaceRelation {
  private:
   std::optional<ContactRows> start() const {
     if (!takes_coarse_start(stated_.settings)) return std::nullopt;
-    return coarse_start(contact_, stated_.cones, stated_.surface,
-                        stated_.law.multiplier, stated_.trace.weight);
+    return coarse_start(contact_, stated_.cones, stated_.surface);
   }
 
   const StatedSurface& stated_;
@@ -131,8 +130,7 @@ class OfProducts : public SurfaceRelation, private NewtonRelation {
       return coarse_relation(relation_, Q);
     };
     const auto rows =
-        coarse_start(relation_.primary, coarse, stated_.cones, stated_.surface,
-                     stated_.law.multiplier, stated_.trace.weight);
+        coarse_start(relation_.primary, coarse, stated_.cones, stated_.surface);
     if (!rows) return std::nullopt;
     return with_w_o_at_rest(*rows);
   }

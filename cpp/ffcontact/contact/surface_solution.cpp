@@ -52,22 +52,6 @@ void require_sound(const SolidMesh& mesh, const ContactSurface& surface,
   require_balance(mesh, surface, law, system);
 }
 
-/// What W multiplies displacements by at most.
-double largest_weight(const SurfaceLaw& law, const ContactSurface& surface) {
-  return law.multiplier == Multiplier::force ? 1 : surface.area.maxCoeff();
-}
-
-void put_multipliers(const ContactSurface& surface, const SurfaceLaw& law,
-                     const SurfaceTrace& trace, const VectorXd& P,
-                     SurfaceSolution& solution) {
-  const int nodes = surface.node_count();
-  solution.force = (trace.weight.transpose() * P).reshaped(3, nodes);
-  solution.pressure = law.multiplier == Multiplier::pressure
-                          ? Matrix3Xd(P.reshaped(3, nodes))
-                          : Matrix3Xd(solution.force *
-                                      surface.area.cwiseInverse().asDiagonal());
-}
-
 /// An answer on the condensed relation, and what the whole body makes of it.
 class Answer {
  public:
@@ -141,8 +125,8 @@ class Answer {
     solution_.state = condensed_.state;
     solution_.displacement +=
         relation_->displacement({condensed_.P, condensed_.v});
-    put_multipliers(stated_.surface, stated_.law, stated_.trace,
-                    on_nodes(condensed_.P), solution_);
+    solution_.force = without_held(stated_.trace.held, on_nodes(condensed_.P))
+                          .reshaped(3, stated_.surface.node_count());
     judge();
   }
 
@@ -160,8 +144,7 @@ class Answer {
     solution_.residual = residual.of_forces;
     missed_by_rows_ = residual.of_rows;
     LawScales scales = relation_->scales(on_nodes(condensed_.v));
-    scales.v = std::max(
-        scales.v, largest_weight(law, surface) * largest_displacement(law, u));
+    scales.v = std::max(scales.v, largest_displacement(law, u));
     solution_.complementarity = surface_violation(cones, on_nodes(condensed_.P),
                                                   stated_.v_of(u), scales);
     solution_.status =
@@ -240,8 +223,6 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
   require_clear(mesh, surface, law, system, trace.held);
   ContactSettings settings = given;
   settings.storage = storage_of(given, count_of(trace.trace.kept_dofs));
-  if (settings.storage == SchurStorage::distributed)
-    require_forces(law.multiplier);
   const StatedSurface stated{surface, law, system, settings, trace};
   const bool is_rough =
       settings.stiffness ? settings.stiffness->precision() == Precision::single

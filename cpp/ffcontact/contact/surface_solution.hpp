@@ -15,8 +15,6 @@ struct SurfaceSolution {
   ContactStatus status = ContactStatus::not_converged;
   VectorXd displacement;  ///< u_h on all dofs [mm]
   Matrix3Xd force;        ///< (F_n, F_t1, F_t2) at the nodes [N, 3 x p]
-  /// the pressures of M'_h, for M''_h forces over areas [MPa, 3 x p]
-  Matrix3Xd pressure;
   /// open, stick, or slip_forward for slip in any direction [p]
   ContactStates state;
   int iterations = 0;           ///< dense systems solved

@@ -20,15 +20,15 @@ namespace ffcontact {
 /// their weights are fixed along it, as on planes of symmetry of both bodies, or where
 /// those that are not weigh less than 1e-3 each (as in held_rows); nor do they along a
 /// tangent that the own vertex is fixed along beside one that is not: friction is left out
-/// at such a node, unless it follows one vertex alone. Multipliers of held rows are 0, and
-/// W has none of their rows and columns: pressures that are linear are 0 where they load
-/// nothing.
+/// at such a node, unless it follows one vertex alone. Forces and v of held rows are 0.
 struct SurfaceTrace {
   ContactTrace trace;  ///< v_prescribed with gap and previous displacement
   std::vector<int> primary;  ///< [f]
   Flags held;                ///< [3 p]
-  SparseMatrix weight;       ///< W, 0 in held rows and columns [3p x 3p]
 };
+
+/// 0 on held rows, which do nothing to a body.
+VectorXd without_held(const Flags& held, VectorXd rows);
 
 /// @throws std::invalid_argument  if every dof of the surface is prescribed
 SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,

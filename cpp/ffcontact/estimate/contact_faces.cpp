@@ -103,7 +103,7 @@ std::vector<ContactFace> contact_faces(
 std::vector<ContactFace> paid_faces(const ContactSurface& surface,
                                     const SurfaceLaw& law,
                                     std::vector<ContactFace> contact) {
-  const std::vector<FrictionCone> paid = paid_cones(law, surface);
+  const std::vector<FrictionCone> paid = law_cones(law, surface);
   for (ContactFace& face : contact)
     for (int i = 0; i < 3; ++i)
       face.cone[i] = paid[surface.face_node(i, face.surface_face)];

@@ -24,7 +24,7 @@ std::vector<ContactFace> contact_faces(const SolidMesh& mesh,
                                        const SurfaceLaw& law,
                                        const Ref<const VectorXd>& displacement);
 
-/// The same with the cones that e pays for (paid_cones) in place of those that r_hat keeps
+/// The same with the cones that e pays for (law_cones) in place of those that r_hat keeps
 /// to.
 std::vector<ContactFace> paid_faces(const ContactSurface& surface,
                                     const SurfaceLaw& law,

@@ -208,7 +208,7 @@ VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
                               const SurfaceLaw& law,
                               const Ref<const Matrix3Xd>& traction,
                               const Ref<const VectorXd>& displacement) {
-  const std::vector<FrictionCone> cones = paid_cones(law, surface);
+  const std::vector<FrictionCone> cones = law_cones(law, surface);
   const double least = rounding_of_slip(law, displacement);
   VectorXd result = VectorXd::Zero(surface.face_count());
   for (const FacingPolygon& polygon : surface.polygons) {
@@ -256,7 +256,7 @@ BetweenNodes facing_between_nodes(const Facets<3>& faces,
                                   const SurfaceLaw& law,
                                   const SurfaceTractions& tractions,
                                   const Ref<const VectorXd>& displacement) {
-  const std::vector<FrictionCone> cones = paid_cones(law, surface);
+  const std::vector<FrictionCone> cones = law_cones(law, surface);
   BetweenNodes found;
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;

@@ -113,13 +113,14 @@ class PairOnSurface {
   }
 
   Matrix2Xd moments_of_nodes() const {
-    SurfaceLaw pressures;
-    pressures.multiplier = Multiplier::pressure;
     Matrix3Xd d(3, nodal_.cols());
     for (int i = 0; i < surface_.node_count(); ++i)
-      d.col(i) = missed(i, nodal_.col(i));
-    const VectorXd moments = weight_of_rows(pressures, surface_) * d.reshaped();
-    return moments.reshaped(3, d.cols()).bottomRows<2>();
+      d.col(i) = surface_.frame(i) * missed(i, nodal_.col(i));
+    d = d * surface_.mass;
+    Matrix2Xd moments(2, d.cols());
+    for (int i = 0; i < surface_.node_count(); ++i)
+      moments.col(i) = (surface_.frame(i).transpose() * d.col(i)).tail<2>();
+    return moments;
   }
 
   Matrix2Xd moments_of_faces() const {
@@ -183,7 +184,7 @@ SolidCoulomb solid_coulomb(const SolidTopology& topology,
   const PairOnSurface pair(topology, surface, body.law, estimate);
   if (pair.reaches_limit()) return {friction, infinity, infinity, infinity};
   const auto constant = directed_constant(
-      forces_relation(surface, body.law, system, *body.stiffness),
+      surface_contact(surface, body.law, system, *body.stiffness),
       slip_of(pair, law, held));
   return {friction, constant.kappa, constant.missed,
           coulomb_bound(e, friction, constant.kappa, constant.missed)};

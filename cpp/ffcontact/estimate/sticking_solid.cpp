@@ -76,7 +76,7 @@ void take_slip(int vertex, Vector3d slip, const Flags& prescribed,
 VectorXd sticking_displacement(const SolvedSolidProblem& solved,
                                VectorXd displacement) {
   const auto& [topology, surface, system, body] = solved;
-  const std::vector<FrictionCone> cones = paid_cones(body.law, surface);
+  const std::vector<FrictionCone> cones = law_cones(body.law, surface);
   const Matrix3Xd traction = lumped_tractions(body.law, surface, body.force);
   const VectorXd worth =
       worth_on_surface(surface, cones, traction, stiffest(body.hooke));

@@ -81,7 +81,7 @@ BetweenNodes between_nodes(const Facets<3>& faces,
                            const Ref<const VectorXd>& displacement) {
   if (surface.against_a_body())
     return facing_between_nodes(faces, surface, law, tractions, displacement);
-  const std::vector<FrictionCone> cones = paid_cones(law, surface);
+  const std::vector<FrictionCone> cones = law_cones(law, surface);
   const Matrix3Xd w =
       displacement_against_foundation(surface, law, displacement);
   BetweenNodes found;

@@ -135,16 +135,9 @@ Matrix4Xd sums_beside(const ContactSurface& surface, const Flags& held,
 
 }  // namespace
 
-std::vector<FrictionCone> paid_cones(const SurfaceLaw& law,
-                                     const ContactSurface& surface) {
-  SurfaceLaw of_pressures = law;
-  of_pressures.multiplier = Multiplier::pressure;
-  return nodal_law(of_pressures, surface).cone;
-}
-
 std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
                                          const ContactSurface& surface) {
-  std::vector<FrictionCone> cones = paid_cones(law, surface);
+  std::vector<FrictionCone> cones = law_cones(law, surface);
   for (FrictionCone& cone : cones)
     cone.friction = bounded_friction(cone.friction);
   return cones;

@@ -13,10 +13,8 @@ namespace ffcontact {
 /// nodes [MPa, 3 x p]. A law linear between the nodes holds all along a face if it holds
 /// at its nodes: the cones are convex.
 
-/// The cones of tractions at the nodes [MPa], whatever the multiplier is: those that e
-/// pays for, and those that r_hat keeps to (bounded_friction).
-std::vector<FrictionCone> paid_cones(const SurfaceLaw& law,
-                                     const ContactSurface& surface);
+/// The cones of tractions at the nodes [MPa] that r_hat keeps to (bounded_friction); e pays
+/// for law_cones.
 std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
                                          const ContactSurface& surface);
 
