@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "guard.hpp"
+#include "nodal_results.hpp"
 #include "plane_solve.hpp"
 #include "registration.hpp"
 #include "solids.hpp"
@@ -15,43 +16,7 @@ class ContactSolve : public E_F0mps {
   using Result = long;
 
   explicit ContactSolve(const basicAC_F0& arguments)
-      : named_(arguments, {{"multiplier", &typeid(string*)},
-                           {"solver", &typeid(string*)},
-                           {"schur", &typeid(string*)},
-                           {"maxit", &typeid(long)},
-                           {"tol", &typeid(double)},
-                           {"initial", &typeid(KN_<long>)},
-                           {"loadstep", &typeid(bool)},
-                           {"verbosity", &typeid(long)},
-                           {"pn", &typeid(KN<double>*)},
-                           {"pt", &typeid(KN<double>*)},
-                           {"fn", &typeid(KN<double>*)},
-                           {"ft", &typeid(KN<double>*)},
-                           {"gap", &typeid(KN<double>*)},
-                           {"slip", &typeid(KN<double>*)},
-                           {"pt1", &typeid(KN<double>*)},
-                           {"pt2", &typeid(KN<double>*)},
-                           {"ft1", &typeid(KN<double>*)},
-                           {"ft2", &typeid(KN<double>*)},
-                           {"slip1", &typeid(KN<double>*)},
-                           {"slip2", &typeid(KN<double>*)},
-                           {"fx", &typeid(KN<double>*)},
-                           {"fy", &typeid(KN<double>*)},
-                           {"fz", &typeid(KN<double>*)},
-                           {"node", &typeid(KN<long>*)},
-                           {"abscissa", &typeid(KN<double>*)},
-                           {"state", &typeid(KN<long>*)},
-                           {"violation", &typeid(double*)},
-                           {"push", &typeid(E_Array)},
-                           {"moment", &typeid(double)},
-                           {"about", &typeid(E_Array)},
-                           {"guide", &typeid(E_Array)},
-                           {"tool", &typeid(KN<double>*)},
-                           {"status", &typeid(long*)},
-                           {"history", &typeid(KN<double>*)},
-                           {"opennodes", &typeid(long*)},
-                           {"sticknodes", &typeid(long*)},
-                           {"slipnodes", &typeid(long*)}}),
+      : named_(arguments, table()),
         contact_(to<ContactVariable*>(arguments[0])) {
     if (arguments.size() < 4 || arguments.size() % 3 != 1)
       CompileError(
@@ -75,6 +40,24 @@ class ContactSolve : public E_F0mps {
   }
 
  private:
+  static NamedArguments::Table table() {
+    NamedArguments::Table table = {
+        {"multiplier", &typeid(string*)},  {"solver", &typeid(string*)},
+        {"schur", &typeid(string*)},       {"maxit", &typeid(long)},
+        {"tol", &typeid(double)},          {"initial", &typeid(KN_<long>)},
+        {"loadstep", &typeid(bool)},       {"verbosity", &typeid(long)},
+        {"node", &typeid(KN<long>*)},      {"abscissa", &typeid(KN<double>*)},
+        {"state", &typeid(KN<long>*)},     {"violation", &typeid(double*)},
+        {"push", &typeid(E_Array)},        {"moment", &typeid(double)},
+        {"about", &typeid(E_Array)},       {"guide", &typeid(E_Array)},
+        {"tool", &typeid(KN<double>*)},    {"status", &typeid(long*)},
+        {"history", &typeid(KN<double>*)}, {"opennodes", &typeid(long*)},
+        {"sticknodes", &typeid(long*)},    {"slipnodes", &typeid(long*)}};
+    for (const NodalArray& array : nodal_arrays)
+      table.push_back({array.name, &typeid(KN<double>*)});
+    return table;
+  }
+
   long run(Stack stack) const {
     const Stopwatch watch;
     Contact& contact = contact_of_processes(stack, contact_);

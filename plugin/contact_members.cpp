@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the script reads of a contact: C.pn, C.node, ...
 #include <algorithm>
+#include <utility>
 
 #include "contact_type.hpp"
 #include "guard.hpp"
@@ -53,27 +54,15 @@ const SolidResults& solid_results(const Contact& contact) {
                         : solved_solid(contact).nodes;
 }
 
-template <VectorXd NodalResults::*plane>
-KN<double>* of_plane_bodies(Stack stack, ContactVariable* const& variable) {
+template <std::size_t k>
+KN<double>* nodal_array(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    return array_of<double>(stack,
-                            plane_results(stated_contact_of(*variable)).*plane);
+    const Contact& contact = stated_contact_of(*variable);
+    const NodalArray& array = nodal_arrays[k];
+    if (!array.plane || (array.solid && is_solid(contact)))
+      return array_of<double>(stack, *array.in(solid_results(contact)));
+    return array_of<double>(stack, *array.in(plane_results(contact)));
   });
-}
-
-template <VectorXd SolidResults::*solid>
-KN<double>* of_solids(Stack stack, ContactVariable* const& variable) {
-  return guarded("contact", [&] {
-    return array_of<double>(stack,
-                            solid_results(stated_contact_of(*variable)).*solid);
-  });
-}
-
-template <VectorXd NodalResults::*plane, VectorXd SolidResults::*solid>
-KN<double>* of_both(Stack stack, ContactVariable* const& variable) {
-  return is_solid(contact_of(*variable))
-             ? of_solids<solid>(stack, variable)
-             : of_plane_bodies<plane>(stack, variable);
 }
 
 KN<long>* states(Stack stack, ContactVariable* const& variable) {
@@ -132,24 +121,15 @@ void add_member(const char* name,
                         new OneOperator1s_<Result, ContactVariable*>(value));
 }
 
+template <std::size_t... k>
+void add_nodal_arrays(std::index_sequence<k...>) {
+  (add_member(nodal_arrays[k].name, nodal_array<k>), ...);
+}
+
 }  // namespace
 
 void register_contact_members() {
-  add_member("pn", of_both<&NodalResults::pn, &SolidResults::pn>);
-  add_member("pt", of_plane_bodies<&NodalResults::pt>);
-  add_member("pt1", of_solids<&SolidResults::pt1>);
-  add_member("pt2", of_solids<&SolidResults::pt2>);
-  add_member("fn", of_both<&NodalResults::fn, &SolidResults::fn>);
-  add_member("ft", of_plane_bodies<&NodalResults::ft>);
-  add_member("ft1", of_solids<&SolidResults::ft1>);
-  add_member("ft2", of_solids<&SolidResults::ft2>);
-  add_member("fx", of_both<&NodalResults::fx, &SolidResults::fx>);
-  add_member("fy", of_both<&NodalResults::fy, &SolidResults::fy>);
-  add_member("fz", of_solids<&SolidResults::fz>);
-  add_member("gap", of_both<&NodalResults::gap, &SolidResults::gap>);
-  add_member("slip", of_plane_bodies<&NodalResults::slip>);
-  add_member("slip1", of_solids<&SolidResults::slip1>);
-  add_member("slip2", of_solids<&SolidResults::slip2>);
+  add_nodal_arrays(std::make_index_sequence<nodal_arrays.size()>());
   add_member("nx", normals<0>);
   add_member("ny", normals<1>);
   add_member("nz", normals<2>);

@@ -105,16 +105,8 @@ ContactSettings settings_of(const SolveCall& call, const Contact& contact,
 
 void put(const SolveCall& call, const std::vector<long>& own_vertex,
          const VectorXd& abscissa, const NodalResults& nodes) {
-  const NamedArguments& named = call.named;
-  for (const auto& [name, values] :
-       {std::pair{"pn", &nodes.pn}, std::pair{"pt", &nodes.pt},
-        std::pair{"fn", &nodes.fn}, std::pair{"ft", &nodes.ft},
-        std::pair{"fx", &nodes.fx}, std::pair{"fy", &nodes.fy},
-        std::pair{"gap", &nodes.gap}, std::pair{"slip", &nodes.slip}})
-    named.put(call.stack, name, *values);
-  named.put_integers(call.stack, "node", own_vertex);
-  named.put(call.stack, "abscissa", abscissa);
-  named.put_integers(call.stack, "state", nodes.state);
+  put(call, own_vertex, nodes);
+  call.named.put(call.stack, "abscissa", abscissa);
 }
 
 long solve_plane(const SolveCall& call, Contact& contact) {

@@ -2,17 +2,21 @@
 #include "result_names.hpp"
 
 #include "ffcontact/base/require.hpp"
+//
+#include "nodal_results.hpp"
 
 namespace ffcontact::plugin {
 
 void require_plane_results(const NamedArguments& named) {
-  for (const char* name : {"pt1", "pt2", "ft1", "ft2", "slip1", "slip2", "fz"})
-    if (named.given(name)) refuse_result_of_solids();
+  for (const NodalArray& array : nodal_arrays)
+    if (!array.plane && named.given(array.name)) refuse_result_of_solids();
 }
 
 void require_solid_results(const NamedArguments& named) {
-  for (const char* name : {"pt", "ft", "slip", "abscissa"})
-    if (named.given(name)) refuse_result_of_plane_bodies();
+  for (const NodalArray& array : nodal_arrays)
+    if (!array.solid && named.given(array.name))
+      refuse_result_of_plane_bodies();
+  if (named.given("abscissa")) refuse_result_of_plane_bodies();
 }
 
 void refuse_result_of_solids() {

@@ -95,10 +95,8 @@ ShownNodes solved_nodes(const Contact& contact, const SharedBodies<3>& bodies,
 
 /// Outputs at the nodes are those of ShownNodes.
 void drop_nodal(Outputs& outputs) {
-  for (const char* name :
-       {"pn", "pt", "fn", "ft", "gap", "slip", "abscissa", "pt1", "pt2", "ft1",
-        "ft2", "fx", "fy", "fz", "slip1", "slip2"})
-    outputs.arrays.erase(name);
+  for (const NodalArray& array : nodal_arrays) outputs.arrays.erase(array.name);
+  outputs.arrays.erase("abscissa");
   outputs.integers.clear();
 }
 

@@ -71,22 +71,26 @@ ShownNodes numbered(const Problem& problem, const NodesOfProcess& nodes) {
   return shown;
 }
 
-template <class Results, class Arrays>
-void choose(const Results& all, const Arrays& arrays,
-            const std::vector<int>& nodes, Results& chosen) {
-  for (auto array : arrays) chosen.*array = (all.*array)(nodes);
+template <class Results>
+void choose(const Results& all, const std::vector<int>& nodes,
+            Results& chosen) {
+  for (const NodalArray& array : nodal_arrays)
+    if (const auto* values = array.in(all))
+      *array.in(chosen) = (*values)(nodes);
   for (int node : nodes) chosen.state.push_back(all.state[node]);
 }
 
-template <class Results, class Arrays>
-void put(const Results& results, const Arrays& arrays, Packet& packet) {
-  for (auto array : arrays) packet.put(results.*array);
+template <class Results>
+void put(const Results& results, Packet& packet) {
+  for (const NodalArray& array : nodal_arrays)
+    if (const auto* values = array.in(results)) packet.put(*values);
   packet.put(results.state);
 }
 
-template <class Results, class Arrays>
-void take(Packet& packet, const Arrays& arrays, Results& results) {
-  for (auto array : arrays) results.*array = packet.take<VectorXd>();
+template <class Results>
+void take(Packet& packet, Results& results) {
+  for (const NodalArray& array : nodal_arrays)
+    if (auto* values = array.in(results)) *values = packet.take<VectorXd>();
   results.state = packet.take<std::vector<long>>();
 }
 
@@ -101,7 +105,7 @@ ShownNodes shown_nodes(const ContactProblem& problem,
   shown.normal = problem.own_normal(Eigen::all, nodes.node);
   if (!solved) return shown;
   shown.solved = true;
-  choose(*solved, arrays_of_plane_bodies, nodes.node, shown.plane);
+  choose(*solved, nodes.node, shown.plane);
   return shown;
 }
 
@@ -113,15 +117,15 @@ ShownNodes shown_nodes(const SolidProblem& problem,
   shown.normal = problem.surface.normal(Eigen::all, nodes.node);
   if (!solved) return shown;
   shown.solved = true;
-  choose(*solved, arrays_of_solids, nodes.node, shown.solid);
+  choose(*solved, nodes.node, shown.solid);
   return shown;
 }
 
 void put(const ShownNodes& nodes, Packet& packet) {
   packet.put(nodes.own_vertex).put(nodes.first_node).put(nodes.side);
   packet.put(nodes.abscissa).put(nodes.normal).put(nodes.solved);
-  put(nodes.plane, arrays_of_plane_bodies, packet);
-  put(nodes.solid, arrays_of_solids, packet);
+  put(nodes.plane, packet);
+  put(nodes.solid, packet);
 }
 
 ShownNodes nodes_in(Packet& packet) {
@@ -132,8 +136,8 @@ ShownNodes nodes_in(Packet& packet) {
   nodes.abscissa = packet.take<VectorXd>();
   nodes.normal = packet.take<MatrixXd>();
   nodes.solved = packet.take<bool>();
-  take(packet, arrays_of_plane_bodies, nodes.plane);
-  take(packet, arrays_of_solids, nodes.solid);
+  take(packet, nodes.plane);
+  take(packet, nodes.solid);
   return nodes;
 }
 

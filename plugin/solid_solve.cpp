@@ -102,20 +102,6 @@ ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
 
 }  // namespace
 
-void put(const SolveCall& call, const std::vector<long>& own_vertex,
-         const SolidResults& nodes) {
-  for (const auto& [name, values] :
-       {std::pair{"pn", &nodes.pn}, std::pair{"pt1", &nodes.pt1},
-        std::pair{"pt2", &nodes.pt2}, std::pair{"fn", &nodes.fn},
-        std::pair{"ft1", &nodes.ft1}, std::pair{"ft2", &nodes.ft2},
-        std::pair{"fx", &nodes.fx}, std::pair{"fy", &nodes.fy},
-        std::pair{"fz", &nodes.fz}, std::pair{"gap", &nodes.gap},
-        std::pair{"slip1", &nodes.slip1}, std::pair{"slip2", &nodes.slip2}})
-    call.named.put(call.stack, name, *values);
-  call.named.put_integers(call.stack, "node", own_vertex);
-  call.named.put_integers(call.stack, "state", nodes.state);
-}
-
 long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_solid_results(call.named);
   require_no_tool(call.named);

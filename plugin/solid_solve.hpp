@@ -9,8 +9,4 @@ namespace ffcontact::plugin {
 /// contactsolve on a solid; returns the iterations.
 long solve_solid(const SolveCall& call, SolidContact& contact);
 
-/// Results at the nodes, and node= of them.
-void put(const SolveCall& call, const std::vector<long>& own_vertex,
-         const SolidResults& nodes);
-
 }  // namespace ffcontact::plugin

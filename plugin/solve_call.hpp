@@ -8,6 +8,7 @@
 //
 #include "arguments.hpp"
 #include "body_dofs.hpp"
+#include "nodal_results.hpp"
 #include "stopwatch.hpp"
 
 namespace ffcontact::plugin {
@@ -46,6 +47,17 @@ bool is_same(const ElasticSystem& a, const ElasticSystem& b);
 /// The displacement of each body in the script's u.
 void write_displacement(const SolveCall& call, const BodyDofs& bodies,
                         const VectorXd& displacement);
+
+/// Results at the nodes of plane bodies or solids, node= and state= of them.
+template <class Results>
+void put(const SolveCall& call, const std::vector<long>& own_vertex,
+         const Results& nodes) {
+  for (const NodalArray& array : nodal_arrays)
+    if (const VectorXd* values = array.in(nodes))
+      call.named.put(call.stack, array.name, *values);
+  call.named.put_integers(call.stack, "node", own_vertex);
+  call.named.put_integers(call.stack, "state", nodes.state);
+}
 
 /// 0 open, 1 stick, 2 slip along t (of a solid: in any direction), -2 slip against t.
 std::vector<long> state_numbers(const ContactStates& states);

@@ -19,7 +19,8 @@ text_of() {
 for function in $(for file in plugin/*.cpp; do words "$file" 'Global\.Add\(' ', "\('; done) $(words edp/ffcontact.idp 'func mesh ' '\('); do
   grep -q "\b$function(" "${pages[@]}" || missing "the function $function"
 done
-for result in $(words plugin/contact_members.cpp 'add_member\(' ','); do
+nodal=$(words plugin/nodal_results.hpp '\{' ',\s+(&NodalResults|nullptr)')
+for result in $nodal $(words plugin/contact_members.cpp 'add_member\(' ','); do
   grep -q "\`C\.$result\`" "${pages[@]}" || missing "C.$result"
 done
 for file in plugin/*.cpp; do
@@ -30,6 +31,9 @@ for file in plugin/*.cpp; do
   for parameter in $parameters; do
     grep -q "\b$parameter=" <<<"$text" || missing "$parameter= of $(basename "$file")"
   done
+done
+for parameter in $nodal; do
+  grep -q "\b$parameter=" <<<"$(text_of contactsolve)" || missing "$parameter= of contactsolve"
 done
 for page in $(grep -rl '^```freefem' --include='*.md' --exclude-dir=build --exclude-dir=results .); do
   grep -qw "$(basename "$page" .md)" tests/CMakeLists.txt || { echo "the blocks of $page are in no test"; failed=1; }
