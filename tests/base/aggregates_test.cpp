@@ -22,10 +22,9 @@ SparseMatrix graph(int nodes, const std::vector<std::pair<int, int>>& pairs) {
 /// Every node is in one, together with its first one by neighbours of that aggregate.
 RC_GTEST_PROP(Aggregates, are_connected_and_take_all, (Random random)) {
   const int nodes = *rc::gen::inRange(1, 60), edges = *rc::gen::inRange(0, 120);
-  std::uniform_int_distribution<int> node(0, nodes - 1);
+  const auto node = [&] { return static_cast<int>(random() % nodes); };
   std::vector<std::pair<int, int>> pairs;
-  for (int k = 0; k < edges; ++k)
-    pairs.emplace_back(node(random), node(random));
+  for (int k = 0; k < edges; ++k) pairs.emplace_back(node(), node());
   const Aggregates result = aggregates(graph(nodes, pairs));
   Unions inside(nodes);
   for (const auto& [a, b] : pairs)

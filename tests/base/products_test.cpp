@@ -2,9 +2,10 @@
 #include "ffcontact/base/products.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-namespace ffcontact {
+#include "support/random.hpp"
+
+namespace ffcontact::test {
 namespace {
 
 /// Largest distance of M from the sums of a(i, k) b(k, j).
@@ -20,11 +21,12 @@ double distance(const MatrixXd& M, int depth, const A& a, const B& b) {
   return off;
 }
 
-RC_GTEST_PROP(Products, are_the_sums_of_their_definition, ()) {
+RC_GTEST_PROP(Products, are_the_sums_of_their_definition, (Random random)) {
   const int m = *rc::gen::inRange(0, 40), n = *rc::gen::inRange(0, 40),
             depth = *rc::gen::inRange(0, 40);
-  const MatrixXd A = MatrixXd::Random(m, depth), At = A.transpose(),
-                 B = MatrixXd::Random(depth, n), M = MatrixXd::Random(m, m);
+  const MatrixXd A = random_matrix(m, depth, random), At = A.transpose(),
+                 B = random_matrix(depth, n, random),
+                 M = random_matrix(m, m, random);
   const double rounding = 1e-12;  // 2 depth^2 epsilon bounds that of both sums
   const MatrixXd AB = product(A, B), same = transposed_product(At, B);
   RC_ASSERT(AB.rows() == m && AB.cols() == n);
@@ -37,4 +39,4 @@ RC_GTEST_PROP(Products, are_the_sums_of_their_definition, ()) {
 }
 
 }  // namespace
-}  // namespace ffcontact
+}  // namespace ffcontact::test

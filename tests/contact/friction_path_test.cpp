@@ -9,6 +9,7 @@
 #include "support/condensed_blocks.hpp"
 #include "support/pressed_bricks.hpp"
 #include "support/solid_defects.hpp"
+#include "support/uniform.hpp"
 
 namespace ffcontact {
 namespace {
@@ -24,8 +25,7 @@ struct Hard {
 SolidProblem hard_problem(const Hard& hard) {
   Random random(hard.seed);
   if (hard.most_friction > 0) {
-    const double mu =
-        std::uniform_real_distribution<double>(0, hard.most_friction)(random);
+    const double mu = Uniform{0, hard.most_friction}(random);
     return random_problem(mu, random);
   }
   SolidProblem problem = rough_problem(random);

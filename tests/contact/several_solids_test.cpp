@@ -134,7 +134,7 @@ RC_GTEST_PROP(SeveralSolids, fulfil_the_law_and_equilibrium, (Random random)) {
 TEST(SeveralSolids, of_which_one_alone_is_at_a_wall) {
   for (unsigned seed : {2151u, 2257u, 2399u, 2968u}) {
     Random random(seed);
-    const double mu = std::uniform_real_distribution<double>(0, 3)(random);
+    const double mu = Uniform{0, 3}(random);
     EXPECT_TRUE(random_solids(mu, random).problem.solve().accepted({})) << seed;
   }
 }

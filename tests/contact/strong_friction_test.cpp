@@ -5,6 +5,7 @@
 #include "support/cases.hpp"
 #include "support/condensed.hpp"
 #include "support/odd_problems.hpp"
+#include "support/uniform.hpp"
 
 namespace ffcontact {
 namespace {
@@ -111,7 +112,7 @@ TEST(StrongFriction,
 TEST(StrongFriction, randomly_refined_mesh) {
   std::mt19937 random(7);
   Mesh mesh = rectangle(16, 8, 80, 40);
-  std::uniform_real_distribution<double> along(0, 80);
+  const Uniform along{0, 80};
   for (int level = 0; level < 5; ++level)
     mesh = refined(
         mesh, triangles_near(mesh, {along(random), 0}, 5 / std::pow(2, level)));

@@ -37,7 +37,7 @@ ElasticSystem random_system(bool fixed, Random& random, Mesh& mesh) {
 std::vector<int> random_kept(const ElasticSystem& system, int more,
                              Random& random) {
   std::vector<int> dofs = free_dofs(system), kept;
-  std::shuffle(dofs.begin(), dofs.end(), random);
+  shuffle(dofs, random);
   std::set<int> vertices;
   for (int dof : dofs) {
     if (static_cast<int>(vertices.size()) == 2 + more) break;

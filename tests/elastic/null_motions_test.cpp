@@ -61,7 +61,8 @@ RC_GTEST_PROP(NullMotions, have_no_forces_in_any_row, (Random random)) {
 }
 
 TEST(NullMotions, of_a_body_without_any_leave_its_stiffness) {
-  const MatrixXd S = MatrixXd::Random(3, 3);
+  std::mt19937 random;
+  const MatrixXd S = random_matrix(3, 3, random);
   EXPECT_EQ(without_stiffness_of(MatrixXd(3, 0), S), S);
   EXPECT_EQ(
       without_stiffness_of(MatrixXd::Zero(3, 1), MatrixXd::Identity(3, 3)),

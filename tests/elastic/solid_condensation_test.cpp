@@ -51,7 +51,7 @@ std::vector<int> random_kept(const Body& body, Random& random) {
       std::remove_if(kept.begin(), kept.end(),
                      [&](int dof) { return body.system.prescribed[dof]; }),
       kept.end());
-  std::shuffle(kept.begin(), kept.end(), random);
+  shuffle(kept, random);
   return kept;
 }
 

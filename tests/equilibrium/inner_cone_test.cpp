@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 double uniform(double low, double high, std::mt19937& random) {
-  return std::uniform_real_distribution<double>(low, high)(random);
+  return Uniform{low, high}(random);
 }
 
 /// A cone of any kind, a traction in it, on its side in every other case, and the

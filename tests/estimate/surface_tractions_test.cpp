@@ -18,7 +18,7 @@ namespace {
 using namespace test;
 
 FrictionCone any_cone(std::mt19937& random) {
-  std::uniform_real_distribution<double> value(0.1, 1);
+  const Uniform value{0.1, 1};
   FrictionCone cone;
   const int kind = static_cast<int>(random() % 4);
   if (kind == 1) cone.cohesion = value(random);

@@ -255,7 +255,7 @@ struct Sheet {
 
 /// Sheets one above the other, some of which touch; all are on (1, 2) x (1, 2).
 std::vector<Sheet> random_sheets(Random& random) {
-  std::uniform_real_distribution<double> part(0, 1);
+  const Uniform part{0, 1};
   std::vector<Sheet> sheets(2 + random() % 3);
   double height = 0;
   for (Sheet& sheet : sheets) {

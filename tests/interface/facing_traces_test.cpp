@@ -8,6 +8,7 @@
 #include "support/cracked.hpp"
 #include "support/facing.hpp"
 #include "support/refusals.hpp"
+#include "support/uniform.hpp"
 
 namespace ffcontact {
 namespace {
@@ -146,7 +147,7 @@ struct Plate {
 /// Plates thinner than some of their edges, one above the other; some touch. All of them
 /// are where x is between 1 and 2.
 std::vector<Plate> random_plates(Random& random) {
-  std::uniform_real_distribution<double> part(0, 1);
+  const Uniform part{0, 1};
   std::vector<Plate> plates(2 + random() % 4);
   double height = 0;
   for (Plate& plate : plates) {

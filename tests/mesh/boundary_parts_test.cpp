@@ -39,7 +39,7 @@ Mesh disturbed(Mesh mesh, int label, double by, std::mt19937& random) {
   for (int b = 0; b < mesh.boundary.cols(); ++b)
     if (mesh.boundary_label[b] == label)
       for (int v : mesh.boundary.col(b)) ++degree[v];
-  std::uniform_real_distribution<double> shift(-by, by);
+  const Uniform shift{-by, by};
   for (const auto& [vertex, edges] : degree)
     if (edges == 2)
       mesh.vertices.col(vertex) += Vector2d(shift(random), shift(random));

@@ -19,7 +19,7 @@ Vector2d on_circle(double radius, double angle) {
 
 /// Angles between 0 and `to` whose steps differ by up to a factor of three.
 std::vector<double> uneven_angles(int steps, double to, std::mt19937& random) {
-  std::uniform_real_distribution<double> step(1, 3);
+  const Uniform step{1, 3};
   std::vector<double> angles{0};
   for (int k = 0; k < steps; ++k)
     angles.push_back(angles.back() + step(random));
@@ -54,7 +54,7 @@ RC_GTEST_PROP(SmoothCurve, beside_a_point_is_its_neighbour_on_the_circle,
               (Random random)) {
   const SmoothCurve curve =
       smooth_curve(points_at(50, uneven_angles(40, 2, random)), false);
-  std::uniform_real_distribution<double> angle(0, 2), off(-0.1, 0.1);
+  const Uniform angle{0, 2}, off{-0.1, 0.1};
   for (int k = 0; k < 20; ++k) {
     const double a = angle(random);
     RC_ASSERT((curve.beside(on_circle(50 + off(random), a)) - on_circle(50, a))

@@ -79,7 +79,7 @@ TEST(StraightRuns, take_rounded_lines_for_straight_and_keep_shallow_corners) {
 }
 
 RC_GTEST_PROP(StraightRuns, hold_far_from_the_origin, (Random random)) {
-  std::uniform_real_distribution<double> angle(0, 2 * pi), place(-1e6, 1e6);
+  const Uniform angle{0, 2 * pi}, place{-1e6, 1e6};
   const double a = angle(random);
   const Vector2d first(place(random), place(random)),
       corner = first + Vector2d(std::cos(a), std::sin(a));

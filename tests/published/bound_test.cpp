@@ -48,7 +48,7 @@ struct Law {
 
 Problem pressed(int ratio, const Law& law, unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> push(-3, 12), press(2, 15);
+  const Uniform push{-3, 12}, press{2, 15};
   Problem problem =
       body(rectangle(nx * ratio, ny * ratio, 80, 40), material(13e3, 0.2));
   clamp(problem, top, [](const Vector2d&) { return Vector2d(0, -2e-3); });

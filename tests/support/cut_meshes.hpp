@@ -9,6 +9,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/mesh/facets.hpp"
 #include "ffcontact/mesh/mesh_parts.hpp"
+#include "support/uniform.hpp"
 
 namespace ffcontact::test {
 
@@ -64,7 +65,7 @@ inline std::vector<int> random_owners(int cells, int owners,
   std::vector<int> owner(cells);
   for (int t = 0; t < cells; ++t)
     owner[t] = t < owners ? t : static_cast<int>(random() % owners);
-  std::shuffle(owner.begin(), owner.end(), random);
+  shuffle(owner, random);
   return owner;
 }
 

@@ -8,6 +8,7 @@
 #include "ffcontact/equilibrium/solid_residual.hpp"
 #include "support/free_displacement.hpp"
 #include "support/solids.hpp"
+#include "support/uniform.hpp"
 
 /// Solids without contact, with all that their stresses have to balance.
 namespace ffcontact::test {
@@ -78,7 +79,7 @@ struct LoadedSolid {
 /// random.
 inline LoadedSolid random_loaded_solid(const SolidMesh& solid,
                                        std::mt19937& random) {
-  std::uniform_real_distribution<double> entry(-1, 1);
+  const Uniform entry{-1, 1};
   const auto any = [&](const Vector3d&) {
     return Vector3d(entry(random), entry(random), entry(random));
   };

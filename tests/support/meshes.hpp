@@ -14,6 +14,7 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/rectangle.hpp"
 #include "ffcontact/mesh/topology.hpp"
+#include "support/uniform.hpp"
 
 /// Meshes that the tests share.
 namespace ffcontact::test {
@@ -30,8 +31,7 @@ inline Mesh rectangle(int nx, int ny, double width, double height) {
 /// 1/4.
 inline Mesh moved(Mesh mesh, double cell, double fraction,
                   std::mt19937& random) {
-  std::uniform_real_distribution<double> shift(-fraction * cell,
-                                               fraction * cell);
+  const Uniform shift{-fraction * cell, fraction * cell};
   const Vector2d low = mesh.vertices.rowwise().minCoeff(),
                  high = mesh.vertices.rowwise().maxCoeff();
   for (int v = 0; v < mesh.vertex_count(); ++v)
@@ -53,7 +53,7 @@ inline Renumbered renumbered(const Mesh& mesh, std::mt19937& random) {
   const auto shuffled = [&random](Index n) {
     std::vector<int> order(n);
     std::iota(order.begin(), order.end(), 0);
-    std::shuffle(order.begin(), order.end(), random);
+    shuffle(order, random);
     return order;
   };
   Renumbered result{mesh, shuffled(mesh.vertices.cols())};
@@ -245,7 +245,7 @@ inline Mesh irregular(int nx, int ny, double width, double height,
                       std::mt19937& random) {
   const double cell = std::min(width / nx, height / ny);
   Mesh mesh = moved(rectangle(nx, ny, width, height), cell, 0.2, random);
-  std::uniform_real_distribution<double> part(0, 1);
+  const Uniform part{0, 1};
   for (int level = 0; level < 2; ++level) {
     const Vector2d point(width * part(random), height * part(random));
     mesh = refined(mesh, triangles_near(mesh, point, 0.5 * cell));

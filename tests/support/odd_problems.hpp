@@ -38,9 +38,7 @@ class OddProblem {
  private:
   enum Kind { held, contact, free };
 
-  double number(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random_);
-  }
+  double number(double low, double high) { return Uniform{low, high}(random_); }
   double power(double low, double high) {
     return std::pow(10, number(low, high));
   }

@@ -11,7 +11,7 @@ namespace ffcontact::test {
 inline SolidProblem random_problem(double mu, Random& random) {
   SolidProblem problem(irregular_solid(random), mu);
   const auto drawn = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
+    return Uniform{low, high}(random);
   };
   const int kind = static_cast<int>(random() % 4);
   if (kind < 2) {
@@ -53,7 +53,7 @@ inline SolidProblem rough_problem(Random& random) {
 inline SolidProblem resting_problem(Random& random) {
   SolidProblem problem(irregular_solid(random));
   const auto drawn = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
+    return Uniform{low, high}(random);
   };
   problem.load(high_z, {0, 0, -drawn(2, 5)});
   const double x = drawn(-1, 1), y = drawn(-1, 1);

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "ffcontact/base/eigen.hpp"
+#include "support/uniform.hpp"
 
 namespace ffcontact::test {
 
@@ -49,7 +50,7 @@ inline rc::Gen<double> real(double low, double high) {
 
 /// Entries uniform in [-1, 1].
 inline MatrixXd random_matrix(Index rows, Index cols, std::mt19937& random) {
-  std::uniform_real_distribution<double> entry(-1, 1);
+  const Uniform entry{-1, 1};
   return MatrixXd::NullaryExpr(rows, cols, [&] { return entry(random); });
 }
 

@@ -13,6 +13,7 @@
 
 #include "ffcontact/equilibrium/face_tractions.hpp"
 #include "support/solids.hpp"
+#include "support/uniform.hpp"
 
 /// Solids with nearly flat tetrahedra, and nested finer ones of any solid.
 namespace ffcontact::test {
@@ -69,7 +70,7 @@ inline SolidMesh with_slivers(SolidMesh mesh, int wanted, double degrees,
   std::set<int> fixed;
   for (Index f = 0; f < mesh.boundary.cols(); ++f)
     for (int v : mesh.boundary.col(f)) fixed.insert(v);
-  std::uniform_real_distribution<double> part(0.1, 1);
+  const Uniform part{0.1, 1};
   for (int tries = 0; wanted > 0 && tries < 1000; ++tries) {
     const int v = static_cast<int>(random() % mesh.vertex_count()),
               t = star[v][random() % star[v].size()];

@@ -38,7 +38,7 @@ inline SolidStack random_solids(double mu, Random& random) {
       random_stack(2 + static_cast<int>(random() % 2), mu, random);
   SolidProblem& problem = stack.problem;
   const auto drawn = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
+    return Uniform{low, high}(random);
   };
   const int top = stack.label(0, high_z),
             ground = stack.label(stack.last(), low_z);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/meshes.hpp"
+#include "support/uniform.hpp"
 
 /// Solids that the tests share.
 namespace ffcontact::test {
@@ -80,8 +81,7 @@ inline SolidMesh brick(const Vector3i& cells, const Vector3d& size) {
 /// < 1/6.
 inline SolidMesh moved(SolidMesh mesh, double cell, double fraction,
                        std::mt19937& random) {
-  std::uniform_real_distribution<double> shift(-fraction * cell,
-                                               fraction * cell);
+  const Uniform shift{-fraction * cell, fraction * cell};
   const Vector3d low = mesh.vertices.rowwise().minCoeff(),
                  high = mesh.vertices.rowwise().maxCoeff();
   for (int v = 0; v < mesh.vertex_count(); ++v)
@@ -98,7 +98,7 @@ inline SolidMesh shuffled(const SolidMesh& mesh, std::mt19937& random) {
   const auto order = [&random](Index n) {
     std::vector<int> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 0);
-    std::shuffle(numbers.begin(), numbers.end(), random);
+    shuffle(numbers, random);
     return numbers;
   };
   const std::vector<int> vertex = order(mesh.vertices.cols()),
