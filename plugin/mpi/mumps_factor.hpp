@@ -3,7 +3,7 @@
 
 #include <mpi.h>
 
-#include "../processes.hpp"
+#include "processes.hpp"
 
 namespace ffcontact::plugin {
 
