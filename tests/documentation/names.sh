@@ -16,14 +16,15 @@ text_of() {
   cat plugin/reference/{conventions,several_bodies}.md $(grep -lE "^#.*\b$1( [A-Z])?\(" "${pages[@]}" || true)
 }
 
-for function in $(for file in plugin/*.cpp; do words "$file" 'Global\.Add\(' ', "\('; done) $(words edp/ffcontact.idp 'func mesh ' '\('); do
+mapfile -t sources < <(find plugin -name '*.cpp' | sort)
+for function in $(for file in "${sources[@]}"; do words "$file" 'Global\.Add\(' ', "\('; done) $(words edp/ffcontact.idp 'func mesh ' '\('); do
   grep -q "\b$function(" "${pages[@]}" || missing "the function $function"
 done
-nodal=$(words plugin/nodal_results.hpp '\{' ',\s+(&NodalResults|nullptr)')
-for result in $nodal $(words plugin/contact_members.cpp 'add_member\(' ','); do
+nodal=$(words "$(find plugin -name nodal_results.hpp)" '\{' ',\s+(&NodalResults|nullptr)')
+for result in $nodal $(words "$(find plugin -name contact_members.cpp)" 'add_member\(' ','); do
   grep -q "\`C\.$result\`" "${pages[@]}" || missing "C.$result"
 done
-for file in plugin/*.cpp; do
+for file in "${sources[@]}"; do
   parameters=$(words "$file" '\{' ', &typeid')
   [ -n "$parameters" ] || continue
   functions=$(words "$file" 'Global\.Add\(' ', "\(')
