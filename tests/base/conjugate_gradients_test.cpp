@@ -16,7 +16,7 @@ MatrixXd random_positive(Index n, Random& random) {
   return B * B.transpose() + MatrixXd::Identity(n, n);
 }
 
-LinearMap times(const MatrixXd& A) {
+LinearMap product_with(const MatrixXd& A) {
   return [&A](const VectorXd& x) -> VectorXd { return A * x; };
 }
 
@@ -25,7 +25,8 @@ RC_GTEST_PROP(ConjugateGradients, solves_with_any_positive_preconditioner,
   const Index n = *rc::gen::inRange(1, 30);
   const MatrixXd A = random_positive(n, random), M = random_positive(n, random);
   const VectorXd b = random_vector(n, random);
-  const auto x = conjugate_gradients(times(A), times(M), b, {1e-8, 500});
+  const auto x =
+      conjugate_gradients(product_with(A), product_with(M), b, {1e-8, 500});
   RC_ASSERT(x.has_value());
   RC_ASSERT((b - A * *x).norm() <= 1.1e-8 * b.norm());
 }

@@ -15,7 +15,7 @@ namespace {
 using namespace test;
 
 /// A block on the ground whose vertices are moved at random.
-SolidProblem any_block(std::mt19937& random) {
+SolidProblem block_on_ground(std::mt19937& random) {
   const SolidMesh mesh =
       shuffled(moved(brick({4, 2, 2}, {80, 40, 40}), 20, 0.15, random), random);
   constexpr BlockCase cases[] = {BlockCase::press, BlockCase::press_x,
@@ -53,7 +53,7 @@ TEST(SharedEstimate, is_that_of_one_process) {
   for (unsigned seed = 1; seed <= cases; ++seed) {
     Random random(seed);
     const SolidProblem problem =
-        seed % 2 ? any_block(random) : any_halves(random);
+        seed % 2 ? block_on_ground(random) : any_halves(random);
     const SurfaceSolution solution = problem.solve();
     const SolidEstimate alone = estimate(problem, solution, {8, 0}),
                         shared = estimate(
