@@ -16,8 +16,8 @@ for module in cpp/ffcontact/*/; do
                                                  next }
                /^(class|struct|enum class) [A-Za-z]/ { print "c", $($1 == "enum" ? 3 : 2) }
                /^[A-Za-z].* [*&]?[a-z_0-9]+\(/ { match($0, /[a-z_0-9]+\(/); print "f", substr($0, RSTART, RLENGTH - 1) }' \
-                  $(find "$module" -name '*.cpp') | sed 's/\[.*//; s/[={].*//; s/ *$//')
-  names=$({ grep '^c' <<<"$private" || true; grep '^f' <<<"$private" | sort -u; } | cut -d' ' -f2 | sort | uniq -d)
+                  $(find "$module" -name '*.cpp') /dev/null | sed 's/\[.*//; s/[={].*//; s/ *$//')
+  names=$({ grep '^c' <<<"$private" || true; { grep '^f' <<<"$private" || true; } | sort -u; } | cut -d' ' -f2 | sort | uniq -d)
   [ -z "$names" ] || { echo "$module: private names of more than one file: $(echo $names)"; failed=1; }
 done
 exit $failed
