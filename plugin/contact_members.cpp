@@ -54,14 +54,17 @@ const SolidResults& solid_results(const Contact& contact) {
                         : solved_solid(contact).nodes;
 }
 
+const VectorXd& nodal_values(const NodalArray& array, const Contact& contact) {
+  if (!array.plane || (array.solid && is_solid(contact)))
+    return *array.in(solid_results(contact));
+  return *array.in(plane_results(contact));
+}
+
 template <std::size_t k>
 KN<double>* nodal_array(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    const Contact& contact = stated_contact_of(*variable);
-    const NodalArray& array = nodal_arrays[k];
-    if (!array.plane || (array.solid && is_solid(contact)))
-      return array_of<double>(stack, *array.in(solid_results(contact)));
-    return array_of<double>(stack, *array.in(plane_results(contact)));
+    return array_of<double>(
+        stack, nodal_values(nodal_arrays[k], stated_contact_of(*variable)));
   });
 }
 
