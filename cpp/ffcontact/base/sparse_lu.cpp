@@ -81,23 +81,25 @@ bool SparseLu::is_identity() const { return !factor_->klu; }
 
 VectorXd SparseLu::solve(const VectorXd& b) const { return solve_columns(b); }
 
-MatrixXd SparseLu::solve_columns(const MatrixXd& B) const {
-  return is_identity() ? B : factor_->klu->solve(B);
+MatrixXd SparseLu::solve_columns(MatrixXd B) const {
+  if (is_identity()) return B;
+  return factor_->klu->solve(std::move(B));
 }
 
 VectorXd SparseLu::solve_transposed(const VectorXd& b) const {
   return solve_transposed_columns(b);
 }
 
-MatrixXd SparseLu::solve_transposed_columns(const MatrixXd& B) const {
-  return is_identity() ? B : factor_->klu->solve_transposed(B);
+MatrixXd SparseLu::solve_transposed_columns(MatrixXd B) const {
+  if (is_identity()) return B;
+  return factor_->klu->solve_transposed(std::move(B));
 }
 
 MatrixXd SparseLu::congruent(MatrixXd S) const {
   if (is_identity()) return S;
-  S = solve_transposed_columns(S);
+  S = solve_transposed_columns(std::move(S));
   S.transposeInPlace();
-  S = solve_transposed_columns(S);
+  S = solve_transposed_columns(std::move(S));
   mirror_lower(S);
   return S;
 }

@@ -19,10 +19,10 @@ class SparseLu {
   bool is_regular() const;
   bool is_identity() const;
 
-  VectorXd solve(const VectorXd& b) const;                     ///< A^-1 b
-  MatrixXd solve_columns(const MatrixXd& B) const;             ///< A^-1 B
-  VectorXd solve_transposed(const VectorXd& b) const;          ///< A'^-1 b
-  MatrixXd solve_transposed_columns(const MatrixXd& B) const;  ///< A'^-1 B
+  VectorXd solve(const VectorXd& b) const;              ///< A^-1 b
+  MatrixXd solve_columns(MatrixXd B) const;             ///< A^-1 B
+  VectorXd solve_transposed(const VectorXd& b) const;   ///< A'^-1 b
+  MatrixXd solve_transposed_columns(MatrixXd B) const;  ///< A'^-1 B
 
   /// A'^-1 S A^-1 of a symmetric S, exactly symmetric.
   MatrixXd congruent(MatrixXd S) const;
