@@ -74,8 +74,8 @@ TEST(HeldRows, carry_no_force_and_move_as_prescribed) {
   const VectorXd u = VectorXd::LinSpaced(system.dof_count(), -1, 2);
   const Matrix2Xd v = steered_displacement(line, law, held, u),
                   free = displacement_against_foundation(line, law, u),
-                  F = loading_forces(held.row,
-                                     Matrix2Xd::Ones(2, line.node_count()));
+                  F = without<Matrix2Xd>(held.row,
+                                         Matrix2Xd::Ones(2, line.node_count()));
   for (Index row = 0; row < v.size(); ++row) {
     EXPECT_EQ(F.reshaped()[row], held.row[row] ? 0 : 1);
     EXPECT_EQ(v.reshaped()[row], held.row[row] ? 0 : free.reshaped()[row]);

@@ -153,7 +153,7 @@ ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
       whole.residual.of_forces,
       balance_defect(
           mesh, system,
-          nodal_load(line, loading_forces(contact.held.row, solution.force),
+          nodal_load(line, without<Matrix2Xd>(contact.held.row, solution.force),
                      system.dof_count())));
   solution.status =
       judged_status(whole.condensed.status, solution.complementarity,

@@ -50,12 +50,6 @@ Flags held_rows(const ContactLine& line, const Flags& prescribed) {
   return held;
 }
 
-Matrix2Xd loading_forces(const Flags& held, Matrix2Xd force) {
-  for (Index row = 0; row < force.size(); ++row)
-    if (held[row]) force(row % 2, row / 2) = 0;
-  return force;
-}
-
 HeldRows held_rows(const ContactLine& line, const ContactLaw& law,
                    const ElasticSystem& system) {
   const VectorXd& given = system.prescribed_value;

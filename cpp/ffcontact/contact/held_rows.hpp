@@ -19,9 +19,6 @@ namespace ffcontact {
 /// all others to act through it.
 Flags held_rows(const ContactLine& line, const Flags& prescribed);
 
-/// The nodal forces that load a body: none on held rows [2 x p].
-Matrix2Xd loading_forces(const Flags& held, Matrix2Xd force);
-
 /// Held rows and what prescribed values make of them.
 struct HeldRows {
   Flags row;  ///< held_rows

@@ -19,7 +19,7 @@ constexpr double share_of_terms = 1e-4, share_of_largest_row = 2.2e-7;
 VectorXd contact_load(const ContactLine& line, const ContactLaw& law,
                       const HeldRows& held, const BodyAnswer& answer) {
   return nodal_load(
-      line, loading_forces(held.row, nodal_forces_of(line, law, answer.P)),
+      line, without<Matrix2Xd>(held.row, nodal_forces_of(line, law, answer.P)),
       answer.displacement.size());
 }
 

@@ -22,9 +22,9 @@ struct StatedSurface {
   }
   /// v of a displacement on all dofs.
   VectorXd v_of(const VectorXd& displacement) const {
-    return without_held(
-        trace.held,
-        displacement_against_foundation(surface, law, displacement).reshaped());
+    return without(trace.held,
+                   displacement_against_foundation(surface, law, displacement))
+        .reshaped();
   }
 };
 

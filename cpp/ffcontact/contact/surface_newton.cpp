@@ -140,9 +140,7 @@ class Newton {
 double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
                          const Flags& held, const ContactRows& rows) {
   const Index nodal = 3 * law.node_count();
-  VectorXd v = rows.v.head(nodal);
-  for (Index row = 0; row < nodal; ++row)
-    if (held[row]) v[row] = 0;
+  const VectorXd v = without<VectorXd>(held, rows.v.head(nodal));
   const LawScales scales = relation.scales(v);
   const auto beyond = rows.P.tail(rows.P.size() - nodal);
   const double missed = max_norm(beyond),

@@ -125,7 +125,7 @@ class Answer {
     solution_.state = condensed_.state;
     solution_.displacement +=
         relation_->displacement({condensed_.P, condensed_.v});
-    solution_.force = without_held(stated_.trace.held, on_nodes(condensed_.P))
+    solution_.force = without(stated_.trace.held, on_nodes(condensed_.P))
                           .reshaped(3, stated_.surface.node_count());
     judge();
   }

@@ -185,22 +185,16 @@ class TraceBuilder {
 
 }  // namespace
 
-VectorXd without_held(const Flags& held, VectorXd rows) {
-  for (Index row = 0; row < rows.size(); ++row)
-    if (held[row]) rows[row] = 0;
-  return rows;
-}
-
 SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
                            const ElasticSystem& system) {
   const std::vector<int> kept = free_dofs_at(contact_vertices(surface), system);
   SurfaceTrace result = TraceBuilder(surface, system.prescribed).trace(kept);
   if (result.primary.empty())
     refuse("every dof of the contact surface is prescribed");
-  result.trace.v_prescribed = without_held(
-      result.held,
-      displacement_against_foundation(surface, law, system.prescribed_value)
-          .reshaped());
+  result.trace.v_prescribed =
+      without(result.held, displacement_against_foundation(
+                               surface, law, system.prescribed_value))
+          .reshaped();
   return result;
 }
 

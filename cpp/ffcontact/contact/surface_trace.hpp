@@ -27,9 +27,6 @@ struct SurfaceTrace {
   Flags held;                ///< [3 p]
 };
 
-/// 0 on held rows, which do nothing to a body.
-VectorXd without_held(const Flags& held, VectorXd rows);
-
 /// @throws std::invalid_argument  if every dof of the surface is prescribed
 SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
                            const ElasticSystem& system);

@@ -52,8 +52,8 @@ BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
 VectorXd computed_forces(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   return nodal_load(line,
-                    loading_forces(held_rows(line, system.prescribed),
-                                   forces_of(line, body.pressure)),
+                    without<Matrix2Xd>(held_rows(line, system.prescribed),
+                                       forces_of(line, body.pressure)),
                     system.dof_count());
 }
 
