@@ -69,9 +69,8 @@ ContactStates states_at(const SolidProblem& problem, const PlacedStates& old) {
 void require_forces(const SolveCall& call) {
   if (multiplier_of(call.stack, call.named) == Multiplier::pressure)
     refuse(
-        "multiplier=\"pressure\" is for plane bodies: leave it out, solids "
-        "have "
-        "nodal forces");
+        "multiplier=\"pressure\" is for plane bodies: leave it out, "
+        "solids have nodal forces");
 }
 
 SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contact of a solid, all of solve_contact on an ElasticSystem, and the estimate of its
-// error with the default steps, beside one linear solve of the same matrix: a block 80 x 40 x 40 of 8 n x 4 n x 4 n bricks on a rigid plane, friction 0.5,
-// its top held, pressed from two sides (all nodes slip) or from one (some lift off).
+// error with the default steps, beside one linear solve of the same matrix: a block
+// 80 x 40 x 40 of 8 n x 4 n x 4 n bricks on a rigid plane, friction 0.5, its top held,
+// pressed from two sides (all nodes slip) or from one (some lift off).
 #include "comparison.hpp"
 #include "linear_solve.hpp"
 #include "support/solid_estimates.hpp"

@@ -5,7 +5,7 @@
 
 #include "support/bodies.hpp"
 #include "support/condensed.hpp"
-#include "support/uniform.hpp"
+#include "support/random.hpp"
 
 namespace ffcontact::test {
 namespace {
@@ -28,8 +28,7 @@ TEST(trace_stiffness, holds_the_relation_of_rows_that_opposite_vertices_move) {
   EXPECT_EQ(traces.place[contact.dependent[0]], f);
 
   std::mt19937 random(1);
-  const Uniform part{-1, 1};
-  const VectorXd v = VectorXd::NullaryExpr(f, [&] { return part(random); });
+  const VectorXd v = random_vector(f, random);
   const VectorXd q = VectorXd::Constant(1, 300);
   VectorXd all(f + 1), forces(f + 1);
   all << v, contact.E.transpose() * v + contact.F * q;
