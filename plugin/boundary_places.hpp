@@ -12,8 +12,8 @@ namespace ffcontact::plugin {
 /// A place on a labelled facet of one body.
 template <int dim>
 struct BoundaryPlace {
-  int column;                      ///< of the body's SimplexMesh::boundary
-  Matrix<double, dim, 1> weights;  ///< of that column's vertices
+  int column;             ///< of the body's SimplexMesh::boundary
+  VectorOf<dim> weights;  ///< of that column's vertices
 };
 
 /// Expressions at places of bodies whose meshes other processes hold.

@@ -19,7 +19,7 @@ void visit_members(Part& part, const Visit& visit) {
         edges.on_boundary);
   visit(place.cell, place.face);
   visit(hooke, boundary.known, boundary.moments, body_loads, stress, moments);
-  visit(share.cell, share.face, share.edge, share.counted);
+  visit(share.cell, share.facet, share.ridge, share.counted);
   visit(given, taken, contact_counted, contact_known, has_contact);
 }
 

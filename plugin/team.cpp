@@ -59,8 +59,7 @@ void Team::tell_all(Word word, const Packet& packet) const {
 
 Packet Team::answer_of(int rank) const {
   Packet packet(processes_->receive(rank));
-  const bool failed = packet.take<Word>() == Word::failed;
-  if (failed)
+  if (packet.take<Word>() == Word::failed)
     throw Failure("process " + std::to_string(rank) + ": " +
                   packet.take<std::string>());
   return packet;

@@ -10,7 +10,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/partial_cholesky.hpp"
-#include "ffcontact/equilibrium/edge_form.hpp"
+#include "ffcontact/equilibrium/ridge_form.hpp"
 #include "ffcontact/equilibrium/tiled_factor.hpp"
 #include "ffcontact/mesh/topology_part.hpp"
 #include "support/solids.hpp"
@@ -80,10 +80,10 @@ double bytes_of_relaxation(const SolidTopology& topology) {
   double factors = 0;
   for (int e = 0; e < topology.edges.count(); ++e)
     factors +=
-        static_cast<double>(factor_size(unknowns_around(topology.edges, e)));
-  constexpr double form = 4 * FaceForms::stored, images = 8 * 36,
+        static_cast<double>(factor_size(unknowns_around<3>(topology.edges, e)));
+  constexpr double form = 4 * FacetForms<3>::stored, images = 8 * 36,
                    unknowns = 8 * 9 * 5,
-                   around_an_edge = 8 * 9 + sizeof(WrenchShift);
+                   around_an_edge = 8 * 9 + sizeof(WrenchShift<3>);
   return (form + images) * topology.mesh.cell_count() + 4 * factors +
          unknowns * topology.faces.count() +
          around_an_edge * static_cast<double>(topology.edges.facet.size());

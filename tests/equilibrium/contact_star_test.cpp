@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/contact_star.hpp"
 
-#include "ffcontact/equilibrium/edge_form.hpp"
+#include "ffcontact/equilibrium/ridge_form.hpp"
 #include "support/cut_solids.hpp"
 
 namespace ffcontact {
@@ -20,7 +20,7 @@ JointSolid one_or_two(std::mt19937& random) {
 /// held, with tractions in the cone, motions and residuals at random.
 struct AnyContact {
   SolidTopology topology;
-  FaceForms forms;
+  FacetForms<3> forms;
   KnownComponents known;
   std::vector<ContactFace> contact;
   std::vector<int> index;
@@ -128,8 +128,8 @@ RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
           const Matrix3d corners = any.topology.mesh.vertices(
               Eigen::all, any.topology.faces.vertices.col(f));
           const Vector9d moments =
-              wrench_basis(corners) *
-              at_place(any.topology, part.edge, k, part.of(x));
+              wrench_basis<3>(corners) *
+              at_place<3>(any.topology, part.edge, k, part.of(x));
           moved += traction_of(any.contact[m], moments.reshaped(3, 3));
         }
       RC_ASSERT((moved - any.tractions[m]).norm() < 1e-9);

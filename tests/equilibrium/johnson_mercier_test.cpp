@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/face_energy.hpp"
+#include "ffcontact/equilibrium/facet_energy.hpp"
 #include "support/tetrahedra.hpp"
 
 namespace ffcontact {
@@ -61,8 +61,9 @@ RC_GTEST_PROP(JohnsonMercier, has_the_dimensions_of_the_theory,
                      [&](const SolidStress&s) { return inner_jumps(x, s); }),
                  divergence = matrix_of(
                      [&](const SolidStress&s) { return divergences(x, s); }),
-                 loads = matrix_of(
-                     [&](const SolidStress&s) { return face_loads_of(x, s); });
+                 loads = matrix_of([&](const SolidStress&s) {
+                   return facet_loads_of<3>(x, s);
+                 });
   MatrixXd differences = divergence.bottomRows(9);
   for (int k = 0; k < 3; ++k)
     differences.middleRows(3 * k, 3) -= divergence.topRows(3);
@@ -88,7 +89,8 @@ RC_GTEST_PROP(JohnsonMercier, is_in_equilibrium_with_balanced_loads,
       body_force_of(loads.in_body, piola_matrix(x).determinant() / 6);
   RC_ASSERT((divergences(x, stress) + f).norm() < 1e-11 * scale);
   RC_ASSERT(inner_jumps(x, stress).norm() < 1e-11 * scale);
-  RC_ASSERT((face_loads_of(x, stress) - loads.on_faces).norm() < 1e-11 * scale);
+  RC_ASSERT((facet_loads_of<3>(x, stress) - loads.on_faces).norm() <
+            1e-11 * scale);
 }
 
 RC_GTEST_PROP(JohnsonMercier, has_linear_stresses, (Random random)) {
@@ -98,7 +100,7 @@ RC_GTEST_PROP(JohnsonMercier, has_linear_stresses, (Random random)) {
   const double volume = piola_matrix(x).determinant() / 6;
   const SolidBodyLoads in_body =
       (volume / 4 * linear.body_force()).replicate<1, 4>();
-  const FaceLoads on_faces = face_loads_of(x, expected);
+  const FaceLoads on_faces = facet_loads_of<3>(x, expected);
   RC_ASSERT((balancing_body_loads(on_faces) - in_body).norm() < 1e-13);
   RC_ASSERT((composite_stress(x, on_faces, in_body) - expected).norm() < 1e-11);
 }
@@ -115,7 +117,7 @@ RC_GTEST_PROP(JohnsonMercier, body_force_has_its_moments, (Random random)) {
 }
 
 TEST(JohnsonMercier, energy_of_a_constant_stress_is_volume_times_density) {
-  const TetrahedronCorners x = 2 * reference_tetrahedron();  // 8/6 mm^3
+  const TetrahedronCorners x = 2 * reference_cell<3>();  // 8/6 mm^3
   const Matrix<double, 6, 6> C = isotropic<3>(3, 2);
   Matrix<double, 6, 1> sigma;
   sigma << 1, 2, 3, 4, 5, 6;
@@ -129,7 +131,7 @@ TEST(JohnsonMercier, energy_of_a_linear_stress) {
   LinearSolidStress linear{Matrix<double, 6, 4>::Zero()};
   linear.S(0, 1) = 1;
   Matrix<double, 6, 6> compliance = Matrix<double, 6, 6>::Identity();
-  const TetrahedronCorners x = reference_tetrahedron();
+  const TetrahedronCorners x = reference_cell<3>();
   EXPECT_NEAR(energy(x, compliance, linear.values(x)), 2.0 / 120, 1e-15);
 }
 
@@ -165,7 +167,7 @@ struct AnyForm {
 
 RC_GTEST_PROP(FaceEnergy, is_that_of_the_composite_stress, (Random random)) {
   const AnyForm any(random);
-  const FaceForm H = face_energy(any.x, any.compliance, any.basis);
+  const CellForm<3> H = facet_energy<3>(any.x, any.compliance, any.basis);
   const Matrix<double, 36, 1> unknowns = random_vector(36, random);
   const double expected = energy(any.x, any.compliance, any.stress(unknowns));
   RC_ASSERT(std::abs(unknowns.dot(H * unknowns) - expected) < 1e-11 * expected);
@@ -177,7 +179,7 @@ RC_GTEST_PROP(FaceEnergy, slope_is_that_of_the_energy, (Random random)) {
                               along = random_vector(36, random);
   const SolidStress sigma = any.stress(at), tau = any.stress(along);
   const double slope =
-      face_slope(any.x, any.compliance, sigma, any.basis).dot(along);
+      facet_slope<3>(any.x, any.compliance, sigma, any.basis).dot(along);
   // (sigma + tau)^2 - (sigma - tau)^2 = 4 sigma tau
   const double plus = energy(any.x, any.compliance, sigma + tau),
                minus = energy(any.x, any.compliance, sigma - tau);

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "ffcontact/equilibrium/edge_form.hpp"
+#include "ffcontact/equilibrium/ridge_form.hpp"
 #include "support/cut_solids.hpp"
 #include "support/tetrahedra.hpp"
 
@@ -27,10 +27,10 @@ Matrix9Xd spread(const SolidTopology& topology, const JointEdge& joint,
                  const VectorXd& x) {
   Matrix9Xd all = Matrix9Xd::Zero(9, topology.faces.count());
   for (const JointEdge::Part& part : joint.parts) {
-    const std::vector<int> faces = faces_around(topology.edges, part.edge);
+    const std::vector<int> faces = facets_around<3>(topology.edges, part.edge);
     for (std::size_t i = 0; i < faces.size(); ++i)
       all.col(faces[i]) +=
-          at_place(topology, part.edge, static_cast<int>(i), part.of(x));
+          at_place<3>(topology, part.edge, static_cast<int>(i), part.of(x));
   }
   return all;
 }
@@ -41,7 +41,7 @@ FaceMoments moments_of_unknowns(const SolidTopology& topology,
   for (Index f = 0; f < unknowns.cols(); ++f) {
     const Matrix3d corners =
         topology.mesh.vertices(Eigen::all, topology.faces.vertices.col(f));
-    moments.col(f) = wrench_basis(corners) * unknowns.col(f);
+    moments.col(f) = wrench_basis<3>(corners) * unknowns.col(f);
   }
   return moments;
 }
@@ -78,8 +78,9 @@ RC_GTEST_PROP(JointEdge, corrections_are_balanced_in_all_bodies,
               (Random random)) {
   const JointSolid solid = any_joint_solid(random);
   const SolidTopology& topology = solid.topology;
-  const FaceForms forms(topology, HookeTensors<3>(topology.mesh.cell_count(),
-                                                  isotropic<3>(0.5, 0.4)));
+  const FacetForms<3> forms(
+      topology,
+      HookeTensors<3>(topology.mesh.cell_count(), isotropic<3>(0.5, 0.4)));
   const std::vector<JointEdge> joints = joint_edges(topology, solid.contact);
   RC_ASSERT(!joints.empty());
   for (const JointEdge& joint : joints) {
@@ -93,7 +94,7 @@ RC_GTEST_PROP(JointEdge, corrections_are_balanced_in_all_bodies,
 
     double energy = 0;
     for (int t = 0; t < topology.mesh.cell_count(); ++t) {
-      const Vector36d of_cell = unknowns_at(topology.faces, unknowns, t);
+      const CellVector<3> of_cell = unknowns_at<3>(topology.faces, unknowns, t);
       energy += of_cell.dot(forms.times(t, of_cell));
     }
     const MatrixXd A = joint_form(topology, joint, forms);
@@ -115,7 +116,7 @@ RC_GTEST_PROP(JointEdge, has_all_faces_around_once, (Random random)) {
     int own = 0;
     for (const JointEdge::Part& part : joint.parts) {
       RC_ASSERT(edges.insert(part.edge).second);
-      for (int face : faces_around(topology.edges, part.edge))
+      for (int face : facets_around<3>(topology.edges, part.edge))
         own += opposite.count(face) == 0;
     }
     RC_ASSERT(joint.size == 6 + 3 * own);
@@ -142,7 +143,7 @@ RC_GTEST_PROP(JointEdge, conditions_are_those_of_all_parts, (Random random)) {
         moments_of_unknowns(topology, spread(topology, joint, x));
     std::vector<double> expected;
     for (const JointEdge::Part& part : joint.parts)
-      for (int face : faces_around(topology.edges, part.edge))
+      for (int face : facets_around<3>(topology.edges, part.edge))
         for (int row = 0; row < 9; ++row)
           if (known(row % 3, face)) expected.push_back(moments(row, face));
     const VectorXd found = joint_conditions(topology, joint, known) * x;

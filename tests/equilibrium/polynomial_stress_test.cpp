@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/linear_stress.hpp"
 #include "support/balances.hpp"
 
 namespace ffcontact {

@@ -71,11 +71,13 @@ TEST(SolidRelaxation, ends_at_the_least_energy) {
         unit(row, f) = 1;
         to_loads.col(9 * f + row) = loads_of(mesh, faces, unit, t).reshaped();
       }
-    H += to_loads.transpose() * face_energy(x, compliance, identity) * to_loads;
+    H += to_loads.transpose() * facet_energy<3>(x, compliance, identity) *
+         to_loads;
     slope += to_loads.transpose() *
-             face_slope(x, compliance,
-                        difference_stress(solid.setting, solid.moments, t),
-                        identity);
+             facet_slope<3>(
+                 x, compliance,
+                 difference_stress<3>(solid.setting.loaded(), solid.moments, t),
+                 identity);
     balance.middleRows(6 * t, 6) =
         balance_conditions(x).leftCols<36>() * to_loads;
   }

@@ -22,7 +22,7 @@ RC_GTEST_PROP(WrenchBasis, has_the_wrench_and_bars_without_one,
   const Vector3d centre = x.rowwise().mean();
   const double size = std::sqrt(facet_vector(x).norm());
   RC_PRE(size > 0.3);
-  const Matrix9d V = wrench_basis(x);
+  const Matrix9d V = wrench_basis<3>(x);
   Matrix<double, 6, 9> wrench = Matrix<double, 6, 9>::Zero();
   for (int unknown = 0; unknown < 9; ++unknown)
     for (int i = 0; i < 3; ++i) {
@@ -41,8 +41,9 @@ RC_GTEST_PROP(WrenchBasis, has_the_wrench_and_bars_without_one,
 }
 
 /// What wrenches and bars on a tetrahedron's faces lack to balance, of the loads.
-double imbalance(const SolidTopology& topology, int cell, const Vector36d& x) {
-  const std::array<Matrix9d, 4> bases = wrench_bases(topology, cell);
+double imbalance(const SolidTopology& topology, int cell,
+                 const CellVector<3>& x) {
+  const std::array<Matrix9d, 4> bases = wrench_bases<3>(topology, cell);
   FaceLoads loads;
   for (int k = 0; k < 4; ++k)
     loads.middleCols<3>(3 * k).reshaped() = bases[k] * x.segment<9>(9 * k);
@@ -62,10 +63,10 @@ RC_GTEST_PROP(WrenchBasis, a_wrench_around_an_edge_balances_its_tetrahedra,
         Matrix<double, 9, Dynamic>::Zero(9, faces.count());
     for (int k = edges.facet_start[e]; k < edges.facet_start[e + 1]; ++k)
       unknowns.col(edges.facet[k])
-          << wrench_shift(topology, edges.facet[k], e).times(wrench),
+          << wrench_shift<3>(topology, edges.facet[k], e).times(wrench),
           random_vector(3, random);
     for (int t = 0; t < mesh.cell_count(); ++t)
-      RC_ASSERT(imbalance(topology, t, unknowns_at(faces, unknowns, t)) <
+      RC_ASSERT(imbalance(topology, t, unknowns_at<3>(faces, unknowns, t)) <
                 1e-12);
   }
 }
@@ -74,13 +75,13 @@ RC_GTEST_PROP(WrenchBasis, the_wrench_on_one_face_balances_the_others,
               (Random random)) {
   const SolidTopology topology = topology_of(irregular_solid(random));
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
-    const Vector36d x = balanced_unknowns(topology, t, t % 4, random);
+    const CellVector<3> x = balanced_unknowns(topology, t, t % 4, random);
     RC_ASSERT(imbalance(topology, t, x) < 1e-12);
   }
 }
 
 RC_GTEST_PROP(WrenchShift, is_one_matrix, (Random random)) {
-  const WrenchShift shift{random_vector(3, random), 0.7, -1};
+  const WrenchShift<3> shift{random_vector(3, random), 0.7, -1};
   const Vector6d w = random_vector(6, random);
   RC_ASSERT((shift.matrix() * w - shift.times(w)).norm() < 1e-14);
   RC_ASSERT(

@@ -157,9 +157,9 @@ double least_square(const SolidProblem& problem,
       stress,
       contact_faces(problem.mesh, problem.faces, problem.surface, body.law,
                     body.displacement)};
-  const FaceShare whole = whole_share(topology);
-  const NoExchange none;
-  FaceDescent descent(setting, first.moments, whole, none);
+  const FacetShare whole = whole_share<3>(topology);
+  const NoExchange<3> none;
+  FacetDescent<3> descent(setting.loaded(), first.moments, whole, none);
   ContactPass contact(topology, first.boundary, descent.forms(),
                       setting.contact, first.moments);
   const double first_square = descent.begin();

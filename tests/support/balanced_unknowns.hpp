@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/face_forms.hpp"
+#include "ffcontact/equilibrium/facet_forms.hpp"
+#include "ffcontact/mesh/solid_topology.hpp"
 #include "support/random.hpp"
 
 /// Wrenches and bars on the faces of one tetrahedron.
@@ -9,14 +10,14 @@ namespace ffcontact::test {
 
 /// Unknowns of a tetrahedron's faces that balance on it: any wrenches and bars on three of
 /// its faces, and what they ask of a fourth one.
-inline Vector36d balanced_unknowns(const SolidTopology& topology, int cell,
-                                   int d, std::mt19937& random) {
-  Vector36d x = random_vector(36, random);
+inline CellVector<3> balanced_unknowns(const SolidTopology& topology, int cell,
+                                       int d, std::mt19937& random) {
+  CellVector<3> x = random_vector(36, random);
   x.segment<6>(9 * d).setZero();
   for (int k = 0; k < 4; ++k)
     if (k != d)
       x.segment<6>(9 * d) +=
-          balancing_shift(topology, cell, k, d).times(x.segment<6>(9 * k));
+          balancing_shift<3>(topology, cell, k, d).times(x.segment<6>(9 * k));
   return x;
 }
 

@@ -3,6 +3,7 @@
 
 #include <omp.h>
 
+#include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/edge_moments.hpp"
 #include "ffcontact/equilibrium/nodal_residual.hpp"
 #include "ffcontact/estimate/estimate.hpp"

@@ -36,7 +36,7 @@ struct RelaxedSolid {
     double sum = 0;
     for (int t = 0; t < body.mesh().cell_count(); ++t)
       sum += energy(corners_of(body.mesh(), t), body.hooke[t].inverse(),
-                    difference_stress(setting, moments, t));
+                    difference_stress<3>(setting.loaded(), moments, t));
     return sum;
   }
   /// Force or moment over size left on a tetrahedron, relative to the largest load.

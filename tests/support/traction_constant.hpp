@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/face_energy.hpp"
 #include "ffcontact/equilibrium/face_tractions.hpp"
+#include "ffcontact/equilibrium/facet_energy.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 #include "support/solids.hpp"
 #include "support/tetrahedra.hpp"
@@ -101,8 +101,8 @@ class LeastStress {
     for (int t = 0; t < mesh.cell_count(); ++t) {
       const TetrahedronCorners corners = corners_of(mesh, t);
       const MatrixXd loads = loads_by_unknowns(t, size);
-      energy_ +=
-          loads.transpose() * face_energy(corners, compliance, basis) * loads;
+      energy_ += loads.transpose() *
+                 facet_energy<3>(corners, compliance, basis) * loads;
       balance_.middleRows<6>(6 * t) =
           balance_conditions(corners).leftCols<36>() * loads;
     }

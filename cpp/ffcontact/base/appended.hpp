@@ -7,8 +7,7 @@
 namespace ffcontact {
 
 inline void append(const Ref<const VectorXd>& values, VectorXd& all) {
-  const Index before = all.size();
-  all.conservativeResize(before + values.size());
+  all.conservativeResize(all.size() + values.size());
   all.tail(values.size()) = values;
 }
 
@@ -16,8 +15,7 @@ inline void append(const Ref<const VectorXd>& values, VectorXd& all) {
 template <int rows>
 void append(const Matrix<double, rows, Dynamic>& columns,
             Matrix<double, rows, Dynamic>& all) {
-  const Index before = all.cols();
-  all.conservativeResize(Eigen::NoChange, before + columns.cols());
+  all.conservativeResize(Eigen::NoChange, all.cols() + columns.cols());
   all.rightCols(columns.cols()) = columns;
 }
 

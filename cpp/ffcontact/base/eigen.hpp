@@ -31,6 +31,12 @@ using Eigen::Vector4i;
 using Eigen::VectorXd;
 using Eigen::VectorXi;
 
+/// Vector2d and Matrix2d, or Vector3d and Matrix3d.
+template <int dim>
+using VectorOf = Matrix<double, dim, 1>;
+template <int dim>
+using MatrixOf = Matrix<double, dim, dim>;
+
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 }  // namespace ffcontact

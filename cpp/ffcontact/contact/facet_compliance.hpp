@@ -14,7 +14,7 @@ namespace ffcontact {
 /// 1 / (n' K_vv n) on the free components [mm/N], or 0 at a vertex that none moves along n.
 template <int dim>
 double nodal_compliance(const ElasticSystem& system, int vertex,
-                        const Matrix<double, dim, 1>& n) {
+                        const VectorOf<dim>& n) {
   constexpr double along_the_line = 1e-3;  // below this n does not move a node
   double stiffness = 0;
   for (int i = 0; i < dim; ++i) {
@@ -30,8 +30,7 @@ double nodal_compliance(const ElasticSystem& system, int vertex,
 /// The mean of its vertices' nodal compliances along n, times its size.
 template <int dim>
 double facet_compliance(const Facets<dim>& facets, const ElasticSystem& system,
-                        int facet, double size,
-                        const Matrix<double, dim, 1>& n) {
+                        int facet, double size, const VectorOf<dim>& n) {
   double sum = 0;
   for (int v : facets.vertices.col(facet))
     sum += nodal_compliance<dim>(system, v, n);

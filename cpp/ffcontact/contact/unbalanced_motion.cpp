@@ -38,7 +38,7 @@ Vertices moved_vertices(const Ref<const VectorXd>& field) {
 }
 
 template <int dim>
-VectorXd translation(const Vertices& part, const Matrix<double, dim, 1>& along,
+VectorXd translation(const Vertices& part, const VectorOf<dim>& along,
                      Index dofs) {
   VectorXd field = VectorXd::Zero(dofs);
   for (int v : part) vector_at<dim>(field, v) = along;
@@ -103,8 +103,8 @@ class Balance {
 
 /// Main direction of the normals of a part's contact nodes; 0 where there are none.
 template <int dim>
-Matrix<double, dim, 1> main_normal(const Pushed& pushed, const Vertices& part) {
-  using Vector = Matrix<double, dim, 1>;
+VectorOf<dim> main_normal(const Pushed& pushed, const Vertices& part) {
+  using Vector = VectorOf<dim>;
   const Index dofs = pushed.load.size();
   MatrixXd normals(pushed.normal_components(pushed.load).size(), dim);
   for (int c = 0; c < dim; ++c)
@@ -119,7 +119,7 @@ Matrix<double, dim, 1> main_normal(const Pushed& pushed, const Vertices& part) {
 /// push it in.
 template <int dim>
 std::vector<VectorXd> translations(const Pushed& pushed, const Vertices& part) {
-  using Vector = Matrix<double, dim, 1>;
+  using Vector = VectorOf<dim>;
   Vector resultant = Vector::Zero();
   for (int v : part) resultant += vector_at<dim>(pushed.load, v);
   const Vector normal = main_normal<dim>(pushed, part);

@@ -26,7 +26,7 @@ auto vector_at(Field& field, int vertex) {
 /// @param prescribed  1 where the dof is prescribed [dofs]
 template <int dim>
 Matrix<double, dim, Dynamic> free_axes(int vertex, const Flags& prescribed) {
-  using Axis = Matrix<double, dim, 1>;
+  using Axis = VectorOf<dim>;
   std::vector<Axis> axes;
   for (int c = 0; c < dim; ++c)
     if (!prescribed[dof_of<dim>(vertex, c)]) axes.push_back(Axis::Unit(c));

@@ -29,11 +29,10 @@ bool is_elliptic(const Tensor& C) {
 
 /// du_i / dx_j
 template <int dim>
-Matrix<double, dim, dim> gradient(const SimplexMesh<dim>& mesh,
-                                  const Ref<const VectorXd>& displacement,
-                                  int cell) {
+MatrixOf<dim> gradient(const SimplexMesh<dim>& mesh,
+                       const Ref<const VectorXd>& displacement, int cell) {
   const auto hats = hat_gradients(mesh, cell);
-  Matrix<double, dim, dim> result = Matrix<double, dim, dim>::Zero();
+  MatrixOf<dim> result = MatrixOf<dim>::Zero();
   for (int k = 0; k <= dim; ++k) {
     const auto u = vector_at<dim>(displacement, mesh.cells(k, cell));
     for (int i = 0; i < dim; ++i)
@@ -65,7 +64,7 @@ void require_elliptic(const HookeTensors<FFCONTACT_DIMENSION>& hooke,
 template <int dim>
 VoigtVector<dim> strain(const SimplexMesh<dim>& mesh,
                         const Ref<const VectorXd>& displacement, int cell) {
-  const Matrix<double, dim, dim> grad = gradient(mesh, displacement, cell);
+  const MatrixOf<dim> grad = gradient(mesh, displacement, cell);
   VoigtVector<dim> result;
   for (int i = 0; i < dim; ++i) {
     result[i] = grad(i, i);

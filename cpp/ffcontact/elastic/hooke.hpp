@@ -63,8 +63,8 @@ auto traction(const Eigen::MatrixBase<Stress>& stress,
               const Eigen::MatrixBase<Normal>& normal) {
   constexpr int dim = Normal::SizeAtCompileTime;
   const VoigtVector<dim> s = stress;
-  const Matrix<double, dim, 1> n = normal;
-  Matrix<double, dim, 1> result;
+  const VectorOf<dim> n = normal;
+  VectorOf<dim> result;
   for (int i = 0; i < dim; ++i) {
     result[i] = s[voigt_place<dim>[i][0]] * n[0];
     for (int j = 1; j < dim; ++j) result[i] += s[voigt_place<dim>[i][j]] * n[j];

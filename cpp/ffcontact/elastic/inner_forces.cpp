@@ -14,7 +14,7 @@ VectorXd inner_forces(
     const auto gradients = hat_gradients(mesh, t);
     const double volume = signed_volume(mesh, t);
     for (int k = 0; k <= dim; ++k) {
-      const Matrix<double, dim, 1> gradient = gradients.col(k);
+      const VectorOf<dim> gradient = gradients.col(k);
       vector_at<dim>(forces, mesh.cells(k, t)) +=
           volume * traction(stress.col(t), gradient);
     }

@@ -28,13 +28,12 @@ std::vector<Index> columns_of(const SimplexMesh<dim>& mesh, int label) {
 
 template <int dim>
 void add_traction(const SimplexMesh<dim>& mesh, int label,
-                  const Matrix<double, dim, 1>& traction, VectorXd& b,
+                  const VectorOf<dim>& traction, VectorXd& b,
                   Matrix<double, dim * dim, Dynamic>& moments) {
   require_size("b", b.size(), dim * mesh.vertices.cols());
   require_size("moments", moments.cols(), mesh.boundary.cols());
   for (const Index f : columns_of(mesh, label)) {
-    const Matrix<double, dim, 1> share =
-        boundary_measure(mesh, f) / dim * traction;
+    const VectorOf<dim> share = boundary_measure(mesh, f) / dim * traction;
     moments.col(f) += share.template replicate<dim, 1>();
     for (const int v : mesh.boundary.col(f)) vector_at<dim>(b, v) += share;
   }

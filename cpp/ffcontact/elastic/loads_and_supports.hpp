@@ -15,7 +15,7 @@ namespace ffcontact {
 /// @throws std::invalid_argument  if sizes do not fit, or the label is on no facet
 template <int dim>
 void add_traction(const SimplexMesh<dim>& mesh, int label,
-                  const Matrix<double, dim, 1>& traction, VectorXd& b,
+                  const VectorOf<dim>& traction, VectorXd& b,
                   Matrix<double, dim * dim, Dynamic>& moments);
 
 /// Prescribes a component of the displacement [mm] at the vertices of a label's facets:

@@ -62,8 +62,7 @@ constexpr int motion_count = dim*(dim + 1) / 2;
 
 /// The rotations about the axes at r, one column each: e_z x r in the plane.
 template <int dim>
-Matrix<double, dim, motion_count<dim> - dim> rotations(
-    const Matrix<double, dim, 1>& r) {
+Matrix<double, dim, motion_count<dim> - dim> rotations(const VectorOf<dim>& r) {
   if constexpr (dim == 2) return Vector2d(-r.y(), r.x());
   Matrix<double, dim, motion_count<dim> - dim> result;
   if constexpr (dim == 3)
@@ -73,7 +72,7 @@ Matrix<double, dim, motion_count<dim> - dim> rotations(
 
 template <int dim>
 struct Frame {
-  using Point = Matrix<double, dim, 1>;
+  using Point = VectorOf<dim>;
   Point centre;
   double radius;
 
@@ -81,7 +80,7 @@ struct Frame {
   Matrix<double, dim, motion_count<dim>> motions_at(const Point& x) const {
     const Point r = (x - centre) / radius;
     Matrix<double, dim, motion_count<dim>> motions;
-    motions << Matrix<double, dim, dim>::Identity(), rotations<dim>(r);
+    motions << MatrixOf<dim>::Identity(), rotations<dim>(r);
     return motions;
   }
 };

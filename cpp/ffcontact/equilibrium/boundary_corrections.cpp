@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/boundary_corrections.hpp"
 
+#include <utility>
+
 #include "ffcontact/base/least_squares.hpp"
 #include "ffcontact/contact/cone_correction.hpp"
 
@@ -13,21 +15,19 @@ class Conditions {
  public:
   Conditions(const StarGroup& group, const FreeContact* contact)
       : rows_(MatrixXd::Zero(
-            16 * group.stars.size() + (contact ? contact->kept_work.cols() : 0),
+            16 * group.ridge.size() + (contact ? contact->kept_work.cols() : 0),
             group.unknowns())) {}
 
-  /// component . moment does not change at either end: psi_i and psi_m vanish exactly
-  /// when b_i and b_j do.
+  /// component . moment does not change at either end.
   void fix(const BoundarySpoke& spoke, const Vector2d& component) {
     for (int end = 0; end < 2; ++end)
-      spoke.spread(
-          component.transpose() * spoke.moments().middleRows<2>(2 * end),
-          rows_.row(count_++));
+      spoke.spread(component.transpose() * spoke.moments.middleRows<2>(2 * end),
+                   rows_.row(count_++));
   }
   /// Both bodies feel opposite forces.
   void balance(const BoundarySpoke& one, const BoundarySpoke& other) {
-    one.spread(one.moments(), rows_.middleRows<4>(count_));
-    other.spread(other.moments(), rows_.middleRows<4>(count_));
+    one.spread(one.moments, rows_.middleRows<4>(count_));
+    other.spread(other.moments, rows_.middleRows<4>(count_));
     count_ += 4;
   }
   /// row . corrections = 0, unless that is rounding of what it is summed from.
@@ -54,11 +54,16 @@ bool frictionless(const FreeContact& contact, int e) {
 void fix_known(const BoundarySpoke& spoke, const BoundaryTractions& boundary,
                Conditions& conditions) {
   for (int c = 0; c < 2; ++c)
-    if (boundary.known(c, spoke.edge()))
-      conditions.fix(spoke, Vector2d::Unit(c));
-  const auto direction = boundary.known_direction.find(spoke.edge());
+    if (boundary.known(c, spoke.edge)) conditions.fix(spoke, Vector2d::Unit(c));
+  const auto direction = boundary.known_direction.find(spoke.edge);
   if (direction != boundary.known_direction.end())
     conditions.fix(spoke, direction->second);
+}
+
+/// On a contact edge: is the body of the spoke the one with the multipliers?
+bool carries_multipliers(const BoundarySpoke& spoke, int contact_edge,
+                         const FreeContact& contact) {
+  return contact.line.edge[contact_edge] == spoke.edge;
 }
 
 /// Both bodies of a contact edge are loaded oppositely.
@@ -66,7 +71,7 @@ void balance_bodies(const BoundarySpoke& spoke,
                     const std::vector<BoundarySpoke>& spokes, int e,
                     const FreeContact& contact, Conditions& conditions) {
   for (const BoundarySpoke& other : spokes)
-    if (other.edge() != spoke.edge() && free_edge(other, &contact) == e)
+    if (other.edge != spoke.edge && free_edge(other, &contact) == e)
       conditions.balance(spoke, other);
 }
 
@@ -75,7 +80,7 @@ Vector4d along_spoke(const BoundarySpoke& spoke, int e, const ContactLine& line,
                      const Ref<const VectorXd>& z) {
   Vector4d values;
   for (int end = 0; end < 2; ++end) {
-    const int place = spoke.runs_along_edge() ? end : 1 - end,
+    const int place = spoke.runs_along_edge ? end : 1 - end,
               vertex = line.vertex[line.edge_node(end, e)];
     values.segment<2>(2 * place) = z.segment<2>(2 * vertex);
   }
@@ -93,30 +98,51 @@ void keep_work(const std::vector<BoundarySpoke>& spokes,
     const int e = own_edge(spoke, contact);
     if (e < 0) continue;
     const Eigen::RowVector4d work =
-        along_spoke(spoke, e, contact.line, z).transpose() * spoke.moments();
+        along_spoke(spoke, e, contact.line, z).transpose() * spoke.moments;
     terms += work.norm();
     spoke.spread(work, row);
   }
   conditions.add(row, terms);
 }
 
+/// Of an edge by its unknowns at a vertex, its first end first.
+Matrix4d moments_by_unknowns(const FacetTopology<2>& topology, int edge,
+                             int ridge) {
+  Matrix4d moments = wrench_basis<2>(topology.facet_corners(edge));
+  moments.leftCols<3>() *= wrench_shift<2>(topology, edge, ridge).matrix();
+  return moments;
+}
+
+/// @param first  unknown of the star
+/// @param place  of the edge among those around the vertex
+BoundarySpoke boundary_spoke(const FacetTopology<2>& topology, int ridge,
+                             int first, int place) {
+  const int edge = topology.ridges.facets_of(ridge)[place],
+            vertex = topology.ridges.vertices(0, ridge);
+  BoundarySpoke spoke{edge,
+                      topology.facets.vertices(0, edge) == vertex,
+                      moments_by_unknowns(topology, edge, ridge),
+                      {first, first + 1, first + 2, first + 3 + place}};
+  if (!spoke.runs_along_edge)
+    spoke.moments.topRows<2>().swap(spoke.moments.bottomRows<2>());
+  return spoke;
+}
+
 }  // namespace
 
-std::vector<BoundarySpoke> boundary_spokes(const StarGroup& group) {
-  std::vector<BoundarySpoke> spokes;
-  for (std::size_t s = 0; s < group.stars.size(); ++s)
-    for (int k : {0, group.stars[s].spoke_count() - 1})
-      spokes.push_back({group.stars[s], k, group.first[s]});
-  return spokes;
+StarGroup::StarGroup(const FacetTopology<2>& topology, std::vector<int> ridges)
+    : ridge(std::move(ridges)), first(1, 0) {
+  for (int r : ridge) {
+    const auto around = topology.ridges.facets_of(r);
+    for (int place = 0; place < around.size(); ++place)
+      if (topology.facets.on_boundary(around[place]))
+        spokes.push_back(boundary_spoke(topology, r, first.back(), place));
+    first.push_back(first.back() + unknowns_around<2>(topology.ridges, r));
+  }
 }
 
 int free_edge(const BoundarySpoke& spoke, const FreeContact* contact) {
-  return contact ? contact->tractions.contact_edge[spoke.edge()] : -1;
-}
-
-bool carries_multipliers(const BoundarySpoke& spoke, int contact_edge,
-                         const FreeContact& contact) {
-  return contact.line.edge[contact_edge] == spoke.edge();
+  return contact ? contact->tractions.contact_edge[spoke.edge] : -1;
 }
 
 int own_edge(const BoundarySpoke& spoke, const FreeContact& contact) {
@@ -128,20 +154,19 @@ MatrixXd admissible_corrections(const StarGroup& group,
                                 const BoundaryTractions& boundary,
                                 const FreeContact* contact) {
   Conditions conditions(group, contact);
-  const std::vector<BoundarySpoke> spokes = boundary_spokes(group);
-  for (const BoundarySpoke& spoke : spokes) {
+  for (const BoundarySpoke& spoke : group.spokes) {
     const int e = free_edge(spoke, contact);
     if (e < 0) {
       fix_known(spoke, boundary, conditions);
     } else if (carries_multipliers(spoke, e, *contact)) {
       if (frictionless(*contact, e))
         conditions.fix(spoke, contact->line.edge_tangent(e));
-      balance_bodies(spoke, spokes, e, *contact, conditions);
+      balance_bodies(spoke, group.spokes, e, *contact, conditions);
     }
   }
   for (Index k = 0; contact && k < contact->kept_work.cols(); ++k)
-    keep_work(spokes, *contact, contact->kept_work.col(k), group.unknowns(),
-              conditions);
+    keep_work(group.spokes, *contact, contact->kept_work.col(k),
+              group.unknowns(), conditions);
   return conditions.kernel();
 }
 

@@ -4,7 +4,8 @@
 #include "ffcontact/base/congruent.hpp"
 #include "ffcontact/base/products.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
-#include "ffcontact/equilibrium/boundary_corrections.hpp"
+#include "ffcontact/contact/friction_cone.hpp"
+#include "ffcontact/equilibrium/composite_stress.hpp"
 
 namespace ffcontact {
 
@@ -13,10 +14,9 @@ namespace {
 /// The densities that the four unknowns of a spoke have on an edge, at its vertex and at
 /// the other end.
 Matrix4d spoke_densities(const BoundarySpoke& spoke, double length) {
-  const Matrix4d moments = spoke.moments();
   Matrix4d density;
   for (int c = 0; c < 4; ++c)
-    density.col(c) = density_of_moments(moments.col(c), length);
+    density.col(c) = density_of_moments(spoke.moments.col(c), length);
   return density;
 }
 
@@ -33,7 +33,7 @@ struct EdgeEnds {
     const Matrix4d density = spoke_densities(spoke, line.length[e]);
     change.setZero(4, unknowns);
     for (int end = 0; end < 2; ++end) {
-      const int place = spoke.runs_along_edge() ? end : 1 - end;
+      const int place = spoke.runs_along_edge ? end : 1 - end;
       spoke.spread(frame * density.middleRows<2>(2 * place),
                    change.middleRows<2>(2 * end));
     }
@@ -43,7 +43,7 @@ struct EdgeEnds {
 std::vector<EdgeEnds> free_ends(const StarGroup& group,
                                 const FreeContact& contact) {
   std::vector<EdgeEnds> ends;
-  for (const BoundarySpoke& spoke : boundary_spokes(group)) {
+  for (const BoundarySpoke& spoke : group.spokes) {
     const int e = own_edge(spoke, contact);
     if (e >= 0) ends.emplace_back(spoke, e, contact.line, group.unknowns());
   }
@@ -108,16 +108,18 @@ struct EnergyChange {
   double fall(const VectorXd& y) const { return -y.dot(H * y) - y.dot(slope); }
 };
 
-EnergyChange energy_change(const StarSetting& setting, const StarGroup& group,
-                           const VectorXd& airy, const VectorXd& cost) {
+EnergyChange energy_change(const FacetTopology<2>& topology,
+                           const FacetForms<2>& forms, const StarGroup& group,
+                           const FacetColumns<2>& residual,
+                           const VectorXd& cost) {
   EnergyChange change{MatrixXd::Zero(cost.size(), cost.size()), cost};
   auto& [H, slope] = change;
-  for (std::size_t s = 0; s < group.stars.size(); ++s) {
-    const StarEnergy<Dynamic> energy(setting, group.stars[s].vertex(), airy);
-    const Index first = group.first[s], size = energy.g.size();
-    H.block(first, first, size, size) =
-        energy.H.selfadjointView<Eigen::Lower>();
-    slope.segment(first, size) += 2 * energy.g;
+  for (std::size_t s = 0; s < group.ridge.size(); ++s) {
+    const int ridge = group.ridge[s], first = group.first[s],
+              size = group.first[s + 1] - first;
+    H.block(first, first, size, size) = ridge_form<2>(
+        topology, ridge, shifts_around<2>(topology, ridge).data(), forms);
+    slope.segment(first, size) -= 2 * restricted<2>(topology, ridge, residual);
   }
   return change;
 }
@@ -141,37 +143,30 @@ bool stay_in_cone(const ContactTerms& terms, const VectorXd& y,
       .all();
 }
 
-void add_corrections(const StarSetting& setting, const StarGroup& group,
-                     const VectorXd& y, VectorXd& airy) {
-  for (std::size_t s = 0; s < group.stars.size(); ++s) {
-    const StarCorrections& star = group.stars[s];
-    add_corrections(setting.space, setting.stars, star.vertex(),
-                    y.segment(group.first[s], star.unknowns()), airy);
-  }
-}
-
 }  // namespace
 
-double relax_boundary(const StarSetting& setting,
-                      const std::vector<int>& vertices, VectorXd& airy,
-                      FreeContact& contact) {
-  const StarGroup group(setting, vertices);
-  const MatrixXd Z = admissible_corrections(group, setting.boundary, &contact);
-  if (Z.cols() == 0) return 0;
+BoundaryChange relax_boundary(const FacetTopology<2>& topology,
+                              const FacetForms<2>& forms,
+                              const BoundaryTractions& boundary,
+                              const StarGroup& group,
+                              const FacetColumns<2>& residual,
+                              FreeContact& contact) {
+  const MatrixXd Z = admissible_corrections(group, boundary, &contact);
+  if (Z.cols() == 0) return {};
   const std::vector<EdgeEnds> ends = free_ends(group, contact);
   const ContactTerms terms = contact_terms(ends, group.unknowns(), contact);
-  const EnergyChange energy = energy_change(setting, group, airy, terms.cost);
+  const EnergyChange energy =
+      energy_change(topology, forms, group, residual, terms.cost);
   const auto y = best_corrections(energy, Z, terms);
   const double fall = y ? energy.fall(*y) : 0;
   if (!(fall > 0) || !stay_in_cone(terms, *y, contact.tractions.rounding))
-    return 0;
+    return {};
 
-  add_corrections(setting, group, *y, airy);
   for (const auto& [e, change] : ends) {
     ContactDensities& densities = contact.tractions.densities;
     set_end_values(densities, e, end_values(densities, e) + change * *y);
   }
-  return fall;
+  return {*y, fall};
 }
 
 }  // namespace ffcontact

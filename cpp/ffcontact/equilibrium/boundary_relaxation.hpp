@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/equilibrium/free_tractions.hpp"
-#include "ffcontact/equilibrium/star_energy.hpp"
+#include "ffcontact/equilibrium/boundary_corrections.hpp"
 
 namespace ffcontact {
 
@@ -15,11 +12,18 @@ namespace ffcontact {
 /// min y'Hy + 2 g'y + contact cost over the corrections y of the stars that leave known
 /// boundary tractions alone and load both bodies of a contact edge oppositely, with r_hat
 /// in the cone at the ends of free contact edges.
-/// @param airy     unknowns of AirySpace, changed in place
-/// @param contact  r_hat, relaxed in place
-/// @return by how much e^2 fell
-double relax_boundary(const StarSetting& setting,
-                      const std::vector<int>& vertices, VectorXd& airy,
-                      FreeContact& contact);
+struct BoundaryChange {
+  VectorXd y;       ///< unknowns of the group
+  double fall = 0;  ///< of e^2; 0: nothing lowers it, no y
+};
+
+/// @param residual  minus half the slope of the elastic part of e^2
+/// @param contact   r_hat, relaxed in place
+BoundaryChange relax_boundary(const FacetTopology<2>& topology,
+                              const FacetForms<2>& forms,
+                              const BoundaryTractions& boundary,
+                              const StarGroup& group,
+                              const FacetColumns<2>& residual,
+                              FreeContact& contact);
 
 }  // namespace ffcontact

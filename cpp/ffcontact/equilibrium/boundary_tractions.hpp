@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_densities.hpp"
+#include "ffcontact/equilibrium/facet_tractions.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {
@@ -14,7 +14,7 @@ namespace ffcontact {
 /// Moments of linear edge tractions, int F phi at the first and at the second vertex of
 /// each mesh edge, where F = sigma n with the edge's normal (outward on the boundary):
 /// one column (b_first, b_second) per edge [N/mm].
-using EdgeMoments = Matrix4Xd;
+using EdgeMoments = FacetColumns<2>;
 
 /// The moments of the same traction seen along the edge the other way round, with the
 /// normal turned too.
@@ -34,12 +34,7 @@ inline Vector4d moments_of_side(const Edges& edges, int k, int triangle,
 /// support answers) and the other one known, e.g. 0 on a symmetry line. A component of an
 /// edge counts as prescribed when that dof is prescribed at every vertex of every edge
 /// with the same label: a single Neumann edge between two supports stays Neumann.
-struct BoundaryTractions {
-  Eigen::Array<bool, 2, Dynamic> known;  ///< [2 x edges], false inside the body
-  EdgeMoments moments;  ///< of the known components, 0 elsewhere
-  /// of boundary edges along which one direction, not an axis, is known alone: that one
-  std::map<int, Vector2d> known_direction{};
-};
+using BoundaryTractions = FacetTractions<2>;
 
 /// The given tractions alone; contact edges are as any others.
 /// @param prescribed  1 where the dof is prescribed [2 * vertices]

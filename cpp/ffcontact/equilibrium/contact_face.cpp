@@ -24,9 +24,10 @@ KnownComponents without_contact(KnownComponents known,
 }
 
 Matrix3d traction_of(const ContactFace& face, const Matrix3d& moments) {
-  Matrix3d traction = face_density(moments, face.area);
+  const Matrix3d density = face_density(moments, face.area);
+  Matrix3d traction;
   for (int i = 0; i < 3; ++i)
-    traction.col(i) = face.frame[i].transpose() * traction.col(i).eval();
+    traction.col(i) = face.frame[i].transpose() * density.col(i);
   return traction;
 }
 

@@ -23,7 +23,7 @@ class ContactLayer {
  private:
   PartSetting of_;
   std::vector<ContactFace> contact_;
-  FaceForms forms_;
+  FacetForms<3> forms_;
   ContactPass pass_;
 };
 

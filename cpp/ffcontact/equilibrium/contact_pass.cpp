@@ -7,7 +7,7 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/equilibrium/edge_form.hpp"
+#include "ffcontact/equilibrium/ridge_form.hpp"
 
 namespace ffcontact {
 
@@ -18,7 +18,7 @@ std::vector<int> faces_near(const SolidTopology& topology,
                             const JointEdge& joint) {
   std::vector<int> near;
   for (const JointEdge::Part& part : joint.parts)
-    for (const Wedge& wedge : wedges_of(topology, part.edge))
+    for (const Wedge& wedge : wedges_of<3>(topology, part.edge))
       for (int face : topology.faces.of_cell.col(wedge.cell))
         near.push_back(face);
   return near;
@@ -27,7 +27,8 @@ std::vector<int> faces_near(const SolidTopology& topology,
 }  // namespace
 
 ContactPass::ContactPass(const SolidTopology& topology,
-                         const FaceTractions& boundary, const FaceForms& forms,
+                         const FaceTractions& boundary,
+                         const FacetForms<3>& forms,
                          const std::vector<ContactFace>& contact,
                          const FaceMoments& moments)
     : topology_(topology), forms_(forms), contact_(contact) {
@@ -74,28 +75,9 @@ double ContactPass::relax(const ContactStar& star,
   const ContactStar::Change change = star.change(g, scales, tractions_);
   if (change.fall == 0) return 0;
   for (const JointEdge::Part& part : star.joint().parts)
-    add(part.edge, part.of(change.x), corrections, residual);
+    add_around<3>(topology_, forms_, part.edge, part.of(change.x), corrections,
+                  residual);
   return change.fall;
-}
-
-/// What the unknowns x around an edge do.
-void ContactPass::add(int edge, const VectorXd& x, Matrix9Xd& corrections,
-                      Matrix9Xd& residual) const {
-  const std::vector<int> faces = faces_around(topology_.edges, edge);
-  const auto of_face = [&](int place) {
-    return at_place(topology_, edge, place, x);
-  };
-  for (int i = 0; i < count_of(faces); ++i)
-    corrections.col(faces[i]) += of_face(i);
-  for (const Wedge& wedge : wedges_of(topology_, edge)) {
-    Vector36d of_wedge = Vector36d::Zero();
-    for (int side = 0; side < 2; ++side)
-      of_wedge.segment<9>(9 * wedge.local[side]) = of_face(wedge.place[side]);
-    const Vector36d image = forms_.times(wedge.cell, of_wedge);
-    for (int k = 0; k < 4; ++k)
-      residual.col(topology_.faces.of_cell(k, wedge.cell)) -=
-          image.segment<9>(9 * k);
-  }
 }
 
 double ContactPass::pass(double least_fall, Matrix9Xd& corrections,

@@ -21,7 +21,8 @@ class ContactPass : public ContactRelaxation {
   /// @param contact   stays where it is; empty: a pass does nothing
   /// @param moments   of all faces, from which r_hat is taken
   ContactPass(const SolidTopology& topology, const FaceTractions& boundary,
-              const FaceForms& forms, const std::vector<ContactFace>& contact,
+              const FacetForms<3>& forms,
+              const std::vector<ContactFace>& contact,
               const FaceMoments& moments);
 
   bool is_free() const override { return !contact_.empty(); }
@@ -34,11 +35,9 @@ class ContactPass : public ContactRelaxation {
   void colour();
   double relax(const ContactStar& star, const ContactStar::Scales& scales,
                Matrix9Xd& corrections, Matrix9Xd& residual);
-  void add(int edge, const VectorXd& x, Matrix9Xd& corrections,
-           Matrix9Xd& residual) const;
 
   const SolidTopology& topology_;
-  const FaceForms& forms_;
+  const FacetForms<3>& forms_;
   const std::vector<ContactFace>& contact_;
   std::vector<Matrix3d> tractions_;  ///< r_hat of the contact faces
   std::vector<ContactStar> stars_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/face_forms.hpp"
+#include "ffcontact/equilibrium/facet_forms.hpp"
 
 namespace ffcontact {
 

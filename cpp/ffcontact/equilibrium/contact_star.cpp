@@ -10,8 +10,8 @@
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/quadratic_minimum.hpp"
-#include "ffcontact/equilibrium/edge_form.hpp"
 #include "ffcontact/equilibrium/inner_cone.hpp"
+#include "ffcontact/equilibrium/ridge_form.hpp"
 
 namespace ffcontact {
 
@@ -28,7 +28,7 @@ Matrix9d tractions_of_unknowns(const SolidTopology& topology,
                                const ContactFace& face) {
   const Matrix3d corners = topology.mesh.vertices(
       Eigen::all, topology.faces.vertices.col(face.face));
-  Matrix9d tractions = wrench_basis(corners);
+  Matrix9d tractions = wrench_basis<3>(corners);
   for (int k = 0; k < 9; ++k)
     tractions.col(k) =
         traction_of(face, tractions.col(k).reshaped(3, 3)).reshaped();
@@ -44,8 +44,8 @@ MatrixXd tractions_of_joint(const SolidTopology& topology,
   MatrixXd tractions(9, outside.size());
   for (Index j = 0; j < tractions.cols(); ++j)
     tractions.col(j) =
-        of_face * at_place(topology, part.edge, place,
-                           part.of(VectorXd::Unit(size, outside[j])));
+        of_face * at_place<3>(topology, part.edge, place,
+                              part.of(VectorXd::Unit(size, outside[j])));
   return tractions;
 }
 
@@ -79,7 +79,8 @@ MatrixXd free_basis(const MatrixXd& conditions, const std::vector<MatrixXd>& P,
 }  // namespace
 
 ContactStar::ContactStar(const SolidTopology& topology, JointEdge joint,
-                         const KnownComponents& known, const FaceForms& forms,
+                         const KnownComponents& known,
+                         const FacetForms<3>& forms,
                          const std::vector<ContactFace>& contact,
                          const std::vector<int>& contact_index)
     : joint_(std::move(joint)) {
@@ -92,7 +93,7 @@ void ContactStar::find_places(const SolidTopology& topology) {
   Flags is_outside(joint_.size, 0);
   std::fill_n(is_outside.begin(), 6, 1);
   for (const auto& [edge, place, sign] : joint_.parts) {
-    const std::vector<int> faces = faces_around(topology.edges, edge);
+    const std::vector<int> faces = facets_around<3>(topology.edges, edge);
     for (int i = 0; i < count_of(faces); ++i)
       for (int bar = 0; bar < 3; ++bar)
         if (topology.faces.on_boundary(faces[i]))
@@ -107,7 +108,7 @@ void ContactStar::find_basis(const SolidTopology& topology,
                              const std::vector<ContactFace>& contact,
                              const std::vector<int>& contact_index) {
   for (const JointEdge::Part& part : joint_.parts) {
-    const std::vector<int> faces = faces_around(topology.edges, part.edge);
+    const std::vector<int> faces = facets_around<3>(topology.edges, part.edge);
     for (int i = 0; i < count_of(faces); ++i) {
       const int index = contact_index[faces[i]];
       if (index < 0) continue;

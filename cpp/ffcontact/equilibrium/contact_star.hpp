@@ -26,7 +26,7 @@ class ContactStar {
   /// @param contact        stays where it is
   /// @param contact_index  of the contact face of each mesh face, or -1
   ContactStar(const SolidTopology& topology, JointEdge joint,
-              const KnownComponents& known, const FaceForms& forms,
+              const KnownComponents& known, const FacetForms<3>& forms,
               const std::vector<ContactFace>& contact,
               const std::vector<int>& contact_index);
 

@@ -58,25 +58,4 @@ int side_number(const Edges& edges, int edge, int triangle) {
   return k;
 }
 
-Vector4d moments_beside(const Mesh& mesh, const Edges& edges, int edge,
-                        const LinearStresses& stresses,
-                        const EdgeLoadsOfAll& loads) {
-  const int t = edges.cells(0, edge), k = side_number(edges, edge, t);
-  return loads.block<4, 1>(4 * k, t) + moments_of_stress(mesh, stresses, t, k);
-}
-
-void put_boundary_loads(const Mesh& mesh, const Edges& edges,
-                        const BoundaryTractions& boundary,
-                        const LinearStresses& stresses, EdgeLoadsOfAll& loads) {
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int edge = edges.of_cell(k, t);
-      if (!edges.on_boundary(edge)) continue;
-      const Vector4d known = loads_of_side(
-          mesh, edges, t, k, boundary.moments.col(edge), stresses);
-      for (int c = 0; c < 4; ++c)
-        if (boundary.known(c % 2, edge)) loads(4 * k + c, t) = known[c];
-    }
-}
-
 }  // namespace ffcontact

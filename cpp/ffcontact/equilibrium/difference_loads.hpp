@@ -17,18 +17,6 @@ EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
                                 const EdgeMoments& moments,
                                 const LinearStresses& stresses);
 
-/// Known boundary tractions to the last digit in loads that have them but for rounding:
-/// the moments that an Airy function has on an edge are rounded like those on the longest
-/// edge beside it, which is too much for a short one.
-void put_boundary_loads(const Mesh& mesh, const Edges& edges,
-                        const BoundaryTractions& boundary,
-                        const LinearStresses& stresses, EdgeLoadsOfAll& loads);
-
-/// The moments of sigma_hat on a boundary edge by its edge loads less those of sigma.
-Vector4d moments_beside(const Mesh& mesh, const Edges& edges, int edge,
-                        const LinearStresses& stresses,
-                        const EdgeLoadsOfAll& loads);
-
 /// Which side of a triangle an edge is.
 int side_number(const Edges& edges, int edge, int triangle);
 

@@ -65,8 +65,8 @@ FacePart FaceParts::part(int process) const {
   Flags own, counted;
   for (int t : cell) own.push_back(owner_[t] == process);
   for (int f : face) counted.push_back(counts(process, f));
-  result.share =
-      face_share(result.of.part.topology, std::move(own), std::move(counted));
+  result.share = facet_share<3>(result.of.part.topology, std::move(own),
+                                std::move(counted));
   for (int r = 0; r < count(); ++r) {
     const auto is_own_in_halo = [&](int t) {
       return r != process && owner_[t] == process && has(cells_[r], t);

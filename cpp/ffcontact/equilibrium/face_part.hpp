@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/equilibrium/face_descent.hpp"
+#include "ffcontact/equilibrium/face_setting.hpp"
+#include "ffcontact/equilibrium/facet_descent.hpp"
 #include "ffcontact/mesh/topology_part.hpp"
 
 namespace ffcontact {
@@ -32,7 +33,7 @@ PartSetting setting_of(const FaceSetting& whole, const FaceMoments& moments,
 /// processes tell each other are in the order of the whole.
 struct FacePart {
   PartSetting of;
-  FaceShare share;
+  FacetShare share;
   /// [process]: its own tetrahedra that are in another's halo, those of its halo that are
   /// another's own
   std::vector<std::vector<int>> given, taken;

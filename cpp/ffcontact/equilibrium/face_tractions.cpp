@@ -66,19 +66,4 @@ TetrahedronCorners corners_of(const SolidMesh& mesh, int cell) {
   return corners;
 }
 
-FaceLoads loads_of(const SolidMesh& mesh, const Facets<3>& faces,
-                   const FaceMoments& moments, int cell) {
-  FaceLoads loads;
-  for (int k = 0; k < 4; ++k) {
-    const int face = faces.of_cell(k, cell);
-    for (int j = 0; j < 3; ++j) {
-      const int vertex = mesh.cells(vertex_of_face(k, j), cell);
-      loads.col(3 * k + j) =
-          faces.eta(k, cell) *
-          moments.col(face).segment<3>(3 * place_of(faces, face, vertex));
-    }
-  }
-  return loads;
-}
-
 }  // namespace ffcontact

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/equilibrium/johnson_mercier.hpp"
+#include "ffcontact/equilibrium/facet_loads.hpp"
 #include "ffcontact/interface/contact_surface.hpp"
 #include "ffcontact/mesh/facets.hpp"
 
@@ -13,17 +13,9 @@ namespace ffcontact {
 /// Moments of linear face tractions, int F phi at the three vertices of each mesh face,
 /// where F = sigma n with the face's normal (outward on the boundary): one column of three
 /// vectors per face [N].
-using FaceMoments = Matrix<double, 9, Dynamic>;
+using FaceMoments = FacetColumns<3>;
 
-/// Which components of the traction on each face are given [3 x faces].
-using KnownComponents = Eigen::Array<bool, 3, Dynamic>;
-
-/// What the boundary of an admissible stress must carry, per face and Cartesian
-/// component; as BoundaryTractions in the plane.
-struct FaceTractions {
-  KnownComponents known;  ///< false inside the body
-  FaceMoments moments;    ///< of the known components, 0 elsewhere
-};
+using FaceTractions = FacetTractions<3>;
 
 /// The given tractions alone; contact faces are as any others.
 /// @param prescribed  1 where the dof is prescribed [3 * vertices]
@@ -51,9 +43,5 @@ inline int place_of(const Facets<3>& faces, int face, int vertex) {
 }
 
 TetrahedronCorners corners_of(const SolidMesh& mesh, int cell);
-
-/// The moments on the faces of a tetrahedron, outward.
-FaceLoads loads_of(const SolidMesh& mesh, const Facets<3>& faces,
-                   const FaceMoments& moments, int cell);
 
 }  // namespace ffcontact

@@ -63,44 +63,6 @@ Matrix2d free_directions(const Mesh& mesh, const BoundarySprings& springs,
   return P;
 }
 
-/// Moments of an edge's traction by the unknowns (A / l0, A_x, A_y) at its first and at its
-/// second vertex and dA/dn in its middle [4 x 7].
-MatrixXd moments_of_unknowns(const AirySpace& space, int edge) {
-  const Vector2d side = edge_vector(space.mesh, space.edges, edge);
-  const double l = side.norm();
-  const Vector2d s = side / l;
-  MatrixXd moments(4, 7);
-  for (int c = 0; c < 7; ++c) {
-    const VectorXd x = VectorXd::Unit(7, c);
-    const Vector2d at_i = x.segment<2>(1), at_j = x.segment<2>(4);
-    const double A_i = space.length[space.edges.vertices(0, edge)] * x[0],
-                 A_j = space.length[space.edges.vertices(1, edge)] * x[3];
-    const double along = 1.5 * (A_j - A_i) / l - 0.25 * s.dot(at_i + at_j);
-    const Vector2d in_middle = along * s + x[6] * turned_right(s);
-    moments.col(c) = moments_of_gradients(at_i, in_middle, at_j);
-  }
-  return moments;
-}
-
-void add(const FreeSpring& spring, const AirySpace& space, AiryEnergy& energy) {
-  const int t = space.edges.cells(0, spring.edge);
-  const int k = side_number(space.edges, spring.edge, t);
-  const int i = (k + 1) % 3, j = (k + 2) % 3;
-  const MatrixXd M = moments_of_unknowns(space, spring.edge);
-  const MatrixXd H = congruent(spring.error.H, M);
-  const VectorXd g = transposed_product(M, spring.error.g);
-  energy.own[i] += H.block<3, 3>(0, 0);
-  energy.own[j] += H.block<3, 3>(3, 3);
-  energy.next[i] += H.block<3, 3>(0, 3);
-  energy.edge[k].col(1) += H.block<3, 1>(0, 6);
-  energy.edge[k].col(2) += H.block<3, 1>(3, 6);
-  energy.edge_own[k] += H(6, 6);
-  energy.slope.at_vertices.col(i) += g.segment<3>(0);
-  energy.slope.at_vertices.col(j) += g.segment<3>(3);
-  energy.slope.on_edges[k] += g[6];
-  energy.before += spring.error.before;
-}
-
 /// Directions of an edge that are known no longer.
 void release(const FreeSpring& spring, BoundaryTractions& boundary) {
   const auto& [edge, P, error] = spring;
@@ -141,22 +103,19 @@ BoundaryTractions released(BoundaryTractions boundary,
   return boundary;
 }
 
-void add_springs(const std::vector<FreeSpring>& springs, StarSetting& setting) {
-  for (const FreeSpring& spring : springs)
-    add(spring, setting.space,
-        setting.energies[setting.space.edges.cells(0, spring.edge)]);
+std::vector<FacetTerm<2>> terms_of(const std::vector<FreeSpring>& springs) {
+  std::vector<FacetTerm<2>> terms;
+  for (const auto& [edge, answers, error] : springs)
+    terms.push_back({edge, error.H, error.g, error.before});
+  return terms;
 }
 
 void add_spring_changes(const Mesh& mesh, const Edges& edges,
                         const std::vector<FreeSpring>& springs,
                         const BoundaryTractions& boundary,
-                        const LinearStresses& stresses,
-                        const EdgeLoadsOfAll& difference,
-                        Matrix4Xd& tractions) {
+                        const EdgeMoments& moments, Matrix4Xd& tractions) {
   for (const auto& [edge, P, error] : springs) {
-    const Vector4d change =
-        moments_beside(mesh, edges, edge, stresses, difference) -
-        boundary.moments.col(edge);
+    const Vector4d change = moments.col(edge) - boundary.moments.col(edge);
     const Vector4d answered = at_both_ends(P) * change;
     tractions.col(edges.boundary_index[edge]) +=
         runs_as_column(mesh, edges, edge) ? answered : ends_exchanged(answered);

@@ -5,8 +5,7 @@
 
 #include "ffcontact/equilibrium/boundary_springs.hpp"
 #include "ffcontact/equilibrium/boundary_tractions.hpp"
-#include "ffcontact/equilibrium/difference_loads.hpp"
-#include "ffcontact/equilibrium/star_energy.hpp"
+#include "ffcontact/equilibrium/facet_term.hpp"
 
 namespace ffcontact {
 
@@ -34,18 +33,17 @@ std::vector<FreeSpring> free_springs(const Mesh& mesh, const Edges& edges,
 BoundaryTractions released(BoundaryTractions boundary,
                            const std::vector<FreeSpring>& springs);
 
-/// Adds the springs' error to the energies of the triangles beside them.
-void add_springs(const std::vector<FreeSpring>& springs, StarSetting& setting);
+/// The springs' error by the moments of their edges.
+std::vector<FacetTerm<2>> terms_of(const std::vector<FreeSpring>& springs);
 
-/// Adds to the springs' tractions what the relaxation has changed them by: the edge loads
-/// of sigma_hat - sigma on free springs less the given ones, in the directions that are
-/// free.
+/// Adds to the springs' tractions what the relaxation has changed them by, in the
+/// directions that are free.
 /// @param boundary   tractions before
+/// @param moments    of sigma_hat on all edges
 /// @param tractions  [4 x Mesh::boundary]
 void add_spring_changes(const Mesh& mesh, const Edges& edges,
                         const std::vector<FreeSpring>& springs,
                         const BoundaryTractions& boundary,
-                        const LinearStresses& stresses,
-                        const EdgeLoadsOfAll& difference, Matrix4Xd& tractions);
+                        const EdgeMoments& moments, Matrix4Xd& tractions);
 
 }  // namespace ffcontact

@@ -6,210 +6,302 @@
 #include <array>
 
 #include "ffcontact/base/least_squares.hpp"
-#include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-constexpr int coefficients = 96, loads_on_faces = 36, loads_of_solid = 48;
+template <int d>
+struct Sizes : CompositeElement<d> {
+  static constexpr int coefficients =
+                           voigt_size<d> * CompositeElement<d>::values,
+                       body_loads = d * (d + 1),
+                       jumps = d * d * d * (d + 1) / 2;
+};
 
-using SolidStressMap =
-    /// corner stresses (column-major 6 x 16) from face and body loads
-    Matrix<double, coefficients, loads_of_solid>;
+constexpr double factorial(int n) { return n > 1 ? n * factorial(n - 1) : 1; }
 
-/// The vertices of each edge, and those that are not on it.
-constexpr std::array<std::array<int, 4>, 6> edges_of_tetrahedron{
-    {{0, 1, 2, 3},
-     {0, 2, 1, 3},
-     {0, 3, 1, 2},
-     {1, 2, 0, 3},
-     {1, 3, 0, 2},
-     {2, 3, 0, 1}}};
+/// Of the reference cell.
+template <int d>
+constexpr double reference_volume = 1 / factorial(d);
 
-Vector3d barycentre(const TetrahedronCorners& corners) {
+template <int d>
+VectorOf<d> barycentre(const CellCorners<d>& corners) {
   return corners.rowwise().mean();
 }
 
-TetrahedronCorners subtetrahedron(const TetrahedronCorners& corners, int k) {
-  TetrahedronCorners x;
-  for (int j = 0; j < 3; ++j) x.col(j) = corners.col(vertex_of_face(k, j));
-  x.col(3) = barycentre(corners);
+template <int d>
+CellCorners<d> subcell(const CellCorners<d>& corners, int k) {
+  CellCorners<d> x;
+  for (int j = 0; j < d; ++j) x.col(j) = corners.col(vertex_of_facet<d>(k, j));
+  x.col(d) = barycentre<d>(corners);
   return x;
 }
 
 /// Gradients of the barycentric coordinates.
-TetrahedronCorners gradients(const TetrahedronCorners& corners) {
-  const Matrix3d rows = piola_matrix(corners).inverse();
-  TetrahedronCorners columns;
+template <int d>
+CellCorners<d> gradients(const CellCorners<d>& corners) {
+  const MatrixOf<d> rows = piola_matrix<d>(corners).inverse();
+  CellCorners<d> columns;
   columns << -rows.colwise().sum().transpose(), rows.transpose();
   return columns;
 }
 
-/// f on subtetrahedron k from the moments int f phi_i: the mean of phi_i over
-/// subtetrahedron k is 1/16 for i = k and 5/16 otherwise.
-Matrix4d force_per_body_load(double volume) {
-  Matrix4d means = Matrix4d::Constant(5.0 / 16);
-  means.diagonal().setConstant(1.0 / 16);
-  return (volume / 4 * means).inverse();
+/// f on subcell k from the moments int f phi_i: with n = d + 1 corners the mean of phi_i
+/// over subcell k is 1 / n^2 for i = k and (n + 1) / n^2 otherwise.
+template <int d>
+Matrix<double, d + 1, d + 1> force_per_body_load(double volume) {
+  constexpr double n = d + 1;
+  Matrix<double, d + 1, d + 1> means;
+  means.setConstant((n + 1) / (n * n));
+  means.diagonal().setConstant(1 / (n * n));
+  return (volume / n * means).inverse();
 }
 
-/// The conditions of the header on the reference tetrahedron, one column for every
-/// coefficient: divergences, jumps, moments.
+/// An inner facet: the vertices that it has beside G, and the subcells that it parts.
+template <int d>
+struct InnerFacet {
+  std::array<int, d - 1> vertices;
+  int k, l;
+};
+
+template <int d>
+std::array<InnerFacet<d>, d*(d + 1) / 2> inner_facets() {
+  std::array<InnerFacet<d>, d*(d + 1) / 2> facets;
+  std::size_t next = 0;
+  for (int k = d - 1; k >= 0; --k)
+    for (int l = d; l > k; --l, ++next) {
+      facets[next].k = k;
+      facets[next].l = l;
+      std::size_t place = 0;
+      for (int i = 0; i <= d; ++i)
+        if (i != k && i != l) facets[next].vertices[place++] = i;
+    }
+  return facets;
+}
+
+/// The conditions of the header on the reference cell, one column for every coefficient:
+/// divergences, jumps, moments.
+template <int d>
 MatrixXd reference_conditions() {
-  const TetrahedronCorners corners = reference_tetrahedron();
-  MatrixXd conditions(12 + 54 + loads_on_faces, coefficients);
-  for (int unit = 0; unit < coefficients; ++unit) {
-    SolidStress stress = SolidStress::Zero();
+  using Size = Sizes<d>;
+  const CellCorners<d> corners = reference_cell<d>();
+  MatrixXd conditions(Size::body_loads + Size::jumps + Size::loads,
+                      Size::coefficients);
+  for (int unit = 0; unit < Size::coefficients; ++unit) {
+    SubcellStress<d> stress = SubcellStress<d>::Zero();
     stress.reshaped()[unit] = 1;
-    conditions.col(unit) << divergences(corners, stress).reshaped(),
-        inner_jumps(corners, stress).reshaped(),
-        face_loads_of(corners, stress).reshaped();
+    conditions.col(unit) << divergences<d>(corners, stress).reshaped(),
+        inner_jumps<d>(corners, stress).reshaped(),
+        facet_loads_of<d>(corners, stress).reshaped();
   }
   return conditions;
 }
 
 /// What the conditions are equal to for unit loads.
+template <int d>
 MatrixXd reference_right_sides() {
-  MatrixXd right = MatrixXd::Zero(12 + 54 + loads_on_faces, loads_of_solid);
-  for (int unit = 0; unit < loads_on_faces; ++unit) right(66 + unit, unit) = 1;
-  for (int unit = 0; unit < 12; ++unit) {
-    SolidBodyLoads loads = SolidBodyLoads::Zero();
+  using Size = Sizes<d>;
+  constexpr int before = Size::body_loads + Size::jumps;
+  MatrixXd right =
+      MatrixXd::Zero(before + Size::loads, Size::loads + Size::body_loads);
+  for (int unit = 0; unit < Size::loads; ++unit) right(before + unit, unit) = 1;
+  for (int unit = 0; unit < Size::body_loads; ++unit) {
+    CellBodyLoads<d> loads = CellBodyLoads<d>::Zero();
     loads.reshaped()[unit] = 1;
-    right.col(loads_on_faces + unit).head<12>() =
-        -body_force_of(loads, 1.0 / 6).reshaped();
+    right.col(Size::loads + unit).template head<Size::body_loads>() =
+        -body_force_of<d>(loads, reference_volume<d>).reshaped();
   }
   return right;
 }
 
-const SolidStressMap& reference_solid_map() {
-  static const SolidStressMap map =
-      least_squares_of_columns(reference_conditions(), reference_right_sides());
+/// Corner stresses (by columns) from facet and body loads.
+template <int d>
+const auto& reference_map() {
+  using Map = Matrix<double, Sizes<d>::coefficients,
+                     Sizes<d>::loads + Sizes<d>::body_loads>;
+  static const Map map = least_squares_of_columns(reference_conditions<d>(),
+                                                  reference_right_sides<d>());
   return map;
 }
 
-/// Integrals of products of corner values over a subtetrahedron of volume V: V/20 (1 +
-/// delta).
-double solid_mass(double volume, int a, int b) {
-  return volume / (a == b ? 10 : 20);
+/// Integrals of products of corner values over a subcell of volume V:
+/// V / ((d + 1) (d + 2)) (1 + delta).
+template <int d>
+double subcell_mass(double volume, int a, int b) {
+  return volume / (a == b ? (d + 1) * (d + 2) / 2 : (d + 1) * (d + 2));
 }
 
 }  // namespace
 
-TetrahedronCorners reference_tetrahedron() {
-  TetrahedronCorners corners;
-  corners << Vector3d::Zero(), Matrix3d::Identity();
+template <int d>
+CellCorners<d> reference_cell() {
+  CellCorners<d> corners;
+  corners << VectorOf<d>::Zero(), MatrixOf<d>::Identity();
   return corners;
 }
 
-TetrahedronCorners face_vectors(const TetrahedronCorners& corners) {
-  TetrahedronCorners vectors;
-  for (int k = 0; k < 4; ++k) {
-    const Matrix3d face = corners(Eigen::all, facet_corners<3>[k]);
-    vectors.col(k) = facet_vector(face);
+template <int d>
+CellCorners<d> facet_vectors(const CellCorners<d>& corners) {
+  CellCorners<d> vectors;
+  for (int k = 0; k <= d; ++k) {
+    const MatrixOf<d> facet = corners(Eigen::all, facet_corners<d>[k]);
+    vectors.col(k) = facet_vector(facet);
   }
   return vectors;
 }
 
-Matrix3d piola_matrix(const TetrahedronCorners& corners) {
-  return corners.rightCols<3>().colwise() - corners.col(0);
+template <int d>
+MatrixOf<d> piola_matrix(const CellCorners<d>& corners) {
+  return corners.template rightCols<d>().colwise() - corners.col(0);
 }
 
-Matrix<double, 6, 6> piola_voigt(const Matrix3d& B) {
-  constexpr auto& place = voigt_place<3>;
-  Matrix<double, 6, 6> T = Matrix<double, 6, 6>::Zero();
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j)
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
+template <int d>
+VoigtMatrix<d> piola_voigt(const MatrixOf<d>& B) {
+  constexpr auto& place = voigt_place<d>;
+  VoigtMatrix<d> T = VoigtMatrix<d>::Zero();
+  for (int i = 0; i < d; ++i)
+    for (int j = i; j < d; ++j)
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b)
           T(place[i][j], place[a][b]) += B(i, a) * B(j, b);
   return T;
 }
 
-SolidStress composite_stress(const TetrahedronCorners& corners,
-                             const FaceLoads& on_faces,
-                             const SolidBodyLoads& body_loads) {
-  const Matrix3d B = piola_matrix(corners), inverse = B.inverse();
-  Matrix<double, 3, 16> pulled_back;
-  pulled_back << inverse * on_faces, inverse * body_loads;
-  SolidStress s;
-  s.reshaped() = reference_solid_map() * pulled_back.reshaped();
-  return piola_voigt(B) / B.determinant() * s;
+template <int d>
+SubcellStress<d> composite_stress(const CellCorners<d>& corners,
+                                  const FacetLoads<d>& on_facets,
+                                  const CellBodyLoads<d>& body_loads) {
+  const MatrixOf<d> B = piola_matrix<d>(corners), inverse = B.inverse();
+  Matrix<double, d, (d + 1) * (d + 1)> pulled_back;
+  pulled_back << inverse * on_facets, inverse * body_loads;
+  SubcellStress<d> s;
+  s.reshaped() = reference_map<d>() * pulled_back.reshaped();
+  return piola_voigt<d>(B) / B.determinant() * s;
 }
 
-SolidBodyLoads balancing_body_loads(const FaceLoads& on_faces) {
-  return (-0.25 * on_faces.rowwise().sum()).replicate<1, 4>();
+template <int d>
+CellBodyLoads<d> balancing_body_loads(const FacetLoads<d>& on_facets) {
+  return (-1.0 / (d + 1) * on_facets.rowwise().sum())
+      .template replicate<1, d + 1>();
 }
 
-Matrix<double, 3, 4> body_force_of(const SolidBodyLoads& body_loads,
-                                   double volume) {
-  return body_loads * force_per_body_load(volume).transpose();
+template <int d>
+CellBodyLoads<d> body_force_of(const CellBodyLoads<d>& body_loads,
+                               double volume) {
+  return body_loads * force_per_body_load<d>(volume).transpose();
 }
 
-double energy(const TetrahedronCorners& corners,
-              const Matrix<double, 6, 6>& compliance,
-              const SolidStress& stress) {
-  const double volume = piola_matrix(corners).determinant() / 24;
-  const SolidStress strain = compliance * stress;
+template <int d>
+double energy(const CellCorners<d>& corners, const VoigtMatrix<d>& compliance,
+              const SubcellStress<d>& stress) {
+  constexpr int n = d + 1;
+  const double volume =
+      piola_matrix<d>(corners).determinant() / (factorial(d) * n);
+  const SubcellStress<d> strain = compliance * stress;
   double sum = 0;
-  for (int k = 0; k < 16; k += 4)
-    for (int a = 0; a < 4; ++a)
-      for (int b = 0; b < 4; ++b)
-        sum +=
-            solid_mass(volume, a, b) * stress.col(k + a).dot(strain.col(k + b));
+  for (int k = 0; k < n * n; k += n)
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b)
+        sum += subcell_mass<d>(volume, a, b) *
+               stress.col(k + a).dot(strain.col(k + b));
   return sum;
 }
 
-Matrix<double, 3, 4> divergences(const TetrahedronCorners& corners,
-                                 const SolidStress& stress) {
-  Matrix<double, 3, 4> result = Matrix<double, 3, 4>::Zero();
-  for (int k = 0; k < 4; ++k) {
-    const TetrahedronCorners slope = gradients(subtetrahedron(corners, k));
-    for (int c = 0; c < 4; ++c)
-      result.col(k) += traction(stress.col(4 * k + c), slope.col(c));
+template <int d>
+CellBodyLoads<d> divergences(const CellCorners<d>& corners,
+                             const SubcellStress<d>& stress) {
+  CellBodyLoads<d> result = CellBodyLoads<d>::Zero();
+  for (int k = 0; k <= d; ++k) {
+    const CellCorners<d> slope = gradients<d>(subcell<d>(corners, k));
+    for (int c = 0; c <= d; ++c)
+      result.col(k) += traction(stress.col((d + 1) * k + c), slope.col(c));
   }
   return result;
 }
 
-Matrix<double, 3, 18> inner_jumps(const TetrahedronCorners& corners,
-                                  const SolidStress& stress) {
-  Matrix<double, 3, 18> jumps;
-  for (int e = 0; e < 6; ++e) {
-    const auto [i, j, k, l] = edges_of_tetrahedron[e];
-    Matrix3d face;
-    face << corners.col(i), corners.col(j), barycentre(corners);
-    const Vector3d n = facet_vector(face).normalized();
-    const std::array<int, 3> in_k{place_on_face(k, i), place_on_face(k, j), 3},
-        in_l{place_on_face(l, i), place_on_face(l, j), 3};
-    for (int c = 0; c < 3; ++c)
-      jumps.col(3 * e + c) = traction(
-          stress.col(4 * k + in_k[c]) - stress.col(4 * l + in_l[c]), n);
+template <int d>
+Matrix<double, d, d * d*(d + 1) / 2> inner_jumps(
+    const CellCorners<d>& corners, const SubcellStress<d>& stress) {
+  Matrix<double, d, d * d*(d + 1) / 2> jumps;
+  int column = 0;
+  for (const auto& [vertices, k, l] : inner_facets<d>()) {
+    MatrixOf<d> facet;
+    for (int i = 0; i < d - 1; ++i) facet.col(i) = corners.col(vertices[i]);
+    facet.col(d - 1) = barycentre<d>(corners);
+    const VectorOf<d> n = facet_vector(facet).normalized();
+    for (int i = 0; i < d; ++i) {
+      const int in_k = i < d - 1 ? place_on_facet<d>(k, vertices[i]) : d,
+                in_l = i < d - 1 ? place_on_facet<d>(l, vertices[i]) : d;
+      jumps.col(column++) = traction(
+          stress.col((d + 1) * k + in_k) - stress.col((d + 1) * l + in_l), n);
+    }
   }
   return jumps;
 }
 
-FaceLoads face_loads_of(const TetrahedronCorners& corners,
-                        const SolidStress& stress) {
-  const TetrahedronCorners vectors = face_vectors(corners);
-  FaceLoads loads;
-  for (int k = 0; k < 4; ++k) {
-    Matrix3d density;
-    for (int j = 0; j < 3; ++j)
-      density.col(j) = traction(stress.col(4 * k + j), vectors.col(k));
-    loads.middleCols<3>(3 * k) = face_moments_of(density, 1);
+template <int d>
+FacetLoads<d> facet_loads_of(const CellCorners<d>& corners,
+                             const SubcellStress<d>& stress) {
+  const CellCorners<d> vectors = facet_vectors<d>(corners);
+  FacetLoads<d> loads;
+  for (int k = 0; k <= d; ++k) {
+    MatrixOf<d> density;
+    for (int j = 0; j < d; ++j)
+      density.col(j) = traction(stress.col((d + 1) * k + j), vectors.col(k));
+    loads.template middleCols<d>(d * k) = facet_moments_of<d>(density, 1);
   }
   return loads;
 }
 
-Matrix3d face_density(const Matrix3d& moments, double area) {
-  const Vector3d quarter = 0.25 * moments.rowwise().sum();
-  return 12 / area * (moments.colwise() - quarter);
+template <int d>
+MatrixOf<d> facet_density(const MatrixOf<d>& moments, double measure) {
+  const VectorOf<d> part = 1.0 / (d + 1) * moments.rowwise().sum();
+  return d * (d + 1) / measure * (moments.colwise() - part);
 }
 
-Matrix3d face_moments_of(const Matrix3d& density, double area) {
-  const Vector3d sum = density.rowwise().sum();
-  return area / 12 * (density.colwise() + sum);
+template <int d>
+MatrixOf<d> facet_moments_of(const MatrixOf<d>& density, double measure) {
+  const VectorOf<d> sum = density.rowwise().sum();
+  return measure / (d * (d + 1)) * (density.colwise() + sum);
 }
+
+template CellCorners<FFCONTACT_DIMENSION> reference_cell<FFCONTACT_DIMENSION>();
+template CellCorners<FFCONTACT_DIMENSION> facet_vectors<FFCONTACT_DIMENSION>(
+    const CellCorners<FFCONTACT_DIMENSION>&);
+template SubcellStress<FFCONTACT_DIMENSION> composite_stress<
+    FFCONTACT_DIMENSION>(const CellCorners<FFCONTACT_DIMENSION>&,
+                         const FacetLoads<FFCONTACT_DIMENSION>&,
+                         const CellBodyLoads<FFCONTACT_DIMENSION>&);
+template CellBodyLoads<FFCONTACT_DIMENSION> balancing_body_loads<
+    FFCONTACT_DIMENSION>(const FacetLoads<FFCONTACT_DIMENSION>&);
+template CellBodyLoads<FFCONTACT_DIMENSION> body_force_of<FFCONTACT_DIMENSION>(
+    const CellBodyLoads<FFCONTACT_DIMENSION>&, double);
+template Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>
+piola_matrix<FFCONTACT_DIMENSION>(const CellCorners<FFCONTACT_DIMENSION>&);
+template VoigtMatrix<FFCONTACT_DIMENSION> piola_voigt<FFCONTACT_DIMENSION>(
+    const Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>&);
+template double energy<FFCONTACT_DIMENSION>(
+    const CellCorners<FFCONTACT_DIMENSION>&,
+    const VoigtMatrix<FFCONTACT_DIMENSION>&,
+    const SubcellStress<FFCONTACT_DIMENSION>&);
+template CellBodyLoads<FFCONTACT_DIMENSION> divergences<FFCONTACT_DIMENSION>(
+    const CellCorners<FFCONTACT_DIMENSION>&,
+    const SubcellStress<FFCONTACT_DIMENSION>&);
+template Matrix<double, FFCONTACT_DIMENSION,
+                FFCONTACT_DIMENSION *
+                    FFCONTACT_DIMENSION*(FFCONTACT_DIMENSION + 1) / 2>
+inner_jumps<FFCONTACT_DIMENSION>(const CellCorners<FFCONTACT_DIMENSION>&,
+                                 const SubcellStress<FFCONTACT_DIMENSION>&);
+template FacetLoads<FFCONTACT_DIMENSION> facet_loads_of<FFCONTACT_DIMENSION>(
+    const CellCorners<FFCONTACT_DIMENSION>&,
+    const SubcellStress<FFCONTACT_DIMENSION>&);
+template Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>
+facet_density<FFCONTACT_DIMENSION>(
+    const Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>&, double);
+template Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>
+facet_moments_of<FFCONTACT_DIMENSION>(
+    const Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>&, double);
 
 }  // namespace ffcontact

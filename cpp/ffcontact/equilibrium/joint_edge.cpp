@@ -10,7 +10,7 @@
 #include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/equilibrium/edge_form.hpp"
+#include "ffcontact/equilibrium/ridge_form.hpp"
 
 namespace ffcontact {
 
@@ -81,7 +81,7 @@ class JointNumbering {
     joint.size = 6;
     std::map<int, int> bars;  // the first of each face
     for (int edge : edges)
-      for (int face : faces_around(topology_.edges, edge))
+      for (int face : facets_around<3>(topology_.edges, edge))
         if (facing_.count(face) == 0) {
           bars[face] = joint.size;
           joint.size += 3;
@@ -106,8 +106,8 @@ class JointNumbering {
     const auto first_bar = [&](int face) {
       return entry_of(bars, face, "bar of a face");
     };
-    const std::vector<int> faces = faces_around(topology_.edges, edge);
-    const int size = unknowns_around(topology_.edges, edge);
+    const std::vector<int> faces = facets_around<3>(topology_.edges, edge);
+    const int size = unknowns_around<3>(topology_.edges, edge);
     JointEdge::Part part{edge, VectorXi::LinSpaced(size, 0, size - 1),
                          VectorXd::Ones(size)};
     part.sign.head<6>().setConstant(turn);
@@ -151,10 +151,12 @@ std::vector<JointEdge> joint_edges(const SolidTopology& topology,
 }
 
 MatrixXd joint_form(const SolidTopology& topology, const JointEdge& joint,
-                    const FaceForms& forms) {
+                    const FacetForms<3>& forms) {
   MatrixXd A = MatrixXd::Zero(joint.size, joint.size);
   for (const JointEdge::Part& part : joint.parts) {
-    const MatrixXd of_part = edge_form(topology, part.edge, forms);
+    const MatrixXd of_part =
+        ridge_form<3>(topology, part.edge,
+                      shifts_around<3>(topology, part.edge).data(), forms);
     A(part.place, part.place) +=
         part.sign.asDiagonal() * of_part * part.sign.asDiagonal();
   }
@@ -165,7 +167,9 @@ MatrixXd joint_conditions(const SolidTopology& topology, const JointEdge& joint,
                           const KnownComponents& known) {
   MatrixXd rows(0, joint.size);
   for (const JointEdge::Part& part : joint.parts) {
-    const MatrixXd of_part = edge_conditions(topology, part.edge, known);
+    const MatrixXd of_part = ridge_conditions<3>(
+        topology, part.edge, shifts_around<3>(topology, part.edge).data(),
+        known);
     const Index first = rows.rows();
     rows.conservativeResize(first + of_part.rows(), Eigen::NoChange);
     rows.bottomRows(of_part.rows()).setZero();
@@ -179,7 +183,8 @@ VectorXd joint_restricted(const SolidTopology& topology, const JointEdge& joint,
                           const Matrix9Xd& g) {
   VectorXd x = VectorXd::Zero(joint.size);
   for (const JointEdge::Part& part : joint.parts)
-    x(part.place) += part.sign.cwiseProduct(restricted(topology, part.edge, g));
+    x(part.place) +=
+        part.sign.cwiseProduct(restricted<3>(topology, part.edge, g));
   return x;
 }
 

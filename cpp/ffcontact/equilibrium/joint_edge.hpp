@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "ffcontact/equilibrium/contact_face.hpp"
-#include "ffcontact/equilibrium/face_forms.hpp"
+#include "ffcontact/equilibrium/facet_forms.hpp"
+#include "ffcontact/mesh/solid_topology.hpp"
 
 namespace ffcontact {
 
@@ -34,7 +35,7 @@ std::vector<JointEdge> joint_edges(const SolidTopology& topology,
 
 /// A = sum over the parts of Z' H Z.
 MatrixXd joint_form(const SolidTopology& topology, const JointEdge& joint,
-                    const FaceForms& forms);
+                    const FacetForms<3>& forms);
 
 /// edge_conditions of all parts.
 MatrixXd joint_conditions(const SolidTopology& topology, const JointEdge& joint,

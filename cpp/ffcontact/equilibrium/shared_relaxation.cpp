@@ -113,15 +113,15 @@ double HaloExchange::sum(double of_share) const {
 
 /// Of two processes the lower one sends first, to the lower ones before the higher ones:
 /// none waits for one that waits for it.
-void HaloExchange::complete(FaceImages& images) const {
+void HaloExchange::complete(FacetImages<3>& images) const {
   for (int r = 0; r < messages_.count(); ++r) {
     const std::vector<int>&given = part_.given[r], &taken = part_.taken[r];
     if (given.empty()) continue;
     const auto send = [&] {
-      send_numbers(messages_, r, FaceImages(images(Eigen::all, given)));
+      send_numbers(messages_, r, FacetImages<3>(images(Eigen::all, given)));
     };
     if (messages_.rank() < r) send();
-    FaceImages others(36, taken.size());
+    FacetImages<3> others(36, taken.size());
     receive_numbers(messages_, r, others);
     images(Eigen::all, taken) = others;
     if (messages_.rank() > r) send();
@@ -132,7 +132,7 @@ PartRelaxation::PartRelaxation(FacePart part, const Messages& messages)
     : part_(std::move(part)),
       setting_(part_.of.setting()),
       exchange_(part_, messages),
-      descent_(setting_, part_.of.moments, part_.share, exchange_) {}
+      descent_(setting_.loaded(), part_.of.moments, part_.share, exchange_) {}
 
 Matrix9Xd PartRelaxation::corrections() {
   std::vector<int> counted;
@@ -168,7 +168,9 @@ std::vector<double> LeadingRelaxation::relax(
     receive_numbers(messages_, r, of_part);
     corrections(Eigen::all, counted) = of_part;
   }
-  add_corrections(setting_, corrections, moments);
+  add_corrections<3>(setting_.topology,
+                     without_contact(setting_.boundary.known, setting_.contact),
+                     corrections, moments);
   return falls;
 }
 

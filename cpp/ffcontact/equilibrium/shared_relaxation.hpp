@@ -14,13 +14,13 @@
 namespace ffcontact {
 
 /// The halos of a part.
-class HaloExchange : public FaceExchange {
+class HaloExchange : public FacetExchange<3> {
  public:
   /// @param part  stays where it is, as messages
   HaloExchange(const FacePart& part, const Messages& messages)
       : part_(part), messages_(messages) {}
   double sum(double of_share) const override;
-  void complete(FaceImages& images) const override;
+  void complete(FacetImages<3>& images) const override;
 
  private:
   const FacePart& part_;
@@ -46,7 +46,7 @@ class PartRelaxation {
   FacePart part_;
   FaceSetting setting_;
   HaloExchange exchange_;
-  FaceDescent descent_;
+  FacetDescent<3> descent_;
 };
 
 /// Process 0.

@@ -32,7 +32,7 @@ bool more_steps(const SolidRelaxationSettings& settings,
 
 }  // namespace
 
-std::vector<double> relax(FaceDescent& descent, ContactRelaxation& contact,
+std::vector<double> relax(FacetDescent<3>& descent, ContactRelaxation& contact,
                           const SolidRelaxationSettings& settings) {
   const double first_square = descent.begin();
   RelaxationProgress progress(first_square, contact.contact_part());
@@ -62,13 +62,15 @@ std::vector<double> relax_faces(const FaceSetting& setting,
                                 const SolidRelaxationSettings& settings,
                                 FaceMoments& moments) {
   if (settings.steps == 0) return {};
-  const FaceShare whole = whole_share(setting.topology);
-  const NoExchange none;
-  FaceDescent descent(setting, moments, whole, none);
+  const FacetShare whole = whole_share<3>(setting.topology);
+  const NoExchange<3> none;
+  FacetDescent<3> descent(setting.loaded(), moments, whole, none);
   ContactPass contact(setting.topology, setting.boundary, descent.forms(),
                       setting.contact, moments);
   const std::vector<double> falls = relax(descent, contact, settings);
-  add_corrections(setting, descent.corrections(), moments);
+  add_corrections<3>(setting.topology,
+                     without_contact(setting.boundary.known, setting.contact),
+                     descent.corrections(), moments);
   return falls;
 }
 

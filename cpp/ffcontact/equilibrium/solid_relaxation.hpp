@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "ffcontact/equilibrium/contact_relaxation.hpp"
-#include "ffcontact/equilibrium/face_descent.hpp"
+#include "ffcontact/equilibrium/face_setting.hpp"
+#include "ffcontact/equilibrium/facet_descent.hpp"
 
 namespace ffcontact {
 
@@ -26,7 +27,7 @@ constexpr int steps_of_a_round = 3;
 /// exactly. What e^2 falls by in a step comes with it: the stopping test costs nothing. A
 /// pass counts with the step before it.
 /// @return what e^2 fell by in every step [N mm]
-std::vector<double> relax(FaceDescent& descent, ContactRelaxation& contact,
+std::vector<double> relax(FacetDescent<3>& descent, ContactRelaxation& contact,
                           const SolidRelaxationSettings& settings);
 
 /// The same for all of a solid.

@@ -2,26 +2,26 @@
 #include "ffcontact/equilibrium/star_relaxation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
-#include "ffcontact/base/over.hpp"
 #include "ffcontact/equilibrium/boundary_relaxation.hpp"
 #include "ffcontact/equilibrium/contact_groups.hpp"
+#include "ffcontact/equilibrium/facet_descent.hpp"
 #include "ffcontact/equilibrium/relaxation_progress.hpp"
-#include "ffcontact/equilibrium/star_descent.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-using Group = std::vector<int>;
 using Triangles = std::set<int>;
 
-Triangles triangles_of(const Stars& stars, const Group& group) {
+Triangles triangles_of(const FacetTopology<2>& topology,
+                       const StarGroup& group) {
   Triangles triangles;
-  for (int v : group)
-    for (int t : stars.triangles_of(v)) triangles.insert(t);
+  for (int ridge : group.ridge)
+    for (int edge : topology.ridges.facets_of(ridge))
+      for (int t : topology.facets.cells.col(edge))
+        if (t >= 0) triangles.insert(t);
   return triangles;
 }
 
@@ -38,46 +38,31 @@ std::size_t free_colour(const std::vector<Triangles>& taken,
   return colour;
 }
 
+std::vector<int> ridge_of_vertices(const FacetTopology<2>& topology) {
+  std::vector<int> ridge(topology.mesh.vertex_count(), -1);
+  for (int r = 0; r < topology.ridges.count(); ++r)
+    ridge[topology.ridges.vertices(0, r)] = r;
+  return ridge;
+}
+
 /// The groups of contact vertices by colours, greedily in the order of the line: those of
 /// one colour share no triangle.
-struct ContactStars {
-  std::vector<std::vector<Group>> colours;
-  Triangles triangles;  ///< of all groups
-};
-
-ContactStars contact_stars(const Stars& stars, const ContactLine& line) {
-  ContactStars result;
+std::vector<std::vector<StarGroup>> groups_by_colours(
+    const FacetTopology<2>& topology, const ContactLine& line) {
+  const std::vector<int> ridge_of = ridge_of_vertices(topology);
+  std::vector<std::vector<StarGroup>> colours;
   std::vector<Triangles> taken;  // by each colour
-  for (const Group& group : contact_groups(line)) {
-    const Triangles own = triangles_of(stars, group);
+  for (std::vector<int> ridges : contact_groups(line)) {
+    for (int& member : ridges) member = ridge_of[member];
+    StarGroup group(topology, std::move(ridges));
+    const Triangles own = triangles_of(topology, group);
     const std::size_t colour = free_colour(taken, own);
     taken.resize(std::max(taken.size(), colour + 1));
-    result.colours.resize(taken.size());
+    colours.resize(taken.size());
     taken[colour].insert(own.begin(), own.end());
-    result.triangles.insert(own.begin(), own.end());
-    result.colours[colour].push_back(group);
+    colours[colour].push_back(std::move(group));
   }
-  return result;
-}
-
-/// Relaxes colour by colour; returns by how much e^2 fell.
-double relax_all(const StarSetting& setting, const ContactStars& stars,
-                 VectorXd& airy, FreeContact& contact) {
-  double fallen = 0;
-  for (const std::vector<Group>& colour : stars.colours) {
-    std::vector<double> fall(colour.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t k = 0; k < colour.size(); ++k)
-      fall[k] = relax_boundary(setting, colour[k], airy, contact);
-    for (double f : fall) fallen += f;  // in a fixed order
-  }
-  return fallen;
-}
-
-/// The square of the elastic part before the relaxation.
-double elastic_square(const StarSetting& setting) {
-  return sum_over(setting.space.mesh.cell_count(),
-                  [&](int t) { return setting.energies[t].before; });
+  return colours;
 }
 
 /// The contact part of e^2 up to the constant of Tresca's.
@@ -88,6 +73,15 @@ double contact_square(const FreeContact* contact) {
          free.tangential_cost.cwiseProduct(free.densities.tangential).sum();
 }
 
+/// Without those of free contact edges.
+KnownTractions<2> known_but_for(const FreeContact* contact,
+                                KnownTractions<2> known) {
+  for (Index e = 0; contact && e < known.cols(); ++e)
+    if (contact->tractions.contact_edge[e] >= 0)
+      known.col(e).setConstant(false);
+  return known;
+}
+
 /// Steps of the descent in a sweep: two sweeps lower e as much as two of Gauss-Seidel over
 /// the stars with the best combination after each.
 constexpr int steps_of_a_sweep = 2;
@@ -95,48 +89,67 @@ constexpr int steps_of_a_sweep = 2;
 /// The descent and the stars on free contact edges in turn.
 class Relaxation {
  public:
-  Relaxation(const StarSetting& setting, FreeContact* contact)
-      : setting_(setting), contact_(contact), descent_(setting) {
-    if (contact) on_contact_ = contact_stars(setting.stars, contact->line);
+  Relaxation(const LoadedFacets<2>& body, const EdgeMoments& moments,
+             FreeContact* contact)
+      : body_(body),
+        contact_(contact),
+        share_(whole_share<2>(body.topology)),
+        descent_(body, moments, share_, none_) {
+    if (contact) colours_ = groups_by_colours(body.topology, contact->line);
   }
+
+  double begin() { return descent_.begin(); }
 
   /// Returns by how much e^2 fell.
   double sweep() {
     double fall = 0;
     for (int step = 0; step < steps_of_a_sweep; ++step) fall += descent_.step();
-    return contact_ ? fall + relax_contact() : fall;
+    for (const std::vector<StarGroup>& colour : colours_) fall += relax(colour);
+    return fall;
   }
 
-  const VectorXd& airy() const { return descent_.airy(); }
+  const FacetColumns<2>& corrections() { return descent_.corrections(); }
 
  private:
-  double relax_contact() {
-    return descent_.changed(on_contact_.triangles, [&](VectorXd& airy) {
-      return relax_all(setting_, on_contact_, airy, *contact_);
-    });
+  double relax(const std::vector<StarGroup>& colour) {
+    std::vector<BoundaryChange> change(colour.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < colour.size(); ++k)
+      change[k] =
+          relax_boundary(body_.topology, descent_.forms(), body_.boundary,
+                         colour[k], descent_.residual(), *contact_);
+    double fallen = 0;  // summed in a fixed order
+    for (std::size_t k = 0; k < colour.size(); ++k) {
+      fallen += change[k].fall;
+      if (change[k].fall > 0) add(colour[k], change[k].y);
+    }
+    return fallen;
   }
 
-  const StarSetting& setting_;
+  void add(const StarGroup& group, const VectorXd& y) {
+    for (std::size_t s = 0; s < group.ridge.size(); ++s)
+      add_around<2>(
+          body_.topology, descent_.forms(), group.ridge[s],
+          y.segment(group.first[s], group.first[s + 1] - group.first[s]),
+          descent_.corrections(), descent_.residual());
+  }
+
+  const LoadedFacets<2>& body_;
   FreeContact* contact_;
-  StarDescent descent_;
-  ContactStars on_contact_;
+  const FacetShare share_;
+  const NoExchange<2> none_;
+  FacetDescent<2> descent_;
+  std::vector<std::vector<StarGroup>> colours_;
 };
 
 }  // namespace
 
-std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
-                                const BoundaryTractions& boundary,
-                                const BodyLoadsOfAll& body_loads,
+std::vector<double> relax_stars(const LoadedFacets<2>& body,
                                 const RelaxationSettings& settings,
-                                EdgeLoadsOfAll& difference,
-                                FreeContact* contact,
-                                const std::vector<FreeSpring>& springs) {
+                                EdgeMoments& moments, FreeContact* contact) {
   if (settings.sweeps == 0) return {};
-  StarSetting setting =
-      star_setting(topology, hooke, boundary, body_loads, difference);
-  add_springs(springs, setting);
-  Relaxation relaxation(setting, contact);
-  RelaxationProgress progress(elastic_square(setting), contact_square(contact));
+  Relaxation relaxation(body, moments, contact);
+  RelaxationProgress progress(relaxation.begin(), contact_square(contact));
   std::vector<double> falls;
   for (int sweep = 0; sweep < settings.sweeps; ++sweep) {
     falls.push_back(relaxation.sweep());
@@ -144,7 +157,8 @@ std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
     tell(settings.report, {"relaxation", sweep + 1, "e", progress.e()});
     if (!goes_on) break;
   }
-  add_airy_loads(setting.space, relaxation.airy(), difference);
+  add_corrections<2>(body.topology, known_but_for(contact, body.boundary.known),
+                     relaxation.corrections(), moments);
   return falls;
 }
 

@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "ffcontact/base/progress.hpp"
-#include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/difference_loads.hpp"
-#include "ffcontact/equilibrium/free_springs.hpp"
+#include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/facet_loads.hpp"
 #include "ffcontact/equilibrium/free_tractions.hpp"
-#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -23,33 +21,26 @@ struct RelaxationSettings {
 /// Star relaxation: lowers e^2 = |sigma_hat - C eps(u_hat)|^2 + contact part, and keeps
 /// equilibrium exactly.
 ///
-/// The corrections are one Airy function (AirySpace), from zero: every triangle's energy
-/// is a fixed form in its unknowns, set up once (AiryEnergy), and equilibrium keeps to
-/// rounding however many sweeps there are. A sweep is two steps of conjugate gradients
-/// with the additive solves of all stars (StarDescent), in which known traction
-/// components of boundary edges stay as they are. Then, at the vertices on free contact
-/// edges, the end values of r_hat are unknowns too, kept in the cone by linear
-/// inequalities; where the line faces another body, whose trace must match, the facing
-/// vertices are relaxed together, with r_hat on one and -r_hat on the other
-/// (relax_boundary).
+/// A sweep is two steps of conjugate gradients with the additive solves of the stars of all
+/// vertices (FacetDescent), in which known traction components of boundary edges stay as
+/// they are. Then, at the vertices on free contact edges, the end values of r_hat are
+/// unknowns too, kept in the cone by linear inequalities; where the line faces another
+/// body, whose trace must match, the facing vertices are relaxed together, with r_hat on
+/// one and -r_hat on the other (relax_boundary).
 ///
-/// Springs whose tractions are free (released) take part by their error, which joins the
-/// energies of the triangles beside them.
+/// Springs whose tractions are free (released) take part by their error, a term of their
+/// edges (terms_of).
 ///
 /// The relaxation ends where a sweep no longer changes a digit of e.
 ///
 /// The result does not depend on the number of threads.
-/// @param body_loads  int f phi_i per triangle
-/// @param difference  edge loads of sigma_hat - C eps(u_hat), relaxed in place
-/// @param contact     r_hat, relaxed in place; null keeps it fixed
-/// @param springs     free_springs, not known on the boundary
+/// @param body     sigma is C eps(u_hat); body loads int f phi_i per triangle, less those
+///                 of sigma where it varies
+/// @param moments  of sigma_hat, in equilibrium; relaxed in place
+/// @param contact  r_hat, relaxed in place; null keeps it fixed
 /// @return what e^2 fell by in every sweep [N/mm per unit thickness times mm]
-std::vector<double> relax_stars(const Topology& topology, const Hooke& hooke,
-                                const BoundaryTractions& boundary,
-                                const BodyLoadsOfAll& body_loads,
+std::vector<double> relax_stars(const LoadedFacets<2>& body,
                                 const RelaxationSettings& settings,
-                                EdgeLoadsOfAll& difference,
-                                FreeContact* contact,
-                                const std::vector<FreeSpring>& springs = {});
+                                EdgeMoments& moments, FreeContact* contact);
 
 }  // namespace ffcontact

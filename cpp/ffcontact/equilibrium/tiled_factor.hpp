@@ -25,8 +25,10 @@ constexpr Index factor_size(int n) {
 }
 
 /// A tile as it is multiplied.
-inline Matrix4d tile_at(const float* numbers) {
-  return Map<const Matrix<float, tile_size, tile_size>>(numbers).cast<double>();
+template <class Scalar>
+Matrix4d tile_at(const Scalar* numbers) {
+  return Map<const Matrix<Scalar, tile_size, tile_size>>(numbers)
+      .template cast<double>();
 }
 
 /// @param L       lower triangle of n unknowns

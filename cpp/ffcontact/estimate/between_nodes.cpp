@@ -47,7 +47,7 @@ void note(const FacetFields<dim>& fields,
   bool matters = !fields.traction.isZero(0);
   const MatrixXd points = tested_points(fields.normal.cols());
   for (const auto& weights : points.colwise()) {
-    using Vector = Matrix<double, dim, 1>;
+    using Vector = VectorOf<dim>;
     const Vector n = (fields.normal * weights).normalized(),
                  r = fields.traction * weights, w = fields.motion * weights;
     const double rn = r.dot(n), wn = w.dot(n);

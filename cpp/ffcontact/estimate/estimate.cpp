@@ -7,6 +7,8 @@
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/friction_cone.hpp"
+#include "ffcontact/equilibrium/difference_loads.hpp"
+#include "ffcontact/equilibrium/free_springs.hpp"
 #include "ffcontact/estimate/compared.hpp"
 #include "ffcontact/estimate/error_history.hpp"
 #include "ffcontact/estimate/first_tractions.hpp"
@@ -29,9 +31,9 @@ double largest_value(const std::vector<CompositeStress>& stress) {
   return largest;
 }
 
-/// sigma_hat and r_hat: by its edge loads less those of the compared stress.
+/// sigma_hat, by its moments on the edges, and r_hat.
 struct RelaxedTractions {
-  EdgeLoadsOfAll difference;
+  EdgeMoments moments;
   ContactDensities contact;
   std::vector<double> falls;  ///< of e^2, sweep by sweep
 };
@@ -66,26 +68,28 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
                    bodies.spring_tractions());
   const BoundaryTractions without_springs = released(boundary, springs);
 
-  RelaxedTractions result{
-      difference_loads(mesh, edges, std::exchange(first.moments, {}),
-                       compared.stress),
-      {},
-      {}};
+  RelaxedTractions result{std::move(first.moments), {}, {}};
   FreeTractions tractions =
       free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions,
                       tool_work(mesh, line, body).fields};
-  result.falls = relax_stars(bodies.topology(), body.hooke, without_springs,
-                             compared.body_loads(body), settings.relaxation,
-                             result.difference,
-                             contact_is_free ? &contact : nullptr, springs);
+  const Hinges<2> ridges = hinges_of(mesh, edges);
+  const BodyLoadsOfAll body_loads = compared.body_loads(body);
+  result.falls = relax_stars({{mesh, edges, ridges},
+                              body.hooke,
+                              without_springs,
+                              body_loads,
+                              compared.stress.mean,
+                              compared.stress.variation,
+                              terms_of(springs)},
+                             settings.relaxation, result.moments,
+                             contact_is_free ? &contact : nullptr);
   result.contact = std::move(tractions.densities);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
-  add_spring_changes(mesh, edges, springs, boundary, compared.stress,
-                     result.difference, bodies.spring_tractions());
-  put_boundary_loads(mesh, edges, bodies.boundary_with(result.contact),
-                     compared.stress, result.difference);
+  add_spring_changes(mesh, edges, springs, boundary, result.moments,
+                     bodies.spring_tractions());
+  put_known<2>(bodies.boundary_with(result.contact), result.moments);
   return result;
 }
 
@@ -117,8 +121,10 @@ StressNorms norms_by(Construction construction, const MatchedBodies& bodies,
                           ? composite_norms
                           : polynomial_norms;
   const SolvedBody& body = bodies.body();
-  return norms(bodies.topology().mesh, body.hooke, compared.stress,
-               relaxed.difference, compared.body_loads(body));
+  const auto& [mesh, edges, stars] = bodies.topology();
+  return norms(mesh, body.hooke, compared.stress,
+               difference_loads(mesh, edges, relaxed.moments, compared.stress),
+               compared.body_loads(body));
 }
 
 /// (2.11) to (2.13).

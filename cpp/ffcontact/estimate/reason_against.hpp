@@ -21,8 +21,8 @@ struct WorstPlaces {
 
 /// The middle of a facet as who made the mesh knows it.
 template <int dim>
-Matrix<double, dim, 1> middle_of(const SimplexMesh<dim>& mesh,
-                                 const Facets<dim>& facets, int facet) {
+VectorOf<dim> middle_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
+                        int facet) {
   const Matrix<int, dim, 1> vertices = facets.vertices.col(facet);
   return mesh.origin + facet_points<dim>(mesh, vertices).rowwise().mean();
 }

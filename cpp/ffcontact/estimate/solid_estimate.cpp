@@ -75,9 +75,9 @@ SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
     const TetrahedronCorners corners = corners_of(mesh, t);
     const Matrix6d compliance = setting.hooke[t].inverse();
     const SolidStress sigma = setting.stress.col(t).replicate<1, 16>(),
-                      tau = difference_stress(setting, moments, t);
-    norms.difference[t] = energy(corners, compliance, tau);
-    sums[t] = energy(corners, compliance, tau + 2 * sigma);
+                      tau = difference_stress<3>(setting.loaded(), moments, t);
+    norms.difference[t] = energy<3>(corners, compliance, tau);
+    sums[t] = energy<3>(corners, compliance, tau + 2 * sigma);
     // not sigma + tau: the stress of u_hat may be far larger than sigma_hat
     const FaceLoads loads = loads_of(mesh, faces, moments, t);
     const SolidBodyLoads in_body = setting.body_loads.col(t).reshaped(3, 4);
@@ -294,7 +294,7 @@ SolidEstimate estimate_error(const SolidTopology& topology,
 SolidStress stress_of(const SolidTopology& topology,
                       const SolidEstimate& estimate, const SolvedSolid& body,
                       int cell) {
-  return composite_stress(
+  return composite_stress<3>(
       corners_of(topology.mesh, cell),
       loads_of(topology.mesh, topology.faces, estimate.moments, cell),
       body.body_loads.col(cell).reshaped(3, 4));

@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/norms.hpp"
 #include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/equilibrium/difference_loads.hpp"
 #include "ffcontact/equilibrium/refined_moments.hpp"
 
 namespace ffcontact {

@@ -15,10 +15,9 @@ namespace {
 /// Place on its mesh edge of point k of a contact edge; the last is the end itself, not
 /// a unit in the last place beside it.
 double sampled_place(const ContactLine& line, int e, int k) {
-  constexpr int last = samples_of_an_edge - 1;
+  constexpr double last = samples_of_an_edge - 1;
   if (k == last) return line.place(1, e);
-  return between(line.place(0, e), line.place(1, e),
-                 static_cast<double>(k) / last);
+  return between(line.place(0, e), line.place(1, e), k / last);
 }
 
 /// What a point of a piece faces; beyond an end of it by rounding, what the end faces.

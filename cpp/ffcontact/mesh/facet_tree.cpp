@@ -13,8 +13,8 @@ FacetTree<dim>::FacetTree(const SimplexMesh<dim>& mesh,
 
 template <int dim>
 Box<dim> FacetTree<dim>::box_around(Iterator first, Iterator last) const {
-  Matrix<double, dim, 1> low = mesh_.vertices.col(facets_.vertices(0, *first)),
-                         high = low;
+  VectorOf<dim> low = mesh_.vertices.col(facets_.vertices(0, *first)),
+                high = low;
   for (Iterator member = first; member != last; ++member)
     for (int v : facets_.vertices.col(*member)) {
       low = low.cwiseMin(mesh_.vertices.col(v));

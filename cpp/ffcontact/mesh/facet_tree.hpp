@@ -11,7 +11,7 @@ namespace ffcontact {
 /// A box along the axes: its middle and half of each of its sides [mm].
 template <int dim>
 struct Box {
-  Matrix<double, dim, 1> middle, half;
+  VectorOf<dim> middle, half;
 };
 
 /// Facets in a tree of boxes, each box halved into two: of n facets those in a narrow

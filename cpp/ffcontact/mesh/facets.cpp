@@ -146,8 +146,8 @@ class Gathering {
 };
 
 template <int dim>
-Matrix<double, dim, 1> vector_of(const SimplexMesh<dim>& mesh,
-                                 const Facets<dim>& facets, int facet) {
+VectorOf<dim> vector_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
+                        int facet) {
   return facet_vector(facet_points<dim>(mesh, facets.vertices.col(facet)));
 }
 
@@ -175,8 +175,8 @@ double facet_measure(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
 }
 
 template <int dim>
-Matrix<double, dim, 1> facet_normal(const SimplexMesh<dim>& mesh,
-                                    const Facets<dim>& facets, int facet) {
+VectorOf<dim> facet_normal(const SimplexMesh<dim>& mesh,
+                           const Facets<dim>& facets, int facet) {
   return vector_of(mesh, facets, facet).normalized();
 }
 

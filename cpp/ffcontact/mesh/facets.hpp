@@ -40,7 +40,7 @@ double facet_measure(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
 
 /// Unit normal of a facet: outward on the boundary, from cells(0) to cells(1) inside.
 template <int dim>
-Matrix<double, dim, 1> facet_normal(const SimplexMesh<dim>& mesh,
-                                    const Facets<dim>& facets, int facet);
+VectorOf<dim> facet_normal(const SimplexMesh<dim>& mesh,
+                           const Facets<dim>& facets, int facet);
 
 }  // namespace ffcontact

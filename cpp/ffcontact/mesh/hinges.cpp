@@ -54,12 +54,12 @@ std::vector<int> numbers_of(const std::vector<HingeSide<dim>>& sides) {
   return numbers;
 }
 
-std::string hinge_in_words(const std::array<int, 1>& vertices) {
-  return "vertex " + std::to_string(vertices[0]);
-}
-std::string hinge_in_words(const std::array<int, 2>& vertices) {
-  return "edge between vertices " + std::to_string(vertices[0]) + " and " +
-         std::to_string(vertices[1]);
+template <std::size_t count>
+std::string hinge_in_words(const std::array<int, count>& vertices) {
+  const std::string first = std::to_string(vertices[0]);
+  return count == 1 ? "vertex " + first
+                    : "edge between vertices " + first + " and " +
+                          std::to_string(vertices[count - 1]);
 }
 
 /// A body has two boundary facets at a hinge, or none.
@@ -113,7 +113,8 @@ Hinges<dim> hinges_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets) {
   return hinges;
 }
 
-template Hinges<2> hinges_of(const Mesh&, const Facets<2>&);
-template Hinges<3> hinges_of(const SolidMesh&, const Facets<3>&);
+template Hinges<FFCONTACT_DIMENSION> hinges_of(
+    const SimplexMesh<FFCONTACT_DIMENSION>&,
+    const Facets<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

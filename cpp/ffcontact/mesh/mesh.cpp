@@ -18,9 +18,8 @@ constexpr double largest_coordinate = 1e75;
 
 /// The facet opposite to local vertex k of a cell; outward.
 template <int dim>
-Matrix<double, dim, 1> outward_vector(const SimplexMesh<dim>& mesh, int cell,
-                                      int k) {
-  Matrix<double, dim, dim> corners;
+VectorOf<dim> outward_vector(const SimplexMesh<dim>& mesh, int cell, int k) {
+  MatrixOf<dim> corners;
   for (int i = 0; i < dim; ++i)
     corners.col(i) = mesh.corner(cell, facet_corners<dim>[k][i]);
   return facet_vector(corners);
@@ -126,8 +125,7 @@ double boundary_measure(const SimplexMesh<dim>& mesh, Index column) {
 template <int dim>
 double signed_volume(const SimplexMesh<dim>& mesh, int cell) {
   // base times height / dim
-  const Matrix<double, dim, 1> height =
-      mesh.corner(cell, 0) - mesh.corner(cell, dim);
+  const VectorOf<dim> height = mesh.corner(cell, 0) - mesh.corner(cell, dim);
   return outward_vector(mesh, cell, dim).dot(height) / dim;
 }
 

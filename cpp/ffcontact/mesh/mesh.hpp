@@ -13,7 +13,7 @@ namespace ffcontact {
 /// plane and of faces in space.
 template <int dim>
 struct SimplexMesh {
-  using Point = Matrix<double, dim, 1>;
+  using Point = VectorOf<dim>;
 
   Matrix<double, dim, Dynamic> vertices;  ///< coordinates [mm]
   /// vertices of each cell, in an order of positive volume (counter-clockwise triangles)
@@ -76,9 +76,9 @@ inline Vector3d facet_vector(const Matrix3d& corners) {
 
 /// The corners of a facet, one column each.
 template <int dim>
-Matrix<double, dim, dim> facet_points(const SimplexMesh<dim>& mesh,
-                                      const Matrix<int, dim, 1>& vertices) {
-  Matrix<double, dim, dim> points;
+MatrixOf<dim> facet_points(const SimplexMesh<dim>& mesh,
+                           const Matrix<int, dim, 1>& vertices) {
+  MatrixOf<dim> points;
   for (int k = 0; k < dim; ++k) points.col(k) = mesh.vertices.col(vertices[k]);
   return points;
 }

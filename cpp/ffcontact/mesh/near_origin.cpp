@@ -10,9 +10,8 @@ namespace {
 /// A multiple of a power of two well above the size of the bodies: its difference to
 /// their coordinates is exact, and bodies within a few sizes of zero keep theirs.
 template <int dim>
-Matrix<double, dim, 1> origin_near(
-    const Matrix<double, dim, Dynamic>& vertices) {
-  using Point = Matrix<double, dim, 1>;
+VectorOf<dim> origin_near(const Matrix<double, dim, Dynamic>& vertices) {
+  using Point = VectorOf<dim>;
   if (vertices.cols() == 0) return Point::Zero();
   const Point lowest = vertices.rowwise().minCoeff(),
               highest = vertices.rowwise().maxCoeff();

@@ -14,12 +14,10 @@ namespace ffcontact {
 namespace {
 
 template <int dim>
-using PointOf = Matrix<double, dim, 1>;
-template <int dim>
 using PointsOf = Matrix<double, dim, Dynamic>;
 
 template <int dim>
-double angle_of(const PointOf<dim>& a, const PointOf<dim>& b) {
+double angle_of(const VectorOf<dim>& a, const VectorOf<dim>& b) {
   if constexpr (dim == 2)
     return angle_between(a, b);
   else
@@ -27,10 +25,10 @@ double angle_of(const PointOf<dim>& a, const PointOf<dim>& b) {
 }
 
 template <int dim>
-PointOf<dim> circle_tangent(const Ref<const PointsOf<dim>>& points,
-                            Index before, Index at, Index after) {
-  const PointOf<dim> a = points.col(at) - points.col(before),
-                     b = points.col(after) - points.col(at);
+VectorOf<dim> circle_tangent(const Ref<const PointsOf<dim>>& points,
+                             Index before, Index at, Index after) {
+  const VectorOf<dim> a = points.col(at) - points.col(before),
+                      b = points.col(after) - points.col(at);
   return (a / a.squaredNorm() + b / b.squaredNorm()).normalized();
 }
 
@@ -43,23 +41,24 @@ Vector mirrored(const Vector& tangent, const Vector& chord) {
 /// Between two neighbouring points of a curve.
 template <int dim>
 struct Chord {
-  PointOf<dim> first, vector;
-  PointOf<dim> first_tangent, last_tangent;  ///< of the curve at its ends
+  VectorOf<dim> first, vector;
+  VectorOf<dim> first_tangent, last_tangent;  ///< of the curve at its ends
 };
 
 template <int dim>
 Chord<dim> chord_of(const SmoothCurve<dim>& curve, int piece) {
-  const PointOf<dim> first = curve.points.col(piece);
+  const VectorOf<dim> first = curve.points.col(piece);
   return {first, curve.points.col(piece + 1) - first, curve.tangents.col(piece),
           curve.tangents.col(piece + 1)};
 }
 
 /// Where (point - x(s)) . t(s) = 0 on a chord, s in [0, 1] but for rounding.
 template <int dim>
-std::optional<double> foot(const PointOf<dim>& point, const Chord<dim>& chord) {
+std::optional<double> foot(const VectorOf<dim>& point,
+                           const Chord<dim>& chord) {
   constexpr double rounding = 1e-9;
-  const PointOf<dim> r = point - chord.first;
-  const PointOf<dim> m = chord.last_tangent - chord.first_tangent;
+  const VectorOf<dim> r = point - chord.first;
+  const VectorOf<dim> m = chord.last_tangent - chord.first_tangent;
   const auto s = finite_root(r.dot(chord.first_tangent),
                              r.dot(m) - chord.vector.dot(chord.first_tangent),
                              -chord.vector.dot(m));
@@ -68,10 +67,10 @@ std::optional<double> foot(const PointOf<dim>& point, const Chord<dim>& chord) {
 }
 
 template <int dim>
-PointOf<dim> nearer_end(const PointsOf<dim>& points,
-                        const PointOf<dim>& point) {
-  const PointOf<dim> first = points.col(0),
-                     last = points.col(points.cols() - 1);
+VectorOf<dim> nearer_end(const PointsOf<dim>& points,
+                         const VectorOf<dim>& point) {
+  const VectorOf<dim> first = points.col(0),
+                      last = points.col(points.cols() - 1);
   return (point - first).norm() < (point - last).norm() ? first : last;
 }
 
@@ -79,10 +78,10 @@ template <int dim>
 void put_end_tangents(bool closed, SmoothCurve<dim>& curve) {
   const PointsOf<dim>& x = curve.points;
   const Index last = x.cols() - 1;
-  const auto tangent = [&](Index k) -> PointOf<dim> {
+  const auto tangent = [&](Index k) -> VectorOf<dim> {
     return curve.tangents.col(k);
   };
-  const auto chord = [&](Index k) -> PointOf<dim> {
+  const auto chord = [&](Index k) -> VectorOf<dim> {
     return x.col(k + 1) - x.col(k);
   };
   if (closed)
@@ -97,15 +96,15 @@ void put_end_tangents(bool closed, SmoothCurve<dim>& curve) {
 template <int dim>
 double angle_at(const Ref<const PointsOf<dim>>& points, Index before, Index at,
                 Index after) {
-  const PointOf<dim> in = points.col(at) - points.col(before),
-                     out = points.col(after) - points.col(at);
+  const VectorOf<dim> in = points.col(at) - points.col(before),
+                      out = points.col(after) - points.col(at);
   return angle_of<dim>(in, out);
 }
 
 }  // namespace
 
 template <int dim>
-PointOf<dim> SmoothCurve<dim>::at(int piece, double s) const {
+VectorOf<dim> SmoothCurve<dim>::at(int piece, double s) const {
   const Chord<dim> chord = chord_of(*this, piece);
   const double theta = angle_of<dim>(chord.first_tangent, chord.last_tangent),
                quarter = std::cos(theta / 4);
@@ -116,7 +115,7 @@ PointOf<dim> SmoothCurve<dim>::at(int piece, double s) const {
 }
 
 template <int dim>
-PointOf<dim> SmoothCurve<dim>::beside(const Point& point) const {
+VectorOf<dim> SmoothCurve<dim>::beside(const Point& point) const {
   Point best = nearer_end<dim>(points, point);
   double distance = infinity;
   for (int piece = 0; piece < pieces(); ++piece) {

@@ -18,7 +18,7 @@ namespace ffcontact {
 /// circle to within 4e-5 theta^6 R.
 template <int dim>
 struct SmoothCurve {
-  using Point = Matrix<double, dim, 1>;
+  using Point = VectorOf<dim>;
   using Points = Matrix<double, dim, Dynamic>;
 
   Points points;    ///< in order; the first again at the end of a closed curve

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/mesh/hinges.hpp"
+#include "ffcontact/mesh/facet_topology.hpp"
 
 namespace ffcontact {
 
@@ -25,6 +25,8 @@ struct SolidTopology {
   Facets<3> faces;
   Hinges<3> edges;
   SolidStars stars;
+
+  operator FacetTopology<3>() const { return {mesh, faces, edges}; }
 };
 
 /// @throws std::invalid_argument  as facets_of and hinges_of

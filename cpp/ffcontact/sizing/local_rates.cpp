@@ -66,7 +66,7 @@ double reach(const Mesh& mesh, const std::vector<int>& others, int v) {
   double nearest = infinity;
   for (int w : others)
     if (w != v) nearest = std::min(nearest, distance(mesh, v, w));
-  return std::isfinite(nearest) ? 0.5 * nearest : 0;
+  return nearest < infinity ? 0.5 * nearest : 0;
 }
 
 /// int sigma : C^-1 sigma and the place of each triangle.
