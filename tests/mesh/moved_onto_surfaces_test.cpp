@@ -9,9 +9,6 @@
 #include <set>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/mesh/cell_quality.hpp"
-#include "ffcontact/mesh/smooth_surface.hpp"
-#include "ffcontact/mesh/surface_curvature.hpp"
 #include "support/nested_solids.hpp"
 #include "support/pi.hpp"
 #include "support/random.hpp"
@@ -20,41 +17,6 @@ namespace ffcontact {
 namespace {
 
 using namespace test;
-
-TEST(SurfaceCurvature, is_that_of_cylinders_and_none_of_planes) {
-  constexpr int n = 8;
-  constexpr double radius = 3;
-  SolidMesh mesh = brick({n, 2, 2}, {pi / 2, 1, 2});  // a quarter of a tube
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const Vector3d x = mesh.vertices.col(v);
-    const double r = radius + x.y();
-    mesh.vertices.col(v) << r * std::sin(x.x()), r * std::cos(x.x()), -x.z();
-  }
-  mesh.cells.row(2).swap(mesh.cells.row(3));
-  if (signed_volume(mesh, 0) < 0) mesh.cells.row(2).swap(mesh.cells.row(3));
-  const Facets<3> faces = facets_of(mesh);
-  const SurfaceModel model =
-      surface_model(mesh, faces, VectorXi::Zero(mesh.cell_count()), pi / 6);
-  const VectorXd curvature = surface_curvature(mesh, faces, model);
-  const double turn = pi / 2 / n, chord = 2 * std::sin(turn / 2);
-  int inner = 0, outer = 0;
-  for (int v = 0; v < mesh.vertex_count(); ++v) {
-    const Vector3d x = mesh.vertices.col(v);
-    const double r = x.head<2>().norm();
-    if (x.x() < 1e-9 || x.y() < 1e-9) continue;  // the ends
-    if (std::abs(r - radius) < 1e-9) {
-      EXPECT_NEAR(curvature[v], turn / (radius * chord), 1e-12);
-      ++inner;
-    } else if (std::abs(r - radius - 1) < 1e-9) {
-      EXPECT_NEAR(curvature[v], turn / ((radius + 1) * chord), 1e-12);
-      ++outer;
-    } else {
-      EXPECT_EQ(curvature[v], 0);
-    }
-  }
-  EXPECT_EQ(inner, 3 * (n - 1));
-  EXPECT_EQ(outer, 3 * (n - 1));
-}
 
 /// The mesh whose vertices are on the faces of a bent brick of n^3 cells, twice as fine.
 ModelMesh finer_mesh(int n, const SolidMesh& coarse,
@@ -179,49 +141,6 @@ TEST(MovedOntoSurfaces, puts_lines_on_curves_and_leaves_planes) {
         EXPECT_NEAR(x.y(), 0, 1e-14);
       }
     }
-}
-
-RC_GTEST_PROP(CubicTriangle, is_a_sphere_to_fourth_order, (Random random)) {
-  const double h = *real(0.05, 0.5);
-  Matrix3d corners;
-  for (int i = 0; i < 3; ++i)
-    corners.col(i) =
-        (Vector3d::Ones() + h * 0.5 * random_vector(3, random)).normalized();
-  Vector3d place = random_vector(3, random).cwiseAbs();
-  place /= place.sum();
-  const Vector3d x = point_on_cubic_triangle(corners, corners, place);
-  const double longest = std::max({(corners.col(0) - corners.col(1)).norm(),
-                                   (corners.col(1) - corners.col(2)).norm(),
-                                   (corners.col(2) - corners.col(0)).norm()});
-  RC_ASSERT(std::abs(x.norm() - 1) < 0.02 * std::pow(longest, 4) + 1e-14);
-}
-
-RC_GTEST_PROP(NearestPlace, is_nearer_than_any_other, (Random random)) {
-  Matrix3d corners;
-  for (int i = 0; i < 3; ++i) corners.col(i) = random_vector(3, random);
-  const Vector3d x = 2 * random_vector(3, random);
-  const Vector3d place = nearest_place(corners, x);
-  RC_ASSERT(place.minCoeff() >= 0);
-  RC_ASSERT(std::abs(place.sum() - 1) < 1e-14);
-  const double distance = (corners * place - x).norm();
-  for (int k = 0; k < 50; ++k) {
-    Vector3d other = random_vector(3, random).cwiseAbs();
-    other /= other.sum();
-    RC_ASSERT((corners * other - x).norm() >= distance * (1 - 1e-12));
-  }
-}
-
-TEST(CellQuality, is_one_for_regular_cells) {
-  SolidMesh mesh;
-  mesh.vertices =
-      3 * (Matrix<double, 3, 4>() << 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1, 1)
-              .finished();
-  mesh.cells = (Matrix<int, 4, 1>() << 0, 1, 2, 3).finished();
-  if (signed_volume(mesh, 0) < 0) std::swap(mesh.cells(2, 0), mesh.cells(3, 0));
-  EXPECT_NEAR(cell_quality(mesh)[0], 1, 1e-14);
-  Mesh plane = rectangle(1, 1, 1, 1);
-  EXPECT_NEAR(cell_quality(plane)[0],
-              std::sqrt(12) * (1 - std::sqrt(0.5)) / std::sqrt(2), 1e-14);
 }
 
 }  // namespace
