@@ -74,14 +74,22 @@ SolidMesh inclined(SolidMesh mesh) {
   return mesh;
 }
 
-/// By vertices alone they are more and grow; so do they on an edge, where rows depend on
-/// others, without what their multipliers make of the rest.
-TEST(ProductStep, steps_of_gmres_do_not_grow_with_the_number_of_nodes) {
-  for (int n : {6, 12, 18}) {
-    EXPECT_LT(products_of_a_step(brick_of(n), {low_z}), 45) << n;
-    EXPECT_LT(products_of_a_step(inclined(brick_of(n)), {low_z}), 45) << n;
-    EXPECT_LT(products_of_a_step(brick_of(n), {low_x, low_z}), 45) << n;
-  }
+/// On four times as many nodes steps of GMRES are 5 or 6 more, of some 30. By vertices
+/// alone they are more and grow; so do they on an edge, where rows depend on others,
+/// without what their multipliers make of the rest.
+TEST(ProductStep, steps_of_gmres_hardly_grow_with_the_number_of_nodes) {
+  const auto plane = [](int n) {
+    return products_of_a_step(brick_of(n), {low_z});
+  };
+  const auto inclined_plane = [](int n) {
+    return products_of_a_step(inclined(brick_of(n)), {low_z});
+  };
+  const auto edge = [](int n) {
+    return products_of_a_step(brick_of(n), {low_x, low_z});
+  };
+  EXPECT_LE(plane(18), plane(9) + 8);
+  EXPECT_LE(inclined_plane(18), inclined_plane(9) + 8);
+  EXPECT_LE(edge(18), edge(9) + 8);
 }
 
 }  // namespace

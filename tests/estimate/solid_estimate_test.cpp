@@ -88,13 +88,31 @@ RC_GTEST_PROP(SolidEstimate, is_admissible_for_every_law, (Random random)) {
   RC_ASSERT(std::abs(last.history[0] - first.e) < 1e-6 * first.e);
 }
 
+/// A side all of which sticks is a clamped one, whose tractions are as free: the bounds
+/// meet as the mesh becomes finer (1.080, 1.047 and 1.020 with 4, 6 and 8 cells), which
+/// that by the first contact tractions does not (1.10 with 8).
+TEST(SolidEstimate, of_a_side_that_sticks_is_that_of_a_clamped_one) {
+  const auto ratio = [](int cells) {
+    const SolidProblem sticking =
+        block_problem(block(cells), BlockCase::shear, 1);
+    SolidProblem clamped(sticking.mesh, 0, {low_y});
+    clamped.law.gap = VectorXd::Ones(clamped.surface.node_count());
+    clamped.A = sticking.A;
+    clamped.b = sticking.b;
+    clamped.move(low_z, [](const Vector3d&) { return Vector3d::Zero(); });
+    return estimate(sticking).e / estimate(clamped).e;
+  };
+  const double coarse = ratio(4), fine = ratio(8);
+  EXPECT_LT(coarse, 1.12);
+  EXPECT_LT(fine, 1.04);
+  EXPECT_GT(fine, 1);
+}
+
 TEST(SolidEstimate, relaxes_contact_tractions_inside_the_cone) {
-  // where all sticks this lowers e most; where all slips, little
   const SolidProblem problem = block_problem(block(8), BlockCase::shear, 0.5);
   const SurfaceSolution solution = problem.solve();
   const SolidEstimate before = estimate(problem, solution, {0, 0}),
                       after = estimate(problem, solution);
-  EXPECT_LT(after.e, 7.02);  // 7.5 with tractions as they were
   EXPECT_LT(after.contact, 0.01 * after.e * after.e);
   EXPECT_EQ(after.tractions, before.tractions);
   double change = 0;

@@ -43,12 +43,17 @@ struct Square {
   }
 };
 
+/// Discs are as large as so many cells: of a power the exponents do not depend on the mesh.
+/// What the cells beside the vertex miss of it, by their stresses in the middle, makes them
+/// larger, by 0.11 (1 - alpha) at 0.4, less above and nothing at 1.
 TEST(SingularVertices, have_the_exponent_of_the_energy_in_discs) {
-  const Square square(40);
+  const Square coarse(20), fine(40);
   for (double alpha : {0.4, 0.5, 0.7, 1.0}) {
-    const std::vector<SingularVertex> found = square.singular(alpha);
-    ASSERT_EQ(found.front().vertex, 0);
-    EXPECT_NEAR(found.front().exponent, alpha, 0.08);
+    const SingularVertex found = coarse.singular(alpha).front();
+    ASSERT_EQ(found.vertex, 0);
+    EXPECT_GT(found.exponent, alpha - 1e-12);
+    EXPECT_LT(found.exponent, alpha + 0.12 * (1 - alpha) + 1e-12);
+    EXPECT_NEAR(fine.singular(alpha).front().exponent, found.exponent, 1e-12);
   }
 }
 
