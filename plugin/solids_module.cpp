@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The module ffcontact_solids.
 #include "ffcontact/mesh/cell_quality.hpp"
-#include "ffcontact/mesh/hinges.hpp"
+#include "ffcontact/mesh/ridges.hpp"
 //
 #include "material_and_loads.hpp"
 #include "new_mesh.hpp"
@@ -87,7 +87,7 @@ class SolidsModule : public Solids {
                     const std::vector<VectorXd>& arrays,
                     const SizeSettings& settings) const override {
     return optimal_size(problem.mesh,
-                        hinges_of(problem.mesh, problem.faces).vertices,
+                        ridges_of(problem.mesh, problem.faces).vertices,
                         arrays[0], arrays[1], settings);
   }
 

@@ -10,7 +10,7 @@
 ///
 /// Modules, each using only those before it:
 ///   base         refusals, small dense problems
-///   mesh         triangles and tetrahedra, their facets (edges, faces) and hinges, stars, several bodies as one joined mesh,
+///   mesh         triangles and tetrahedra, their facets (edges, faces) and ridges, stars, several bodies as one joined mesh,
 ///                boundary parts and curves; the planes, smooth surfaces and curves of a solid; a rectangle
 ///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
 ///                few dofs; as meshes and facets for plane bodies and solids

@@ -94,7 +94,7 @@ struct AnyContact {
 RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
               (Random random)) {
   AnyContact any(random);
-  const Hinges<3>& edges = any.topology.edges;
+  const Ridges<3>& edges = any.topology.edges;
   int changed = 0;
   for (const JointEdge& joint : joint_edges(any.topology, any.contact)) {
     const ContactStar star(any.topology, joint, any.known, any.forms,

@@ -19,12 +19,12 @@ using namespace test;
 struct PlaneBody {
   Problem problem;
   Equilibrated fields;
-  Hinges<2> ridges;
+  Ridges<2> ridges;
 
   explicit PlaneBody(const Problem& stated)
       : problem(stated),
         fields(equilibrated(stated, solved(stated))),
-        ridges(hinges_of(fields.topology.mesh, fields.topology.edges)) {}
+        ridges(ridges_of(fields.topology.mesh, fields.topology.edges)) {}
 
   LoadedFacets<2> loaded() const {
     return {{fields.topology.mesh, fields.topology.edges, ridges},

@@ -29,7 +29,7 @@ std::vector<double> relax(const Problem& problem, Equilibrated& fields,
                           int sweeps, FreeContact* contact = nullptr,
                           double tightness = 0) {
   const auto& [mesh, edges, stars] = fields.topology;
-  const Hinges<2> ridges = hinges_of(mesh, edges);
+  const Ridges<2> ridges = ridges_of(mesh, edges);
   const std::vector<double> falls =
       relax_stars({{mesh, edges, ridges},
                    problem.hooke,

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "ffcontact/mesh/hinges.hpp"
+#include "ffcontact/mesh/ridges.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
 #include "ffcontact/sizing/graded_size.hpp"
 #include "ffcontact/sizing/optimal_size.hpp"
@@ -72,7 +72,7 @@ RC_GTEST_PROP(SolidSizeRatios, give_all_new_tetrahedra_the_same_error,
 }
 
 Matrix2Xi edges_of_solid(const SolidMesh& mesh) {
-  return hinges_of(mesh, facets_of(mesh)).vertices;
+  return ridges_of(mesh, facets_of(mesh)).vertices;
 }
 
 SizeSettings solid_target(double wanted) {

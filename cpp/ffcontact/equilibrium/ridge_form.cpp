@@ -145,7 +145,7 @@ MatrixXd ridge_conditions(const FacetTopology<d>& topology, int ridge,
   constexpr int wrench = CompositeElement<d>::wrench,
                 modes = CompositeElement<d>::modes,
                 moments = CompositeElement<d>::moments;
-  const Hinges<d>& ridges = topology.ridges;
+  const Ridges<d>& ridges = topology.ridges;
   MatrixXd rows =
       MatrixXd::Zero(2 * moments, unknowns_around<d>(ridges, ridge));
   int next = 0;
@@ -174,7 +174,7 @@ VectorXd restricted(const FacetTopology<d>& topology, int ridge,
                     const FacetColumns<d>& g) {
   constexpr int wrench = CompositeElement<d>::wrench,
                 modes = CompositeElement<d>::modes;
-  const Hinges<d>& ridges = topology.ridges;
+  const Ridges<d>& ridges = topology.ridges;
   VectorXd x = VectorXd::Zero(unknowns_around<d>(ridges, ridge));
   for (int i = 0; i < ridges.facet_count(ridge); ++i) {
     const FacetVector<d> of_facet = g.col(ridges.facets_of(ridge)[i]);

@@ -12,14 +12,14 @@ namespace ffcontact {
 /// of them carry and the modes of each, x = (w, y_1, .., y_m) [r + (d^2 - r) m], which
 /// WrenchShift makes the unknowns of the facets, Z x.
 template <int d>
-int unknowns_around(const Hinges<d>& ridges, int ridge) {
+int unknowns_around(const Ridges<d>& ridges, int ridge) {
   return CompositeElement<d>::wrench +
          CompositeElement<d>::modes * ridges.facet_count(ridge);
 }
 
 /// The m facets.
 template <int d>
-std::vector<int> facets_around(const Hinges<d>& ridges, int ridge) {
+std::vector<int> facets_around(const Ridges<d>& ridges, int ridge) {
   const auto facets = ridges.facets_of(ridge);
   return {facets.begin(), facets.end()};
 }

@@ -58,7 +58,7 @@ RidgeStars<d>::RidgeStars(const FacetTopology<d>& topology,
                                    count_of(topology.ridges.facet))),
       stars_(topology.ridges.count()),
       first_of_factor_(1, 0) {
-  const Hinges<d>& ridges = topology.ridges;
+  const Ridges<d>& ridges = topology.ridges;
   for (int e = 0; e < ridges.count(); ++e) {
     const int size = share.ridge[e] ? unknowns_around<d>(ridges, e) : 0;
     largest_ = std::max(largest_, tiled(size));
@@ -75,7 +75,7 @@ RidgeStars<d>::RidgeStars(const FacetTopology<d>& topology,
 
 template <int d>
 void RidgeStars<d>::place_facets() {
-  const Hinges<d>& ridges = topology_.ridges;
+  const Ridges<d>& ridges = topology_.ridges;
 #pragma omp parallel for
   for (int e = 0; e < ridges.count(); ++e)
     for (int i = ridges.facet_start[e]; i < ridges.facet_start[e + 1]; ++i) {
@@ -90,7 +90,7 @@ void RidgeStars<d>::place_facets() {
 template <int d>
 void RidgeStars<d>::restrict_to(int ridge, const FacetColumns<d>& g,
                                 double* x) const {
-  const Hinges<d>& ridges = topology_.ridges;
+  const Ridges<d>& ridges = topology_.ridges;
   Wrench<d> sum = Wrench<d>::Zero();
   double* of_modes = x + wrench;
   for (int i = ridges.facet_start[ridge]; i < ridges.facet_start[ridge + 1];

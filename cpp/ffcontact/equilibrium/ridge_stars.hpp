@@ -51,7 +51,7 @@ class RidgeStars {
 
   const FacetTopology<d> topology_;
   const FacetShare& share_;
-  // The facets around a ridge, all ridges in a row: Hinges::facet.
+  // The facets around a ridge, all ridges in a row: Ridges::facet.
   Matrix<int, d, Dynamic>
       place_;  ///< of a facet around each of its ridges [d x facets]
   WrenchShifts<d> shifts_;

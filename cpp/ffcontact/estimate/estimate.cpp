@@ -73,7 +73,7 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
       free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions,
                       tool_work(mesh, line, body).fields};
-  const Hinges<2> ridges = hinges_of(mesh, edges);
+  const Ridges<2> ridges = ridges_of(mesh, edges);
   const BodyLoadsOfAll body_loads = compared.body_loads(body);
   result.falls = relax_stars({{mesh, edges, ridges},
                               body.hooke,

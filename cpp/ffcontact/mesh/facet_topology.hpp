@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/mesh/facets.hpp"
-#include "ffcontact/mesh/hinges.hpp"
+#include "ffcontact/mesh/ridges.hpp"
 
 namespace ffcontact {
 
@@ -12,7 +12,7 @@ template <int d>
 struct FacetTopology {
   const SimplexMesh<d>& mesh;
   const Facets<d>& facets;
-  const Hinges<d>& ridges;
+  const Ridges<d>& ridges;
 
   Matrix<double, d, d + 1> corners(int cell) const {
     Matrix<double, d, d + 1> points;

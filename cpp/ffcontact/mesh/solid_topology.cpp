@@ -31,7 +31,7 @@ SolidTopology topology_of(SolidMesh mesh) {
   SolidTopology topology;
   topology.mesh = std::move(mesh);
   topology.faces = facets_of(topology.mesh);
-  topology.edges = hinges_of(topology.mesh, topology.faces);
+  topology.edges = ridges_of(topology.mesh, topology.faces);
   topology.stars = solid_stars(topology.mesh);
   return topology;
 }

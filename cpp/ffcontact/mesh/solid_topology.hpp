@@ -23,13 +23,13 @@ struct SolidStars {
 struct SolidTopology {
   SolidMesh mesh;
   Facets<3> faces;
-  Hinges<3> edges;
+  Ridges<3> edges;
   SolidStars stars;
 
   operator FacetTopology<3>() const { return {mesh, faces, edges}; }
 };
 
-/// @throws std::invalid_argument  as facets_of and hinges_of
+/// @throws std::invalid_argument  as facets_of and ridges_of
 SolidTopology topology_of(SolidMesh mesh);
 
 }  // namespace ffcontact

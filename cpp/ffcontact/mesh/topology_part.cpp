@@ -64,11 +64,11 @@ Facets<3> faces_of(const Facets<3>& whole, const Selection& cells,
   return part;
 }
 
-Hinges<3> edges_of(const Hinges<3>& whole, const Selection& vertices,
+Ridges<3> edges_of(const Ridges<3>& whole, const Selection& vertices,
                    const Selection& faces) {
   const Matrix3Xi of_face = whole.of_facet(Eigen::all, faces.chosen());
   const Selection edges(whole.count(), of_face.reshaped());
-  Hinges<3> part;
+  Ridges<3> part;
   part.vertices =
       vertices.numbered<Matrix2Xi>(whole.vertices(Eigen::all, edges.chosen()));
   part.of_facet = edges.numbered(of_face);

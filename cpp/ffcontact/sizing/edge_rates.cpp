@@ -47,7 +47,7 @@ bool is_singular(const SolidTopology& topology, int edge,
 std::vector<int> singular_edges(const SolidTopology& topology,
                                 const KnownComponents& known,
                                 const Flags& is_contact) {
-  const Hinges<3>& edges = topology.edges;
+  const Ridges<3>& edges = topology.edges;
   return numbers_where(edges.count(), [&](int e) {
     return edges.on_boundary[e] && is_singular(topology, e, known, is_contact);
   });

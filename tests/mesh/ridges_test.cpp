@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/mesh/hinges.hpp"
+#include "ffcontact/mesh/ridges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,29 +17,29 @@ namespace {
 using namespace test;
 
 template <int dim>
-std::string refusal_of_hinges(const SimplexMesh<dim>& mesh) {
-  return refusal([&] { hinges_of(mesh, facets_of(mesh)); });
+std::string refusal_of_ridges(const SimplexMesh<dim>& mesh) {
+  return refusal([&] { ridges_of(mesh, facets_of(mesh)); });
 }
 
 std::set<int> facets_at(const std::vector<int>& start,
-                        const std::vector<int>& facet, int hinge) {
-  return {facet.begin() + start[hinge], facet.begin() + start[hinge + 1]};
+                        const std::vector<int>& facet, int ridge) {
+  return {facet.begin() + start[ridge], facet.begin() + start[ridge + 1]};
 }
 
-RC_GTEST_PROP(Hinges, vertices_edges_faces_and_cells_of_a_solid_obey_euler,
+RC_GTEST_PROP(Ridges, vertices_edges_faces_and_cells_of_a_solid_obey_euler,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Facets<3> faces = facets_of(mesh);
-  const int edges = hinges_of(mesh, faces).count();
+  const int edges = ridges_of(mesh, faces).count();
   RC_ASSERT(mesh.vertex_count() - edges + faces.count() - mesh.cell_count() ==
             1);
 }
 
-RC_GTEST_PROP(Hinges, of_a_solid_have_the_faces_that_have_both_their_vertices,
+RC_GTEST_PROP(Ridges, of_a_solid_have_the_faces_that_have_both_their_vertices,
               (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Facets<3> faces = facets_of(mesh);
-  const Hinges<3> edges = hinges_of(mesh, faces);
+  const Ridges<3> edges = ridges_of(mesh, faces);
   for (int h = 0; h < edges.count(); ++h) {
     std::set<int> expected;
     int on_boundary = 0;
@@ -57,10 +57,10 @@ RC_GTEST_PROP(Hinges, of_a_solid_have_the_faces_that_have_both_their_vertices,
   }
 }
 
-RC_GTEST_PROP(Hinges, of_a_face_are_opposite_to_its_vertices, (Random random)) {
+RC_GTEST_PROP(Ridges, of_a_face_are_opposite_to_its_vertices, (Random random)) {
   const SolidMesh mesh = irregular_solid(random);
   const Facets<3> faces = facets_of(mesh);
-  const Hinges<3> edges = hinges_of(mesh, faces);
+  const Ridges<3> edges = ridges_of(mesh, faces);
   for (int f = 0; f < faces.count(); ++f)
     for (int k = 0; k < 3; ++k) {
       const int h = edges.of_facet(k, f);
@@ -71,21 +71,21 @@ RC_GTEST_PROP(Hinges, of_a_face_are_opposite_to_its_vertices, (Random random)) {
     }
 }
 
-RC_GTEST_PROP(Hinges, of_a_plane_body_are_its_vertices_with_their_spokes,
+RC_GTEST_PROP(Ridges, of_a_plane_body_are_its_vertices_with_their_spokes,
               (Random random)) {
   const Topology body = topology_of(irregular(3, 3, 3, 3, random));
-  const Hinges<2> hinges = hinges_of(body.mesh, body.edges);
-  RC_ASSERT(hinges.count() == body.mesh.vertex_count());
-  for (int v = 0; v < hinges.count(); ++v) {
-    RC_ASSERT(hinges.vertices(0, v) == v);
-    RC_ASSERT(facets_at(hinges.facet_start, hinges.facet, v) ==
+  const Ridges<2> ridges = ridges_of(body.mesh, body.edges);
+  RC_ASSERT(ridges.count() == body.mesh.vertex_count());
+  for (int v = 0; v < ridges.count(); ++v) {
+    RC_ASSERT(ridges.vertices(0, v) == v);
+    RC_ASSERT(facets_at(ridges.facet_start, ridges.facet, v) ==
               facets_at(body.stars.spoke_start, body.stars.spoke, v));
-    RC_ASSERT((hinges.on_boundary[v] == 1) == body.stars.on_boundary(v));
+    RC_ASSERT((ridges.on_boundary[v] == 1) == body.stars.on_boundary(v));
   }
 }
 
 /// Two unit tetrahedra that have nothing but the edge 0, 1 in common.
-TEST(Hinges, refuses_a_body_that_touches_itself_in_a_single_edge) {
+TEST(Ridges, refuses_a_body_that_touches_itself_in_a_single_edge) {
   SolidMesh mesh;
   mesh.vertices.resize(3, 6);
   mesh.vertices << 0, 0, 1, 0, -1, 0,  //
@@ -96,11 +96,11 @@ TEST(Hinges, refuses_a_body_that_touches_itself_in_a_single_edge) {
   add_boundary(mesh);
   require_valid(mesh);
   EXPECT_EQ(
-      refusal_of_hinges(mesh),
+      refusal_of_ridges(mesh),
       "the body touches itself in the single edge between vertices 0 and 1");
 }
 
-TEST(Hinges, refuses_a_plane_body_that_touches_itself_in_a_single_vertex) {
+TEST(Ridges, refuses_a_plane_body_that_touches_itself_in_a_single_vertex) {
   Mesh mesh;
   mesh.vertices.resize(2, 5);
   mesh.vertices << 0, 1, 0, -1, 0, 0, 0, 1, 0, -1;
@@ -109,7 +109,7 @@ TEST(Hinges, refuses_a_plane_body_that_touches_itself_in_a_single_vertex) {
   mesh.boundary.resize(2, 6);
   mesh.boundary << 0, 1, 2, 0, 3, 4, 1, 2, 0, 3, 4, 0;
   mesh.boundary_label = VectorXi::Ones(6);
-  EXPECT_EQ(refusal_of_hinges(mesh),
+  EXPECT_EQ(refusal_of_ridges(mesh),
             "the body touches itself in the single vertex 0");
 }
 

@@ -12,39 +12,39 @@ namespace ffcontact {
 /// What facets meet in: the vertices of a plane mesh, the edges of a solid one, with the
 /// facets around each.
 template <int dim>
-struct Hinges {
-  Matrix<int, dim - 1, Dynamic> vertices;  ///< ascending, and so are the hinges
-  /// facets of hinge h, ascending: facet[facet_start[h] .. facet_start[h + 1])
+struct Ridges {
+  Matrix<int, dim - 1, Dynamic> vertices;  ///< ascending, and so are the ridges
+  /// facets of ridge r, ascending: facet[facet_start[r] .. facet_start[r + 1])
   std::vector<int> facet_start, facet;
   Matrix<int, dim, Dynamic>
-      of_facet;       ///< hinge opposite to each vertex of a facet
+      of_facet;       ///< ridge opposite to each vertex of a facet
   Flags on_boundary;  ///< 1 where two of the facets are on the boundary
 
   int count() const { return static_cast<int>(vertices.cols()); }
-  int facet_count(int hinge) const {
-    return facet_start[hinge + 1] - facet_start[hinge];
+  int facet_count(int ridge) const {
+    return facet_start[ridge + 1] - facet_start[ridge];
   }
-  Map<const VectorXi> facets_of(int hinge) const {
-    return {facet.data() + facet_start[hinge], facet_count(hinge)};
+  Map<const VectorXi> facets_of(int ridge) const {
+    return {facet.data() + facet_start[ridge], facet_count(ridge)};
   }
 };
 
 /// From one end of an edge to the other, and halfway [mm].
-inline Vector3d edge_vector(const SolidMesh& mesh, const Hinges<3>& edges,
+inline Vector3d edge_vector(const SolidMesh& mesh, const Ridges<3>& edges,
                             int edge) {
   return mesh.vertices.col(edges.vertices(1, edge)) -
          mesh.vertices.col(edges.vertices(0, edge));
 }
-inline Vector3d edge_middle(const SolidMesh& mesh, const Hinges<3>& edges,
+inline Vector3d edge_middle(const SolidMesh& mesh, const Ridges<3>& edges,
                             int edge) {
   return (mesh.vertices.col(edges.vertices(0, edge)) +
           mesh.vertices.col(edges.vertices(1, edge))) /
          2;
 }
 
-/// @throws std::invalid_argument  if the body touches itself in a single hinge: more than
+/// @throws std::invalid_argument  if the body touches itself in a single ridge: more than
 ///                                two boundary facets meet there
 template <int dim>
-Hinges<dim> hinges_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets);
+Ridges<dim> ridges_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets);
 
 }  // namespace ffcontact
