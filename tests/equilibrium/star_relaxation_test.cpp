@@ -163,20 +163,15 @@ TEST(StarRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
   EXPECT_LT(before, 0.2 * scale);
 }
 
-/// Two triangles have hardly more than one direction, whose rounding is all that
-/// conjugate gradients find from the second step on.
-RC_GTEST_PROP(StarRelaxation, keeps_balance_for_hundreds_of_sweeps,
-              (Random random)) {
-  Problem problem = body(moved(rectangle(1, 1, 2, 1), 1, 0.3, random),
-                         material(1000, *real(0, 0.45)));
-  add_traction(problem, left, {*real(-1, 1), *real(-1, 1)});
-  add_traction(problem, right, {*real(-1, 1), *real(-1, 1)});
-  add_traction(problem, top, {0, -1});
-  prescribe(problem, top, 0);
-  set_friction(problem, *real(0.1, 0.8));
-  const ContactSolution solution = solved(problem);
-  RC_PRE(solution.status == ContactStatus::converged);
-  const Estimate estimate = estimated(problem, solution, sweeps(200));
+/// Two triangles on rollers leave the descent hardly more than one direction, of which
+/// rounding is all that is left from step to step.
+RC_GTEST_PROP(StarRelaxation, keeps_balance_for_hundreds_of_sweeps, ()) {
+  Problem problem =
+      body(rectangle(1, 1, *real(1, 2), 1), material(1000, *real(-0.4, 0.4)));
+  prescribe(problem, left, 0);
+  prescribe(problem, top, 1);
+  add_body_force(problem, {*real(-1, 1), *real(-1, 1)});
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(200));
   RC_ASSERT(estimate.equilibrium.largest() < 1e-12);
 }
 
