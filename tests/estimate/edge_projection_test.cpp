@@ -29,10 +29,6 @@ MatrixXd rigid_motions_of(const Problem& problem) {
   return free_rigid_motions(problem.mesh, Flags(problem.b.size(), 0));
 }
 
-double squared(const Matrix4d& mass, const Vector4d& r) {
-  return r.dot(mass * r);
-}
-
 RC_GTEST_PROP(EdgeProjection, is_nearer_than_any_other_traction_in_the_cone,
               (Random random)) {
   const Problem problem = three_edges(random);
