@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration.hpp"
 
-#include "freefem.hpp"
+#include "freefem/freefem.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "ffcontact/base/require.hpp"
 //
-#include "guard.hpp"
+#include "freefem/guard.hpp"
 
 namespace ffcontact::plugin {
 

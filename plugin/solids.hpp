@@ -8,10 +8,10 @@
 
 #include "ffcontact/sizing/optimal_size.hpp"
 //
-#include "contact_type.hpp"
-#include "plane_error.hpp"
-#include "processes.hpp"
-#include "solve_call.hpp"
+#include "estimate/plane_error.hpp"
+#include "parallel/processes.hpp"
+#include "problem/contact_type.hpp"
+#include "solve/solve_call.hpp"
 
 namespace ffcontact::plugin {
 

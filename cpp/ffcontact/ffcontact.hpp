@@ -9,7 +9,8 @@
 /// 2001. Equation numbers in the headers are its own.
 ///
 /// Modules, each using only those before it:
-///   base         refusals, small dense problems
+///   base         refusals, lists, sums
+///   linear       linear algebra, dense and sparse, small quadratic problems
 ///   mesh         triangles and tetrahedra, their facets (edges, faces) and ridges, stars, several bodies as one joined mesh,
 ///                boundary parts and curves; the planes, smooth surfaces and curves of a solid; a rectangle
 ///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
@@ -20,21 +21,22 @@
 ///   equilibrium  edge tractions in equilibrium, stresses linear on triangles, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
 ///   sizing       optimal sizes for a wanted error, of plane bodies and solids
+///   parallel     what several processes need
 ///
 /// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1)
 /// (of solids ContactSurface::frame), compression negative, u_n <= 0 does not penetrate.
 #include "ffcontact/contact/contact_solution.hpp"
-#include "ffcontact/contact/coulomb_constant.hpp"
-#include "ffcontact/contact/critical_friction.hpp"
 #include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
+#include "ffcontact/contact/uniqueness/critical_friction.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
-#include "ffcontact/interface/facing_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
 #include "ffcontact/interface/line_ends.hpp"
+#include "ffcontact/interface/pairing/facing_line.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/rectangle.hpp"
 #include "ffcontact/sizing/local_rates.hpp"

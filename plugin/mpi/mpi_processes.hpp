@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "processes.hpp"
+#include "parallel/processes.hpp"
 
 namespace ffcontact::plugin {
 

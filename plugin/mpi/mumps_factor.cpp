@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/base/symmetric.hpp"
-#include "ffcontact/elastic/scaled_stiffness.hpp"
+#include "ffcontact/elastic/factor/scaled_stiffness.hpp"
+#include "ffcontact/linear/dense/symmetric.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact::plugin {
 

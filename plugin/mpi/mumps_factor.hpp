@@ -3,7 +3,7 @@
 
 #include <mpi.h>
 
-#include "processes.hpp"
+#include "parallel/processes.hpp"
 
 namespace ffcontact::plugin {
 

@@ -4,7 +4,7 @@
 
 #include "mpi_processes.hpp"
 //
-#include "freefem.hpp"
+#include "freefem/freefem.hpp"
 
 namespace {
 

@@ -4,8 +4,8 @@
 // the shortest of five runs in random order; memory is the peak of a process of its own
 // on top of mesh and matrix.
 #include "comparison.hpp"
-#include "ffcontact/contact/coulomb_constant.hpp"
-#include "ffcontact/contact/critical_friction.hpp"
+#include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
+#include "ffcontact/contact/uniqueness/critical_friction.hpp"
 #include "linear_solve.hpp"
 
 namespace ffcontact::bench {

@@ -9,10 +9,10 @@
 #include <cstdio>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/elastic/partial_cholesky.hpp"
-#include "ffcontact/equilibrium/ridge_form.hpp"
-#include "ffcontact/equilibrium/tiled_factor.hpp"
-#include "ffcontact/mesh/topology_part.hpp"
+#include "ffcontact/elastic/factor/partial_cholesky.hpp"
+#include "ffcontact/equilibrium/energy/ridge_form.hpp"
+#include "ffcontact/equilibrium/energy/tiled_factor.hpp"
+#include "ffcontact/parallel/topology_part.hpp"
 #include "support/solids.hpp"
 
 namespace ffcontact::bench {

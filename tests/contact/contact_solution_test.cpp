@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
-#include "ffcontact/base/nonnegative_least_squares.hpp"
+#include "ffcontact/linear/minimum/nonnegative_least_squares.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
 #include "support/told.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/checks/balance.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ffcontact/contact/nodal_law.hpp"
+#include "ffcontact/contact/law/nodal_law.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/contact/contact_solution.hpp"
-#include "ffcontact/contact/nodal_law.hpp"
+#include "ffcontact/contact/law/nodal_law.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
 

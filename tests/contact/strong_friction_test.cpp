@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/fixed_point/fixed_point.hpp"
 #include "support/cases.hpp"
 #include "support/condensed.hpp"
 #include "support/odd_problems.hpp"

@@ -74,7 +74,7 @@ expect("conecorrection: 16 edges, " + corrected + " corrected, " + unmended + " 
 int outside = contactproject(C, pn, pt, verbosity=level);
 expect("contactproject: 17 nodes, " + outside + " were outside");
 
-// Friction at which the solution is not the only one: the triangle of tests/contact/critical_friction_test.cpp
+// Friction at which the solution is not the only one: the triangle of tests/contact/uniqueness/critical_friction_test.cpp
 real q = sqrt(lambda*(lambda + 2*G))/G, height = lambda*10/(q*(lambda + G)), only = sqrt((1 - nu)/nu);
 border bottom(t=0, 1) { x = 10*t; y = 0; label = 1; }
 border right(t=0, 1) { x = 10 + t*(q*height - 10); y = t*height; label = 2; }

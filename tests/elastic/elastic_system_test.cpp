@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/free_displacement.hpp"
 #include "support/problems.hpp"

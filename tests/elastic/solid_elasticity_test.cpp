@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "ffcontact/elastic/condensed_stiffness.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
+#include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/free_displacement.hpp"
 #include "support/random.hpp"

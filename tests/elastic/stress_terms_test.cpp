@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ffcontact/base/norms.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/estimate/facing_error.hpp"
-#include "ffcontact/estimate/surface_error.hpp"
+#include "ffcontact/estimate/error/facing_error.hpp"
+#include "ffcontact/estimate/error/surface_error.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"

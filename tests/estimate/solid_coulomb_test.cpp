@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"
 #include "support/solid_coulomb.hpp"

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/equilibrium/solid_defect.hpp"
+#include "ffcontact/equilibrium/tractions/solid_defect.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"

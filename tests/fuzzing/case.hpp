@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 
 /// Random contact problems, solved, estimated and judged by code that shares nothing with

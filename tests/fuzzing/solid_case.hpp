@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ffcontact/contact/surface_law.hpp"
-#include "ffcontact/estimate/solved_solid.hpp"
+#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/estimate/bodies/solved_solid.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 
 /// Random solids in contact, assembled by plain loops.

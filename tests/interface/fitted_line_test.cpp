@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ffcontact/interface/facing_traces.hpp"
+#include "ffcontact/interface/pairing/facing_traces.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "support/arcs.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ffcontact/interface/facing_polygons.hpp"
+#include "ffcontact/interface/pairing/facing_polygons.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "support/solids.hpp"
 

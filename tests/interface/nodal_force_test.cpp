@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "support/bodies.hpp"
 #include "support/random.hpp"
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <set>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "support/arcs.hpp"
 #include "support/facing.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "ffcontact/equilibrium/wrench_basis.hpp"
+#include "ffcontact/equilibrium/tractions/wrench_basis.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"
 

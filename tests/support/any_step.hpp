@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "ffcontact/contact/surface_step.hpp"
+#include "ffcontact/contact/newton/surface_step.hpp"
 #include "support/condensed_blocks.hpp"
 
 namespace ffcontact::test {

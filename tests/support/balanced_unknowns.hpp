@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/facet_forms.hpp"
+#include "ffcontact/equilibrium/energy/facet_forms.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 #include "support/random.hpp"
 

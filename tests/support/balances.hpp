@@ -3,7 +3,7 @@
 
 #include <Eigen/LU>
 
-#include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/composite_stress.hpp"
 #include "ffcontact/mesh/mesh.hpp"
 #include "support/random.hpp"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/interface/facing_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
 #include "ffcontact/interface/line_ends.hpp"
+#include "ffcontact/interface/pairing/facing_line.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "support/problems.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/active_set.hpp"
-#include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/active_set/active_set.hpp"
+#include "ffcontact/contact/condensed/condensed_contact.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/problems.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/surface_trace.hpp"
+#include "ffcontact/contact/condensed/surface_trace.hpp"
 #include "support/random.hpp"
 #include "support/solid_bodies.hpp"
 #include "support/solid_problems.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/coulomb_constant.hpp"
-#include "ffcontact/contact/critical_friction.hpp"
+#include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
+#include "ffcontact/contact/uniqueness/critical_friction.hpp"
 #include "support/condensed.hpp"
 
 /// What a solution says of the bound and the uniqueness with Coulomb's law.

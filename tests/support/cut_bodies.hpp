@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/interface/common_refinement.hpp"
+#include "ffcontact/interface/pairing/common_refinement.hpp"
 #include "support/bodies.hpp"
 
 /// Bodies cut so that their traces match.

@@ -8,7 +8,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/mesh/facets.hpp"
-#include "ffcontact/mesh/mesh_parts.hpp"
+#include "ffcontact/parallel/mesh_parts.hpp"
 #include "support/uniform.hpp"
 
 namespace ffcontact::test {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "ffcontact/equilibrium/contact_face.hpp"
+#include "ffcontact/equilibrium/tractions/contact_face.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 #include "support/random.hpp"

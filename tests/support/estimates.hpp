@@ -3,9 +3,9 @@
 
 #include <omp.h>
 
-#include "ffcontact/equilibrium/difference_loads.hpp"
-#include "ffcontact/equilibrium/edge_moments.hpp"
-#include "ffcontact/equilibrium/nodal_residual.hpp"
+#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/edge_moments.hpp"
+#include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "support/problems.hpp"
 

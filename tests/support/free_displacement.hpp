@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 
 namespace ffcontact::test {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/equilibrium/solid_residual.hpp"
+#include "ffcontact/equilibrium/tractions/solid_residual.hpp"
 #include "support/free_displacement.hpp"
 #include "support/solids.hpp"
 #include "support/uniform.hpp"

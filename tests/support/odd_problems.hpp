@@ -4,7 +4,7 @@
 #include <array>
 #include <set>
 
-#include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/condensed/condensed_contact.hpp"
 #include "support/problems.hpp"
 #include "support/random.hpp"
 

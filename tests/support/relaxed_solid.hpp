@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "ffcontact/equilibrium/face_moments.hpp"
-#include "ffcontact/equilibrium/solid_relaxation.hpp"
+#include "ffcontact/equilibrium/relaxation/solid_relaxation.hpp"
+#include "ffcontact/equilibrium/tractions/face_moments.hpp"
 #include "support/loaded_solid.hpp"
 #include "support/tetrahedra.hpp"
 

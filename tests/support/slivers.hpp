@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "ffcontact/equilibrium/face_tractions.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "support/solids.hpp"
 #include "support/uniform.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "ffcontact/elastic/condensed_stiffness.hpp"
-#include "ffcontact/equilibrium/composite_stress.hpp"
+#include "ffcontact/elastic/factor/condensed_stiffness.hpp"
+#include "ffcontact/equilibrium/stress/composite_stress.hpp"
 #include "support/free_displacement.hpp"
 #include "support/problems.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "ffcontact/interface/facing_surface.hpp"
 #include "ffcontact/interface/joined_surfaces.hpp"
+#include "ffcontact/interface/pairing/facing_surface.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "support/solid_problems.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/contact/coulomb_constant.hpp"
+#include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
 #include "ffcontact/estimate/solid_coulomb.hpp"
 #include "support/solid_estimates.hpp"
 

@@ -6,7 +6,7 @@
 #include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/equilibrium/face_tractions.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/mesh/facets.hpp"
 #include "support/solids.hpp"
 

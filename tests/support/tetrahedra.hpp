@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "ffcontact/equilibrium/johnson_mercier.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "support/random.hpp"
 
 /// Equilibrium of one tetrahedron in force and moment.

@@ -3,7 +3,7 @@
 
 #include <omp.h>
 
-#include "ffcontact/base/serial_blas.hpp"
+#include "ffcontact/linear/dense/serial_blas.hpp"
 
 namespace ffcontact::test {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "ffcontact/equilibrium/shared_relaxation.hpp"
+#include "ffcontact/parallel/shared_relaxation.hpp"
 
 /// Processes that are threads of one.
 namespace ffcontact::test {

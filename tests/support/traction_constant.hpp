@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/face_tractions.hpp"
-#include "ffcontact/equilibrium/facet_energy.hpp"
+#include "ffcontact/equilibrium/energy/facet_energy.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 #include "support/solids.hpp"
 #include "support/tetrahedra.hpp"

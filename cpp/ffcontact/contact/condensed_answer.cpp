@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/condensed_answer.hpp"
 
-#include "ffcontact/contact/convex_contact.hpp"
+#include "ffcontact/contact/active_set/convex_contact.hpp"
 
 namespace ffcontact {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "ffcontact/contact/contact_settings.hpp"
-#include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/fixed_point/fixed_point.hpp"
 
 namespace ffcontact {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ffcontact/base/progress.hpp"
-#include "ffcontact/contact/contact_law.hpp"
-#include "ffcontact/elastic/condensed_stiffness.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
+#include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 
 namespace ffcontact {
 

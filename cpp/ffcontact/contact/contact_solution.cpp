@@ -4,17 +4,17 @@
 #include <algorithm>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/checks/feasibility.hpp"
+#include "ffcontact/contact/checks/line_balance.hpp"
+#include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
-#include "ffcontact/contact/feasibility.hpp"
-#include "ffcontact/contact/line_balance.hpp"
-#include "ffcontact/contact/nodal_pressures.hpp"
-#include "ffcontact/contact/unheld_bodies.hpp"
+#include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/contact/whole_answer.hpp"
 #include "ffcontact/interface/nodal_force.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/active_set.hpp"
-#include "ffcontact/contact/condensed_contact.hpp"
-#include "ffcontact/contact/contact_law.hpp"
+#include "ffcontact/contact/active_set/active_set.hpp"
+#include "ffcontact/contact/condensed/condensed_contact.hpp"
 #include "ffcontact/contact/contact_settings.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 
 namespace ffcontact {
 

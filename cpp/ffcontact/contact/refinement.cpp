@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ffcontact/base/norms.hpp"
-#include "ffcontact/contact/active_set_system.hpp"
+#include "ffcontact/contact/active_set/active_set_system.hpp"
 #include "ffcontact/elastic/row_sum.hpp"
 #include "ffcontact/interface/nodal_force.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

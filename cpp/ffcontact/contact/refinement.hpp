@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/condensed_contact.hpp"
+#include "ffcontact/contact/condensed/condensed_contact.hpp"
 
 namespace ffcontact {
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/checks/line_balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
-#include "ffcontact/contact/held_rows.hpp"
-#include "ffcontact/contact/line_balance.hpp"
+#include "ffcontact/contact/law/held_rows.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

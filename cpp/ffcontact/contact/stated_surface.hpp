@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/condensed/surface_trace.hpp"
 #include "ffcontact/contact/contact_settings.hpp"
-#include "ffcontact/contact/surface_trace.hpp"
 
 namespace ffcontact {
 

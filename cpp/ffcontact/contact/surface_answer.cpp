@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/friction_path.hpp"
-#include "ffcontact/contact/multiplier_method.hpp"
-#include "ffcontact/contact/spring_path.hpp"
-#include "ffcontact/contact/surface_fixed_point.hpp"
-#include "ffcontact/contact/surface_newton.hpp"
+#include "ffcontact/contact/continuation/friction_path.hpp"
+#include "ffcontact/contact/continuation/spring_path.hpp"
+#include "ffcontact/contact/fixed_point/surface_fixed_point.hpp"
+#include "ffcontact/contact/newton/multiplier_method.hpp"
+#include "ffcontact/contact/newton/surface_newton.hpp"
 
 namespace ffcontact {
 

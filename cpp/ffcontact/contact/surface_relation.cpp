@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/coarse_start.hpp"
-#include "ffcontact/contact/product_step.hpp"
+#include "ffcontact/contact/matrix_free/product_step.hpp"
+#include "ffcontact/contact/newton/coarse_start.hpp"
+#include "ffcontact/contact/newton/surface_newton.hpp"
 #include "ffcontact/contact/surface_answer.hpp"
-#include "ffcontact/contact/surface_newton.hpp"
 
 namespace ffcontact {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "ffcontact/contact/fixed_point.hpp"
+#include "ffcontact/contact/fixed_point/fixed_point.hpp"
 #include "ffcontact/contact/stated_surface.hpp"
 
 namespace ffcontact {

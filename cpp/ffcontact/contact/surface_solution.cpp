@@ -6,18 +6,18 @@
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/balance.hpp"
+#include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/checks/surface_balance.hpp"
+#include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
-#include "ffcontact/contact/product_relation.hpp"
+#include "ffcontact/contact/matrix_free/product_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
-#include "ffcontact/contact/surface_balance.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
-#include "ffcontact/contact/unheld_bodies.hpp"
+#include "ffcontact/elastic/factor/scaled_stiffness.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
-#include "ffcontact/elastic/scaled_stiffness.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

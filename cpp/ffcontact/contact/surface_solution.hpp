@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ffcontact/contact/contact_solution.hpp"
-#include "ffcontact/contact/surface_law.hpp"
+#include "ffcontact/contact/law/surface_law.hpp"
 
 namespace ffcontact {
 

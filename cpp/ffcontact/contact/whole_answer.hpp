@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/active_set.hpp"
+#include "ffcontact/contact/active_set/active_set.hpp"
 #include "ffcontact/contact/contact_settings.hpp"
 #include "ffcontact/contact/refinement.hpp"
 

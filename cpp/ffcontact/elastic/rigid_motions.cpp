@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/symmetric_eigen.hpp"
 #include "ffcontact/base/words.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/linear/dense/symmetric_eigen.hpp"
 
 namespace ffcontact {
 

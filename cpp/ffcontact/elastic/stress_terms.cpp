@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

@@ -4,21 +4,21 @@
 #include <cmath>
 #include <utility>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/friction_cone.hpp"
-#include "ffcontact/equilibrium/difference_loads.hpp"
-#include "ffcontact/equilibrium/free_springs.hpp"
-#include "ffcontact/estimate/compared.hpp"
-#include "ffcontact/estimate/error_history.hpp"
-#include "ffcontact/estimate/first_tractions.hpp"
-#include "ffcontact/estimate/law_of_matrix.hpp"
-#include "ffcontact/estimate/reason_against.hpp"
-#include "ffcontact/estimate/sound_problem.hpp"
-#include "ffcontact/estimate/sticking_displacement.hpp"
-#include "ffcontact/estimate/stress_norms.hpp"
-#include "ffcontact/estimate/tool_work.hpp"
-#include "ffcontact/estimate/wide_cones.hpp"
+#include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/free_springs.hpp"
+#include "ffcontact/estimate/bodies/compared.hpp"
+#include "ffcontact/estimate/checks/law_of_matrix.hpp"
+#include "ffcontact/estimate/checks/reason_against.hpp"
+#include "ffcontact/estimate/checks/sound_problem.hpp"
+#include "ffcontact/estimate/displacement/sticking_displacement.hpp"
+#include "ffcontact/estimate/error/error_history.hpp"
+#include "ffcontact/estimate/error/stress_norms.hpp"
+#include "ffcontact/estimate/error/wide_cones.hpp"
+#include "ffcontact/estimate/tractions/first_tractions.hpp"
+#include "ffcontact/estimate/tractions/tool_work.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

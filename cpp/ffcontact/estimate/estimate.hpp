@@ -6,12 +6,12 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
-#include "ffcontact/estimate/admissible_displacement.hpp"
-#include "ffcontact/estimate/contact_error.hpp"
-#include "ffcontact/estimate/estimate_settings.hpp"
-#include "ffcontact/estimate/pair_error.hpp"
-#include "ffcontact/estimate/solved_body.hpp"
-#include "ffcontact/interface/common_refinement.hpp"
+#include "ffcontact/estimate/bodies/estimate_settings.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
+#include "ffcontact/estimate/displacement/admissible_displacement.hpp"
+#include "ffcontact/estimate/error/contact_error.hpp"
+#include "ffcontact/estimate/error/pair_error.hpp"
+#include "ffcontact/interface/pairing/common_refinement.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {

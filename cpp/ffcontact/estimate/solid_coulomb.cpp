@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/contact/coulomb_constant.hpp"
-#include "ffcontact/contact/slip_pattern.hpp"
-#include "ffcontact/estimate/contact_faces.hpp"
-#include "ffcontact/estimate/surface_tractions.hpp"
+#include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
+#include "ffcontact/contact/uniqueness/slip_pattern.hpp"
+#include "ffcontact/estimate/error/contact_faces.hpp"
+#include "ffcontact/estimate/tractions/surface_tractions.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

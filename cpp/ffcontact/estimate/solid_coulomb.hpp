@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/directed_slip.hpp"
+#include "ffcontact/contact/uniqueness/directed_slip.hpp"
 #include "ffcontact/estimate/solid_estimate.hpp"
 
 namespace ffcontact {

@@ -5,24 +5,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/parted_sum.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/bounded_friction.hpp"
+#include "ffcontact/contact/law/bounded_friction.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
-#include "ffcontact/equilibrium/solid_defect.hpp"
-#include "ffcontact/estimate/error_history.hpp"
-#include "ffcontact/estimate/facing_error.hpp"
-#include "ffcontact/estimate/first_surface_tractions.hpp"
-#include "ffcontact/estimate/law_of_matrix.hpp"
-#include "ffcontact/estimate/reason_against.hpp"
-#include "ffcontact/estimate/sound_solid.hpp"
-#include "ffcontact/estimate/sticking_solid.hpp"
-#include "ffcontact/estimate/surface_error.hpp"
-#include "ffcontact/estimate/surface_tractions.hpp"
-#include "ffcontact/estimate/traction_oscillation.hpp"
-#include "ffcontact/estimate/unstressed.hpp"
+#include "ffcontact/equilibrium/tractions/solid_defect.hpp"
+#include "ffcontact/estimate/bodies/unstressed.hpp"
+#include "ffcontact/estimate/checks/law_of_matrix.hpp"
+#include "ffcontact/estimate/checks/reason_against.hpp"
+#include "ffcontact/estimate/checks/sound_solid.hpp"
+#include "ffcontact/estimate/displacement/sticking_solid.hpp"
+#include "ffcontact/estimate/error/error_history.hpp"
+#include "ffcontact/estimate/error/facing_error.hpp"
+#include "ffcontact/estimate/error/surface_error.hpp"
+#include "ffcontact/estimate/error/traction_oscillation.hpp"
+#include "ffcontact/estimate/tractions/first_surface_tractions.hpp"
+#include "ffcontact/estimate/tractions/surface_tractions.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/solid_relaxation.hpp"
-#include "ffcontact/estimate/contact_faces.hpp"
-#include "ffcontact/estimate/pair_error.hpp"
-#include "ffcontact/estimate/solved_solid.hpp"
+#include "ffcontact/equilibrium/relaxation/solid_relaxation.hpp"
+#include "ffcontact/estimate/bodies/solved_solid.hpp"
+#include "ffcontact/estimate/error/contact_faces.hpp"
+#include "ffcontact/estimate/error/pair_error.hpp"
 
 namespace ffcontact {
 

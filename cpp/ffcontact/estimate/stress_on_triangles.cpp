@@ -3,10 +3,10 @@
 
 #include <Eigen/LU>
 
-#include "ffcontact/base/norms.hpp"
-#include "ffcontact/equilibrium/composite_stress.hpp"
-#include "ffcontact/equilibrium/difference_loads.hpp"
-#include "ffcontact/equilibrium/refined_moments.hpp"
+#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/refined_moments.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

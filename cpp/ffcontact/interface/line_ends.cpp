@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/line_ends.hpp"
 
-#include "ffcontact/base/norms.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

@@ -5,9 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/plane.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
 
 namespace ffcontact {

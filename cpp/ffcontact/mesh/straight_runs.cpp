@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/plane.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 

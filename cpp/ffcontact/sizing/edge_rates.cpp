@@ -9,10 +9,10 @@
 
 #include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/equilibrium/wrench_basis.hpp"
+#include "ffcontact/equilibrium/tractions/wrench_basis.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
 #include "ffcontact/sizing/energy_exponent.hpp"
 

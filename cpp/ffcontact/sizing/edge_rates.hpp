@@ -6,8 +6,8 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/face_tractions.hpp"
-#include "ffcontact/equilibrium/solid_residual.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/equilibrium/tractions/solid_residual.hpp"
 #include "ffcontact/mesh/solid_topology.hpp"
 
 namespace ffcontact {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/plane.hpp"
-#include "ffcontact/equilibrium/difference_loads.hpp"
-#include "ffcontact/equilibrium/nodal_residual.hpp"
+#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "ffcontact/sizing/energy_exponent.hpp"
 
 namespace ffcontact {

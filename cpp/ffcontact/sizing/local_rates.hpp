@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <functional>
 
-#include "ffcontact/base/norms.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
 #include "ffcontact/sizing/graded_size.hpp"
 

@@ -3,7 +3,7 @@
 #include "bytes/data.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
-#include "ffcontact/interface/facing_line.hpp"
+#include "ffcontact/interface/pairing/facing_line.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
 using namespace ffcontact;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/elastic/factor/scaled_stiffness.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <type_traits>
+
+#include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/require.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// K_ii^-1/2; 1 where nothing holds a dof, which shows in the factor.
+double inverse_root(const ElasticSystem& system, int dof) {
+  if (system.prescribed[dof]) return 1;
+  const double own = system.stiffness.coeff(dof, dof);
+  return own > 0 ? 1 / std::sqrt(own) : 1;
+}
+
+void require_free(const ElasticSystem& system, int dof) {
+  if (dof < 0 || dof >= system.dof_count() || system.prescribed[dof])
+    refuse("kept dof ", dof, " is prescribed or does not exist");
+}
+
+/// Of double precision [bytes].
+double memory_for_schur(int kept, SchurStorage storage, int processes) {
+  const double copies = storage == SchurStorage::whole ? 3 : 2.0 / processes;
+  return copies * kept * kept * sizeof(double);
+}
+
+}  // namespace
+
+double memory_of_the_machine() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+         static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+bool has_room_for_schur(int kept, SchurStorage storage, double memory,
+                        int processes) {
+  return memory_for_schur(kept, storage, processes) <= memory / 2;
+}
+
+void require_room_for_schur(int kept, SchurStorage storage, double memory,
+                            int processes) {
+  constexpr double gigabyte = 1e9;
+  if (!has_room_for_schur(kept, storage, memory, processes))
+    refuse(kept, " free dofs where bodies may touch need dense matrices of ",
+           memory_for_schur(kept, storage, processes) / gigabyte,
+           " GB, more than half of the memory (", memory / gigabyte,
+           " GB): state contact on a smaller part of the boundary, or on a "
+           "coarser mesh");
+}
+
+const std::vector<int>& required_kept(const ElasticSystem& system,
+                                      const std::vector<int>& kept,
+                                      SchurStorage storage, int processes) {
+  require_room_for_schur(count_of(kept), storage, memory_of_the_machine(),
+                         processes);
+  Flags met(system.dof_count(), 0);
+  for (int dof : kept) {
+    require_free(system, dof);
+    if (met[dof]) refuse("kept dof ", dof, " is listed twice");
+    met[dof] = 1;
+  }
+  return kept;
+}
+
+VectorXd inverse_roots(const ElasticSystem& system) {
+  return VectorXd::NullaryExpr(
+      system.dof_count(), [&](int dof) { return inverse_root(system, dof); });
+}
+
+std::vector<int> places(const std::vector<int>& order, std::size_t dofs) {
+  std::vector<int> place(dofs, -1);
+  int next = 0;
+  for (int dof : order) place[dof] = next++;
+  return place;
+}
+
+template <class Scalar>
+MatrixXd unscaled(Matrix<Scalar, Dynamic, Dynamic> S, const VectorXd& R) {
+  MatrixXd result;
+  if constexpr (std::is_same_v<Scalar, double>)
+    result.swap(S);
+  else
+    result.resize(S.rows(), S.cols());
+#pragma omp parallel for
+  for (Index j = 0; j < result.cols(); ++j) {
+    if constexpr (!std::is_same_v<Scalar, double>)
+      result.col(j) = S.col(j).template cast<double>();
+    result.col(j).array() /= R.array() * R[j];
+  }
+  return result;
+}
+
+template MatrixXd unscaled(MatrixXd, const VectorXd&);
+template MatrixXd unscaled(Matrix<float, Dynamic, Dynamic>, const VectorXd&);
+
+void fail_as_singular() {
+  throw Failure(
+      "the stiffness matrix is singular: a part of the body is held neither by "
+      "prescribed displacements nor by contact");
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/equilibrium/energy/facet_forms.hpp"
+
+namespace ffcontact {
+
+/// What relaxes contact tractions inside the cone between the steps of a descent.
+class ContactRelaxation {
+ public:
+  virtual ~ContactRelaxation() = default;
+  /// Is there anything to relax?
+  virtual bool is_free() const = 0;
+  /// The contact part of e^2.
+  virtual double contact_part() const = 0;
+  /// One pass; returns by how much e^2 fell.
+  /// @param least_fall   what is nothing
+  /// @param corrections  unknowns (w, y) of all faces
+  /// @param residual     minus half the slope of the elastic part of e^2 by these
+  virtual double pass(double least_fall, Matrix9Xd& corrections,
+                      Matrix9Xd& residual) = 0;
+};
+
+}  // namespace ffcontact

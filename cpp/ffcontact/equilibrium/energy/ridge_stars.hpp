@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ffcontact/equilibrium/energy/facet_share.hpp"
+#include "ffcontact/equilibrium/energy/ridge_form.hpp"
+
+namespace ffcontact {
+
+/// The additive solves of all ridge stars, z = sum over the ridges of Z A^-1 Z' g.
+///
+/// The self-equilibrated corrections of the facets around a ridge are one wrench w that
+/// all of them carry and the modes of each: x = (w, y_1, .., y_m), A = Z' H Z
+/// [(r + (d^2 - r) m)^2] with Z of wrench_shift. At a boundary ridge only those x count
+/// that leave known tractions of its two boundary facets alone; where nothing is left the
+/// ridge has no part.
+///
+/// Factors (tiled_factor) are kept in single precision: they only steer. x is not, so that
+/// last digits of g, as several processes leave them, turn last digits of z alone. Each
+/// loop writes what is its own: the result does not depend on the number of threads.
+template <int d>
+class RidgeStars {
+ public:
+  /// @param topology  what it refers to stays where it is
+  /// @param share     whose ridges the stars are; stays where it is
+  RidgeStars(const FacetTopology<d>& topology, const FacetShare& share,
+             const FacetTractions<d>& boundary, const FacetForms<d>& forms);
+
+  /// @param g  on the unknowns (w, y) of all facets [d^2 x facets]
+  /// @param z  likewise, 0 on facets that are not of the share
+  void operator()(const FacetColumns<d>& g, FacetColumns<d>& z);
+
+ private:
+  using Element = CompositeElement<d>;
+  static constexpr int wrench = Element::wrench, modes = Element::modes;
+
+  /// What a ridge adds: basis x with x = A^-1 basis' (Z' g), basis the identity if empty.
+  struct Star {
+    MatrixXd basis;
+    int size;  ///< of A; 0: nothing is free
+  };
+
+  Star star(int ridge, const FacetTractions<d>& boundary,
+            const FacetForms<d>& forms, float* factor) const;
+  void place_facets();
+  void restrict_to(int ridge, const FacetColumns<d>& g, double* x) const;
+  void solve(int ridge, double* x) const;
+  FacetVector<d> of_facet(int ridge, int facet, const double* x) const;
+
+  const FacetTopology<d> topology_;
+  const FacetShare& share_;
+  // The facets around a ridge, all ridges in a row: Ridges::facet.
+  Matrix<int, d, Dynamic>
+      place_;  ///< of a facet around each of its ridges [d x facets]
+  WrenchShifts<d> shifts_;
+  FacetColumns<d> parts_;  ///< what the ridge has for the facet
+  std::vector<Star> stars_;
+  int largest_ = 0;                     ///< unknowns of a star, in whole tiles
+  std::vector<Index> first_of_factor_;  ///< all ridges in a row
+  std::unique_ptr<float[]> factors_;
+};
+
+}  // namespace ffcontact

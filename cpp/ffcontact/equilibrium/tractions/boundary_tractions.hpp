@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
+#include "ffcontact/contact/law/contact_densities.hpp"
+#include "ffcontact/equilibrium/tractions/facet_tractions.hpp"
+#include "ffcontact/mesh/edges.hpp"
+
+namespace ffcontact {
+
+/// Moments of linear edge tractions, int F phi at the first and at the second vertex of
+/// each mesh edge, where F = sigma n with the edge's normal (outward on the boundary):
+/// one column (b_first, b_second) per edge [N/mm].
+using EdgeMoments = FacetColumns<2>;
+
+/// The moments of the same traction seen along the edge the other way round, with the
+/// normal turned too.
+Vector4d reversed(const Vector4d& moments);
+
+/// Those on side k of a triangle, from vertex k+1 to k+2 with the normal outward.
+inline Vector4d moments_of_side(const Edges& edges, int k, int triangle,
+                                const Vector4d& of_edge) {
+  return edges.eta(k, triangle) > 0 ? of_edge : reversed(of_edge);
+}
+
+/// What the boundary of an admissible stress must carry, per edge and Cartesian
+/// component.
+///
+/// On Neumann and contact edges both components are known, on the latter as the sum of
+/// given and contact tractions. On a Dirichlet edge a prescribed component is free (the
+/// support answers) and the other one known, e.g. 0 on a symmetry line. A component of an
+/// edge counts as prescribed when that dof is prescribed at every vertex of every edge
+/// with the same label: a single Neumann edge between two supports stays Neumann.
+using BoundaryTractions = FacetTractions<2>;
+
+/// The given tractions alone; contact edges are as any others.
+/// @param prescribed  1 where the dof is prescribed [2 * vertices]
+/// @param neumann     moments of the given tractions at the two vertices of each column
+///                    of Mesh::boundary [4 x boundary]; not read on prescribed components
+/// @throws std::invalid_argument  if sizes differ or a traction is not finite
+BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
+                                  const Flags& prescribed,
+                                  const Ref<const Matrix4Xd>& neumann);
+
+/// The given and the contact tractions.
+/// @param line     where it faces whole edges of another body, these carry the opposite
+///                 forces
+/// @param contact  densities on the contact edges
+/// @throws std::invalid_argument  as given_tractions
+BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,
+                                     const Flags& prescribed,
+                                     const Ref<const Matrix4Xd>& neumann,
+                                     const ContactLine& line,
+                                     const ContactDensities& contact);
+
+/// The mesh edge that faces a contact edge as a whole, or -1.
+inline int facing_edge(const ContactLine& line, int contact_edge) {
+  return line.against_a_body() ? line.opposite_edge[contact_edge] : -1;
+}
+
+/// Rows n and t of a contact edge: (F_n, F_t) from a Cartesian F.
+Matrix2d edge_frame(const ContactLine& line, int contact_edge);
+
+/// int r phi at the first and the second node of a contact edge, Cartesian [N/mm].
+Vector4d contact_moments(const ContactLine& line,
+                         const ContactDensities& densities, int contact_edge);
+
+}  // namespace ffcontact

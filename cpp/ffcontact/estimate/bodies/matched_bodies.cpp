@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/bodies/matched_bodies.hpp"
+
+#include "ffcontact/equilibrium/tractions/refined_moments.hpp"
+#include "ffcontact/estimate/bodies/nodal_forces.hpp"
+#include "ffcontact/estimate/bodies/refined_body.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Sums, where moments without columns are none.
+Matrix4Xd sum_of(const Matrix4Xd& given, const Matrix4Xd& springs) {
+  return springs.cols() > 0 ? Matrix4Xd(given + springs) : given;
+}
+
+}  // namespace
+
+MatchedBodies::MatchedBodies(const SolvedProblem& solved) : solved_(solved) {
+  const auto& [topology, line, system, body] = solved;
+  solved_springs_ = springs_ =
+      spring_moments(topology.mesh, body.springs, body.displacement);
+  if (line.matches()) return;
+  refinement_ = common_refinement(topology.mesh, topology.edges, line);
+  const Stars stars = stars_of(refinement_->mesh, refinement_->edges);
+  cut_ = Cut{
+      {refinement_->mesh, refinement_->edges, stars},
+      refined_prescribed(*refinement_, system.prescribed),
+      refined_body(topology.mesh, topology.edges, line, body, *refinement_)};
+  springs_ = matched_moments(solved_springs_);
+}
+
+Matrix4Xd MatchedBodies::matched_moments(const Matrix4Xd& solved) const {
+  if (!cut_ || solved.cols() == 0) return solved;
+  return refined_boundary_moments(solved_.topology.mesh, *refinement_, solved);
+}
+
+void MatchedBodies::answer(const VectorXd& displacement) {
+  if (solved_springs_.cols() == 0) return;
+  const Matrix4Xd change = spring_moment_changes(
+      solved_.topology.mesh, solved_.body.springs, displacement);
+  solved_springs_ += change;
+  springs_ += matched_moments(change);
+}
+
+Matrix4Xd MatchedBodies::solved_moments() const {
+  return sum_of(solved_.body.neumann, solved_springs_);
+}
+
+BoundaryTractions MatchedBodies::boundary_with(
+    const ContactDensities& densities) const {
+  return boundary_tractions(topology().mesh, topology().edges, prescribed(),
+                            sum_of(body().neumann, springs_), line(),
+                            densities);
+}
+
+BoundaryTractions MatchedBodies::solved_boundary(
+    const BoundaryTractions& boundary) const {
+  if (!cut_) return boundary;
+  const Edges& edges = solved_.topology.edges;
+  return tractions_of_parts(
+      edges, *refinement_, boundary,
+      given_tractions(solved_.topology.mesh, edges, solved_.system.prescribed,
+                      solved_moments()));
+}
+
+VectorXd MatchedBodies::solved_forces(const ContactDensities& densities) const {
+  const VectorXd forces = nodal_forces(topology().mesh, line(), densities);
+  return cut_ ? unrefined_forces(*refinement_, forces) : forces;
+}
+
+Matrix2Xd MatchedBodies::nodal_values(const Matrix2Xd& solved) const {
+  if (!cut_) return solved;
+  return (refinement_->node_weights * solved.transpose()).transpose();
+}
+
+MatrixXd MatchedBodies::fields(const MatrixXd& solved) const {
+  if (!cut_) return solved;
+  MatrixXd cut(2 * cut_->topology.mesh.vertices.cols(), solved.cols());
+  for (Index k = 0; k < solved.cols(); ++k)
+    cut.col(k) = refined_field(*refinement_, solved.col(k));
+  return cut;
+}
+
+EdgeMoments MatchedBodies::moments(const EdgeMoments& solved,
+                                   const Matrix3Xd& stress,
+                                   const BoundaryTractions& boundary) const {
+  if (!cut_) return solved;
+  return refined_moments(solved_.topology.edges, *refinement_, solved, stress,
+                         cut_->body.body_loads, boundary);
+}
+
+VectorXd MatchedBodies::sums_of_parts(const VectorXd& values) const {
+  if (!cut_) return values;
+  VectorXd sums = VectorXd::Zero(solved_.topology.mesh.cell_count());
+  for (Index t = 0; t < values.size(); ++t)
+    sums[refinement_->parent[t]] += values[t];
+  return sums;
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "ffcontact/base/flags.hpp"
+#include "ffcontact/elastic/elastic_system.hpp"
+#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
+#include "ffcontact/interface/pairing/common_refinement.hpp"
+#include "ffcontact/mesh/topology.hpp"
+
+namespace ffcontact {
+
+/// What an estimate is asked of.
+struct SolvedProblem {
+  const Topology& topology;
+  const ContactLine& line;
+  const ElasticSystem& system;
+  const SolvedBody& body;
+};
+
+/// The solved bodies with facing traces that match, on which admissible fields are built:
+/// as they are where the traces match, and their common refinement where they do not.
+class MatchedBodies {
+ public:
+  /// @param solved  stays where it is
+  explicit MatchedBodies(const SolvedProblem& solved);
+
+  const Topology& topology() const {
+    return cut_ ? cut_->topology : solved_.topology;
+  }
+  const ContactLine& line() const {
+    return cut_ ? refinement_->line : solved_.line;
+  }
+  const SolvedBody& body() const { return cut_ ? cut_->body : solved_.body; }
+  const Flags& prescribed() const {
+    return cut_ ? cut_->prescribed : solved_.system.prescribed;
+  }
+
+  const ContactLine& solved_line() const { return solved_.line; }
+  const ContactLaw& solved_law() const { return solved_.body.law; }
+  /// Length of the solved contact edge that a contact edge is a part of [mm].
+  double solved_length(int e) const {
+    return solved_.line.length[cut_ ? refinement_->parent_contact_edge[e] : e];
+  }
+  /// Is it a vertex at which an edge was cut?
+  bool is_cut(int vertex) const {
+    return vertex >= solved_.topology.mesh.vertex_count();
+  }
+
+  /// Moments of the springs' tractions [4 x Mesh::boundary], of those that answer u_h at
+  /// first.
+  Matrix4Xd& spring_tractions() { return springs_; }
+  const Matrix4Xd& spring_tractions() const { return springs_; }
+  /// They answer a further displacement of the solved bodies, too.
+  void answer(const VectorXd& displacement);
+
+  /// What the boundary carries with these contact tractions.
+  BoundaryTractions boundary_with(const ContactDensities& densities) const;
+
+  /// Moments of the given and the springs' tractions on the solved mesh.
+  Matrix4Xd solved_moments() const;
+
+  /// The same on the solved mesh.
+  BoundaryTractions solved_boundary(const BoundaryTractions& boundary) const;
+
+  /// Nodal forces of contact tractions on the dofs of the solved mesh [N/mm].
+  VectorXd solved_forces(const ContactDensities& densities) const;
+
+  /// Values at the nodes of the solved line at those of the matched one [2 x p].
+  Matrix2Xd nodal_values(const Matrix2Xd& solved) const;
+
+  /// Vertex fields, one a column, linear in between.
+  MatrixXd fields(const MatrixXd& solved) const;
+
+  /// Edge tractions in equilibrium with the boundary's from those on the solved mesh.
+  /// @param stress  that the latter balance, on the solved triangles
+  EdgeMoments moments(const EdgeMoments& solved, const Matrix3Xd& stress,
+                      const BoundaryTractions& boundary) const;
+
+  /// Sums over the parts of the solved triangles.
+  VectorXd sums_of_parts(const VectorXd& values) const;
+
+  std::optional<CommonRefinement> take_refinement() {
+    return std::move(refinement_);
+  }
+
+ private:
+  struct Cut {
+    Topology topology;
+    Flags prescribed;
+    SolvedBody body;
+  };
+  /// Moments on the solved boundary on that of the matched bodies.
+  Matrix4Xd matched_moments(const Matrix4Xd& solved) const;
+
+  SolvedProblem solved_;
+  Matrix4Xd solved_springs_, springs_;
+  std::optional<CommonRefinement> refinement_;
+  std::optional<Cut> cut_;
+};
+
+}  // namespace ffcontact

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/elastic/factor/condensed_stiffness.hpp"
+#include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/tractions/solid_residual.hpp"
+
+namespace ffcontact {
+
+/// A computed contact solution of a solid and what it was computed from.
+struct SolvedSolid {
+  HookeTensors<3> hooke;  ///< per tetrahedron [MPa]
+  VectorXd displacement;  ///< u_h on all dofs [mm]
+  Matrix3Xd force;        ///< (F_n, F_t1, F_t2) at the contact nodes [N]
+  SurfaceLaw law;
+  /// moments of the given tractions, as for given_tractions [N, 9 x boundary]
+  FaceMoments neumann;
+  SolidBodyLoadsOfAll body_loads;  ///< int f phi_i per tetrahedron [N]
+  std::shared_ptr<const CondensedStiffness>
+      stiffness;  ///< of the solution on the surface; null: factorised if needed
+};
+
+/// What an estimate of a solid is asked of.
+struct SolvedSolidProblem {
+  const SolidTopology& topology;
+  const ContactSurface& surface;
+  const ElasticSystem& system;
+  const SolvedSolid& body;
+};
+
+}  // namespace ffcontact

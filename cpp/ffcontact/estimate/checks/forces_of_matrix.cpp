@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/checks/forces_of_matrix.hpp"
+
+#include <cmath>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Refuses a matrix that differs by something on one dof's diagonal.
+template <int dim>
+void require_no_penalty(const SimplexMesh<dim>& mesh,
+                        const ElasticSystem& system, const StatedForces& forces,
+                        const Comparison& comparison, Index dof) {
+  const auto& [z, of_law, of_matrix, terms, off] = comparison;
+  const double more = (of_matrix[dof] - of_law[dof]) / z[dof];
+  const double added =
+      system.stiffness.coeff(dof, dof) - diagonal_of_law(forces, z.size(), dof);
+  if (std::abs(more - added) <= 1e-3 * std::abs(added))
+    refuse("A has ", added, " more on its diagonal at ",
+           vertex_in_words(mesh, dof / dim),
+           " than lambda and G (or hooke) give: a penalty in place of a "
+           "prescribed displacement, or a spring at a point; prescribe with "
+           "on() and tgv 1e30, -1 or -2, and spread springs over an edge");
+}
+
+/// The dof at which A is off the most, or -1.
+Index worst_dof(const Comparison& comparison) {
+  Index worst;
+  return comparison.off.maxCoeff(&worst) <= stiffness_tolerance ? -1 : worst;
+}
+
+template <int dim>
+void require_no_factor(const SimplexMesh<dim>& mesh,
+                       const Comparison& comparison, Index dof) {
+  if (comparison.is_multiple())
+    refuse("lambda and G (or hooke) are not those of A: A is ",
+           comparison.factor(), " times the stiffness of the law at ",
+           vertex_in_words(mesh, dof / dim),
+           "; give the constants of the script's varf");
+}
+
+template <int dim>
+[[noreturn]] void refuse_row(const SimplexMesh<dim>& mesh,
+                             const Comparison& comparison, Index dof) {
+  refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
+         vertex_in_words(mesh, dof / dim), " is off by ", comparison.off[dof],
+         " of its terms; give the law of the script's varf in every region, "
+         "and A without springs",
+         dim == 2 ? " that spring= does not name" : "");
+}
+
+}  // namespace
+
+template <int dim>
+std::string vertex_in_words(const SimplexMesh<dim>& mesh, Index vertex) {
+  const auto v = static_cast<int>(vertex);
+  return "vertex " + std::to_string(v) + " " + in_words(mesh.place(v));
+}
+
+template <int dim>
+void require_forces_of_matrix(
+    const SimplexMesh<dim>& mesh, const ElasticSystem& system,
+    const StatedForces& forces,
+    const std::function<void(const Comparison&, Index)>& other) {
+  const Comparison comparison(system.stiffness, forces, system.prescribed);
+  const Index worst = worst_dof(comparison);
+  if (worst < 0) return;
+  require_no_penalty(mesh, system, forces, comparison, worst);
+  require_no_factor(mesh, comparison, worst);
+  other(comparison, worst);
+  refuse_row(mesh, comparison, worst);
+}
+
+template std::string vertex_in_words(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                     Index);
+template void require_forces_of_matrix(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const ElasticSystem&,
+    const StatedForces&, const std::function<void(const Comparison&, Index)>&);
+
+}  // namespace ffcontact

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/checks/sound_problem.hpp"
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/equilibrium/relaxation/relaxation_progress.hpp"
+#include "ffcontact/estimate/checks/sound_body.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+void require_valid(const LinearStresses& initial, int triangles) {
+  if (initial.empty()) return;
+  require_size("initial stress", initial.mean.cols(), triangles);
+  for (int t = 0; t < triangles; ++t)
+    if (!initial.at_vertices(t).allFinite())
+      refuse("the initial strain or stress on triangle ", t,
+             " is not a finite number");
+}
+
+}  // namespace
+
+void require_sound(const SolvedProblem& solved,
+                   const EstimateSettings& settings) {
+  const auto& [topology, line, system, body] = solved;
+  const Mesh& mesh = topology.mesh;
+  require_sound_body(solved, line.node_count(), "contact pressure",
+                     body.pressure);
+  require_valid(body.initial, mesh.cell_count());
+  require_valid(mesh, body.springs);
+  require_no_springs_in_contact(topology.edges, line, body.springs);
+  require_valid(body.law, line);
+  if (body.tool && line.against_a_body())
+    refuse("a tool is a rigid foundation, but the contact line faces a body");
+  if (settings.relaxation.sweeps < 0)
+    refuse("sweeps must not be negative, got ", settings.relaxation.sweeps);
+  require_tightness(settings.relaxation.tightness);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/error/contact_faces.hpp"
+
+#include <array>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/estimate/error/between_nodes.hpp"
+#include "ffcontact/estimate/tractions/cone_projection.hpp"
+#include "ffcontact/estimate/tractions/surface_tractions.hpp"
+#include "ffcontact/interface/pairing/matching_faces.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Tractions nearer to the cone than this part of the largest are in it but for rounding.
+constexpr double traction_rounding = 2e-12;
+
+/// w at the corners of a contact face, less the gap and the load step before, along n, t1,
+/// t2 of each of its corners, whose frames differ on curved surfaces.
+using SeenMotions = std::array<Matrix3d, 3>;
+
+/// Against a rigid foundation, or a face that matches.
+SeenMotions seen_motions(const Facets<3>& faces, const ContactSurface& surface,
+                         const SurfaceLaw& law, int m,
+                         const MatchingFace& match,
+                         const Ref<const VectorXd>& u) {
+  const Vector3i nodes = surface.face_node.col(m);
+  Matrix3d jump, previous = Matrix3d::Zero();
+  Vector3d gap = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const int i = nodes[k];
+    jump.col(k) = vector_at<3>(u, faces.vertices(k, surface.face[m]));
+    if (match.face >= 0)
+      jump.col(k) -=
+          vector_at<3>(u, faces.vertices(match.corner[k], match.face));
+    if (law.gap.size() > 0) gap[k] = law.gap[i];
+    if (law.previous.size() > 0)
+      previous.col(k) = surface.frame(i).rightCols<2>() * law.previous.col(i);
+  }
+  SeenMotions seen;
+  for (int a = 0; a < 3; ++a) {
+    const Matrix3d frame = surface.frame(nodes[a]);
+    seen[a] = frame.transpose() * jump;
+    seen[a].row(0) -= gap.transpose();
+    seen[a].bottomRows<2>() -= frame.rightCols<2>().transpose() * previous;
+  }
+  return seen;
+}
+
+/// @param least     |w_t| without direction [mm]
+/// @param rounding  |w_t| that is 0
+void put_motions(const SeenMotions& seen, double least, double rounding,
+                 ContactFace& face) {
+  for (int i = 0; i < 3; ++i) {
+    Matrix3d slip = Matrix3d::Zero();
+    for (int k = 0; k < 3; ++k)
+      slip(0, k) = slip_beyond(rounding, seen[i].col(k).tail<2>().norm());
+    face.work.col(i) = face_moments_of(seen[i], face.area).col(i);
+    face.slip[i] = face_moments_of(slip, face.area)(0, i);
+    face.direction.col(i).setZero();
+    if (slip(0, i) > least)
+      face.direction.col(i) = seen[i].col(i).tail<2>() / slip(0, i);
+  }
+}
+
+}  // namespace
+
+std::vector<ContactFace> contact_faces(
+    const SolidMesh& mesh, const Facets<3>& faces,
+    const ContactSurface& surface, const SurfaceLaw& law,
+    const Ref<const VectorXd>& displacement) {
+  const bool between_bodies = surface.against_a_body();
+  const std::vector<MatchingFace> matches =
+      matching_faces(mesh, faces, surface);
+  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const double least = least_motion * largest_displacement(law, displacement),
+               rounding = rounding_of_slip(law, displacement);
+  std::vector<ContactFace> contact;
+  for (int m = 0; m < surface.face_count(); ++m) {
+    const Vector3i nodes = surface.face_node.col(m);
+    if (nodes.minCoeff() < 0 || (between_bodies && matches[m].face < 0))
+      continue;
+    ContactFace face;
+    face.face = surface.face[m];
+    face.surface_face = m;
+    face.opposite = matches[m].face;
+    face.opposite_corner = matches[m].corner;
+    face.area = facet_measure(mesh, faces, face.face);
+    for (int i = 0; i < 3; ++i) {
+      face.frame[i] = surface.frame(nodes[i]);
+      face.cone[i] = cones[nodes[i]];
+    }
+    put_motions(seen_motions(faces, surface, law, m, matches[m], displacement),
+                least, rounding, face);
+    contact.push_back(face);
+  }
+  return contact;
+}
+
+std::vector<ContactFace> paid_faces(const ContactSurface& surface,
+                                    const SurfaceLaw& law,
+                                    std::vector<ContactFace> contact) {
+  const std::vector<FrictionCone> paid = law_cones(law, surface);
+  for (ContactFace& face : contact)
+    for (int i = 0; i < 3; ++i)
+      face.cone[i] = paid[surface.face_node(i, face.surface_face)];
+  return contact;
+}
+
+VectorXi surface_faces(const std::vector<ContactFace>& contact) {
+  VectorXi places(count_of(contact));
+  for (int m = 0; m < places.size(); ++m) places[m] = contact[m].surface_face;
+  return places;
+}
+
+SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
+                              const FaceMoments& moments) {
+  SurfaceTractions tractions(9, contact.size());
+  if (contact.empty()) return tractions;
+  for (std::size_t m = 0; m < contact.size(); ++m) {
+    const Matrix3d of_face = moments.col(contact[m].face).reshaped(3, 3);
+    tractions.col(m) = traction_of(contact[m], of_face).reshaped();
+  }
+  const double rounding = traction_rounding * max_norm(tractions);
+  for (std::size_t m = 0; m < contact.size(); ++m)
+    for (int i = 0; i < 3; ++i) {
+      auto r = tractions.col(m).segment<3>(3 * i);
+      const Vector3d nearest = cone_projection(contact[m].cone[i], r).point;
+      if (max_norm(nearest - r) <= rounding) r = nearest;
+    }
+  return tractions;
+}
+
+void put_moments(const std::vector<ContactFace>& contact,
+                 const SurfaceTractions& tractions, FaceMoments& moments) {
+  for (std::size_t m = 0; m < contact.size(); ++m) {
+    const ContactFace& face = contact[m];
+    const Matrix3d of_face = tractions.col(m).reshaped(3, 3),
+                   own = moments_of(face, of_face),
+                   change = own - moments.col(face.face).reshaped(3, 3);
+    moments.col(face.face) = own.reshaped();
+    for (int k = 0; k < 3 && face.opposite >= 0; ++k)
+      moments.col(face.opposite).segment<3>(3 * face.opposite_corner[k]) -=
+          change.col(k);
+  }
+}
+
+}  // namespace ffcontact

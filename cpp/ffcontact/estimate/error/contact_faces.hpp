@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/equilibrium/tractions/contact_face.hpp"
+
+namespace ffcontact {
+
+/// (r_n, r_t1, r_t2) at the three vertices of each contact face, one column a face [MPa].
+using SurfaceTractions = Matrix<double, 9, Dynamic>;
+
+/// Motions below this part of the largest displacement have no direction.
+constexpr double least_motion = 1e-9;
+
+/// The faces of a surface whose tractions may be relaxed: those whose corners are all
+/// nodes of it, against another body those that match a face of it (MatchingFace), with
+/// the jump of the displacement from face to face.
+/// @param displacement  u_hat on all dofs [mm]
+std::vector<ContactFace> contact_faces(const SolidMesh& mesh,
+                                       const Facets<3>& faces,
+                                       const ContactSurface& surface,
+                                       const SurfaceLaw& law,
+                                       const Ref<const VectorXd>& displacement);
+
+/// The same with the cones that e pays for (law_cones) in place of those that r_hat keeps
+/// to.
+std::vector<ContactFace> paid_faces(const ContactSurface& surface,
+                                    const SurfaceLaw& law,
+                                    std::vector<ContactFace> contact);
+
+/// Their places on the surface.
+VectorXi surface_faces(const std::vector<ContactFace>& contact);
+
+/// Tractions of given moments on all faces of the mesh, in the cone where they are but for
+/// rounding, one column a contact face.
+SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
+                              const FaceMoments& moments);
+
+/// Moments of given tractions take the place of those on the contact faces; faces that
+/// match them feel the opposite change.
+void put_moments(const std::vector<ContactFace>& contact,
+                 const SurfaceTractions& tractions, FaceMoments& moments);
+
+}  // namespace ffcontact

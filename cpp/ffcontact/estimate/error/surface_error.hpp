@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/base/flags.hpp"
+#include "ffcontact/estimate/error/between_nodes.hpp"
+#include "ffcontact/estimate/error/contact_faces.hpp"
+#include "ffcontact/estimate/error/deepest_node.hpp"
+
+namespace ffcontact {
+
+/// Of a solid on a rigid foundation, and of faces that match; against another body
+/// otherwise these are those of facing_error.hpp.
+
+/// The contact part of e^2 on each of given contact faces [N mm]:
+///     2 int (c |w_t| + r_t . w_t + r_n (w_n - gap)),   c = mu |r_n|, Tresca's bound, or the shear limit if that is less   [CHH01, (2.11), (2.19)]
+/// where c at the nodes and |w_t| at the nodes are taken linear between these: |w_t| is
+/// convex, so that this is a bound, without quadrature. Components are those along n, t1
+/// and t2 of the nodes. In the cone and without penetration no value is negative.
+VectorXd contact_error(const std::vector<ContactFace>& contact,
+                       const SurfaceTractions& tractions);
+
+/// Largest of r_n and |r_t| less its bound on any face [MPa]; 0 in the cone.
+double cone_violation(const std::vector<ContactFace>& contact,
+                      const SurfaceTractions& tractions);
+
+/// u_hat: u_h with u_n - gap lowered to min(u_n - gap, 0) at the nodes by the smallest
+/// change of each vertex's free components; a vertex that no such change clears, or only
+/// one of 1000 times the largest displacement or gap, stays as it is.
+/// @param prescribed  1 where the dof is prescribed and stays
+VectorXd admissible_displacement(const Facets<3>& faces,
+                                 const ContactSurface& surface,
+                                 const SurfaceLaw& law,
+                                 const Ref<const VectorXd>& displacement,
+                                 const Flags& prescribed);
+
+DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
+                         const SurfaceLaw& law,
+                         const Ref<const VectorXd>& displacement);
+
+/// Facets are contact faces.
+/// @param tractions  on all of them
+BetweenNodes between_nodes(const Facets<3>& faces,
+                           const ContactSurface& surface, const SurfaceLaw& law,
+                           const SurfaceTractions& tractions,
+                           const Ref<const VectorXd>& displacement);
+
+}  // namespace ffcontact

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/error/traction_oscillation.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/interface/pairing/convex_polygon.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
+#include "ffcontact/linear/dense/symmetric_eigen.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Polygons below this part of a face are rounding.
+constexpr double no_part = 1e-12;
+/// Areas that differ by less are the same.
+constexpr double same_area = 1e-10;
+/// Corners that are closer to each other, in parts of the face's sides, are one: the
+/// direction of a side that is cut at rounding would not say where it goes.
+constexpr double no_side = 1e-8;
+
+/// A part of a face, in its first two barycentric coordinates, with the traction there:
+/// density eta at the barycentric coordinates eta.
+struct TractionPiece {
+  ConvexPolygon polygon;
+  Matrix3d density;
+};
+
+/// What acts on one face.
+struct FaceContact {
+  std::vector<TractionPiece> pieces;
+  Matrix3d moments = Matrix3d::Zero();
+};
+
+bool is_part(const ConvexPolygon& polygon) {
+  return polygon_area(polygon) > 0.5 * no_part;
+}
+
+/// The polygon counter-clockwise, whatever side it is seen from, without sides that are
+/// too short to have a direction.
+ConvexPolygon seen_from_outside(const Matrix3Xd& corners) {
+  std::vector<Vector2d> kept;
+  for (Index k = 0; k < corners.cols(); ++k) {
+    const Vector2d corner = corners.col(k).head<2>();
+    const bool is_new =
+        std::none_of(kept.begin(), kept.end(), [&](const Vector2d& other) {
+          return (corner - other).norm() < no_side;
+        });
+    if (is_new) kept.push_back(corner);
+  }
+  ConvexPolygon polygon = packed(kept);
+  if (polygon_area(polygon) < 0) polygon.rowwise().reverseInPlace();
+  return polygon;
+}
+
+ConvexPolygon whole_face() {
+  ConvexPolygon triangle(2, 3);
+  triangle << 0, 1, 0, 0, 0, 1;
+  return triangle;
+}
+
+/// The whole triangle that is seen of the other face, where it is the polygon but for what
+/// lies beyond this face: its sides are none that were cut.
+/// @param seen  its corners on this face
+ConvexPolygon with_whole_sides(ConvexPolygon polygon, const Matrix3d& seen) {
+  ConvexPolygon triangle = seen_from_outside(seen);
+  const double area = polygon_area(intersection(whole_face(), triangle));
+  return std::abs(area - polygon_area(polygon)) < same_area ? triangle
+                                                            : polygon;
+}
+
+/// Adds the traction on one polygon to those on parts that do not overlap.
+std::vector<TractionPiece> with_piece(const std::vector<TractionPiece>& parts,
+                                      const TractionPiece& added) {
+  std::vector<TractionPiece> result;
+  for (const TractionPiece& part : parts) {
+    ConvexPolygon shared = intersection(part.polygon, added.polygon);
+    if (!is_part(shared)) {
+      result.push_back(part);
+      continue;
+    }
+    for (ConvexPolygon& rest : difference(part.polygon, added.polygon))
+      if (is_part(rest)) result.push_back({std::move(rest), part.density});
+    result.push_back({std::move(shared), part.density + added.density});
+  }
+  return result;
+}
+
+/// int of (density eta)(density eta)' over a polygon.
+Matrix3d square_of(const TractionPiece& piece, double face_area) {
+  Matrix3Xd corners(3, piece.polygon.cols());
+  corners << piece.polygon, 1 - piece.polygon.colwise().sum().array();
+  Matrix3d square = Matrix3d::Zero();
+  for (const FanTriangle& triangle : fan_of(corners)) {
+    const Matrix3d values =
+        piece.density * corners(Eigen::all, triangle.corner);
+    const Vector3d sum = values.rowwise().sum();
+    square += face_area * triangle.share / 12 *
+              (values * values.transpose() + sum * sum.transpose());
+  }
+  return square;
+}
+
+/// int d d' over a face.
+Matrix3d oscillation_of(const FaceContact& contact, double area) {
+  const Matrix3d nearest = face_density(contact.moments, area);
+  std::vector<TractionPiece> parts{{whole_face(), -nearest}};
+  for (const TractionPiece& piece : contact.pieces)
+    parts = with_piece(parts, piece);
+  Matrix3d square = Matrix3d::Zero();
+  for (const TractionPiece& part : parts) square += square_of(part, area);
+  return square;
+}
+
+/// The traction on the opposite face: the same force on another area, turned round.
+Matrix3d opposite_density(const FacingPolygon& polygon, const Matrix3d& own,
+                          double own_area, double opposite_area) {
+  const Matrix3d& place = polygon.own_of_opposite;
+  const double ratio = own_area * std::abs(place.determinant()) / opposite_area;
+  return -ratio * own * place;
+}
+
+std::map<int, FaceContact> contact_of_faces(
+    const SolidMesh& mesh, const Facets<3>& faces,
+    const ContactSurface& surface, const Ref<const Matrix3Xd>& traction) {
+  std::map<int, FaceContact> contact;
+  for (const FacingPolygon& polygon : surface.polygons) {
+    const int m = polygon.contact_face, face = surface.face[m];
+    const Matrix3d own = traction_at_corners(surface, m, traction);
+    const Matrix3d& place = polygon.own_of_opposite;
+    contact[face].pieces.push_back(
+        {with_whole_sides(seen_from_outside(polygon.own), place), own});
+    contact[polygon.opposite_face].pieces.push_back(
+        {with_whole_sides(seen_from_outside(polygon.opposite), place.inverse()),
+         opposite_density(polygon, own, facet_measure(mesh, faces, face),
+                          facet_measure(mesh, faces, polygon.opposite_face))});
+  }
+  for (const TractionPart& part : traction_parts(mesh, faces, surface))
+    contact[part.face].moments +=
+        traction_at_corners(surface, part.contact_face, traction) * part.weight;
+  return contact;
+}
+
+TetrahedronCorners regular_tetrahedron() {
+  TetrahedronCorners corners;
+  corners << 0, 1, 0.5, 0.5,                       //
+      0, 0, std::sqrt(0.75), std::sqrt(0.75) / 3,  //
+      0, 0, 0, std::sqrt(2.0 / 3);
+  return corners;
+}
+
+/// T' C^-1 T / det B on tensors as vectors whose length is Frobenius' norm.
+Matrix<double, 6, 6> transported(const Matrix3d& B,
+                                 const Matrix<double, 6, 6>& compliance) {
+  Matrix<double, 6, 1> scale;
+  scale << 1, 1, 1, std::sqrt(0.5), std::sqrt(0.5), std::sqrt(0.5);
+  const Matrix<double, 6, 6> T = piola_voigt(B) * scale.asDiagonal();
+  return T.transpose() * compliance * T / B.determinant();
+}
+
+}  // namespace
+
+double face_oscillation_square(const TetrahedronCorners& corners,
+                               const Matrix<double, 6, 6>& compliance,
+                               double face_area, const Matrix3d& square) {
+  const Matrix3d B = piola_matrix(corners) *
+                     piola_matrix(regular_tetrahedron()).inverse(),
+                 back = B.inverse();
+  const double lambda = symmetric_eigen(transported(B, compliance))
+                            .values.maxCoeff(),
+               regular_area = std::sqrt(3.0) / 4;
+  return lambda * traction_constant * face_area / regular_area *
+         (back * square * back.transpose()).trace();
+}
+
+double traction_oscillation(const SolidMesh& mesh, const Facets<3>& faces,
+                            const ContactSurface& surface,
+                            const HookeTensors<3>& hooke,
+                            const Ref<const Matrix3Xd>& traction) {
+  std::map<int, double> of_cell;
+  for (const auto& [face, contact] :
+       contact_of_faces(mesh, faces, surface, traction)) {
+    if (contact.pieces.empty()) continue;  // a rigid foundation
+    const int cell = faces.cells(0, face);
+    const double area = facet_measure(mesh, faces, face);
+    of_cell[cell] += std::sqrt(
+        face_oscillation_square(corners_of(mesh, cell), hooke[cell].inverse(),
+                                area, oscillation_of(contact, area)));
+  }
+  double sum = 0;
+  for (const auto& [cell, oscillation] : of_cell)
+    sum += oscillation * oscillation;
+  return std::sqrt(sum);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/estimate/tractions/rebalancing.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact {
+
+/// Solves for the balance of stresses and tractions: one, and one or two for its rounding.
+constexpr int most_refinements = 3;
+
+/// What is missing of the largest moment in balanced stresses: a traction on the short
+/// edge of a thin triangle that balances it is larger by the ratio of its sides.
+constexpr double balanced = 1e-13;
+
+/// Bodies without springs.
+struct NoSprings {
+  template <class Residual>
+  Residual answered(Residual residual, const VectorXd&) const {
+    return residual;
+  }
+  void keep(const VectorXd&) {}
+};
+
+/// Stresses in equilibrium with loads and contact tractions: the given ones, and those of
+/// the small displacement that makes up for what they lack; its own rounding once more.
+/// @param topology     of triangles or tetrahedra
+/// @param residual     what the stresses lack beside all loads and tractions
+/// @param rebalancing  makes a Rebalancing; not called where nothing is missing
+/// @param springs      answer that displacement too: answered(residual, u) takes their
+///                     forces into account, keep(u) what they have answered
+template <class Topology, class Tensors, class Residual, class Stress,
+          class MakeRebalancing, class Springs = NoSprings>
+Stress balanced_stresses(const Topology& topology, const Tensors& hooke,
+                         Residual residual, Stress stress,
+                         const MakeRebalancing& rebalancing,
+                         Springs&& springs = {}) {
+  const auto missing = [&] { return max_norm(residual.missing); };
+  const auto is_balanced = [&] {
+    return missing() <= balanced * residual.scale;
+  };
+  if (is_balanced()) return stress;
+  const Rebalancing solver = rebalancing();
+  for (int step = 0; step < most_refinements && !is_balanced(); ++step) {
+    const double before = missing();
+    const VectorXd u = solver.displacement(residual.missing.reshaped());
+    const Stress added = stresses(topology.mesh, hooke, u);
+    residual =
+        springs.answered(less_stress(topology, std::move(residual), added), u);
+    if (step > 0 && missing() >= before) break;
+    stress += added;
+    springs.keep(u);
+  }
+  return stress;
+}
+
+}  // namespace ffcontact

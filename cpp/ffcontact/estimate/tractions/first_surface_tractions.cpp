@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/tractions/first_surface_tractions.hpp"
+
+#include <algorithm>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/equilibrium/tractions/face_moments.hpp"
+#include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
+#include "ffcontact/estimate/bodies/unstressed.hpp"
+#include "ffcontact/estimate/tractions/balanced_stresses.hpp"
+#include "ffcontact/estimate/tractions/surface_tractions.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// The script's tractions; on the contact surface, where all components count as known,
+/// those of contact are left out.
+FaceTractions tractions_without_contact(const SolvedSolidProblem& solved) {
+  const auto& [topology, surface, system, body] = solved;
+  return with_contact(given_tractions(topology.mesh, topology.faces,
+                                      system.prescribed, body.neumann),
+                      topology.mesh, topology.faces, surface,
+                      Matrix3Xd::Zero(3, surface.node_count()));
+}
+
+/// Why the stresses of u_h are not in equilibrium with the loads at a vertex.
+std::string cause_at(const Imbalance& imbalance,
+                     const SolvedSolidProblem& solved) {
+  const auto& [topology, surface, system, body] = solved;
+  if (system.prescribed[3 * imbalance.vertex + imbalance.component])
+    return "it is the reaction of a point support, which no admissible stress "
+           "has: prescribe displacements on whole faces";
+  if (!(topology.mesh.boundary.array() == imbalance.vertex).any())
+    return "inside the body: give the bodyforce= u was computed with; loads of "
+           "thermal or initial strains are not known here";
+  const std::vector<int> contact = contact_vertices(surface);
+  if (std::find(contact.begin(), contact.end(), imbalance.vertex) !=
+      contact.end())
+    return "on the contact surface: give the forces of the solution u, and "
+           "the same label= and traction=";
+  return "on the boundary: give the traction= u was computed with; loads of "
+         "thermal or initial strains are not known here";
+}
+
+double longest_side(const SolidMesh& mesh) {
+  double longest = 0;
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    for (int k = 1; k < 4; ++k)
+      longest =
+          std::max(longest, (mesh.corner(t, k) - mesh.corner(t, 0)).norm());
+  return longest;
+}
+
+/// @throws std::invalid_argument  if the stresses of u_h are not in equilibrium with loads
+///                                and nodal forces, with the cause
+void require_loads_of_solution(const SolvedSolidProblem& solved,
+                               const SolidResidual& without_contact,
+                               double stress_terms) {
+  const auto& [topology, surface, system, body] = solved;
+  const double side = longest_side(topology.mesh);
+  try {
+    require_balanced(
+        topology.mesh,
+        with_forces(without_contact,
+                    nodal_load(surface, body.force, system.dof_count())),
+        least_part_of_terms * stress_terms * side * side);
+  } catch (const Imbalance& imbalance) {
+    refuse(imbalance.what(), ", ", cause_at(imbalance, solved));
+  }
+}
+
+/// Contact forces that balance the loads along rigid motions, or those of u_h along them,
+/// which differ by rounding.
+[[noreturn]] void refuse_unheld_solid() {
+  refuse(
+      "no tractions in the cone have the resultant and the moment of the "
+      "loads, as where a body stands on one edge of its contact surface; hold "
+      "it otherwise, or let the surface go on there");
+}
+
+/// r_hat: F_i / A_i, continued to nodes that a support holds on a rigid foundation, moved
+/// inside the cone where contact alone holds rigid motions.
+Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
+                            const FaceTractions& without_contact,
+                            const MatrixXd& motions) {
+  const auto& [topology, surface, system, body] = solved;
+  Matrix3Xd lumped = lumped_tractions(body.law, surface, body.force);
+  if (!surface.against_a_body())
+    lumped = continued_tractions(body.law, surface, body.displacement,
+                                 system.prescribed, std::move(lumped));
+  if (motions.cols() == 0) return lumped;
+  const Matrix6Xd no_stress = Matrix6Xd::Zero(6, topology.mesh.cell_count());
+  const SolidResidual loads =
+      nodal_residual(topology, no_stress, body.body_loads, without_contact);
+  const VectorXd of_loads = -motions.transpose() * loads.missing.reshaped(),
+                 of_forces =
+                     motions.transpose() *
+                     nodal_load(surface, body.force, system.dof_count());
+  for (const VectorXd& resultants : {of_loads, of_forces}) {
+    const auto nearest = nearest_in_cone(topology.mesh, topology.faces, surface,
+                                         body.law, lumped, motions, resultants);
+    if (nearest) return *nearest;
+  }
+  refuse_unheld_solid();
+}
+
+}  // namespace
+
+FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
+                                      const Matrix6Xd& stress,
+                                      double stress_terms) {
+  const SolidTopology& topology = solved.topology;
+  const ContactSurface& surface = solved.surface;
+  const ElasticSystem& system = solved.system;
+  const SolvedSolid& body = solved.body;
+  const FaceTractions without = tractions_without_contact(solved);
+  require_loads_of_solution(
+      solved, nodal_residual(topology, stress, body.body_loads, without),
+      stress_terms);
+  const MatrixXd motions = free_rigid_motions(topology.mesh, system.prescribed);
+
+  FirstSurfaceTractions first;
+  first.contact = tractions_in_cone(solved, without, motions);
+  first.boundary = with_contact(without, topology.mesh, topology.faces, surface,
+                                first.contact);
+  const Matrix6Xd in_balance = balanced_stresses(
+      topology, body.hooke,
+      nodal_residual(topology, stress, body.body_loads, first.boundary), stress,
+      [&] {
+        return Rebalancing(system,
+                           free_dofs_at(contact_vertices(surface), system),
+                           motions, body.stiffness);
+      });
+  first.moments = equilibrated_moments(topology, in_balance, body.body_loads,
+                                       first.boundary);
+  return first;
+}
+
+}  // namespace ffcontact

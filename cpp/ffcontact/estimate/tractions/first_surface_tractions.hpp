@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/estimate/bodies/solved_solid.hpp"
+
+namespace ffcontact {
+
+/// r_hat, and face tractions in equilibrium with it on every tetrahedron.
+struct FirstSurfaceTractions {
+  Matrix3Xd contact;  ///< r_hat at the nodes [MPa, 3 x p]
+  FaceTractions boundary;
+  FaceMoments moments;
+};
+
+/// Tractions in the cone are not those that u_h was computed with: one back-substitution
+/// gives the small displacement whose stresses make up for the difference, and one or two
+/// more its rounding (Rebalancing).
+/// @param stress        of u_h per tetrahedron [MPa]
+/// @param stress_terms  largest_stress_terms of u_h [MPa]
+/// @throws std::invalid_argument  if loads and stresses do not balance each other, with
+///                                the cause, or where no tractions in the cone hold the
+///                                body
+FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
+                                      const Matrix6Xd& stress,
+                                      double stress_terms);
+
+}  // namespace ffcontact

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/tractions/imbalance_cause.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/elastic/inner_forces.hpp"
+#include "ffcontact/estimate/bodies/nodal_forces.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// int (C eps(u_h) + tau0) : eps(phi).
+VectorXd inner_forces_of(const Mesh& mesh, const SolvedBody& body) {
+  return inner_forces<2>(mesh,
+                         total_stresses(mesh, body, body.displacement).mean);
+}
+
+/// Nodal pressures [2 x p] of the other multiplier.
+Matrix2Xd pressures_of_other_multiplier(const ContactLine& line,
+                                        const ElasticSystem& system,
+                                        const SolvedBody& body) {
+  if (body.law.multiplier == Multiplier::force)
+    return lumped_pressures(line, forces_of(line, body.pressure));
+  return multiplier_density(line, Multiplier::force, system.prescribed,
+                            body.pressure);
+}
+
+/// Takes the given loads off.
+/// @param vertices  one column for each column of loads, which has two rows per vertex
+template <class Vertices, class Loads>
+void subtract_loads(const Vertices& vertices, const Loads& loads,
+                    VectorXd& forces) {
+  for (Index column = 0; column < vertices.cols(); ++column)
+    for (Index k = 0; k < vertices.rows(); ++k)
+      forces.segment<2>(2 * vertices(k, column)) -=
+          loads.template block<2, 1>(2 * k, column);
+}
+
+/// Forces on all dofs that the loads leave over for contact pressures of the other
+/// multiplier.
+VectorXd left_over_with_other_multiplier(const Mesh& mesh,
+                                         const ContactLine& line,
+                                         const ElasticSystem& system,
+                                         const SolvedBody& body) {
+  const Matrix2Xd other = pressures_of_other_multiplier(line, system, body);
+  VectorXd left = inner_forces_of(mesh, body) -
+                  nodal_forces(mesh, line, edge_densities(line, other));
+  subtract_loads(mesh.cells, body.body_loads, left);
+  subtract_loads(mesh.boundary, boundary_moments(mesh, body), left);
+  return on_free_dofs(system, std::move(left));
+}
+
+const char* name_of(Multiplier multiplier) {
+  return multiplier == Multiplier::force ? "\"force\"" : "\"pressure\"";
+}
+
+/// Are the given pressures those of the other multiplier?
+bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
+                           const ContactLine& line, const ElasticSystem& system,
+                           const SolvedBody& body) {
+  const VectorXd left =
+      left_over_with_other_multiplier(mesh, line, system, body);
+  const double scale = max_norm(inner_forces_of(mesh, body));
+  return std::abs(left[2 * imbalance.vertex + imbalance.component]) <=
+         unbalanced * scale;
+}
+
+std::string other_multiplier_in_words(Multiplier own) {
+  const Multiplier other =
+      own == Multiplier::force ? Multiplier::pressure : Multiplier::force;
+  return std::string("pn and pt fit u with multiplier=") + name_of(other) +
+         ", not with " + name_of(own);
+}
+
+/// Is the component that is out of balance prescribed at both ends of a contact edge?
+bool is_prescribed_along_line(const Imbalance& imbalance,
+                              const ContactLine& line,
+                              const ElasticSystem& system) {
+  const auto has = [&](int node) {
+    return system.prescribed[2 * line.vertex[node] + imbalance.component] != 0;
+  };
+  for (const auto nodes : line.edge_node.colwise()) {
+    const bool ends_here = line.vertex[nodes[0]] == imbalance.vertex ||
+                           line.vertex[nodes[1]] == imbalance.vertex;
+    if (ends_here && line.vertex[nodes[0]] != line.vertex[nodes[1]] &&
+        has(nodes[0]) && has(nodes[1]))
+      return true;
+  }
+  return false;
+}
+
+/// What else may be missing at a vertex.
+std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
+  if (!(mesh.boundary.array() == vertex).any())
+    return "inside the body: give the bodyforce=, initialstrain= and "
+           "initialstress= u was computed with";
+  if (on_line)
+    return "on the contact line: give pn and pt of the solution u, and the "
+           "same label=, normal= and traction=";
+  return "on the boundary: give the traction=, initialstrain= and "
+         "initialstress= u was computed with";
+}
+
+}  // namespace
+
+std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
+                     const ContactLine& line, const ElasticSystem& system,
+                     const SolvedBody& body) {
+  if (is_prescribed_along_line(imbalance, line, system))
+    return "it is the reaction of displacements that are prescribed along the "
+           "contact line, which is no friction and is not judged: leave them "
+           "free there and take a large friction= that holds them, or take "
+           "these edges out of label=";
+  if (system.prescribed[2 * imbalance.vertex + imbalance.component])
+    return "it is the reaction of a point support, which no admissible stress "
+           "has: prescribe displacements on whole edges";
+  const bool on_line = (line.vertex.array() == imbalance.vertex).any();
+  if (on_line && fits_other_multiplier(imbalance, mesh, line, system, body))
+    return other_multiplier_in_words(body.law.multiplier);
+  return missing_loads(mesh, imbalance.vertex, on_line);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/tractions/rebalancing.hpp"
+
+#include <utility>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact {
+
+Rebalancing::Rebalancing(const ElasticSystem& system,
+                         const std::vector<int>& contact_dofs,
+                         const MatrixXd& motions,
+                         std::shared_ptr<const CondensedStiffness> stiffness)
+    : system_(system),
+      contact_dofs_(contact_dofs),
+      motions_(motions),
+      stiffness_(stiffness ? std::move(stiffness)
+                           : std::make_shared<const CondensedStiffness>(
+                                 system, contact_dofs)),
+      schur_(system, contact_dofs, *stiffness_,
+             motions(contact_dofs, Eigen::all)) {}
+
+VectorXd Rebalancing::solved(const VectorXd& force_change) const {
+  CondensedStiffness::Load load = stiffness_->condensed(force_change);
+  const VectorXd kept = schur_.solve(load.on_kept);
+  return stiffness_->extended(std::move(load), kept);
+}
+
+VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
+  constexpr int most_corrections = 10;
+  constexpr double of_rounding = 1e-14, least_gain = 4;
+  VectorXd u = solved(force_change);
+  if (stiffness_->is_exact()) return u;
+  double last = max_norm(force_change);
+  const double wanted = of_rounding * last;
+  for (int k = 0; k < most_corrections; ++k) {
+    const VectorXd left =
+        on_free_dofs(system_, force_change - system_.stiffness * u);
+    const double size = max_norm(left);
+    if (size <= wanted) return u;
+    if (!(size * least_gain <= last)) break;
+    u += solved(left);
+    last = size;
+  }
+  if (last <= 1e3 * wanted) return u;
+  if (stiffness_->storage() == SchurStorage::distributed)
+    throw Failure(
+        "the distributed Schur complement does not balance the tractions to "
+        "rounding");
+  return Rebalancing(system_, contact_dofs_, motions_)
+      .displacement(force_change);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ffcontact/elastic/factor/schur_solver.hpp"
+
+namespace ffcontact {
+
+/// u* - u_h where K u* = b + (nodal forces of r_hat) and K u_h = b + (nodal forces of
+/// lambda_h): the displacement whose stresses are in equilibrium with r_hat.
+///
+/// Where K is singular (rigid motions Z that contact alone holds) the change of forces
+/// does no work on Z, and the solution without rigid motion on the contact dofs is taken
+/// (SchurSolver). The same balances any other small change of the nodal forces, as the
+/// rounding of u_h leaves. A factor in single precision is corrected by the residuals of K
+/// itself, and made anew in full where that fails.
+class Rebalancing {
+ public:
+  /// @param contact_dofs  the free dofs of the contact line or surface
+  /// @param motions       free_rigid_motions of the body [dofs x k]
+  /// @param stiffness     K condensed to contact_dofs; null: factorised here
+  /// @throws std::runtime_error  if a part of the body is held by nothing
+  Rebalancing(const ElasticSystem& system, const std::vector<int>& contact_dofs,
+              const MatrixXd& motions,
+              std::shared_ptr<const CondensedStiffness> stiffness = nullptr);
+
+  /// u* - u_h on all dofs [mm], by one back-substitution, or some in single precision.
+  /// @param force_change  on all dofs [N/mm]
+  VectorXd displacement(const VectorXd& force_change) const;
+
+ private:
+  VectorXd solved(const VectorXd& force_change) const;
+
+  const ElasticSystem& system_;  ///< of the caller
+  std::vector<int> contact_dofs_;
+  MatrixXd motions_;
+  std::shared_ptr<const CondensedStiffness> stiffness_;
+  SchurSolver schur_;
+};
+
+}  // namespace ffcontact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/linear/dense/cholesky.hpp"
+
+namespace ffcontact {
+
+Cholesky::Cholesky(const MatrixXd& H) : llt_(H) {}
+
+double Cholesky::reciprocal_condition() const { return llt_.rcond(); }
+
+VectorXd Cholesky::solve(const VectorXd& b) const { return llt_.solve(b); }
+
+// Eigen's triangular solver refers to the first entry, also where there is none.
+MatrixXd Cholesky::solve_columns(const MatrixXd& B) const {
+  if (B.size() == 0) return B;
+  return llt_.solve(B);
+}
+
+MatrixXd Cholesky::half_solve(const MatrixXd& B) const {
+  if (B.size() == 0) return B;
+  return llt_.matrixL().solve(B);
+}
+
+VectorXd Cholesky::other_half_solve(VectorXd z) const {
+  llt_.matrixU().solveInPlace(z);
+  return z;
+}
+
+}  // namespace ffcontact

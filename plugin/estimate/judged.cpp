@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/judged.hpp"
+
+#include <utility>
+
+#include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact::plugin {
+
+void Judged::factorise(const ContactLine& line) {
+  if (!body.stiffness)
+    body.stiffness = std::make_shared<const CondensedStiffness>(
+        *system, contact_dofs(line, *system));
+}
+
+Judged judged_of(const SolvedContact& solved) {
+  const ContactSolution& solution = solved.solution;
+  Judged judged;
+  judged.system = solved.system;
+  judged.body.displacement = solution.displacement;
+  judged.body.pressure = solution.pressure;
+  judged.body.law = solved.law;
+  judged.body.stiffness = solution.stiffness;
+  judged.body.tool = solved.driven;
+  judged.forces = contact_forces(solved.law, solution);
+  judged.contact = solution.contact;
+  return judged;
+}
+
+Judged judged_of(const ContactProblem& problem, ElasticSystem system,
+                 VectorXd displacement, Multiplier multiplier,
+                 const Matrix2Xd& pressures) {
+  Judged judged;
+  judged.system = std::make_shared<const ElasticSystem>(std::move(system));
+  SolvedBody& body = judged.body;
+  body.displacement = std::move(displacement);
+  body.law = problem.law;
+  body.law.multiplier = multiplier;
+  body.pressure = multiplier_density(problem.line, multiplier,
+                                     judged.system->prescribed, pressures);
+  judged.forces = contact_forces(problem.line, body.law, pressures);
+  return judged;
+}
+
+CoulombConstant coulomb_constant_of(const ContactLine& line,
+                                    const Judged& judged, StuckNodes stuck) {
+  const SolvedBody& body = judged.body;
+  const auto contact = contact_of_forces(line, body.law, *judged.system,
+                                         *body.stiffness, judged.contact);
+  return coulomb_constant_of(line, body.law, *contact, body.displacement,
+                             judged.forces, stuck);
+}
+
+CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
+                              const Estimate& estimate, StuckNodes stuck) {
+  const CoulombConstant constant = coulomb_constant_of(line, judged, stuck);
+  return {constant,
+          estimate.admissible
+              ? coulomb_bound(estimate.e, constant.friction, constant.kappa)
+              : infinity,
+          stuck};
+}
+
+}  // namespace ffcontact::plugin

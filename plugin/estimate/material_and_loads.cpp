@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/material_and_loads.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "ffcontact/base/require.hpp"
+//
+#include "estimate/initial_stress.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// C = lambda 1 x 1 + 2 G I on each triangle.
+Hooke isotropic_of(Stack stack, Expression lambda, Expression G,
+                   const Fem2D::Mesh& fem_mesh) {
+  const VectorXd lambdas = at_triangles(stack, lambda, fem_mesh, 0),
+                 Gs = at_triangles(stack, G, fem_mesh, 0);
+  Hooke hooke(fem_mesh.nt);
+  for (Index t = 0; t < Gs.size(); ++t) hooke[t] = isotropic(lambdas[t], Gs[t]);
+  return hooke;
+}
+
+/// From [C11, C12, C13, C22, C23, C33].
+Hooke general_of(Stack stack, const NamedArguments& named,
+                 const std::string& name, const Fem2D::Mesh& fem_mesh) {
+  constexpr int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
+  Hooke hooke(fem_mesh.nt);
+  for (int c = 0; c < 6; ++c) {
+    const VectorXd values =
+        at_triangles(stack, named.component(name, c, 6), fem_mesh, 0);
+    for (Index t = 0; t < values.size(); ++t)
+      hooke[t](row[c], column[c]) = hooke[t](column[c], row[c]) = values[t];
+  }
+  return hooke;
+}
+
+Hooke hooke_of(Stack stack, const NamedArguments& named,
+               const PlaneBodies& bodies, int body) {
+  const auto name_of = [&](const char* name) {
+    return name_of_body(name, body, bodies.body_count());
+  };
+  const std::string general = name_of("hooke");
+  const Expression lambda = named.expression(name_of("lambda")),
+                   G = named.expression(name_of("G"));
+  const bool lame = lambda && G;
+  if (lame == named.given(general))
+    refuse("give either ", name_of("lambda"), "= and ", name_of("G"),
+           "= (Lame's constants) or ", general,
+           "=[C11, C12, C13, C22, C23, C33]");
+  const Fem2D::Mesh& fem_mesh = *bodies.fem_meshes[body];
+  return lame ? isotropic_of(stack, lambda, G, fem_mesh)
+              : general_of(stack, named, general, fem_mesh);
+}
+
+/// The components of a load, null where it is not given.
+struct Load {
+  Expression x, y;
+};
+
+Load load_of(const NamedArguments& named, const char* name, int body,
+             int bodies) {
+  const std::string own = name_of_body(name, body, bodies);
+  return {named.component(own, 0, 2), named.component(own, 1, 2)};
+}
+
+VoigtExpression voigt_of(const NamedArguments& named, const char* name,
+                         int body, int bodies) {
+  const std::string own = name_of_body(name, body, bodies);
+  return {named.component(own, 0, 3), named.component(own, 1, 3),
+          named.component(own, 2, 3)};
+}
+
+bool is_given(const VoigtExpression& expression) {
+  return expression[0] != nullptr;
+}
+
+/// Initial stresses of the bodies, joined; empty where none has any.
+class InitialStresses {
+ public:
+  explicit InitialStresses(const PlaneBodies& bodies) : bodies_(bodies) {}
+
+  /// Reads those of body k. @return their oscillation
+  double read(Stack stack, const NamedArguments& named, int k,
+              const Hooke& hooke) {
+    const int bodies = bodies_.body_count();
+    const VoigtExpression strain = voigt_of(named, "initialstrain", k, bodies),
+                          stress = voigt_of(named, "initialstress", k, bodies);
+    if (!is_given(strain) && !is_given(stress)) return 0;
+    const std::vector<int>& first = bodies_.joined.first_cell;
+    if (values_.cols() == 0)
+      values_ = Matrix<double, 9, Dynamic>::Zero(9, first.back());
+    const InitialStress own =
+        initial_stress_of(stack, strain, stress, hooke, *bodies_.fem_meshes[k]);
+    values_.middleCols(first[k], first[k + 1] - first[k]) = own.at_vertices;
+    return own.oscillation;
+  }
+
+  LinearStresses joined() const {
+    return values_.cols() > 0 ? LinearStresses::of_values(values_)
+                              : LinearStresses();
+  }
+
+ private:
+  const PlaneBodies& bodies_;
+  Matrix<double, 9, Dynamic> values_;  ///< at the vertices of all triangles
+};
+
+/// Components xx, xy, yy of the springs' stiffness, [kx, ky] or [kxx, kxy, kyy].
+VoigtExpression stiffness_of(const NamedArguments& named,
+                             const std::string& name) {
+  const int size = named.component_count(name);
+  if (size != 2 && size != 3)
+    refuse(name, " must be a list [kx, ky] or [kxx, kxy, kyy]");
+  const Expression first = named.component(name, 0, size),
+                   last = named.component(name, size - 1, size);
+  return {first, size == 3 ? named.component(name, 1, 3) : nullptr, last};
+}
+
+/// Springs of the bodies, joined; empty where none has any.
+class Springs {
+ public:
+  explicit Springs(const PlaneBodies& bodies) : bodies_(bodies) {}
+
+  void read(Stack stack, const NamedArguments& named, int k) {
+    const int bodies = bodies_.body_count();
+    const std::string spring = name_of_body("spring", k, bodies);
+    const Load rest = load_of(named, "rest", k, bodies);
+    if (!named.given(spring)) {
+      if (rest.x)
+        refuse(name_of_body("rest", k, bodies), "= is for ", spring, "=");
+      return;
+    }
+    if (joined.empty())
+      joined = BoundarySprings(bodies_.joined.first_boundary.back());
+    put(stack, stiffness_of(named, spring), rest, k);
+  }
+
+  BoundarySprings joined;
+
+ private:
+  void put(Stack stack, const VoigtExpression& K, const Load& rest, int k) {
+    const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[k];
+    const Mesh mesh = mesh_of(&fem_mesh);
+    const auto put_rows = [&](Expression expression, auto& rows, int row,
+                              int step) {
+      const MatrixXd values =
+          at_gauss_points(stack, expression, fem_mesh, mesh);
+      for (int q = 0; q < 3; ++q)
+        rows.row(row + step * q)
+            .segment(bodies_.joined.first_boundary[k], values.cols()) =
+            values.row(q);
+    };
+    for (int c = 0; c < 3; ++c) put_rows(K[c], joined.stiffness, c, 3);
+    put_rows(rest.x, joined.rest, 0, 2);
+    put_rows(rest.y, joined.rest, 1, 2);
+  }
+
+  const PlaneBodies& bodies_;
+};
+
+/// Reads one body into what is there for all of them.
+Oscillation read_body(Stack stack, const NamedArguments& named,
+                      const PlaneBodies& bodies, int k, SolvedBody& body,
+                      InitialStresses& initial, Springs& springs) {
+  const JoinedMesh& joined = bodies.joined;
+  const int count = bodies.body_count();
+  const Fem2D::Mesh& fem_mesh = *bodies.fem_meshes[k];
+  const Hooke hooke = hooke_of(stack, named, bodies, k);
+  body.hooke.insert(body.hooke.end(), hooke.begin(), hooke.end());
+  const Load F = load_of(named, "traction", k, count),
+             f = load_of(named, "bodyforce", k, count);
+  const Mesh mesh = mesh_of(&fem_mesh);
+  body.neumann.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
+      traction_moments(stack, F.x, F.y, fem_mesh, mesh);
+  const BodyForce force = body_force_loads(stack, f.x, f.y, fem_mesh, mesh);
+  body.body_loads.middleCols(joined.first_cell[k], mesh.cells.cols()) =
+      force.loads;
+  springs.read(stack, named, k);
+  return {force.oscillation, initial.read(stack, named, k, hooke)};
+}
+
+}  // namespace
+
+Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
+                                    const PlaneBodies& bodies,
+                                    SolvedBody& body) {
+  body.neumann.resize(4, bodies.joined.first_boundary.back());
+  body.body_loads.resize(6, bodies.joined.first_cell.back());
+  Oscillation all;
+  InitialStresses initial(bodies);
+  Springs springs(bodies);
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    const Oscillation own =
+        read_body(stack, named, bodies, k, body, initial, springs);
+    all = {std::hypot(all.force, own.force),
+           std::hypot(all.strain, own.strain)};
+  }
+  body.initial = initial.joined();
+  body.springs = std::move(springs.joined);
+  return all;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "freefem/arguments.hpp"
+#include "problem/solid_contact.hpp"
+
+namespace ffcontact::plugin {
+
+/// Reads the elastic law and the loads of solids into what is judged.
+/// @return oscillation of the body forces
+using ReadSolids = std::function<double(const SolidBodies& bodies,
+                                        ffcontact::SolvedSolid& body)>;
+
+/// contacterror(C, ...) for the contact of a mesh3 that contactsolve has solved.
+/// The contact keeps what was made of it.
+/// @return eps
+double solid_error(Stack stack, const NamedArguments& named,
+                   SolidContact& contact, const ReadSolids& read,
+                   const RelaxFaces& relax = relax_faces);
+
+}  // namespace ffcontact::plugin

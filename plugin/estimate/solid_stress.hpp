@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/estimate/solid_estimate.hpp"
+#include "freefem/arguments.hpp"
+#include "problem/solid_problem.hpp"
+
+namespace ffcontact::plugin {
+
+/// Stresses at the corners of the subtetrahedra as the P1dc arrays of their components on
+/// splitmesh4(Th), whose tetrahedron 4 t + k is tetrahedron t with vertex k moved to the
+/// barycentre: rows xx, yy, zz, yz, xz, xy [6 x 16 cells]. FreeFEM keeps P1dc values of a
+/// mesh3 at the vertices shrunk by 1e-4 towards the tetrahedron's barycentre.
+/// @param stress  one tetrahedron after the other
+Matrix6Xd p1dc_arrays(const std::vector<SolidStress>& stress);
+
+/// The admissible stress where the script asks for it: sxx=, syy=, szz=, syz=, sxz= and
+/// sxy= of one solid, sxx1=, ... of several.
+void put_solid_stress(Stack stack, const NamedArguments& named,
+                      const SolidProblem& problem,
+                      const SolidTopology& topology,
+                      const SolidEstimate& estimate,
+                      const ffcontact::SolvedSolid& body);
+
+}  // namespace ffcontact::plugin

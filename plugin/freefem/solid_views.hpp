@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/interface/pairing/facing_polygons.hpp"
+//
+#include "freefem/solid_part.hpp"
+
+namespace ffcontact::plugin {
+
+/// FreeFEM's mesh3; column e of SolidMesh::boundary is FreeFEM's boundary element e.
+/// @throws std::invalid_argument  if the mesh was never assigned
+SolidMesh solid_mesh_of(const Fem2D::Mesh3* mesh);
+
+/// A place on a boundary face.
+struct FacePlace {
+  int face;
+  Vector3d coordinates;  ///< barycentric
+};
+
+/// The nodes of a surface on their own body, each on the first face that has it [p].
+std::vector<FacePlace> places_of_nodes(const ContactSurface& surface);
+
+/// What the nodes of a part of `whole` face on the opposite body, or what a place of their
+/// faces does that is near [p].
+std::vector<FacePlace> places_faced(const ContactSurface& part,
+                                    const ContactSurface& whole,
+                                    const std::vector<FacingPolygon>& polygons);
+
+/// An expression at places of a solid's boundary.
+VectorXd at_boundary(Stack stack, Expression expression, const SolidPart& part,
+                     const std::vector<BoundaryPlace<3>>& places);
+
+/// An expression of the script at places of a solid; x, y, z, N, label and region are
+/// those of the faces.
+/// @return an array of `otherwise` where the expression is null
+VectorXd at_places(Stack stack, Expression expression, const SolidPart& part,
+                   const std::vector<FacePlace>& places, double otherwise);
+
+}  // namespace ffcontact::plugin

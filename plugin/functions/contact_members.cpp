@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the script reads of a contact: C.pn, C.node, ...
+#include <algorithm>
+#include <utility>
+
+#include "freefem/guard.hpp"
+#include "parallel/shared_contact.hpp"
+#include "problem/contact_type.hpp"
+#include "problem/result_names.hpp"
+#include "problem/solid_contact.hpp"
+#include "registration.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// Arrays that members give are the script's own until the statement ends.
+template <class Value, class Values>
+KN<Value>* array_of(Stack stack, const Values& values) {
+  auto* array = new KN<Value>(static_cast<long>(values.size()));
+  std::copy(values.begin(), values.end(), static_cast<Value*>(*array));
+  return Add2StackOfPtr2Free(stack, array);
+}
+
+const SolvedSolid& solved_solid(const Contact& contact) {
+  if (!contact.solid->solved) refuse_unsolved();
+  return *contact.solid->solved;
+}
+
+const Contact& stated_contact_of(const ContactVariable& variable) {
+  const Contact& contact = contact_of(variable);
+  require_stated(contact);
+  return contact;
+}
+
+bool is_solid(const Contact& contact) {
+  return contact.solid || (contact.shared && contact.shared->solid);
+}
+
+const ShownNodes& solved_here(const Contact& contact) {
+  if (!contact.shared->shown.solved) refuse_unsolved();
+  return contact.shared->shown;
+}
+
+const NodalResults& plane_results(const Contact& contact) {
+  if (is_solid(contact)) refuse_result_of_plane_bodies();
+  return contact.shared ? solved_here(contact).plane
+                        : solved_contact(contact).nodes;
+}
+
+const SolidResults& solid_results(const Contact& contact) {
+  if (!is_solid(contact)) refuse_result_of_solids();
+  return contact.shared ? solved_here(contact).solid
+                        : solved_solid(contact).nodes;
+}
+
+const VectorXd& nodal_values(const NodalArray& array, const Contact& contact) {
+  if (!array.plane || (array.solid && is_solid(contact)))
+    return *array.in(solid_results(contact));
+  return *array.in(plane_results(contact));
+}
+
+template <std::size_t k>
+KN<double>* nodal_array(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    return array_of<double>(
+        stack, nodal_values(nodal_arrays[k], stated_contact_of(*variable)));
+  });
+}
+
+KN<long>* states(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    return array_of<long>(stack, is_solid(contact)
+                                     ? solid_results(contact).state
+                                     : plane_results(contact).state);
+  });
+}
+
+/// One column a node.
+MatrixXd normals_of(const Contact& contact) {
+  if (contact.shared) return contact.shared->shown.normal;
+  return contact.solid ? MatrixXd(contact.solid->problem->surface.normal)
+                       : MatrixXd(contact.problem->own_normal);
+}
+
+template <int component>
+KN<double>* normals(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    if (component == 2 && !is_solid(contact)) refuse_result_of_solids();
+    const VectorXd values = normals_of(contact).row(component);
+    return array_of<double>(stack, values);
+  });
+}
+
+KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    if (is_solid(contact)) refuse_result_of_plane_bodies();
+    return array_of<double>(stack, contact.shared
+                                       ? contact.shared->shown.abscissa
+                                       : contact.problem->abscissa);
+  });
+}
+
+/// Numbers that plane bodies and solids have, and what a process shows of them.
+template <auto shown, auto plane, auto solid>
+KN<long>* numbers(Stack stack, ContactVariable* const& variable) {
+  return guarded("contact", [&] {
+    const Contact& contact = stated_contact_of(*variable);
+    if (contact.shared)
+      return array_of<long>(stack, contact.shared->shown.*shown);
+    return array_of<long>(stack, contact.problem
+                                     ? *contact.problem.*plane
+                                     : *contact.solid->problem.*solid);
+  });
+}
+
+template <class Result>
+void add_member(const char* name,
+                Result (*value)(Stack, ContactVariable* const&)) {
+  Add<ContactVariable*>(name, ".",
+                        new OneOperator1s_<Result, ContactVariable*>(value));
+}
+
+template <std::size_t... k>
+void add_nodal_arrays(std::index_sequence<k...>) {
+  (add_member(nodal_arrays[k].name, nodal_array<k>), ...);
+}
+
+}  // namespace
+
+void register_contact_members() {
+  add_nodal_arrays(std::make_index_sequence<nodal_arrays.size()>());
+  add_member("nx", normals<0>);
+  add_member("ny", normals<1>);
+  add_member("nz", normals<2>);
+  add_member("state", states);
+  add_member("node",
+             numbers<&ShownNodes::own_vertex, &ContactProblem::own_vertex,
+                     &SolidProblem::own_vertex>);
+  add_member("abscissa", abscissae);
+  add_member("first",
+             numbers<&ShownNodes::first_node, &ContactProblem::first_node,
+                     &SolidProblem::first_node>);
+  add_member(
+      "side",
+      numbers<&ShownNodes::side, &ContactProblem::side, &SolidProblem::side>);
+}
+
+}  // namespace ffcontact::plugin

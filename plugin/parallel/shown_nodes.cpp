@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parallel/shown_nodes.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "ffcontact/base/packed.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// The pair of bodies that a node is of.
+int pair_of(const std::vector<long>& first_node, int node) {
+  return static_cast<int>(
+             std::upper_bound(first_node.begin(), first_node.end(), node) -
+             first_node.begin()) -
+         1;
+}
+
+/// The vertices of a part by their numbers in the whole body.
+template <int dim>
+std::vector<std::map<long, long>> own_numbers(const SharedBodies<dim>& bodies,
+                                              int rank) {
+  std::vector<std::map<long, long>> own;
+  for (const MeshParts<dim>& parts : bodies.parts) {
+    own.emplace_back();
+    for (int v : parts.vertex[rank])
+      own.back().emplace(v, static_cast<long>(own.back().size()));
+  }
+  return own;
+}
+
+/// The body whose vertices those of a node are.
+template <int dim>
+int body_of_node(const std::vector<long>& first_node,
+                 const SharedBodies<dim>& bodies, int node) {
+  return bodies.parts.size() == 1 ? 0 : pair_of(first_node, node);
+}
+
+/// The nodes of a process in the problem, and their vertices in its parts.
+struct NodesOfProcess {
+  std::vector<int> node;
+  std::vector<long> own_vertex;
+};
+
+template <class Problem, int dim>
+NodesOfProcess nodes_of(const Problem& problem, const SharedBodies<dim>& bodies,
+                        int rank) {
+  const auto own = own_numbers(bodies, rank);
+  NodesOfProcess nodes;
+  for (int i = 0; i < count_of(problem.own_vertex); ++i) {
+    const auto& of_body = own[body_of_node(problem.first_node, bodies, i)];
+    const auto found = of_body.find(problem.own_vertex[i]);
+    if (found == of_body.end()) continue;
+    nodes.node.push_back(i);
+    nodes.own_vertex.push_back(found->second);
+  }
+  return nodes;
+}
+
+template <class Problem>
+ShownNodes numbered(const Problem& problem, const NodesOfProcess& nodes) {
+  ShownNodes shown;
+  shown.own_vertex = nodes.own_vertex;
+  shown.side = problem.side;
+  for (long first : problem.first_node)
+    shown.first_node.push_back(
+        std::lower_bound(nodes.node.begin(), nodes.node.end(), first) -
+        nodes.node.begin());
+  return shown;
+}
+
+template <class Results>
+void choose(const Results& all, const std::vector<int>& nodes,
+            Results& chosen) {
+  for (const NodalArray& array : nodal_arrays)
+    if (const auto* values = array.in(all))
+      *array.in(chosen) = (*values)(nodes);
+  for (int node : nodes) chosen.state.push_back(all.state[node]);
+}
+
+template <class Results>
+void put(const Results& results, Packet& packet) {
+  for (const NodalArray& array : nodal_arrays)
+    if (const auto* values = array.in(results)) packet.put(*values);
+  packet.put(results.state);
+}
+
+template <class Results>
+void take(Packet& packet, Results& results) {
+  for (const NodalArray& array : nodal_arrays)
+    if (auto* values = array.in(results)) *values = packet.take<VectorXd>();
+  results.state = packet.take<std::vector<long>>();
+}
+
+}  // namespace
+
+ShownNodes shown_nodes(const ContactProblem& problem,
+                       const SharedBodies<2>& bodies, int rank,
+                       const NodalResults* solved) {
+  const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
+  ShownNodes shown = numbered(problem, nodes);
+  shown.abscissa = problem.abscissa(nodes.node);
+  shown.normal = problem.own_normal(Eigen::all, nodes.node);
+  if (!solved) return shown;
+  shown.solved = true;
+  choose(*solved, nodes.node, shown.plane);
+  return shown;
+}
+
+ShownNodes shown_nodes(const SolidProblem& problem,
+                       const SharedBodies<3>& bodies, int rank,
+                       const SolidResults* solved) {
+  const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
+  ShownNodes shown = numbered(problem, nodes);
+  shown.normal = problem.surface.normal(Eigen::all, nodes.node);
+  if (!solved) return shown;
+  shown.solved = true;
+  choose(*solved, nodes.node, shown.solid);
+  return shown;
+}
+
+void put(const ShownNodes& nodes, Packet& packet) {
+  packet.put(nodes.own_vertex).put(nodes.first_node).put(nodes.side);
+  packet.put(nodes.abscissa).put(nodes.normal).put(nodes.solved);
+  put(nodes.plane, packet);
+  put(nodes.solid, packet);
+}
+
+ShownNodes nodes_in(Packet& packet) {
+  ShownNodes nodes;
+  nodes.own_vertex = packet.take<std::vector<long>>();
+  nodes.first_node = packet.take<std::vector<long>>();
+  nodes.side = packet.take<std::vector<long>>();
+  nodes.abscissa = packet.take<VectorXd>();
+  nodes.normal = packet.take<MatrixXd>();
+  nodes.solved = packet.take<bool>();
+  take(packet, nodes.plane);
+  take(packet, nodes.solid);
+  return nodes;
+}
+
+}  // namespace ffcontact::plugin

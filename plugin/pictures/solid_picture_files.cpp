@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pictures/solid_picture_files.hpp"
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+//
+#include "freefem/text_file.hpp"
+#include "pictures/gmsh_fields.hpp"
+#include "pictures/picture_folder.hpp"
+#include "pictures/vtu.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+VtuCells body_cells(const SolidProblem& problem, const SolvedSolid& solved,
+                    int body) {
+  const JoinedSolids& joined = problem.joined;
+  const int v = joined.first_vertex[body], t = joined.first_cell[body],
+            vertices = joined.first_vertex[body + 1] - v,
+            tetrahedra = joined.first_cell[body + 1] - t;
+  VtuCells cells;
+  cells.points = joined.mesh.vertices.middleCols(v, vertices).colwise() +
+                 joined.mesh.origin;
+  cells.corners = joined.mesh.cells.middleCols(t, tetrahedra).array() - v;
+  cells.on_points = {
+      {"displacement", solved.solution.displacement.segment(3 * v, 3 * vertices)
+                           .reshaped(3, vertices)}};
+  if (solved.estimate)
+    cells.on_cells = {
+        {"eps_E", solved.estimate->local.segment(t, tetrahedra).transpose()}};
+  return cells;
+}
+
+/// The four subtetrahedra k+1, k+2, k+3, centroid of each tetrahedron, with corners of
+/// their own: the stress jumps between them.
+void write_stress(const fs::path& file, const SolidProblem& problem,
+                  const SolidTopology& topology, const SolvedSolid& solved,
+                  int body) {
+  const std::vector<int>& first_cell = problem.joined.first_cell;
+  const int first = first_cell[body], count = first_cell[body + 1] - first;
+  MatrixXd at_corners(6, 16 * count);
+  VtuCells parts;
+  parts.points.resize(3, 16 * count);
+  parts.corners = Eigen::VectorXi::LinSpaced(16 * count, 0, 16 * count - 1)
+                      .reshaped(4, 4 * count);
+  for (int t = 0; t < count; ++t) {
+    const TetrahedronCorners x =
+        corners_of(problem.mesh, first + t).colwise() + problem.mesh.origin;
+    at_corners.middleCols<16>(16 * t) =
+        stress_of(topology, *solved.estimate, *solved.judged, first + t);
+    for (int k = 0; k < 4; ++k)
+      parts.points.middleCols<4>(16 * t + 4 * k) << x.col((k + 1) % 4),
+          x.col((k + 2) % 4), x.col((k + 3) % 4), x.rowwise().mean();
+  }
+  const std::array names = {"sxx", "syy", "szz", "syz", "sxz", "sxy"};
+  for (int c = 0; c < 6; ++c)
+    parts.on_points.push_back({names[c], at_corners.row(c)});
+  write_vtu(file, parts);
+}
+
+/// What the nodes have, by name.
+std::vector<VtuField> nodal_fields(const SolidProblem& problem,
+                                   const SolvedSolid& solved) {
+  const SolidResults& nodes = solved.nodes;
+  const SurfaceLaw& law = solved.law;
+  const int count = problem.surface.node_count();
+  MatrixXd bounds(2, count), state(1, count);
+  for (int i = 0; i < count; ++i) {
+    bounds(0, i) = value_or(law.friction, i, 0);
+    bounds(1, i) =
+        value_or(law.slip_bound.size() > 0 ? law.slip_bound : law.shear_limit,
+                 i, std::numeric_limits<double>::infinity());
+    state(0, i) = static_cast<double>(nodes.state[i]);
+  }
+  std::vector<VtuField> fields = {{"state", state}};
+  const std::array<std::pair<const char*, const VectorXd*>, 10> own = {
+      {{"pn", &nodes.pn},
+       {"pt1", &nodes.pt1},
+       {"pt2", &nodes.pt2},
+       {"fx", &nodes.fx},
+       {"fy", &nodes.fy},
+       {"fz", &nodes.fz},
+       {"fn", &nodes.fn},
+       {"gap", &nodes.gap},
+       {"slip1", &nodes.slip1},
+       {"slip2", &nodes.slip2}}};
+  for (const auto& [name, values] : own)
+    fields.push_back({name, values->transpose()});
+  fields.push_back({"friction", bounds.row(0)});
+  fields.push_back({"limit", bounds.row(1)});
+  if (!solved.estimate) return fields;
+  const std::array names = {"rn", "rt1", "rt2"};
+  for (int c = 0; c < 3; ++c)
+    fields.push_back({names[c], solved.estimate->tractions.row(c)});
+  return fields;
+}
+
+void write_nodes(const fs::path& file, long step, const SolidProblem& problem,
+                 const SolvedSolid& solved,
+                 const std::vector<VtuField>& fields) {
+  TextFile text(file);
+  text << "# step " << step << " law "
+       << (solved.law.slip_bound.size() > 0 ? "tresca" : "coulomb");
+  if (solved.estimate)
+    text << " eps " << solved.estimate->relative << " e " << solved.estimate->e;
+  text << "\n# x y z ux uy uz nx ny nz";
+  for (const VtuField& field : fields) text << " " << field.name;
+  text << "\n";
+  const Matrix3Xd places = problem.places();
+  for (int i = 0; i < problem.surface.node_count(); ++i) {
+    const Vector3d u =
+        solved.solution.displacement.segment<3>(3 * problem.surface.vertex[i]);
+    text << places(0, i) << " " << places(1, i) << " " << places(2, i);
+    for (const Vector3d& of_node : {u, Vector3d(problem.surface.normal.col(i))})
+      for (const double component : of_node) text << " " << component;
+    for (const VtuField& field : fields) text << " " << field.values(0, i);
+    text << "\n";
+  }
+  text.close();
+}
+
+/// Faces whose vertices are all nodes.
+void write_surface(const fs::path& file, const SolidProblem& problem,
+                   const SolvedSolid& solved, std::vector<VtuField> fields) {
+  std::vector<Vector3i> faces;
+  for (int m = 0; m < problem.surface.face_count(); ++m)
+    if (problem.surface.face_node.col(m).minCoeff() >= 0)
+      faces.emplace_back(problem.surface.face_node.col(m));
+  VtuCells cells;
+  cells.points = problem.places();
+  cells.corners = packed(faces);
+  MatrixXd displacement(3, cells.points.cols());
+  for (Index i = 0; i < displacement.cols(); ++i)
+    displacement.col(i) =
+        solved.solution.displacement.segment<3>(3 * problem.surface.vertex[i]);
+  fields.push_back({"displacement", displacement});
+  cells.on_points = std::move(fields);
+  write_vtu(file, cells);
+}
+
+}  // namespace
+
+void write_pictures(const fs::path& folder, long step,
+                    const SolidProblem& problem, const SolvedSolid& solved) {
+  make_picture_folder(folder, step);
+  const std::vector<VtuField> fields = nodal_fields(problem, solved);
+  write_nodes(folder / ("contact" + std::to_string(step) + ".txt"), step,
+              problem, solved, fields);
+  write_surface(folder / picture_file("surface", step, 0), problem, solved,
+                fields);
+  for (int body = 0; body < problem.body_count(); ++body) {
+    const VtuCells cells = body_cells(problem, solved, body);
+    write_vtu(folder / picture_file("step", step, body), cells);
+    write_gmsh_fields(folder / picture_file("step", step, body, ".msh"),
+                      *problem.fem_meshes[body], cells);
+  }
+  if (!solved.estimate) return;
+  const SolidTopology topology = topology_of(problem.mesh);
+  for (int body = 0; body < problem.body_count(); ++body)
+    write_stress(folder / picture_file("stress", step, body), problem, topology,
+                 solved, body);
+}
+
+}  // namespace ffcontact::plugin

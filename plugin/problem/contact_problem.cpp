@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/appended.hpp"
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/checks/compliance_ratio.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/interface/faceted_curves.hpp"
+#include "ffcontact/interface/fitted_line.hpp"
+#include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/pairing/facing_line.hpp"
+//
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "problem/contact_problem.hpp"
+#include "problem/doubtful_curve.hpp"
+
+namespace ffcontact::plugin {
+
+Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
+  return named.choice(
+      stack, "multiplier", Multiplier::force,
+      {{"pressure", Multiplier::pressure}, {"force", Multiplier::force}});
+}
+
+ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
+                               const std::vector<pmesh>& meshes)
+    : PlaneBodies(meshes), topology_{joined.mesh, edges_of(joined.mesh), {}} {
+  previous_ = stated_previous(stack, named, *this);
+  state(stack, named);
+}
+
+ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
+                               JoinedMesh whole,
+                               const PlacesElsewhere<2>& elsewhere,
+                               VectorXd previous)
+    : PlaneBodies(std::move(whole)),
+      topology_{joined.mesh, edges_of(joined.mesh), {}},
+      elsewhere_(&elsewhere),
+      previous_(std::move(previous)) {
+  state(stack, named);
+  elsewhere_ = nullptr;
+}
+
+void ContactProblem::state(Stack stack, const NamedArguments& named) {
+  for (const StatedPair& pair : stated_pairs(stack, named, joined))
+    add_pair(stack, named, pair);
+  join_carriers();
+}
+
+const Topology& ContactProblem::topology() const {
+  if (topology_.stars.triangle_start.empty())
+    topology_.stars = stars_of(topology_.mesh, topology_.edges);
+  return topology_;
+}
+
+/// A curve that turns has one contact direction where the gap is the smallest.
+ContactLine ContactProblem::own_line(Stack stack, const NamedArguments& named,
+                                     const StatedPair& pair) const {
+  const BodyPart body = part(pair.body, elsewhere_);
+  ContactLine line = stated_line(stack, named, body, mesh, edges, pair.labels);
+  if (named.given("normal") || !turns(line)) return line;
+  const Expression gap = named.expression("gap");
+  const VectorXd distance =
+      gap || pair.rigid() ? at_nodes(stack, gap, body, edges, line,
+                                     stated_places(line, false), 0)
+                          : facing_traces(mesh, edges, line, pair.opposite).gap;
+  return with_one_direction_a_curve(mesh, edges, std::move(line), distance);
+}
+
+void ContactProblem::require_one_side(const StatedPair& pair,
+                                      const ContactLine& own) const {
+  if (!must_not_face_itself(pair)) return;
+  const std::optional<TouchingPlace> touching =
+      touching_place(mesh, edges, own, pair.labels);
+  if (touching)
+    refuse_both_sides(mesh.boundary_label[edges.boundary_index[touching->edge]],
+                      in_words(Vector2d(mesh.origin + touching->place)));
+}
+
+/// Once for all pairs.
+void ContactProblem::warn_of_polygon(int body, const ContactLine& own) {
+  if (has_polygonal_curve) return;
+  const auto curves = faceted_curves(mesh, edges, own);
+  if (curves.empty()) return;
+  has_polygonal_curve = true;
+  const int edge = curves.front().edge;
+  warn_of_curve(joined, body, edges.vertices(0, edge),
+                edges.boundary_index[edge],
+                ", but fits what it faces, is hollow, or turns too far from it "
+                "to have one contact direction: its " +
+                    std::to_string(curves.front().edges) +
+                    " edges are taken for a polygon, which locks sliding and "
+                    "makes pressures up to several times too high on any mesh; "
+                    "give the curve's normal=[nx, ny], and the exact gap=");
+}
+
+/// Once for all pairs.
+void ContactProblem::warn_of_gap(int body, const ContactLine& own,
+                                 const std::vector<FacingPiece>& pieces) {
+  if (has_polygonal_curve) return;
+  const auto fitted = edge_of_fitted_line(mesh, edges, own, pieces);
+  if (!fitted) return;
+  has_polygonal_curve = true;
+  warn_of_curve(joined, body, edges.vertices(0, fitted->edge),
+                edges.boundary_index[fitted->edge],
+                " and fits what it faces: its gap is read between straight "
+                "edges, which is wrong by their heights over their chords, " +
+                    in_digits(fitted->sagitta) +
+                    " mm here, and makes pressures too high; give the exact "
+                    "gap= beside normal=");
+}
+
+void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
+                              const StatedPair& pair) {
+  const ContactLine own = own_line(stack, named, pair);
+  require_one_side(pair, own);
+  if (!named.given("normal")) warn_of_polygon(pair.body, own);
+  if (!pair.rigid()) {
+    add_facing_pair(stack, named, pair, own);
+    return;
+  }
+  pairs_.push_back({true, 1, carrier(stack, named, pair.body, own, own, false),
+                    std::nullopt});
+}
+
+void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
+                                     const StatedPair& stated,
+                                     const ContactLine& own) {
+  const int wanted = wanted_side(stack, named, count_of(pairs_),
+                                 std::max(1, body_count() - 1));
+  const FacingTraces traces = facing_traces(mesh, edges, own, stated.opposite);
+  if (named.given("normal") && !named.given("gap"))
+    warn_of_gap(stated.body, own, traces.pieces);
+  const ContactLine facing = facing_line(mesh, edges, own, traces);
+  std::optional<ContactLine> exchanged;
+  if (wanted != 1)
+    exchanged = exchanged_line(mesh, edges, facing, stated.opposite);
+  if (!exchanged && wanted == 2)
+    refuse(
+        "side=2: the other body cannot carry the multipliers, as two parts of "
+        "the first one's line face the same part of it; give one contact "
+        "direction with normal=[nx, ny], or side=1");
+  Pair pair{false, wanted,
+            carrier(stack, named, stated.body, own, facing, false),
+            std::nullopt};
+  if (exchanged)
+    pair.other = carrier(stack, named, stated.body, own, *exchanged, true);
+  pairs_.push_back(std::move(pair));
+}
+
+ContactProblem::Carrier ContactProblem::carrier(
+    Stack stack, const NamedArguments& named, int body,
+    const ContactLine& stated, ContactLine line, bool on_opposite) const {
+  const StatedPlaces places = stated_places(line, on_opposite);
+  StatedAbscissae at = stated_abscissae(edges, stated, line, places);
+  Carrier result;
+  for (int vertex : at.vertex)
+    result.own_vertex.push_back(vertex - joined.first_vertex[body]);
+  result.abscissa = std::move(at.node);
+  result.edge_abscissa = std::move(at.edge_end);
+  result.law =
+      stated_law(stack, named, part(body, elsewhere_), edges, line, places);
+  result.line = std::move(line);
+  return result;
+}
+
+void ContactProblem::choose_sides(const ElasticSystem& system) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (pairs_[k].rigid || pairs_[k].wanted != 0 || !pairs_[k].other) continue;
+    const double ratio =
+        compliance_ratio(mesh, edges, pairs_[k].own.line, system);
+    side[k] = ratio > much_softer ? 2 : 1;
+  }
+  join_carriers();
+}
+
+void ContactProblem::clear_line() {
+  law = {};
+  first_node = {0};
+  own_vertex.clear();
+  abscissa.resize(0);
+  edge_abscissa.resize(2, 0);
+  own_normal.resize(2, 0);
+}
+
+/// But for the line itself, whose n points out of the body that carries the multipliers.
+void ContactProblem::append_carrier(const Carrier& carrier, bool on_opposite) {
+  own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
+                    carrier.own_vertex.end());
+  first_node.push_back(count_of(own_vertex));
+  append(carrier.abscissa, abscissa);
+  append(carrier.edge_abscissa, edge_abscissa);
+  const Matrix2Xd& normal = carrier.line.normal;
+  append(on_opposite ? Matrix2Xd(-normal) : normal, own_normal);
+  for (VectorXd ContactLaw::*nodal :
+       {&ContactLaw::friction, &ContactLaw::slip_bound,
+        &ContactLaw::shear_limit, &ContactLaw::gap})
+    append(carrier.law.*nodal, law.*nodal);
+  for (EdgeRange ContactLaw::*range :
+       {&ContactLaw::between_nodes, &ContactLaw::limit_between_nodes}) {
+    append((carrier.law.*range).least, (law.*range).least);
+    append((carrier.law.*range).most, (law.*range).most);
+  }
+}
+
+void ContactProblem::join_carriers() {
+  if (side.empty())
+    for (const Pair& pair : pairs_)
+      if (!pair.rigid) side.push_back(std::max(1, pair.wanted));
+  clear_line();
+  std::vector<ContactLine> lines;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const bool on_other = !pairs_[k].rigid && side[k] == 2;
+    const Carrier& carrier = on_other ? *pairs_[k].other : pairs_[k].own;
+    lines.push_back(carrier.line);
+    append_carrier(carrier, on_other);
+  }
+  line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
+  if (previous_.size() > 0)
+    law.previous = contact_components(line, previous_).row(1);
+  require_valid(law, line);
+}
+
+Matrix2Xd ContactProblem::pressures(KN<double>* normal,
+                                    KN<double>* tangential) const {
+  if (!side.empty() && normal->N() != line.node_count())
+    refuse("pn has size ", normal->N(),
+           " but the line that carries the multipliers has ", line.node_count(),
+           " nodes: state the side= that pn belongs to");
+  require_size("pn", normal->N(), line.node_count());
+  require_size("pt", tangential->N(), line.node_count());
+  Matrix2Xd pressure(2, line.node_count());
+  pressure.row(0) = vector_of(normal).transpose();
+  pressure.row(1) = vector_of(tangential).transpose();
+  return pressure;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problem/contact_statement.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/interface/line_ends.hpp"
+//
+#include "freefem/views.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// What is stated for each body.
+const NamedArguments::Table stated_of_bodies = {
+    {"label", &typeid(KN_<long>)},
+    {"previous", &typeid(KN<double>*)},
+    {"vertexnumbers", &typeid(KN_<long>)},
+    {"cellnumbers", &typeid(KN_<long>)}};
+
+VectorXd stated_gap(Stack stack, const NamedArguments& named,
+                    const BodyPart& part, const Edges& edges,
+                    const ContactLine& line, const StatedPlaces& places) {
+  if (const Expression given = named.expression("gap"))
+    return at_nodes(stack, given, part, edges, line, places, 0);
+  if (!line.against_a_body()) return {};
+  return facing_gap(line);
+}
+
+/// @throws std::invalid_argument  if neither friction= nor slipbound= is given
+void require_law(const NamedArguments& named) {
+  if (!named.given("friction") && !named.given("slipbound"))
+    refuse(
+        "no law is given: friction= (Coulomb's coefficient, 0 for none), "
+        "slipbound= (Tresca's bound), or both");
+}
+
+/// @param label  in the joined mesh
+template <int dim>
+bool has_label(const JoinedBodies<dim>& joined, int body, int label) {
+  const int first = joined.first_boundary[body],
+            count = joined.first_boundary[body + 1] - first;
+  const auto labels = joined.mesh.boundary_label.segment(first, count);
+  return (labels.array() == label).any();
+}
+
+/// The labels of one body in the joined mesh's numbering.
+template <int dim>
+std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
+                               const std::string& name,
+                               const JoinedBodies<dim>& joined, int body) {
+  std::vector<int> labels = named.integers(stack, name);
+  if (joined.body_count() > 1 && labels.empty()) refuse(name, "= is not given");
+  for (int& label : labels) {
+    const int own = std::exchange(label, joined.label(body, label));
+    if (joined.body_count() > 1 && !has_label(joined, body, label))
+      refuse(name, " is ", own, ", which is on no boundary ",
+             MeshWords<dim>::facet, " of mesh ", body + 1);
+  }
+  return labels;
+}
+
+/// The labels of one body that face the one before it and the one after it.
+struct LabelsOfBody {
+  std::vector<int> towards_last, towards_next;
+};
+
+/// Those of label1=, label2=, ...
+template <int dim>
+std::vector<LabelsOfBody> labels_of_bodies(Stack stack,
+                                           const NamedArguments& named,
+                                           const JoinedBodies<dim>& joined) {
+  const int bodies = joined.body_count();
+  std::vector<LabelsOfBody> labels;
+  for (int k = 0; k < bodies; ++k) {
+    const std::vector<int> own = joined_labels(
+        stack, named, name_of_body("label", k, bodies), joined, k);
+    const bool between = k > 0 && k + 1 < bodies;
+    if (between && own.size() != 2)
+      refuse("label", k + 1, " must be two labels: the first faces body ", k,
+             ", the second body ", k + 2);
+    if (between)
+      labels.push_back({{own[0]}, {own[1]}});
+    else
+      labels.push_back({own, own});
+  }
+  return labels;
+}
+
+/// Of a single body.
+template <int dim>
+StatedPair stated_pair(Stack stack, const NamedArguments& named,
+                       const JoinedBodies<dim>& joined) {
+  StatedPair pair{0, joined_labels(stack, named, "label", joined, 0),
+                  joined_labels(stack, named, "opposite", joined, 0)};
+  if (pair.rigid() && named.given("side"))
+    refuse(
+        "side= is for bodies that face each other, not for a rigid foundation");
+  return pair;
+}
+
+}  // namespace
+
+NamedArguments::Table statement_table(const basicAC_F0& arguments) {
+  NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
+  table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
+                             {"friction", &typeid(double)},
+                             {"slipbound", &typeid(double)},
+                             {"gap", &typeid(double)},
+                             {"normal", &typeid(E_Array)},
+                             {"side", &typeid(KN_<long>)},
+                             {"comm", &typeid(pcommworld)}});
+  return table;
+}
+
+template <int dim>
+std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
+                                     const JoinedBodies<dim>& joined) {
+  const int bodies = joined.body_count();
+  require_names_of_bodies(named, stated_of_bodies, bodies);
+  require_law(named);
+  if (bodies > 1 && named.given("opposite"))
+    refuse("opposite= is given, but the contact has ", bodies, " meshes");
+  if (bodies == 1) return {stated_pair(stack, named, joined)};
+  const std::vector<LabelsOfBody> labels =
+      labels_of_bodies(stack, named, joined);
+  std::vector<StatedPair> pairs;
+  for (int k = 0; k + 1 < bodies; ++k)
+    pairs.push_back({k, labels[k].towards_next, labels[k + 1].towards_last});
+  return pairs;
+}
+
+template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
+                                              const JoinedMesh&);
+template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
+                                              const JoinedSolids&);
+
+bool must_not_face_itself(const StatedPair& pair) {
+  const auto is_label = [&](int opposite) {
+    return std::find(pair.labels.begin(), pair.labels.end(), opposite) !=
+           pair.labels.end();
+  };
+  return pair.rigid() ||
+         std::any_of(pair.opposite.begin(), pair.opposite.end(), is_label);
+}
+
+void refuse_both_sides(int label, const std::string& place) {
+  refuse("label ", label, " is on two sides that lie on each other, as at ",
+         place,
+         ": give them two labels, label= for one and opposite= for the other");
+}
+
+VectorXd stated_previous(Stack stack, const NamedArguments& named,
+                         const BodyDofs& bodies) {
+  VectorXd previous = VectorXd::Zero(bodies.dof_count());
+  bool any = false;
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    const std::string name = name_of_body("previous", k, bodies.body_count());
+    const Expression expression = named.expression(name);
+    KN<double>* u =
+        expression ? value_of<KN<double>*>(stack, expression) : nullptr;
+    if (!u || u->N() == 0) continue;
+    bodies.require_dofs(name.c_str(), k, u->N());
+    previous.segment(bodies.first_dof(k), bodies.dof_count(k)) = vector_of(u);
+    any = true;
+  }
+  return any ? previous : VectorXd();
+}
+
+ContactLine stated_line(Stack stack, const NamedArguments& named,
+                        const BodyPart& part, const Mesh& mesh,
+                        const Edges& edges, const std::vector<int>& labels) {
+  if (!named.given("normal")) return curved_contact_line(mesh, edges, labels);
+  const ContactLine line = smooth_contact_line(mesh, edges, labels);
+  Matrix2Xd direction(2, line.node_count());
+  for (int c = 0; c < 2; ++c)
+    direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part,
+                                edges, line, stated_places(line, false), 0)
+                           .transpose();
+  return along_directions(mesh, edges, line, direction);
+}
+
+ContactLaw stated_law(Stack stack, const NamedArguments& named,
+                      const BodyPart& part, const Edges& edges,
+                      const ContactLine& line, const StatedPlaces& places) {
+  const auto read = [&](const char* name, VectorXd& nodal,
+                        EdgeRange& between_nodes) {
+    const Expression given = named.expression(name);
+    nodal = at_nodes(stack, given, part, edges, line, places, 0);
+    if (given)
+      between_nodes =
+          enclosing_range(along_edges(stack, given, part, edges, places));
+  };
+  const bool both = named.given("friction") && named.given("slipbound");
+  ContactLaw law;
+  read("friction", law.friction, law.between_nodes);
+  if (both)
+    read("slipbound", law.shear_limit, law.limit_between_nodes);
+  else if (named.given("slipbound"))
+    read("slipbound", law.slip_bound, law.between_nodes);
+  law.gap = stated_gap(stack, named, part, edges, line, places);
+  return law;
+}
+
+int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
+  if (!named.given("side")) return 0;
+  const std::vector<int> sides = named.integers(stack, "side");
+  if (sides.size() != 1 && count_of(sides) != pairs)
+    refuse("side has ", sides.size(),
+           " values: give one, or one for each of the ", pairs,
+           " pairs of bodies");
+  const int side = sides.size() == 1 ? sides[0] : sides[pair];
+  if (side != 1 && side != 2)
+    refuse(
+        "side must be 1 (the body that comes first carries the multipliers) or "
+        "2 (the other one), got ",
+        side);
+  return side;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/estimate/solid_estimate.hpp"
+//
+#include "problem/nodal_results.hpp"
+#include "problem/solid_problem.hpp"
+
+namespace ffcontact::plugin {
+
+/// A solution with the system it belongs to.
+struct SolvedSolid {
+  std::shared_ptr<const ElasticSystem> system;
+  SurfaceLaw law;  ///< with u_t of the load step before
+  SurfaceSolution solution;
+  SolidResults nodes;
+  /// what contacterror made of it last, and of what; null before
+  std::shared_ptr<const SolidEstimate> estimate;
+  std::shared_ptr<const ffcontact::SolvedSolid> judged;
+};
+
+/// States of nodes and where they are.
+struct PlacedStates {
+  ContactStates state;
+  Matrix3Xd place, normal;  ///< [3 x p]
+};
+
+/// The contact of solids, as a variable of the script holds it.
+struct SolidContact {
+  std::shared_ptr<SolidProblem> problem;  ///< null until it is stated
+  std::optional<SolvedSolid> solved;
+  PlacedStates last;  ///< of the last solution: the next one starts from them
+};
+
+}  // namespace ffcontact::plugin

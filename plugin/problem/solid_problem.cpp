@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problem/solid_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "ffcontact/base/appended.hpp"
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/checks/compliance_ratio.hpp"
+#include "ffcontact/interface/fitted_surface.hpp"
+#include "ffcontact/interface/joined_surfaces.hpp"
+#include "ffcontact/interface/pairing/matching_faces.hpp"
+//
+#include "problem/doubtful_curve.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// The other side carries the multipliers of as much of the surface as this at least.
+constexpr double as_much = 0.9;
+
+}  // namespace
+
+SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
+                           const std::vector<pmesh3>& meshes)
+    : SolidBodies(meshes) {
+  previous_ = stated_previous(stack, named, *this);
+  state(stack, named);
+}
+
+SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
+                           JoinedSolids whole,
+                           const PlacesElsewhere<3>& elsewhere,
+                           VectorXd previous)
+    : SolidBodies(std::move(whole)),
+      elsewhere_(&elsewhere),
+      previous_(std::move(previous)) {
+  state(stack, named);
+  elsewhere_ = nullptr;
+}
+
+void SolidProblem::state(Stack stack, const NamedArguments& named) {
+  for (const StatedPair& pair : stated_pairs(stack, named, joined))
+    add_pair(stack, named, pair);
+  join_carriers();
+}
+
+ContactSurface SolidProblem::stated_surface(
+    Stack stack, const NamedArguments& named, int body,
+    const std::vector<int>& labels) const {
+  ContactSurface own = contact_surface(mesh, faces, labels);
+  if (!named.given("normal")) return own;
+  const std::vector<FacePlace> places = places_of_nodes(own);
+  Matrix3Xd direction = Matrix3Xd::Zero(3, mesh.vertices.cols());
+  for (int c = 0; c < 3; ++c) {
+    const VectorXd values = at_places(stack, named.component("normal", c, 3),
+                                      part(body, elsewhere_), places, 0);
+    for (int i = own.node_count() - 1; i >= 0; --i)
+      direction(c, own.vertex[i]) = values[i];
+  }
+  return surface_along(mesh, faces, labels, direction);
+}
+
+void SolidProblem::require_one_side(const StatedPair& stated,
+                                    const ContactSurface& whole) const {
+  if (!must_not_face_itself(stated)) return;
+  const int touching = touching_face(mesh, faces, whole, stated.labels);
+  if (touching < 0) return;
+  const Vector3d middle =
+      facet_points<3>(mesh, faces.vertices.col(touching)).rowwise().mean();
+  refuse_both_sides(mesh.boundary_label[faces.boundary_index[touching]],
+                    in_words(Vector3d(mesh.origin + middle)));
+}
+
+/// Do faces face each other one by one? Their gap is as exact as their vertices then.
+bool SolidProblem::all_match(const Pair& pair) const {
+  ContactSurface surface = pair.whole;
+  surface.polygons = pair.polygons;
+  const std::vector<MatchingFace> matches =
+      matching_faces(mesh, faces, surface);
+  return std::all_of(matches.begin(), matches.end(),
+                     [](const MatchingFace& match) { return match.face >= 0; });
+}
+
+/// Once for all pairs.
+void SolidProblem::warn_of_fit(int body, const Pair& pair, bool has_normals) {
+  if (fits || (has_normals && all_match(pair))) return;
+  const auto spot =
+      node_of_fitted_surface(mesh, faces, pair.whole, pair.polygons);
+  if (!spot) return;
+  fits = true;
+  warn_of_curve(
+      joined, body, pair.whole.vertex[spot->node],
+      faces.boundary_index[pair.whole.face[spot->face]],
+      has_normals
+          ? " and fits what it faces: its gap is read between flat faces, "
+            "which makes pressures too high; give the exact gap= beside "
+            "normal="
+          : " and fits what it faces: mean normals of its faces and gaps of "
+            "the flat ones make pressures up to several times too high on any "
+            "mesh; give the surface's normal=[nx, ny, nz], and the exact gap=");
+}
+
+void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
+                            const StatedPair& stated) {
+  Pair pair;
+  pair.whole = stated_surface(stack, named, stated.body, stated.labels);
+  require_one_side(stated, pair.whole);
+  if (!stated.rigid())
+    pair.polygons = facing_polygons(mesh, faces, pair.whole, stated.opposite);
+  const bool has_normals = named.given("normal");
+  if (!named.given("gap") && !(has_normals && stated.rigid()))
+    warn_of_fit(stated.body, pair, has_normals);
+  if (!stated.rigid()) {
+    add_facing_pair(stack, named, stated, std::move(pair));
+    return;
+  }
+  pair.own = carrier(stack, named, stated.body, {pair.whole, {}},
+                     places_of_nodes(pair.whole));
+  pairs_.push_back(std::move(pair));
+}
+
+void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
+                                   const StatedPair& stated, Pair pair) {
+  pair.wanted = wanted_side(stack, named, count_of(pairs_),
+                            std::max(1, body_count() - 1));
+  FacingSurface facing = facing_surface(mesh, faces, pair.whole, pair.polygons);
+  const std::vector<FacePlace> places = places_of_nodes(facing.surface);
+  pair.own = carrier(stack, named, stated.body, std::move(facing), places);
+  if (pair.wanted == 2)
+    pair.other = exchanged(stack, named, stated);
+  else if (pair.wanted == 0)
+    pair.other = as_good(pair.own, stack, named, stated);
+  pairs_.push_back(std::move(pair));
+}
+
+/// Contact directions are those of the first body, turned.
+SolidProblem::Carrier SolidProblem::exchanged(Stack stack,
+                                              const NamedArguments& named,
+                                              const StatedPair& stated) const {
+  ContactSurface whole = contact_surface(mesh, faces, stated.opposite);
+  std::vector<FacingPolygon> polygons =
+      facing_polygons(mesh, faces, whole, stated.labels);
+  if (named.given("normal")) {
+    const FacingSurface first = facing_surface(mesh, faces, whole, polygons);
+    const std::vector<FacePlace> places =
+        places_faced(first.surface, whole, polygons);
+    Matrix3Xd direction = Matrix3Xd::Zero(3, mesh.vertices.cols());
+    for (int i = 0; i < whole.node_count(); ++i)
+      direction.col(whole.vertex[i]) = whole.normal.col(i);
+    for (int c = 0; c < 3; ++c) {
+      const VectorXd values =
+          at_places(stack, named.component("normal", c, 3),
+                    part(stated.body, elsewhere_), places, 0);
+      for (int i = 0; i < first.surface.node_count(); ++i)
+        direction(c, first.surface.vertex[i]) = -values[i];
+    }
+    whole = surface_along(mesh, faces, stated.opposite, direction);
+    polygons = facing_polygons(mesh, faces, whole, stated.labels);
+  }
+  FacingSurface facing = facing_surface(mesh, faces, whole, polygons);
+  const std::vector<FacePlace> places =
+      places_faced(facing.surface, whole, polygons);
+  return carrier(stack, named, stated.body, std::move(facing), places);
+}
+
+/// The other side, if it can carry the multipliers and of as much of the surface.
+std::optional<SolidProblem::Carrier> SolidProblem::as_good(
+    const Carrier& own, Stack stack, const NamedArguments& named,
+    const StatedPair& stated) const {
+  try {
+    Carrier other = exchanged(stack, named, stated);
+    if (other.surface.area.sum() >= as_much * own.surface.area.sum())
+      return other;
+  } catch (const Refusal&) {  // what stands against it
+  }
+  return std::nullopt;
+}
+
+/// @param places  of the nodes on the body that comes first, or of what they face there
+SolidProblem::Carrier SolidProblem::carrier(
+    Stack stack, const NamedArguments& named, int body, FacingSurface facing,
+    const std::vector<FacePlace>& places) const {
+  const auto read = [&](const char* name) {
+    return at_places(stack, named.expression(name), part(body, elsewhere_),
+                     places, 0);
+  };
+  Carrier result;
+  result.law.friction = read("friction");
+  if (named.given("slipbound"))
+    (named.given("friction") ? result.law.shear_limit : result.law.slip_bound) =
+        read("slipbound");
+  if (named.given("gap")) facing.gap = read("gap");
+  result.law.gap = facing.gap;
+  result.surface = std::move(facing.surface);
+  for (const FacePlace& place : places) {
+    Index nearest;
+    place.coordinates.maxCoeff(&nearest);
+    result.own_vertex.push_back(faces.vertices(nearest, place.face) -
+                                joined.first_vertex[body]);
+  }
+  return result;
+}
+
+void SolidProblem::choose_sides(const ElasticSystem& system) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const Pair& pair = pairs_[k];
+    if (pair.wanted != 0 || !pair.other) continue;
+    const double ratio =
+        compliance_ratio(mesh, faces, pair.whole, pair.polygons, system);
+    side[k] = ratio > much_softer ? 2 : 1;
+  }
+  join_carriers();
+}
+
+/// But for the surface itself.
+void SolidProblem::append_carrier(const Carrier& carrier) {
+  own_vertex.insert(own_vertex.end(), carrier.own_vertex.begin(),
+                    carrier.own_vertex.end());
+  first_node.push_back(count_of(own_vertex));
+  for (VectorXd SurfaceLaw::*nodal :
+       {&SurfaceLaw::friction, &SurfaceLaw::slip_bound,
+        &SurfaceLaw::shear_limit, &SurfaceLaw::gap})
+    append(carrier.law.*nodal, law.*nodal);
+}
+
+void SolidProblem::join_carriers() {
+  if (side.empty())
+    for (const Pair& pair : pairs_)
+      if (!pair.polygons.empty()) side.push_back(std::max(1, pair.wanted));
+  law = {};
+  own_vertex.clear();
+  first_node = {0};
+  std::vector<ContactSurface> surfaces;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const bool on_other = !pairs_[k].polygons.empty() && side[k] == 2;
+    const Carrier& carrier = on_other ? *pairs_[k].other : pairs_[k].own;
+    surfaces.push_back(carrier.surface);
+    append_carrier(carrier);
+  }
+  surface = joined_surfaces(surfaces);
+  if (previous_.size() > 0)
+    law.previous = contact_components(surface, previous_).bottomRows<2>();
+  require_valid(law, surface);
+}
+
+Matrix3Xd SolidProblem::places() const {
+  return mesh.vertices(Eigen::all, surface.vertex).colwise() + mesh.origin;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/plane_solve.hpp"
+
+#include <utility>
+
+#include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/law/nodal_pressures.hpp"
+//
+#include "problem/coulomb.hpp"
+#include "problem/result_names.hpp"
+#include "solve/solve_report.hpp"
+#include "solve/stated_tool.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// F = F_n n + F_t t with t = (-n_y, n_x): whose n and t it is makes no difference to F_n
+/// and F_t, n and t of the body that comes first make it the force on that body.
+void put_vectors(const Matrix2Xd& normal, NodalResults& results) {
+  const Eigen::ArrayXd nx = normal.row(0), ny = normal.row(1);
+  results.fx = results.fn.array() * nx - results.ft.array() * ny;
+  results.fy = results.fn.array() * ny + results.ft.array() * nx;
+}
+
+/// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
+/// lengths.
+NodalResults nodal_results(const ContactProblem& problem, const ContactLaw& law,
+                           const Flags& prescribed,
+                           const ContactSolution& solution) {
+  const ContactLine& line = problem.line;
+  const Matrix2Xd pressure =
+      law.multiplier == Multiplier::pressure
+          ? solution.pressure
+          : lumped_pressures(line, prescribed, solution.force);
+  const Matrix2Xd moved =
+      displacement_against_foundation(line, law, solution.displacement);
+  NodalResults results;
+  results.pn = pressure.row(0);
+  results.pt = pressure.row(1);
+  results.fn = solution.force.row(0);
+  results.ft = solution.force.row(1);
+  put_vectors(problem.own_normal, results);
+  results.gap = -moved.row(0);
+  results.slip = moved.row(1);
+  results.state = state_numbers(solution.state);
+  return results;
+}
+
+/// u_t against the foundation, which is where its tool has left it.
+VectorXd slid(const ContactProblem& problem, const SolvedContact& solved) {
+  const VectorXd along =
+      contact_components(problem.line, solved.solution.displacement).row(1);
+  return solved.tool.size() > 0 ? VectorXd(along - solved.tool) : along;
+}
+
+/// Against a foundation that stays, or that its tool moves.
+void solve(const SolveCall& call, const ContactProblem& problem,
+           const ContactSettings& settings, SolvedContact& solved) {
+  const ContactLine& line = problem.line;
+  const auto tool = stated_tool(call, problem.mesh.origin);
+  if (!tool) {
+    solved.solution =
+        solve_contact(problem.mesh, line, solved.law, *solved.system, settings);
+    return;
+  }
+  ToolSolution with_tool = solve_contact_with_tool(
+      problem.mesh, line, solved.law, *solved.system, *tool, settings);
+  solved.law = std::move(with_tool.law);
+  solved.solution = std::move(with_tool.solution);
+  solved.tool =
+      tool_components(problem.mesh, line, *tool, with_tool.motion).row(1);
+  solved.motion = with_tool.motion;
+  solved.driven = tool;
+}
+
+ContactLaw law_of(const SolveCall& call, const Contact& contact) {
+  ContactLaw law = contact.problem->law;
+  law.multiplier = multiplier_of(call.stack, call.named);
+  if (!call.named.flag(call.stack, "loadstep")) return law;
+  if (contact.solved)
+    law.previous = slid(*contact.problem, *contact.solved);
+  else if (!contact.last_states.empty() && law.previous.size() == 0)
+    refuse_load_step();
+  return law;
+}
+
+ContactSettings settings_of(const SolveCall& call, const Contact& contact,
+                            const ElasticSystem& system) {
+  ContactLine stated = contact.problem->line;
+  stated.abscissa = contact.problem->abscissa;
+  ContactSettings settings = settings_of(
+      call, states_at(stated, contact.last_abscissa, contact.last_states), 2);
+  if (settings.storage == SchurStorage::distributed)
+    refuse(
+        "schur=\"distributed\" is for solids: lines of plane bodies have few "
+        "contact dofs");
+  if (contact.solved && is_same(*contact.solved->system, system))
+    settings.stiffness = contact.solved->solution.stiffness;
+  return settings;
+}
+
+}  // namespace
+
+void put(const SolveCall& call, const std::vector<long>& own_vertex,
+         const VectorXd& abscissa, const NodalResults& nodes) {
+  put(call, own_vertex, nodes);
+  call.named.put(call.stack, "abscissa", abscissa);
+}
+
+long solve_plane(const SolveCall& call, Contact& contact) {
+  require_plane_results(call.named);
+  ContactProblem& problem = *contact.problem;
+  SolvedContact solved;
+  solved.system = std::make_shared<const ElasticSystem>(
+      system_of(call, problem, problem.mesh));
+  const ElasticSystem& system = *solved.system;
+  // and stays: what a solution left belongs to its line
+  if (!contact.solved) problem.choose_sides(system);
+  solved.law = law_of(call, contact);
+  const ContactSettings settings = settings_of(call, contact, system);
+  try {
+    solve(call, problem, settings, solved);
+  } catch (const NoEquilibrium& none) {
+    answer_no_equilibrium(call, problem.joined.first_vertex, none);
+    return 0;
+  }
+  const ContactSolution& solution = solved.solution;
+  if (!solution.accepted(settings) && !call.named.given("status"))
+    refuse_solution(
+        answer_of(solution),
+        advice_on_held(problem.joined.first_vertex, problem.line, system));
+
+  write_displacement(call, problem, solution.displacement);
+  solved.nodes =
+      nodal_results(problem, solved.law, system.prescribed, solution);
+  put(call, problem.own_vertex, problem.abscissa, solved.nodes);
+  call.named.put(call.stack, "tool", solved.motion);
+  put(call, answer_of(solution));
+  report_solution(call, problem, problem.side, answer_of(solution));
+  report_friction(call.verbosity(), problem, solved);
+  contact.last_states = solution.state;
+  contact.last_abscissa = problem.abscissa;
+  contact.solved = std::move(solved);
+  return contact.solved->solution.iterations;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solve/solid_solve.hpp"
+
+#include <utility>
+
+#include "ffcontact/base/require.hpp"
+//
+#include "problem/contact_type.hpp"
+#include "problem/result_names.hpp"
+#include "solve/solve_report.hpp"
+#include "solve/stated_tool.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// The forces along x, y, z [3 x p].
+Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
+  Matrix3Xd vectors(3, surface.node_count());
+  for (int i = 0; i < surface.node_count(); ++i)
+    vectors.col(i) = surface.frame(i) * force.col(i);
+  return vectors;
+}
+
+SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
+                           const SurfaceSolution& solution) {
+  const Matrix3Xd& force = solution.force;
+  const Matrix3Xd pressure = force * surface.area.cwiseInverse().asDiagonal();
+  const Matrix3Xd vector = force_vectors(surface, force);
+  const Matrix3Xd moved =
+      displacement_against_foundation(surface, law, solution.displacement);
+  SolidResults results;
+  results.pn = pressure.row(0);
+  results.pt1 = pressure.row(1);
+  results.pt2 = pressure.row(2);
+  results.fn = force.row(0);
+  results.ft1 = force.row(1);
+  results.ft2 = force.row(2);
+  results.fx = vector.row(0);
+  results.fy = vector.row(1);
+  results.fz = vector.row(2);
+  results.gap = -moved.row(0);
+  results.slip1 = moved.row(1);
+  results.slip2 = moved.row(2);
+  results.state = state_numbers(solution.state);
+  return results;
+}
+
+/// States of new nodes: that of the nearest old one; where sheets meet at an edge several
+/// are at one place, and a normal that is turned counts as a distance of the node's size.
+ContactStates states_at(const SolidProblem& problem, const PlacedStates& old) {
+  if (old.state.empty()) return {};
+  const Matrix3Xd place = problem.places();
+  const ContactSurface& surface = problem.surface;
+  ContactStates states;
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const Eigen::RowVectorXd square =
+        (old.place.colwise() - place.col(i)).colwise().squaredNorm() +
+        surface.area[i] * (old.normal.colwise() - surface.normal.col(i))
+                              .colwise()
+                              .squaredNorm();
+    Index nearest;
+    square.minCoeff(&nearest);
+    states.push_back(old.state[nearest]);
+  }
+  return states;
+}
+
+void require_forces(const SolveCall& call) {
+  if (multiplier_of(call.stack, call.named) == Multiplier::pressure)
+    refuse(
+        "multiplier=\"pressure\" is for plane bodies: leave it out, "
+        "solids have nodal forces");
+}
+
+SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
+  SurfaceLaw law = contact.problem->law;
+  if (!call.named.flag(call.stack, "loadstep")) return law;
+  if (contact.solved)
+    law.previous = contact_components(contact.problem->surface,
+                                      contact.solved->solution.displacement)
+                       .bottomRows<2>();
+  else if (!contact.last.state.empty() && law.previous.size() == 0)
+    refuse_load_step();
+  return law;
+}
+
+ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
+                            const ElasticSystem& system) {
+  ContactSettings settings =
+      settings_of(call, states_at(*contact.problem, contact.last), 3);
+  settings.state_of_another_mesh =
+      !contact.solved && !call.named.given("initial");
+  if (contact.solved && is_same(*contact.solved->system, system)) {
+    const auto& stiffness = contact.solved->solution.stiffness;
+    if (!call.named.given("schur") || stiffness->storage() == settings.storage)
+      settings.stiffness = stiffness;
+  }
+  return settings;
+}
+
+}  // namespace
+
+long solve_solid(const SolveCall& call, SolidContact& contact) {
+  require_solid_results(call.named);
+  require_no_tool(call.named);
+  require_forces(call);
+  SolidProblem& problem = *contact.problem;
+  SolvedSolid solved;
+  solved.system = std::make_shared<const ElasticSystem>(
+      system_of(call, problem, problem.mesh));
+  const ElasticSystem& system = *solved.system;
+  // and stays: what a solution left belongs to its surface
+  if (!contact.solved) problem.choose_sides(system);
+  solved.law = law_of(call, contact);
+  const SurfaceLaw& law = solved.law;
+  const ContactSettings settings = settings_of(call, contact, system);
+  try {
+    solved.solution =
+        solve_contact(problem.mesh, problem.surface, law, system, settings);
+  } catch (const NoEquilibrium& none) {
+    answer_no_equilibrium(call, problem.joined.first_vertex, none);
+    return 0;
+  }
+  const SurfaceSolution& solution = solved.solution;
+  if (!solution.accepted(settings) && !call.named.given("status"))
+    refuse_solution(
+        answer_of(solution),
+        advice_on_held(problem.joined.first_vertex, problem.surface, system));
+
+  write_displacement(call, problem, solution.displacement);
+  solved.nodes = nodal_results(problem.surface, law, solution);
+  put(call, problem.own_vertex, solved.nodes);
+  put(call, answer_of(solution));
+  report_solution(call, problem, problem.side, answer_of(solution));
+  contact.last = {solution.state, problem.places(), problem.surface.normal};
+  contact.solved = std::move(solved);
+  return contact.solved->solution.iterations;
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/mesh/mesh.hpp"
+//
+#include "freefem/arguments.hpp"
+#include "freefem/stopwatch.hpp"
+#include "problem/body_dofs.hpp"
+#include "problem/nodal_results.hpp"
+
+namespace ffcontact::plugin {
+
+/// A system that processes share, as process 0 solves it.
+struct SharedSystem {
+  ElasticSystem whole;
+  decltype(ContactSettings::factorise) factorise;
+  VectorXd displacement{};  ///< that was found; empty: none
+};
+
+/// A call of contactsolve: its named parameters, and A, b, u of each body.
+struct SolveCall {
+  Stack stack;
+  const NamedArguments& named;
+  const std::vector<Expression>&matrix, &load;
+  std::vector<KN<double>*> u;
+  Stopwatch watch;                 ///< since the call
+  SharedSystem* shared = nullptr;  ///< null: A, b, u are those of the whole
+
+  long verbosity() const { return named.verbosity_level(stack); }
+};
+
+/// @throws std::invalid_argument  if what the call gives is not of these bodies, or b and
+///                                u are exchanged
+template <int dim>
+ElasticSystem system_of(const SolveCall& call, const BodyDofs& bodies,
+                        const SimplexMesh<dim>& mesh);
+
+/// What solver=, maxit=, tol= and initial= say; without initial= it starts from `states`.
+ContactSettings settings_of(const SolveCall& call, ContactStates states,
+                            int dim);
+
+bool is_same(const ElasticSystem& a, const ElasticSystem& b);
+
+/// The displacement of each body in the script's u.
+void write_displacement(const SolveCall& call, const BodyDofs& bodies,
+                        const VectorXd& displacement);
+
+/// Results at the nodes of plane bodies or solids, node= and state= of them.
+template <class Results>
+void put(const SolveCall& call, const std::vector<long>& own_vertex,
+         const Results& nodes) {
+  for (const NodalArray& array : nodal_arrays)
+    if (const VectorXd* values = array.in(nodes))
+      call.named.put(call.stack, array.name, *values);
+  call.named.put_integers(call.stack, "node", own_vertex);
+  call.named.put_integers(call.stack, "state", nodes.state);
+}
+
+/// 0 open, 1 stick, 2 slip along t (of a solid: in any direction), -2 slip against t.
+std::vector<long> state_numbers(const ContactStates& states);
+
+/// @throws std::invalid_argument  for loadstep=true without a step before
+[[noreturn]] void refuse_load_step();
+
+}  // namespace ffcontact::plugin

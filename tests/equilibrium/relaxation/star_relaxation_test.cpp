@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/relaxation/star_relaxation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ffcontact/contact/law/cone_correction.hpp"
+#include "support/cases.hpp"
+#include "support/estimates.hpp"
+#include "support/smooth_problem.hpp"
+#include "support/threads.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// r_hat = lambda_h brought into the cone, with its costs: what relaxation with free
+/// tractions starts from.
+FreeTractions free_tractions(const Problem& problem,
+                             const VectorXd& displacement,
+                             const ContactDensities& densities) {
+  const TractionCosts costs =
+      traction_costs(problem.line, problem.law, densities, displacement);
+  return {densities, costs.normal, costs.tangential,
+          contact_edge_numbers(problem.line, problem.edges)};
+}
+
+std::vector<double> relax(const Problem& problem, Equilibrated& fields,
+                          int sweeps, FreeContact* contact = nullptr,
+                          double tightness = 0) {
+  const auto& [mesh, edges, stars] = fields.topology;
+  const Ridges<2> ridges = ridges_of(mesh, edges);
+  const std::vector<double> falls =
+      relax_stars({{mesh, edges, ridges},
+                   problem.hooke,
+                   fields.boundary,
+                   fields.loads,
+                   fields.stress},
+                  {sweeps, tightness}, fields.moments, contact);
+  fields.difference =
+      difference_loads(mesh, edges, fields.moments, fields.stress);
+  return falls;
+}
+
+/// A problem with tractions in the cone (example 2 with friction enough to stick, after
+/// correction (4.1)).
+struct InCone {
+  Problem problem = example_2(Multiplier::force, 0.6, 8);
+  ContactSolution solution = solved(problem);
+  ConeCorrection correction =
+      correct_to_cone(problem.line, problem.law,
+                      edge_densities(problem.line, solution.pressure));
+  Equilibrated fields =
+      equilibrated(problem, solution.displacement, correction.densities);
+  FreeTractions tractions =
+      free_tractions(problem, solution.displacement, correction.densities);
+};
+
+RC_GTEST_PROP(StarRelaxation, keeps_equilibrium_and_boundary_tractions, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  Equilibrated fields = equilibrated(problem, solved(problem));
+  relax(problem, fields, 3);
+  RC_ASSERT(
+      defect_of(problem, fields, admissible_stress(problem, fields)).largest() <
+      1e-10);
+}
+
+RC_GTEST_PROP(StarRelaxation, falls_in_every_sweep_by_what_the_energy_falls,
+              ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  Equilibrated fields = equilibrated(problem, solved(problem));
+  double before = elastic_square(problem, fields);
+  const double scale = before;
+  for (int sweep = 0; sweep < 3; ++sweep) {
+    const std::vector<double> falls = relax(problem, fields, 1);
+    const double after = elastic_square(problem, fields);
+    RC_ASSERT(falls.size() == 1u);
+    RC_ASSERT(falls[0] >= -1e-13 * scale);
+    RC_ASSERT(std::abs(before - after - falls[0]) < 1e-10 * scale);
+    before = after;
+  }
+}
+
+RC_GTEST_PROP(StarRelaxation, falls_of_several_sweeps_add_up, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  Equilibrated fields = equilibrated(problem, solved(problem));
+  const double before = elastic_square(problem, fields);
+  double sum = 0;
+  for (double fall : relax(problem, fields, 5)) sum += fall;
+  RC_ASSERT(std::abs(before - elastic_square(problem, fields) - sum) <
+            1e-10 * before);
+}
+
+/// Runs a relaxation with one thread and with two.
+template <class Fields, class Relax>
+void with_one_and_two_threads(Fields& one, Fields& two, Relax&& relax) {
+  on_threads(2, [&] { relax(two); });
+  on_threads(1, [&] { relax(one); });
+}
+
+TEST(StarRelaxation, does_not_depend_on_the_number_of_threads) {
+  Random random(31);
+  Problem problem = body(irregular(8, 6, 8, 6, random), material(1000, 0.3));
+  add_traction(problem, left, {1, -2});
+  clamp(problem, top);
+  set_friction(problem, 0.3);
+  Equilibrated one = equilibrated(problem, solved(problem)), two = one;
+  with_one_and_two_threads(
+      one, two, [&](Equilibrated& fields) { relax(problem, fields, 3); });
+  EXPECT_EQ(one.difference, two.difference);
+}
+
+TEST(StarRelaxation,
+     with_free_tractions_does_not_depend_on_the_number_of_threads) {
+  InCone one, two;
+  with_one_and_two_threads(one, two, [](InCone& c) {
+    FreeContact contact{c.problem.line, c.problem.law, c.tractions};
+    relax(c.problem, c.fields, 2, &contact);
+  });
+  EXPECT_EQ(one.fields.difference, two.fields.difference);
+  EXPECT_EQ(one.tractions.densities.normal, two.tractions.densities.normal);
+  EXPECT_EQ(one.tractions.densities.tangential,
+            two.tractions.densities.tangential);
+}
+
+TEST(StarRelaxation, with_free_tractions_stays_in_the_cone_and_in_equilibrium) {
+  InCone c;
+  ASSERT_TRUE(c.correction.uncorrected.empty());
+  FreeContact contact{c.problem.line, c.problem.law, c.tractions};
+  for (int sweep = 0; sweep < 4; ++sweep) {
+    relax(c.problem, c.fields, 1, &contact);
+    EXPECT_LE(cone_defect(c.problem.line, c.problem.law, c.tractions.densities),
+              1e-12);
+    Equilibrated moved = c.fields;
+    moved.boundary = boundary_tractions(
+        c.problem.mesh, c.problem.edges, prescribed_dofs(c.problem.A),
+        c.problem.neumann, c.problem.line, c.tractions.densities);
+    EXPECT_LT(defect_of(c.problem, moved, admissible_stress(c.problem, moved))
+                  .largest(),
+              1e-10);
+  }
+}
+
+TEST(StarRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
+  InCone c;
+  FreeContact contact{c.problem.line, c.problem.law, c.tractions};
+  const auto square = [&] {
+    return elastic_square(c.problem, c.fields) +
+           contact_error(c.problem.line, c.problem.law, c.tractions.densities,
+                         c.solution.displacement)
+               .sum();
+  };
+  const double scale = square();
+  double before = scale;
+  for (int sweep = 0; sweep < 4; ++sweep) {
+    const std::vector<double> falls = relax(c.problem, c.fields, 1, &contact);
+    ASSERT_EQ(falls.size(), 1u);
+    EXPECT_GE(falls[0], 0);
+    const double after = square();
+    EXPECT_NEAR(before - after, falls[0], 1e-10 * scale);
+    before = after;
+  }
+  EXPECT_LT(before, 0.2 * scale);
+}
+
+/// Two triangles on rollers leave the descent hardly more than one direction, of which
+/// rounding is all that is left from step to step.
+RC_GTEST_PROP(StarRelaxation, keeps_balance_for_hundreds_of_sweeps, ()) {
+  Problem problem =
+      body(rectangle(1, 1, *real(1, 2), 1), material(1000, *real(-0.4, 0.4)));
+  prescribe(problem, left, 0);
+  prescribe(problem, top, 1);
+  add_body_force(problem, {*real(-1, 1), *real(-1, 1)});
+  const Estimate estimate = estimated(problem, solved(problem), sweeps(200));
+  RC_ASSERT(estimate.equilibrium.largest() < 1e-12);
+}
+
+/// |sigma_hat - C eps(u_h)| / |u - u_h| before the first and after every sweep.
+std::vector<double> effectivities(const Manufactured& exact, int cells,
+                                  int sweeps) {
+  const Problem problem = without_contact(exact, rectangle(cells, cells, 2, 2));
+  const VectorXd u = solved_without_contact(problem);
+  Equilibrated fields =
+      equilibrated(problem, u, {Matrix2Xd(2, 0), Matrix2Xd(2, 0)});
+  const double error = error_of(exact, problem, u);
+  double square = elastic_square(problem, fields);
+  std::vector<double> result{std::sqrt(square) / error};
+  for (double fall : relax(problem, fields, sweeps))
+    result.push_back(std::sqrt(square -= fall) / error);
+  return result;
+}
+
+TEST(StarRelaxation,
+     makes_the_bound_of_a_smooth_problem_tight_in_three_sweeps_on_every_mesh) {
+  for (int cells : {8, 16, 24}) {
+    const std::vector<double> effectivity =
+        effectivities(smooth_solution(0.3), cells, 3);
+    EXPECT_LE(effectivity[1], 1.08) << "cells " << cells;
+    EXPECT_LE(effectivity[2], 1.03) << "cells " << cells;
+    EXPECT_LE(effectivity[3], 1.02) << "cells " << cells;
+    EXPECT_GE(effectivity[3], 1) << "cells " << cells;
+  }
+}
+
+TEST(StarRelaxation, makes_the_bound_of_a_nearly_incompressible_body_tight) {
+  const std::vector<double> effectivity =
+      effectivities(smooth_solution(0.49), 16, 4);
+  EXPECT_LE(effectivity[4], 1.15);
+  EXPECT_GE(effectivity[4], 1);
+}
+
+TEST(StarRelaxation,
+     makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_nu_0499) {
+  for (const auto& [nu, tightness] :
+       {std::make_pair(0.49, 1.15), std::make_pair(0.499, 1.3)}) {
+    const std::vector<double> effectivity =
+        effectivities(smooth_solution(nu), 32, 4);
+    RecordProperty("nu_" + std::to_string(nu), std::to_string(effectivity[4]));
+    EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
+    EXPECT_GE(effectivity[4], 1) << "nu " << nu;
+  }
+}
+
+TEST(StarRelaxation, on_a_coarse_mesh_of_an_incompressible_body_stays_a_bound) {
+  for (const auto& [nu, tightness] :
+       {std::make_pair(0.49, 1.4), std::make_pair(0.499, 2.5)}) {
+    const std::vector<double> effectivity =
+        effectivities(smooth_solution(nu), 8, 4);
+    RecordProperty("nu_" + std::to_string(nu), std::to_string(effectivity[4]));
+    EXPECT_LE(effectivity[4], tightness) << "nu " << nu;
+    EXPECT_GE(effectivity[4], 1) << "nu " << nu;
+  }
+}
+
+TEST(StarRelaxation,
+     stops_when_a_sweep_lowers_the_error_by_less_than_its_tightness) {
+  const Problem problem = example_2(Multiplier::force, 0.6, 8);
+  const Equilibrated fields = equilibrated(problem, solved(problem));
+  Equilibrated all = fields, some = fields;
+  const std::vector<double> falls = relax(problem, all, 10);
+  ASSERT_EQ(falls.size(), 10u);
+  double square = elastic_square(problem, fields);
+  std::size_t expected = 0;
+  // the first sweep after which e fell by less than 2 %
+  for (; expected < 10; ++expected) {
+    const double next = square - falls[expected];
+    const bool enough = std::sqrt(next) > 0.98 * std::sqrt(square);
+    square = next;
+    if (enough) break;
+  }
+  EXPECT_EQ(relax(problem, some, 10, nullptr, 0.02).size(), expected + 1);
+}
+
+TEST(StarRelaxation, without_sweeps_changes_nothing) {
+  const Problem problem = example_1(Multiplier::force, 4);
+  Equilibrated fields = equilibrated(problem, solved(problem));
+  const EdgeLoadsOfAll before = fields.difference;
+  EXPECT_TRUE(relax(problem, fields, 0).empty());
+  EXPECT_EQ(fields.difference, before);
+}
+
+}  // namespace
+}  // namespace ffcontact
