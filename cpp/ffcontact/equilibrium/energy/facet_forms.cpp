@@ -28,8 +28,7 @@ struct Layout<3> {
     return numbers_in_tile * (tiles * J - J * (J - 1) / 2 + I - J) +
            tile_size * (column % tile_size) + row % tile_size;
   }
-  static constexpr int zero =  // place(size - 1, 0)
-      numbers_in_tile * (tiles - 1) + tile_size - 1;
+  static constexpr int zero() { return place(size - 1, 0); }
 
   static void put(const Form& H, float* next) {
     Matrix<float, size, size> form = Matrix<float, size, size>::Zero();
@@ -70,7 +69,7 @@ struct Layout<2> {
   static constexpr int place(int row, int column) {
     return n * column - column * (column - 1) / 2 + row - column;
   }
-  static constexpr int zero = n * (n + 1) / 2;
+  static constexpr int zero() { return n * (n + 1) / 2; }
 
   static void put(const Form& H, double* next) {
     for (int c = 0; c < n; ++c)
@@ -135,7 +134,7 @@ struct Places {
     return unknown < wrench ? not_free : size * d + unknown - wrench;
   }
   static constexpr short place_of_entry(int row, int column) {
-    if (row == not_free || column == not_free) return Layout<d>::zero;
+    if (row == not_free || column == not_free) return Layout<d>::zero();
     return static_cast<short>(row >= column ? Layout<d>::place(row, column)
                                             : Layout<d>::place(column, row));
   }
