@@ -5,23 +5,12 @@
 
 #include <cmath>
 
-#include "support/random.hpp"
+#include "support/friction_cones.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-/// Tresca's, or Coulomb's, in every other case with a limit; none in some cases.
-FrictionCone any_friction(std::mt19937& random) {
-  const Uniform value{0.1, 1};
-  FrictionCone cone;
-  const int kind = static_cast<int>(random() % 4);
-  if (kind == 1) cone.cohesion = value(random);
-  if (kind > 1) cone.friction = value(random);
-  if (kind > 2) cone.limit = value(random);
-  return cone;
-}
 
 bool is_inside(const FrictionCone& cone, const Vector3d& P) {
   return P[0] <= 0 && P.tail<2>().norm() <= cone.bound(P[0]) + 1e-14;
@@ -30,7 +19,7 @@ bool is_inside(const FrictionCone& cone, const Vector3d& P) {
 /// The normal part of a projection does not depend on the tangential one, which is the
 /// nearest in the disc of that normal part.
 RC_GTEST_PROP(NaturalMap, projects_onto_the_law, (Random random)) {
-  const FrictionCone cone = any_friction(random);
+  const FrictionCone cone = any_cone(random);
   const Vector3d tau = 2 * random_vector(3, random), P = projected(cone, tau);
   RC_ASSERT(is_inside(cone, P));
   RC_ASSERT((projected(cone, P) - P).norm() <= 1e-15);
@@ -47,7 +36,7 @@ RC_GTEST_PROP(NaturalMap, projects_onto_the_law, (Random random)) {
 /// P_t = -rho e where a node slips, with rho = given - ratio P_n and e the way of tau.
 RC_GTEST_PROP(NaturalMap, states_are_the_branch_of_the_projection,
               (Random random)) {
-  const FrictionCone cone = any_friction(random);
+  const FrictionCone cone = any_cone(random);
   const Vector3d tau = 2 * random_vector(3, random), P = projected(cone, tau);
   const NodeState node = node_state(cone, tau);
   RC_ASSERT(node.open == (P[0] == 0));

@@ -15,6 +15,15 @@ namespace {
 
 using namespace test;
 
+/// An irregular rectangle, pulled on the left and clamped at the top.
+Problem loaded_problem(int nx, int ny, Random& random) {
+  Problem problem =
+      body(irregular(nx, ny, nx, ny, random), material(1000, 0.3));
+  add_traction(problem, left, {1, -2});
+  clamp(problem, top);
+  return problem;
+}
+
 /// A plane body as the descent takes it.
 struct PlaneBody {
   Problem problem;
@@ -89,16 +98,8 @@ struct Dense {
   FacetShare whole = whole_share<2>(loaded.topology);
   NoExchange<2> none;
 
-  explicit Dense(Random& random) : body(irregular_problem(random)) {}
+  explicit Dense(Random& random) : body(loaded_problem(4, 3, random)) {}
   Dense(const Dense&) = delete;
-
-  static Problem irregular_problem(Random& random) {
-    Problem problem =
-        test::body(irregular(4, 3, 4, 3, random), material(1000, 0.3));
-    add_traction(problem, left, {1, -2});
-    clamp(problem, top);
-    return problem;
-  }
 
   /// Those of one star [4 edges x own].
   MatrixXd corrections(int ridge) const {
@@ -175,19 +176,13 @@ RC_GTEST_PROP(FacetDescent, ends_at_the_least_energy_of_all_stars,
 
 TEST(FacetDescent, keeps_balance_for_hundreds_of_steps) {
   Random random(5);
-  Problem problem = body(irregular(8, 6, 8, 6, random), material(1000, 0.3));
-  add_traction(problem, left, {1, -2});
-  clamp(problem, top);
-  const PlaneBody plane(problem);
+  const PlaneBody plane(loaded_problem(8, 6, random));
   EXPECT_LT(plane.defect(descended(plane, 400).moments).largest(), 1e-10);
 }
 
 TEST(FacetDescent, does_not_depend_on_the_number_of_threads) {
   Random random(31);
-  Problem problem = body(irregular(8, 6, 8, 6, random), material(1000, 0.3));
-  add_traction(problem, left, {1, -2});
-  clamp(problem, top);
-  const PlaneBody plane(problem);
+  const PlaneBody plane(loaded_problem(8, 6, random));
   EdgeMoments one, two;
   on_threads(2, [&] { two = descended(plane, 6).moments; });
   on_threads(1, [&] { one = descended(plane, 6).moments; });

@@ -9,23 +9,13 @@
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
 #include "ffcontact/estimate/tractions/cone_projection.hpp"
-#include "support/random.hpp"
+#include "support/friction_cones.hpp"
 #include "support/solid_problems.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-FrictionCone any_cone(std::mt19937& random) {
-  const Uniform value{0.1, 1};
-  FrictionCone cone;
-  const int kind = static_cast<int>(random() % 4);
-  if (kind == 1) cone.cohesion = value(random);
-  if (kind >= 2) cone.friction = value(random);
-  if (kind == 3) cone.limit = value(random);
-  return cone;
-}
 
 bool is_in(const FrictionCone& cone, const Vector3d& r, double slack) {
   return r[0] <= slack && r.tail<2>().norm() <= cone.bound(r[0]) + slack;
