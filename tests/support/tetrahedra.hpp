@@ -32,7 +32,7 @@ inline Matrix<double, 6, 48> balance_conditions(
   Matrix<double, 6, 48> conditions;
   for (int force = 0; force < 16; ++force) {
     const int vertex =
-        force < 12 ? vertex_of_face(force / 3, force % 3) : force - 12;
+        force < 12 ? vertex_of_facet<3>(force / 3, force % 3) : force - 12;
     conditions.middleCols<3>(3 * force) << Matrix3d::Identity(),
         cross_matrix(corners.col(vertex) - centre);
   }

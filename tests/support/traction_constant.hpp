@@ -115,9 +115,9 @@ class LeastStress {
     for (int k = 0; k < 4; ++k)
       for (int j = 0; j < 3; ++j) {
         const int face = faces.of_cell(k, t),
-                  vertex = mesh.cells(vertex_of_face(k, j), t);
+                  vertex = mesh.cells(vertex_of_facet<3>(k, j), t);
         if (first_[face] < 0) continue;
-        const int column = first_[face] + 3 * place_of(faces, face, vertex);
+        const int column = first_[face] + 3 * faces.place_of(vertex, face);
         loads.block<3, 3>(9 * k + 3 * j, column) =
             faces.eta(k, t) * Matrix3d::Identity();
       }

@@ -24,6 +24,18 @@ struct Facets {
 
   int count() const { return static_cast<int>(vertices.cols()); }
   bool on_boundary(int facet) const { return cells(1, facet) < 0; }
+  /// Which facet of a cell, which has it.
+  int side_of_cell(int facet, int cell) const {
+    int k = 0;
+    while (of_cell(k, cell) != facet) ++k;
+    return k;
+  }
+  /// The place of a vertex among those of a facet, which has it.
+  int place_of(int vertex, int facet) const {
+    int place = 0;
+    while (vertices(place, facet) != vertex) ++place;
+    return place;
+  }
 };
 
 /// In the order of their vertices, the lowest first.

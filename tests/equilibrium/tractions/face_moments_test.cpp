@@ -56,7 +56,7 @@ RC_GTEST_PROP(FaceMoments, balance_the_stress_at_every_vertex,
       for (int face = 0; face < 4; ++face)
         if (face != local)
           sum += loads_of(mesh, faces, moments, t)
-                     .col(3 * face + place_on_face(face, local));
+                     .col(3 * face + place_on_facet<3>(face, local));
       RC_ASSERT(sum.norm() < 1e-11 * moments.cwiseAbs().maxCoeff());
     }
   }
@@ -118,7 +118,7 @@ RC_GTEST_PROP(FaceMoments, are_nearest_to_the_mean_stresses, (Random random)) {
       const VoigtVector<3> mean =
           0.5 * (stress.col(faces.cells(0, f)) + stress.col(faces.cells(1, f)));
       const Vector3d z0 = area / 3 * traction(mean, n),
-                     z = moments.col(f).segment<3>(3 * place_of(faces, f, v));
+                     z = moments.col(f).segment<3>(3 * faces.place_of(v, f));
       slope += sign * (z - z0) / area;
       size += (z - z0).cwiseAbs() / area;
     }

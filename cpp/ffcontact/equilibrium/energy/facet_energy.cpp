@@ -121,26 +121,28 @@ CellForm<d, Scalar> unpacked(const Matrix<Scalar, Packed<d>::form, 1>& packed) {
   return full;
 }
 
-/// Columns of the loads on the reference cell.
-template <int d>
-FacetBases<d> pulled_back(const MatrixOf<d>& B, FacetBases<d> basis) {
-  const MatrixOf<d> inverse = B.inverse();
-  for (FacetMatrix<d>& columns : basis)
-    for (int j = 0; j < columns.rows(); j += d)
-      columns.template middleRows<d>(j) =
-          (inverse * columns.template middleRows<d>(j)).eval();
-  return basis;
-}
-
 template <int d, class Scalar>
-using RoughBases = std::array<
+using Bases = std::array<
     Matrix<Scalar, CompositeElement<d>::moments, CompositeElement<d>::moments>,
     d + 1>;
+
+/// Columns of the loads on the reference cell.
+template <int d, class Scalar>
+Bases<d, Scalar> pulled_back(const MatrixOf<d>& B, const FacetBases<d>& basis) {
+  const MatrixOf<d> inverse = B.inverse();
+  Bases<d, Scalar> columns;
+  for (int k = 0; k <= d; ++k)
+    for (int j = 0; j < basis[k].rows(); j += d)
+      columns[k].template middleRows<d>(j) =
+          (inverse * basis[k].template middleRows<d>(j))
+              .template cast<Scalar>();
+  return columns;
+}
 
 /// A C, C = diag(C_1, .., C_n), column by column.
 template <int d, class Scalar>
 CellForm<d, Scalar> times_blocks(const CellForm<d, Scalar>& A,
-                                 const RoughBases<d, Scalar>& C) {
+                                 const Bases<d, Scalar>& C) {
   constexpr int size = CompositeElement<d>::moments;
   CellForm<d, Scalar> product;
   for (int k = 0; k <= d; ++k)
@@ -161,9 +163,7 @@ CellForm<d, Scalar> facet_energy(const CellCorners<d>& corners,
                                  const VoigtMatrix<d>& compliance,
                                  const FacetBases<d>& basis) {
   const MatrixOf<d> B = piola_matrix<d>(corners);
-  const FacetBases<d> of_loads = pulled_back<d>(B, basis);
-  RoughBases<d, Scalar> columns;
-  for (int k = 0; k <= d; ++k) columns[k] = of_loads[k].template cast<Scalar>();
+  const Bases<d, Scalar> columns = pulled_back<d, Scalar>(B, basis);
   const Matrix<Scalar, Packed<d>::pairs, 1> weights =
       pair_weights<d>(B, compliance).template cast<Scalar>();
   const Matrix<Scalar, Packed<d>::form, 1> packed =

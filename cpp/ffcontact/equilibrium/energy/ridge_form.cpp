@@ -7,14 +7,6 @@ namespace ffcontact {
 
 namespace {
 
-/// Which facet of a cell.
-template <int d>
-int local_facet(const Facets<d>& facets, int facet, int cell) {
-  int k = 0;
-  while (facets.of_cell(k, cell) != facet) ++k;
-  return k;
-}
-
 template <int d>
 WrenchShift<d> shift_at(const FacetTopology<d>& topology, int ridge,
                         int place) {
@@ -92,7 +84,7 @@ std::vector<Wedge> wedges_of(const FacetTopology<d>& topology, int ridge) {
   for (int b = 0; b < count; ++b)
     for (int t : facets.cells.col(around[b])) {
       if (t < 0) continue;
-      const int local = local_facet<d>(facets, around[b], t);
+      const int local = facets.side_of_cell(around[b], t);
       const auto of_cell =
           std::find_if(half.begin(), half.end(),
                        [&](const Wedge& wedge) { return wedge.cell == t; });

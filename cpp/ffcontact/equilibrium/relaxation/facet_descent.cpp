@@ -61,9 +61,9 @@ void FacetDescent<d>::gather(FacetColumns<d>& y) const {
   for (int f = 0; f < facets.count(); ++f) {
     FacetVector<d> sum = FacetVector<d>::Zero();
     for (int t : facets.cells.col(f))
-      for (int k = 0; k <= d && t >= 0; ++k)
-        if (facets.of_cell(k, t) == f)
-          sum += images_.col(t).template segment<size>(size * k);
+      if (t >= 0)
+        sum += images_.col(t).template segment<size>(size *
+                                                     facets.side_of_cell(f, t));
     y.col(f) = sum;
   }
 }
@@ -83,10 +83,12 @@ void FacetDescent<d>::add(double factor, const FacetColumns<d>& y,
   for (Index f = 0; f < x.cols(); ++f) x.col(f) += factor * y.col(f);
 }
 
-/// z - (z'Hp / p'Hp) p in place of z; false where too much of it would be rounding.
+/// z - (z'Hp / p'Hp) p; false where too much of it would be rounding.
 template <int d>
-bool FacetDescent<d>::make_conjugate() {
+bool FacetDescent<d>::find_conjugate() {
   constexpr double most = 1e4;  // times the rounding of p itself
+  if (!(square_ > 0)) return false;
+  stars_(residual_, next_);
   const double factor = -dot(next_, image_) / square_,
                before = std::sqrt(dot(next_, next_));
   add(factor, direction_, next_);
@@ -94,17 +96,16 @@ bool FacetDescent<d>::make_conjugate() {
   return rounding_ <= most * std::sqrt(dot(next_, next_));
 }
 
-/// z again, after make_conjugate.
+/// z alone.
 template <int d>
-void FacetDescent<d>::start_again() {
+void FacetDescent<d>::find_steepest() {
   stars_(residual_, next_);
   rounding_ = std::sqrt(dot(next_, next_));
 }
 
 template <int d>
 void FacetDescent<d>::turn_direction() {
-  if (square_ > 0) stars_(residual_, next_);
-  if (!(square_ > 0) || !make_conjugate()) start_again();
+  if (!find_conjugate()) find_steepest();
   direction_.swap(next_);
 
   const FacetTopology<d>& topology = body_.topology;

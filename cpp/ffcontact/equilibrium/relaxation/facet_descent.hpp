@@ -52,8 +52,8 @@ class FacetDescent {
   void gather(FacetColumns<d>& y) const;
   double dot(const FacetColumns<d>& a, const FacetColumns<d>& b) const;
   void add(double factor, const FacetColumns<d>& y, FacetColumns<d>& x) const;
-  bool make_conjugate();
-  void start_again();
+  bool find_conjugate();
+  void find_steepest();
   void turn_direction();
 
   const LoadedFacets<d> body_;

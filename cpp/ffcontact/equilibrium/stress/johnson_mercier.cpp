@@ -42,9 +42,9 @@ CellCorners<d> subcell(const CellCorners<d>& corners, int k) {
 /// Gradients of the barycentric coordinates.
 template <int d>
 CellCorners<d> gradients(const CellCorners<d>& corners) {
-  const MatrixOf<d> rows = piola_matrix<d>(corners).inverse();
+  const MatrixOf<d> others = piola_matrix<d>(corners).inverse().transpose();
   CellCorners<d> columns;
-  columns << -rows.colwise().sum().transpose(), rows.transpose();
+  columns << -others.rowwise().sum(), others;
   return columns;
 }
 

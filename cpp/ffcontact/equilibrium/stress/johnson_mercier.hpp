@@ -45,14 +45,10 @@ template <int d>
 constexpr int vertex_of_facet(int k, int j) {
   return (k + 1 + j) % (d + 1);
 }
-constexpr int vertex_of_face(int k, int j) { return vertex_of_facet<3>(k, j); }
 /// The j with vertex_of_facet(k, j) == vertex.
 template <int d>
 constexpr int place_on_facet(int k, int vertex) {
   return (vertex + d - k) % (d + 1);
-}
-constexpr int place_on_face(int k, int vertex) {
-  return place_on_facet<3>(k, vertex);
 }
 
 /// Columns A_k n_k of the facets, n outward [mm^(d-1)].

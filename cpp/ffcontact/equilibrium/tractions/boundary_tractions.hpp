@@ -20,12 +20,6 @@ using EdgeMoments = FacetColumns<2>;
 /// normal turned too.
 Vector4d reversed(const Vector4d& moments);
 
-/// Those on side k of a triangle, from vertex k+1 to k+2 with the normal outward.
-inline Vector4d moments_of_side(const Edges& edges, int k, int triangle,
-                                const Vector4d& of_edge) {
-  return edges.eta(k, triangle) > 0 ? of_edge : reversed(of_edge);
-}
-
 /// What the boundary of an admissible stress must carry, per edge and Cartesian
 /// component.
 ///

@@ -17,9 +17,6 @@ EdgeLoadsOfAll difference_loads(const Mesh& mesh, const Edges& edges,
                                 const EdgeMoments& moments,
                                 const LinearStresses& stresses);
 
-/// Which side of a triangle an edge is.
-int side_number(const Edges& edges, int edge, int triangle);
-
 TriangleCorners corners_of(const Mesh& mesh, int triangle);
 
 Vector2d centroid_of(const Mesh& mesh, int triangle);

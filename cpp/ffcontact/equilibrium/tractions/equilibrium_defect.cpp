@@ -69,7 +69,7 @@ double jump_inside(const Mesh& mesh, int t, int vertex,
 /// edge's own normal.
 Vector4d traction_beside(const Mesh& mesh, const Edges& edges, int edge, int t,
                          const std::vector<CompositeStress>& stress) {
-  const int k = side_number(edges, edge, t);
+  const int k = edges.side_of_cell(edge, t);
   const Vector2d n = edge_normal(mesh, edges, edge);
   // then the triangle runs through the edge from its first vertex to its second
   const bool same = edges.eta(k, t) > 0;

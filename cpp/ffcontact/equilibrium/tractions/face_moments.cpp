@@ -69,8 +69,7 @@ class StarGraph {
       arcs_.push_back(
           {face, k,
            faces.on_boundary(face) ? -1 : static_cast<int>(other - cells),
-           3 * place_of(faces, face, vertex),
-           facet_measure(mesh, faces, face)});
+           3 * faces.place_of(vertex, face), facet_measure(mesh, faces, face)});
     }
   }
 

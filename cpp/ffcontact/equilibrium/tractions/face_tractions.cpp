@@ -18,7 +18,7 @@ void put_face(const SolidMesh& mesh, const Facets<3>& faces, int face,
               int column, const std::array<bool, 3>& free,
               const Ref<const FaceMoments>& neumann, FaceTractions& given) {
   for (int k = 0; k < 3; ++k) {
-    const int place = place_of(faces, face, mesh.boundary(k, column));
+    const int place = faces.place_of(mesh.boundary(k, column), face);
     for (int c = 0; c < 3; ++c) {
       given.known(c, face) = !free[c];
       if (!free[c])

@@ -36,12 +36,6 @@ FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
                            const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& traction);
 
-/// The place among the vertices of a face, which has it, of a vertex.
-inline int place_of(const Facets<3>& faces, int face, int vertex) {
-  const auto vertices = faces.vertices.col(face);
-  return vertices[0] == vertex ? 0 : vertices[1] == vertex ? 1 : 2;
-}
-
 TetrahedronCorners corners_of(const SolidMesh& mesh, int cell);
 
 }  // namespace ffcontact

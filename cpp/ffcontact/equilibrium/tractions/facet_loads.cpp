@@ -9,13 +9,10 @@ FacetLoads<d> loads_of(const SimplexMesh<d>& mesh, const Facets<d>& facets,
   FacetLoads<d> loads;
   for (int k = 0; k <= d; ++k) {
     const int facet = facets.of_cell(k, cell);
-    for (int j = 0; j < d; ++j) {
-      const int vertex = mesh.cells(vertex_of_facet<d>(k, j), cell);
-      int place = 0;
-      while (facets.vertices(place, facet) != vertex) ++place;
+    for (int j = 0; j < d; ++j)
       loads.col(d * k + j) = facets.eta(k, cell) *
-                             moments.col(facet).template segment<d>(d * place);
-    }
+                             moments.col(facet).template segment<d>(
+                                 d * place_on_own<d>(mesh, facets, cell, k, j));
   }
   return loads;
 }
@@ -38,22 +35,31 @@ MatrixOf<d> moments_of_variation(
 }  // namespace
 
 template <int d>
-FacetLoads<d> difference_loads(const LoadedFacets<d>& body,
-                               const FacetColumns<d>& moments, int cell) {
-  const FacetTopology<d>& topology = body.topology;
-  FacetLoads<d> loads =
-      loads_of<d>(topology.mesh, topology.facets, moments, cell);
-  const CellCorners<d> vectors = facet_vectors<d>(topology.corners(cell));
+FacetLoads<d> loads_of_stress(
+    const CellCorners<d>& corners,
+    const Matrix<double, voigt_size<d>, Dynamic>& mean,
+    const StressVariation<d>& variation, int cell) {
+  FacetLoads<d> loads;
+  const CellCorners<d> vectors = facet_vectors<d>(corners);
   for (int k = 0; k <= d; ++k) {
-    const VectorOf<d> part =
-        traction(body.stress.col(cell), vectors.col(k)) / d;
-    loads.template middleCols<d>(d * k).colwise() -= part;
-    if (body.variation.cols() > 0)
-      loads.template middleCols<d>(d * k) -= moments_of_variation<d>(
-          body.variation.col(cell).reshaped(voigt_size<d>, d + 1),
-          vectors.col(k), k);
+    auto of_facet = loads.template middleCols<d>(d * k);
+    const VectorOf<d> part = traction(mean.col(cell), vectors.col(k)) / d;
+    of_facet.colwise() = part;
+    if (variation.cols() > 0)
+      of_facet += moments_of_variation<d>(
+          variation.col(cell).reshaped(voigt_size<d>, d + 1), vectors.col(k),
+          k);
   }
   return loads;
+}
+
+template <int d>
+FacetLoads<d> difference_loads(const LoadedFacets<d>& body,
+                               const FacetColumns<d>& moments, int cell) {
+  const auto& [mesh, facets, ridges] = body.topology;
+  return loads_of<d>(mesh, facets, moments, cell) -
+         loads_of_stress<d>(body.topology.corners(cell), body.stress,
+                            body.variation, cell);
 }
 
 template <int d>
@@ -67,6 +73,10 @@ SubcellStress<d> difference_stress(const LoadedFacets<d>& body,
 template FacetLoads<FFCONTACT_DIMENSION> loads_of<FFCONTACT_DIMENSION>(
     const SimplexMesh<FFCONTACT_DIMENSION>&, const Facets<FFCONTACT_DIMENSION>&,
     const FacetColumns<FFCONTACT_DIMENSION>&, int);
+template FacetLoads<FFCONTACT_DIMENSION> loads_of_stress<FFCONTACT_DIMENSION>(
+    const CellCorners<FFCONTACT_DIMENSION>&,
+    const Matrix<double, voigt_size<FFCONTACT_DIMENSION>, Dynamic>&,
+    const StressVariation<FFCONTACT_DIMENSION>&, int);
 template FacetLoads<FFCONTACT_DIMENSION> difference_loads<FFCONTACT_DIMENSION>(
     const LoadedFacets<FFCONTACT_DIMENSION>&,
     const FacetColumns<FFCONTACT_DIMENSION>&, int);

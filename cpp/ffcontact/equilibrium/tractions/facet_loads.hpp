@@ -42,6 +42,15 @@ template <int d>
 FacetLoads<d> loads_of(const SimplexMesh<d>& mesh, const Facets<d>& facets,
                        const FacetColumns<d>& moments, int cell);
 
+/// The loads of a linear stress on one cell's facets.
+/// @param mean       per cell [MPa]
+/// @param variation  without columns: none
+template <int d>
+FacetLoads<d> loads_of_stress(
+    const CellCorners<d>& corners,
+    const Matrix<double, voigt_size<d>, Dynamic>& mean,
+    const StressVariation<d>& variation, int cell);
+
 /// The loads of sigma_hat - sigma on one cell's facets. With the body loads they are in
 /// equilibrium when sigma_hat is.
 template <int d>

@@ -52,7 +52,7 @@ void add_with_tractions(Vector3d force, const SolidTopology& topology,
                         int vertex, const FaceTractions& boundary,
                         SolidResidual& residual) {
   for_boundary_faces(topology, vertex, [&](int face) {
-    const int place = place_of(topology.faces, face, vertex);
+    const int place = topology.faces.place_of(vertex, face);
     force += boundary.moments.col(face).segment<3>(3 * place);
     for (int c = 0; c < 3; ++c)
       if (!boundary.known(c, face)) residual.supported(c, vertex) = true;

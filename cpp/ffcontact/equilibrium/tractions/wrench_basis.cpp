@@ -4,8 +4,6 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
-
 namespace ffcontact {
 
 namespace {
@@ -27,23 +25,18 @@ sum_of_squares(const MatrixOf<d>& arms) {
     return Matrix<double, 1, 1>(arms.squaredNorm());
 }
 
-/// The place of a vertex among those of a facet, which has it.
-template <int d>
-int place_among(const Matrix<int, d, 1>& vertices, int vertex) {
-  int place = 0;
-  while (vertices[place] != vertex) ++place;
-  return place;
-}
-
 /// Does the normal of a facet follow the right-hand turn about a ridge of it?
 template <int d>
-bool follows_turn(const Matrix<int, d, 1>& facet,
-                  const Matrix<int, d - 1, 1>& ridge) {
-  if constexpr (d == 3)
+bool follows_turn(const FacetTopology<d>& topology, int facet, int ridge) {
+  const auto of_facet = topology.facets.vertices.col(facet);
+  const auto of_ridge = topology.ridges.vertices.col(ridge);
+  if constexpr (d == 3) {
     // a face runs counter-clockwise as seen from where its normal points to
-    return facet[(place_among<3>(facet, ridge[0]) + 1) % 3] == ridge[1];
-  else
-    return facet[1] == ridge[0];
+    const int first = topology.facets.place_of(of_ridge[0], facet);
+    return of_facet[(first + 1) % 3] == of_ridge[1];
+  } else {
+    return of_facet[1] == of_ridge[0];
+  }
 }
 
 /// The middle of a ridge.
@@ -117,14 +110,12 @@ WrenchMatrix<d> WrenchShift<d>::matrix() const {
 template <int d>
 WrenchShift<d> wrench_shift(const FacetTopology<d>& topology, int facet,
                             int ridge) {
-  const Matrix<int, d, 1> vertices = topology.facets.vertices.col(facet);
-  const Matrix<int, d - 1, 1> of_ridge = topology.ridges.vertices.col(ridge);
   const MatrixOf<d> corners = topology.facet_corners(facet);
   const VectorOf<d> arm =
       corners.rowwise().mean() - middle_of<d>(topology, ridge);
   const double size = size_of_facet<d>(corners);
   return {arm / size, size_of_ridge<d>(topology, ridge) / size,
-          follows_turn<d>(vertices, of_ridge) ? 1.0 : -1.0};
+          follows_turn<d>(topology, facet, ridge) ? 1.0 : -1.0};
 }
 
 template <int d>
@@ -142,18 +133,15 @@ WrenchShift<d> balancing_shift(const FacetTopology<d>& topology, int cell,
 template <int d>
 std::array<FacetMatrix<d>, d + 1> wrench_bases(const FacetTopology<d>& topology,
                                                int cell) {
-  const Facets<d>& facets = topology.facets;
+  const auto& [mesh, facets, ridges] = topology;
   std::array<FacetMatrix<d>, d + 1> bases;
   for (int k = 0; k <= d; ++k) {
     const int facet = facets.of_cell(k, cell);
-    const Matrix<int, d, 1> vertices = facets.vertices.col(facet);
     const FacetMatrix<d> V =
         facets.eta(k, cell) * wrench_basis<d>(topology.facet_corners(facet));
-    for (int j = 0; j < d; ++j) {
-      const int vertex = topology.mesh.cells(vertex_of_facet<d>(k, j), cell);
-      bases[k].template middleRows<d>(d * j) =
-          V.template middleRows<d>(d * place_among<d>(vertices, vertex));
-    }
+    for (int j = 0; j < d; ++j)
+      bases[k].template middleRows<d>(d * j) = V.template middleRows<d>(
+          d * place_on_own<d>(mesh, facets, cell, k, j));
   }
   return bases;
 }

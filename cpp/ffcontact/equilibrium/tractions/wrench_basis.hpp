@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "ffcontact/equilibrium/stress/composite_element.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/mesh/facet_topology.hpp"
 
 namespace ffcontact {
@@ -98,6 +98,15 @@ WrenchShift<d> wrench_shift(const FacetTopology<d>& topology, int facet,
 template <int d>
 WrenchShift<d> balancing_shift(const FacetTopology<d>& topology, int cell,
                                int k, int l);
+
+/// The place on facet k of a cell, in the facet's own order, of its vertex j in the cell's
+/// (vertex_of_facet).
+template <int d>
+int place_on_own(const SimplexMesh<d>& mesh, const Facets<d>& facets, int cell,
+                 int k, int j) {
+  return facets.place_of(mesh.cells(vertex_of_facet<d>(k, j), cell),
+                         facets.of_cell(k, cell));
+}
 
 /// The columns of facet_energy on a cell for its facets' (w, y), as these are stored: of the
 /// facet's own normal, in the order of its vertices.
