@@ -9,7 +9,7 @@ using namespace ffcontact;
 int main() {
   enum Side { bottom = 1, right, top };
   const double width = 40, pressure = 5, lambda = 13e3 / 3.6, G = 13e3 / 2.4;
-  const Topology topology = topology_of(rectangle({16, 16}, {width, width}));
+  const Topology<2> topology = topology_of(rectangle({16, 16}, {width, width}));
   const Mesh& mesh = topology.mesh;
   const Hooke hooke(mesh.cell_count(), isotropic(lambda, G));
 
@@ -21,11 +21,12 @@ int main() {
   prescribe(mesh, right, 0, 0, A, b);
   const ElasticSystem system = elastic_system(A, b);
 
-  const ContactLine line = contact_line(mesh, topology.edges, {bottom});
+  const ContactLine line = contact_line(mesh, topology.facets, {bottom});
   ContactLaw law;
   law.friction = VectorXd::Constant(line.node_count(), 0.3);
   const ContactSolution solution = solve_contact(mesh, line, law, system);
-  const BodyLoadsOfAll no_loads = BodyLoadsOfAll::Zero(6, mesh.cell_count());
+  const BodyLoadsOfCells<2> no_loads =
+      BodyLoadsOfCells<2>::Zero(6, mesh.cell_count());
   const SolvedBody solved{
       hooke,    solution.displacement, solution.pressure, law, tractions,
       no_loads, solution.stiffness};

@@ -31,11 +31,11 @@ Vector3d shrunk(const Vector3d& corners) {
 
 }  // namespace
 
-VectorXd stress_component(const std::vector<CompositeStress>& stress,
+VectorXd stress_component(const std::vector<SubcellStress<2>>& stress,
                           int component) {
   VectorXd values(9 * count_of(stress));
   Index first = 0;
-  for (const CompositeStress& of_triangle : stress)
+  for (const SubcellStress<2>& of_triangle : stress)
     for (int k = 0; k < 3; ++k, first += 3) {
       // k+1, k+2, centroid
       const Vector3d corners =

@@ -12,7 +12,7 @@ namespace ffcontact::plugin {
 /// One stress component as a P1dc array on splitmesh3(Th), whose triangle 3 t + k is
 /// triangle t with vertex k moved to the centroid. FreeFEM keeps P1dc values at the
 /// vertices shrunk by 1 % towards the triangle's centroid.
-VectorXd stress_component(const std::vector<CompositeStress>& stress,
+VectorXd stress_component(const std::vector<SubcellStress<2>>& stress,
                           int component);
 
 /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the line

@@ -97,9 +97,9 @@ class InitialStresses {
     return own.oscillation;
   }
 
-  LinearStresses joined() const {
-    return values_.cols() > 0 ? LinearStresses::of_values(values_)
-                              : LinearStresses();
+  LinearStresses<2> joined() const {
+    return values_.cols() > 0 ? LinearStresses<2>::of_values(values_)
+                              : LinearStresses<2>();
   }
 
  private:

@@ -52,15 +52,15 @@ void put_rates(Stack stack, const NamedArguments& named,
                const ContactProblem& problem, const ElasticSystem& system,
                const SolvedBody& body) {
   if (!named.given_of_bodies("rate")) return;
-  const Topology& topology = problem.topology();
+  const Topology<2>& topology = problem.topology();
   const BoundaryTractions boundary =
-      boundary_tractions(topology.mesh, topology.edges, system.prescribed,
+      boundary_tractions(topology.mesh, topology.facets, system.prescribed,
                          boundary_moments(topology.mesh, body), problem.line,
                          edge_densities(problem.line, body.pressure));
   const std::vector<SingularVertex> singular = singular_vertices(
       topology, body.hooke,
       total_stresses(topology.mesh, body, body.displacement).mean, boundary,
-      contact_edge_numbers(problem.line, topology.edges));
+      contact_edge_numbers(problem.line, topology.facets));
   put_by_bodies(stack, named, problem.joined.first_cell, "rate",
                 local_rates(topology, singular));
 }
@@ -72,7 +72,7 @@ void put_stress(Stack stack, const NamedArguments& named,
     return named.given_of_bodies(name);
   };
   if (std::none_of(parameter.begin(), parameter.end(), wanted)) return;
-  const std::vector<CompositeStress> stress =
+  const std::vector<SubcellStress<2>> stress =
       stress_on_triangles(problem.mesh, estimate);
   for (int c = 0; c < 3; ++c)
     put_by_bodies(stack, named, problem.joined.first_cell, parameter[c],

@@ -54,20 +54,20 @@ SolidRelaxationSettings solid_settings(Stack stack,
 
 /// rate=, where it is given.
 void put_solid_rates(Stack stack, const NamedArguments& named,
-                     const SolidTopology& topology, const SolidProblem& problem,
+                     const Topology<3>& topology, const SolidProblem& problem,
                      const SolvedSolid& solved,
                      const ffcontact::SolvedSolid& body) {
   if (!named.given_of_bodies("rate")) return;
   const Flags& prescribed = solved.system->prescribed;
   KnownComponents known =
-      given_tractions(topology.mesh, topology.faces, prescribed, body.neumann)
+      given_tractions(topology.mesh, topology.facets, prescribed, body.neumann)
           .known;
-  Flags is_contact(topology.faces.count(), 0);
+  Flags is_contact(topology.facets.count(), 0);
   for (int face : problem.surface.face) {
     known.col(face).setConstant(true);
     is_contact[face] = 1;
   }
-  const Matrix6Xd stress =
+  const CellStresses<3> stress =
       stresses(topology.mesh, body.hooke, body.displacement);
   put_by_bodies(
       stack, named, problem.joined.first_cell, "rate",
@@ -126,7 +126,7 @@ Flags held_nodes(const SurfaceSolution& solution, StuckNodes stuck) {
 
 /// coulomb= and bound=, where one of them is given.
 void put_bound(Stack stack, const NamedArguments& named,
-               const SolidTopology& topology, const SolidProblem& problem,
+               const Topology<3>& topology, const SolidProblem& problem,
                const SolvedSolid& solved, const ffcontact::SolvedSolid& body,
                const SolidEstimate& estimate, StuckNodes stuck) {
   if (!named.given("coulomb") && !named.given("bound")) return;
@@ -165,7 +165,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   ffcontact::SolvedSolid body = judged_body(*contact.solved);
   const double oscillation = read(problem, body);
 
-  const SolidTopology topology = topology_of(problem.mesh);
+  const Topology<3> topology = topology_of(problem.mesh);
   SolidEstimate estimate =
       estimate_error(topology, problem.surface, *contact.solved->system, body,
                      settings, relax);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/equilibrium/stress/stress_conditions.hpp"
 //
 #include "freefem/solid_point.hpp"
 
@@ -142,8 +143,8 @@ ForceSamples samples_of(const SolidLoad& force, double volume, int t,
 /// (h / pi)^2 |f - f~|^2, h the cube root of six volumes; f~ is constant on the
 /// subtetrahedra, and subtetrahedron k holds the points where phi_k is the smallest.
 double oscillation_square(const ForceSamples& samples,
-                          const SolidBodyLoads& loads, double volume) {
-  const Matrix<double, 3, 4> constant = body_force_of(loads, volume);
+                          const CellBodyLoads<3>& loads, double volume) {
+  const Matrix<double, 3, 4> constant = body_force_of<3>(loads, volume);
   double square = 0;
   for (Index q = 0; q < samples.weight.size(); ++q) {
     Index k;
@@ -157,7 +158,7 @@ double oscillation_square(const ForceSamples& samples,
 /// @param body_loads  of all solids [12 x tetrahedra]
 /// @return the square of their oscillation
 double put_body_loads(Stack stack, const SolidLoad& force,
-                      const SolidPart& solid, SolidBodyLoadsOfAll& body_loads) {
+                      const SolidPart& solid, BodyLoadsOfCells<3>& body_loads) {
   if (!force.given()) return 0;
   SolidPoint point(stack, solid);
   double square = 0;
@@ -165,7 +166,7 @@ double put_body_loads(Stack stack, const SolidLoad& force,
     const int cell = solid.first_cell + t;
     const double volume = signed_volume(solid.mesh, cell);
     const ForceSamples samples = samples_of(force, volume, t, point);
-    const SolidBodyLoads loads =
+    const CellBodyLoads<3> loads =
         samples.f * samples.weight.asDiagonal() * samples.phi.transpose();
     body_loads.col(cell) = loads.reshaped();
     square += oscillation_square(samples, loads, volume);
@@ -180,7 +181,7 @@ double read_material_and_loads(Stack stack, const NamedArguments& named,
                                ffcontact::SolvedSolid& body) {
   const SolidMesh& mesh = bodies.joined.mesh;
   body.neumann = FaceMoments::Zero(9, mesh.boundary.cols());
-  body.body_loads = SolidBodyLoadsOfAll::Zero(12, mesh.cell_count());
+  body.body_loads = BodyLoadsOfCells<3>::Zero(12, mesh.cell_count());
   double square = 0;
   for (int k = 0; k < bodies.body_count(); ++k) {
     const NamesOfBody own(k, bodies.body_count());

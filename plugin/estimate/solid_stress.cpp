@@ -30,10 +30,10 @@ bool is_wanted(const NamedArguments& named, int body, int bodies) {
 
 }  // namespace
 
-Matrix6Xd p1dc_arrays(const std::vector<SolidStress>& stress) {
-  Matrix6Xd values(6, 16 * count_of(stress));
+CellStresses<3> p1dc_arrays(const std::vector<SubcellStress<3>>& stress) {
+  CellStresses<3> values(6, 16 * count_of(stress));
   Index first = 0;
-  for (const SolidStress& of_tetrahedron : stress)
+  for (const SubcellStress<3>& of_tetrahedron : stress)
     for (int k = 0; k < 4; ++k, first += 4) {
       // k+1, k+2, k+3, barycentre
       const auto corners =
@@ -45,18 +45,17 @@ Matrix6Xd p1dc_arrays(const std::vector<SolidStress>& stress) {
 }
 
 void put_solid_stress(Stack stack, const NamedArguments& named,
-                      const SolidProblem& problem,
-                      const SolidTopology& topology,
+                      const SolidProblem& problem, const Topology<3>& topology,
                       const SolidEstimate& estimate,
                       const ffcontact::SolvedSolid& body) {
   const std::vector<int>& first = problem.joined.first_cell;
   const int bodies = problem.body_count();
   for (int k = 0; k < bodies; ++k) {
     if (!is_wanted(named, k, bodies)) continue;
-    std::vector<SolidStress> stress;
+    std::vector<SubcellStress<3>> stress;
     for (int t = first[k]; t < first[k + 1]; ++t)
       stress.push_back(stress_of(topology, estimate, body, t));
-    const Matrix6Xd values = p1dc_arrays(stress);
+    const CellStresses<3> values = p1dc_arrays(stress);
     for (int c = 0; c < 6; ++c)
       named.put(stack, name_of_body(stress_names[c], k, bodies),
                 values.row(c).transpose());

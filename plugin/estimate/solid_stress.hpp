@@ -12,13 +12,12 @@ namespace ffcontact::plugin {
 /// barycentre: rows xx, yy, zz, yz, xz, xy [6 x 16 cells]. FreeFEM keeps P1dc values of a
 /// mesh3 at the vertices shrunk by 1e-4 towards the tetrahedron's barycentre.
 /// @param stress  one tetrahedron after the other
-Matrix6Xd p1dc_arrays(const std::vector<SolidStress>& stress);
+CellStresses<3> p1dc_arrays(const std::vector<SubcellStress<3>>& stress);
 
 /// The admissible stress where the script asks for it: sxx=, syy=, szz=, syz=, sxz= and
 /// sxy= of one solid, sxx1=, ... of several.
 void put_solid_stress(Stack stack, const NamedArguments& named,
-                      const SolidProblem& problem,
-                      const SolidTopology& topology,
+                      const SolidProblem& problem, const Topology<3>& topology,
                       const SolidEstimate& estimate,
                       const ffcontact::SolvedSolid& body);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/equilibrium/stress/stress_conditions.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 //
@@ -127,10 +128,8 @@ struct SampledForce {
     }
   }
 
-  BodyLoads loads() const {
-    const Matrix<double, 2, 3> of_vertices =
-        (f * weight.asDiagonal()).lazyProduct(phi.transpose());
-    return of_vertices.reshaped();
+  CellBodyLoads<2> loads() const {
+    return (f * weight.asDiagonal()).lazyProduct(phi.transpose());
   }
 };
 
@@ -232,18 +231,18 @@ Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
 
 BodyForce body_force_loads(Stack stack, Expression fx, Expression fy,
                            const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
-  BodyForce force{BodyLoadsOfAll::Zero(6, mesh.cells.cols()), 0};
+  BodyForce force{BodyLoadsOfCells<2>::Zero(6, mesh.cells.cols()), 0};
   const PlaneField field{fx, fy};
   if (!field.given()) return force;
   PlanePoint point(stack, fem_mesh);
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const double area = signed_area(mesh, t);
     const SampledForce sampled(field, t, area, point);
-    const BodyLoads loads = sampled.loads();
-    force.loads.col(t) = loads;
+    const CellBodyLoads<2> loads = sampled.loads();
+    force.loads.col(t) = loads.reshaped();
     force.oscillation +=
         oscillation_square(sampled.f, sampled.phi, sampled.weight,
-                           body_force_of(loads, area), area);
+                           body_force_of<2>(loads, area), area);
   }
   force.oscillation = std::sqrt(force.oscillation);
   return force;

@@ -3,7 +3,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/law/contact_law.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/interface/stated_places.hpp"
 //
 #include "freefem/arguments.hpp"
@@ -58,7 +58,7 @@ Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,
 /// Body forces as the loads of the script.
 struct BodyForce {
   /// int f phi_i per triangle, by the quadrature that FreeFEM's int2d uses by default
-  BodyLoadsOfAll loads;
+  BodyLoadsOfCells<2> loads;
   /// (sum over triangles of (h / pi)^2 |f - f~|^2)^(1/2), f~ the force of
   /// composite_stress [N]
   double oscillation;

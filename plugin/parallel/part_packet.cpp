@@ -18,7 +18,8 @@ void visit_members(Part& part, const Visit& visit) {
   visit(edges.vertices, edges.facet_start, edges.facet, edges.of_facet,
         edges.on_boundary);
   visit(place.cell, place.face);
-  visit(hooke, boundary.known, boundary.moments, body_loads, stress, moments);
+  visit(hooke, boundary.known, boundary.moments, body_loads, stress.mean,
+        stress.variation, moments);
   visit(share.cell, share.facet, share.ridge, share.counted);
   visit(given, taken, contact_counted, contact_known, has_contact);
 }

@@ -87,16 +87,8 @@ Tensors tensors_of(const MatrixXd& columns) {
   return hooke;
 }
 
-/// The initial stresses at the vertices [9 x triangles]; no columns: none.
-MatrixXd values_of(const LinearStresses& stresses) {
-  MatrixXd values(9, stresses.mean.cols());
-  for (Index t = 0; t < values.cols(); ++t)
-    values.col(t) = stresses.at_vertices(static_cast<int>(t)).reshaped();
-  return values;
-}
-
 ReadColumns columns_of(const SolvedBody& body, const Oscillation& oscillation) {
-  return {{columns_of(body.hooke), body.body_loads, values_of(body.initial)},
+  return {{columns_of(body.hooke), body.body_loads, body.initial.values()},
           {body.neumann, body.springs.stiffness, body.springs.rest},
           {oscillation.force, oscillation.strain}};
 }
@@ -105,7 +97,7 @@ Oscillation take(const ReadColumns& whole, SolvedBody& body) {
   body.hooke = tensors_of<Hooke>(whole.cells[0]);
   body.body_loads = whole.cells[1];
   if (whole.cells[2].cols() > 0)
-    body.initial = LinearStresses::of_values(whole.cells[2]);
+    body.initial = LinearStresses<2>::of_values(whole.cells[2]);
   body.neumann = whole.boundary[0];
   body.springs.stiffness = whole.boundary[1];
   body.springs.rest = whole.boundary[2];

@@ -6,7 +6,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/unions.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/linear/norms.hpp"
 //
@@ -62,18 +62,18 @@ void write_body(const fs::path& folder, long step,
 
 /// Those of the three subtriangles, one after the other.
 Matrix<double, 2, 9> corners_of_parts(const Mesh& mesh, int triangle) {
-  const TriangleCorners corners =
+  const CellCorners<2> corners =
       corners_of(mesh, triangle).colwise() + mesh.origin;
   Matrix<double, 2, 9> points;
   for (int k = 0; k < 3; ++k)
-    points.middleCols<3>(3 * k) = subtriangle(corners, k);
+    points.middleCols<3>(3 * k) = subcell<2>(corners, k);
   return points;
 }
 
 /// The subtriangles have corners of their own: the stress jumps between them.
 void write_stress(const fs::path& folder, long step,
                   const ContactProblem& problem,
-                  const std::vector<CompositeStress>& stress, int body) {
+                  const std::vector<SubcellStress<2>>& stress, int body) {
   const std::vector<int>& first_triangle = problem.joined.first_cell;
   const int first = first_triangle[body],
             triangles = first_triangle[body + 1] - first;
@@ -185,7 +185,7 @@ void write_pictures(const fs::path& folder, long step,
     write_body(folder, step, problem, solved, body);
   if (!solved.estimate) return;
   write_tractions(folder / ("tractions" + number), problem, *solved.estimate);
-  const std::vector<CompositeStress> stress =
+  const std::vector<SubcellStress<2>> stress =
       stress_on_triangles(problem.mesh, *solved.estimate);
   for (int body = 0; body < problem.body_count(); ++body)
     write_stress(folder, step, problem, stress, body);

@@ -42,7 +42,7 @@ VtuCells body_cells(const SolidProblem& problem, const SolvedSolid& solved,
 /// The four subtetrahedra k+1, k+2, k+3, centroid of each tetrahedron, with corners of
 /// their own: the stress jumps between them.
 void write_stress(const fs::path& file, const SolidProblem& problem,
-                  const SolidTopology& topology, const SolvedSolid& solved,
+                  const Topology<3>& topology, const SolvedSolid& solved,
                   int body) {
   const std::vector<int>& first_cell = problem.joined.first_cell;
   const int first = first_cell[body], count = first_cell[body + 1] - first;
@@ -52,7 +52,7 @@ void write_stress(const fs::path& file, const SolidProblem& problem,
   parts.corners = Eigen::VectorXi::LinSpaced(16 * count, 0, 16 * count - 1)
                       .reshaped(4, 4 * count);
   for (int t = 0; t < count; ++t) {
-    const TetrahedronCorners x =
+    const CellCorners<3> x =
         corners_of(problem.mesh, first + t).colwise() + problem.mesh.origin;
     at_corners.middleCols<16>(16 * t) =
         stress_of(topology, *solved.estimate, *solved.judged, first + t);
@@ -163,7 +163,7 @@ void write_pictures(const fs::path& folder, long step,
                       *problem.fem_meshes[body], cells);
   }
   if (!solved.estimate) return;
-  const SolidTopology topology = topology_of(problem.mesh);
+  const Topology<3> topology = topology_of(problem.mesh);
   for (int body = 0; body < problem.body_count(); ++body)
     write_stress(folder / picture_file("stress", step, body), problem, topology,
                  solved, body);

@@ -26,7 +26,8 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
 
 ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
                                const std::vector<pmesh>& meshes)
-    : PlaneBodies(meshes), topology_{joined.mesh, edges_of(joined.mesh), {}} {
+    : PlaneBodies(meshes),
+      topology_{joined.mesh, edges_of(joined.mesh), {}, {}} {
   previous_ = stated_previous(stack, named, *this);
   state(stack, named);
 }
@@ -36,7 +37,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
                                const PlacesElsewhere<2>& elsewhere,
                                VectorXd previous)
     : PlaneBodies(std::move(whole)),
-      topology_{joined.mesh, edges_of(joined.mesh), {}},
+      topology_{joined.mesh, edges_of(joined.mesh), {}, {}},
       elsewhere_(&elsewhere),
       previous_(std::move(previous)) {
   state(stack, named);
@@ -49,9 +50,10 @@ void ContactProblem::state(Stack stack, const NamedArguments& named) {
   join_carriers();
 }
 
-const Topology& ContactProblem::topology() const {
-  if (topology_.stars.triangle_start.empty())
-    topology_.stars = stars_of(topology_.mesh, topology_.edges);
+const Topology<2>& ContactProblem::topology() const {
+  if (topology_.stars.start.empty())
+    topology_ =
+        topology_of(std::move(topology_.mesh), std::move(topology_.facets));
   return topology_;
 }
 

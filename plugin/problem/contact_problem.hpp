@@ -35,7 +35,7 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 /// Both are prepared; it is side 1 until choose_sides knows the matrices.
 struct ContactProblem : PlaneBodies {
   const Mesh& mesh = joined.mesh;
-  const Edges& edges = topology_.edges;
+  const Edges& edges = topology_.facets;
   ContactLine line;
   ContactLaw law;  ///< multiplier left at its default
   std::vector<long>
@@ -70,7 +70,7 @@ struct ContactProblem : PlaneBodies {
 
   /// The joined mesh with its edges and stars, made once.
   /// @throws std::invalid_argument  if a body touches itself in a single vertex
-  const Topology& topology() const;
+  const Topology<2>& topology() const;
 
   /// Nodal pressures from the script's pn and pt [2 x p].
   Matrix2Xd pressures(KN<double>* normal, KN<double>* tangential) const;
@@ -110,7 +110,7 @@ struct ContactProblem : PlaneBodies {
   void clear_line();
   void append_carrier(const Carrier& carrier, bool on_opposite);
 
-  mutable Topology
+  mutable Topology<2>
       topology_;  ///< stars are made when an estimate asks for them
   std::vector<Pair> pairs_;
   /// while it is stated

@@ -23,7 +23,7 @@ struct OrderedGraph {
   int kept;
 };
 
-OrderedGraph ordered_graph(const SolidTopology& topology) {
+OrderedGraph ordered_graph(const Topology<3>& topology) {
   const auto& [mesh, faces, edges, stars] = topology;
   const int count = mesh.vertex_count();
   std::vector<int> inside, order, kept;
@@ -76,21 +76,21 @@ void count_factor(const OrderedGraph& graph, Counts& counts) {
 }
 
 /// Bytes of forms, factors and unknowns of the relaxation.
-double bytes_of_relaxation(const SolidTopology& topology) {
+double bytes_of_relaxation(const Topology<3>& topology) {
   double factors = 0;
-  for (int e = 0; e < topology.edges.count(); ++e)
-    factors +=
-        static_cast<double>(factor_size(unknowns_around<3>(topology.edges, e)));
+  for (int e = 0; e < topology.ridges.count(); ++e)
+    factors += static_cast<double>(
+        factor_size(unknowns_around<3>(topology.ridges, e)));
   constexpr double form = 4 * FacetForms<3>::stored, images = 8 * 36,
                    unknowns = 8 * 9 * 5,
                    around_an_edge = 8 * 9 + sizeof(WrenchShift<3>);
   return (form + images) * topology.mesh.cell_count() + 4 * factors +
-         unknowns * topology.faces.count() +
-         around_an_edge * static_cast<double>(topology.edges.facet.size());
+         unknowns * topology.facets.count() +
+         around_an_edge * static_cast<double>(topology.ridges.facet.size());
 }
 
 /// The halos of eight octants, a part of their tetrahedra.
-double halo_of_octants(const SolidTopology& topology) {
+double halo_of_octants(const Topology<3>& topology) {
   const SolidMesh& mesh = topology.mesh;
   double with_halo = 0;
   for (int octant = 0; octant < 8; ++octant) {
@@ -109,7 +109,7 @@ double halo_of_octants(const SolidTopology& topology) {
 }
 
 Counts counts_of(int n) {
-  const SolidTopology topology = topology_of(test::brick({n, n, n}, {1, 1, 1}));
+  const Topology<3> topology = topology_of(test::brick({n, n, n}, {1, 1, 1}));
   Counts counts{};
   counts.dofs = 3.0 * topology.mesh.vertex_count();
   counts.cells = topology.mesh.cell_count();

@@ -23,14 +23,14 @@ SolvedBody solved_body(const test::Problem& problem,
   body.pressure = solution.pressure;
   body.law = problem.law;
   body.neumann = problem.neumann;
-  body.body_loads = BodyLoadsOfAll::Zero(6, problem.mesh.cells.cols());
+  body.body_loads = BodyLoadsOfCells<2>::Zero(6, problem.mesh.cells.cols());
   body.stiffness = solution.stiffness;
   return body;
 }
 
 std::function<void()> estimate(int n) {
   static std::map<int, SolvedBody> bodies;
-  static std::map<int, Topology> topologies;
+  static std::map<int, Topology<2>> topologies;
   const test::Problem& body = problem(n);
   const ElasticSystem& system = elastic_system_of(n);
   if (!bodies.count(n)) {

@@ -57,7 +57,7 @@ Case estimate(test::BlockCase loads) {
     const auto body = case_of(n, loads);
     const test::SolidProblem& problem = body->problem;
     const auto topology =
-        std::make_shared<const SolidTopology>(topology_of(problem.mesh));
+        std::make_shared<const Topology<3>>(topology_of(problem.mesh));
     const auto solved = std::make_shared<const SolvedSolid>(
         test::solved_solid(problem, solve_contact(problem.mesh, problem.surface,
                                                   problem.law, body->system)));

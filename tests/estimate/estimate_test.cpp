@@ -104,7 +104,7 @@ RC_GTEST_PROP(Estimate, parts_are_those_of_its_fields, ()) {
   double elastic = 0, sum = 0;
   for (int t = 0; t < problem.mesh.cell_count(); ++t) {
     const Matrix3d compliance = problem.hooke[t].inverse();
-    const CompositeStress constant = sigma.col(t).replicate<1, 9>();
+    const SubcellStress<2> constant = sigma.col(t).replicate<1, 9>();
     elastic += energy(corners_of(problem.mesh, t), compliance,
                       estimate.stress[t] - constant);
     sum += energy(corners_of(problem.mesh, t), compliance,

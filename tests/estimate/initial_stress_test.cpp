@@ -18,7 +18,7 @@ using namespace test;
 const Material steel = material(200e3, 0.3);
 constexpr double width = 40, height = 30, free_strain = 1e-3;
 
-LinearStresses heated(const Mesh& mesh) {
+LinearStresses<2> heated(const Mesh& mesh) {
   const Vector3d tau = -steel.hooke() * Vector3d(free_strain, free_strain, 0);
   return at_vertices(mesh, [=](const Vector2d&) { return tau; });
 }
@@ -36,12 +36,12 @@ Problem on_rollers(double gap) {
 
 TEST(InitialStrain, of_a_free_body_leaves_no_stress) {
   Problem problem = on_rollers(2 * free_strain * height);
-  const LinearStresses tau = heated(problem.mesh);
+  const LinearStresses<2> tau = heated(problem.mesh);
   add_initial_stress(problem, tau);
   const Estimate estimate = estimated(problem, solved(problem), tau);
   EXPECT_TRUE(estimate.admissible) << estimate.reason;
   EXPECT_EQ(estimate.e, 0);
-  for (const CompositeStress& stress : estimate.stress)
+  for (const SubcellStress<2>& stress : estimate.stress)
     EXPECT_TRUE(stress.isZero(0));
 }
 
@@ -56,14 +56,14 @@ TEST(InitialStrain, of_a_confined_body_presses_it) {
     Problem problem = on_rollers(gap);
     set_friction(problem, 0);
     problem.law.multiplier = multiplier;
-    const LinearStresses tau = heated(problem.mesh);
+    const LinearStresses<2> tau = heated(problem.mesh);
     add_initial_stress(problem, tau);
     const Estimate estimate = estimated(problem, solved(problem), tau);
     EXPECT_TRUE(estimate.admissible) << estimate.reason;
     const double scale = estimate.e / estimate.relative;
     EXPECT_LT(estimate.elastic, 1e-10 * scale);
     EXPECT_LT(std::abs(estimate.contact), 1e-14 * scale * scale);
-    for (const CompositeStress& stress : estimate.stress)
+    for (const SubcellStress<2>& stress : estimate.stress)
       EXPECT_LT((stress.colwise() - Vector3d(0, pressure, 0)).norm(),
                 1e-9 * std::abs(pressure));
   }
@@ -78,7 +78,7 @@ TEST(InitialStress, in_balance_with_tractions_is_exact) {
   add_traction(problem, right, Vector2d(sigma[0], sigma[2]));
   add_traction(problem, top, Vector2d(sigma[2], sigma[1]));
   set_friction(problem, 0.5);
-  const LinearStresses tau =
+  const LinearStresses<2> tau =
       at_vertices(problem.mesh, [=](const Vector2d&) { return sigma; });
   add_initial_stress(problem, tau);
   const ContactSolution solution = solved(problem);
@@ -121,7 +121,7 @@ RC_GTEST_PROP(InitialStress, that_varies_is_bounded_and_tight,
   const Exact exact = exact_solution(*real(0, 0.4), random);
   Problem problem = loaded_in_contact(
       exact.total, irregular(*rc::gen::inRange(3, 7), 4, 2, 2, random));
-  const LinearStresses tau = at_vertices(problem.mesh, exact.tau);
+  const LinearStresses<2> tau = at_vertices(problem.mesh, exact.tau);
   add_initial_stress(problem, tau);
   add_body_force(problem, exact.force);
   problem.law.multiplier =
@@ -130,11 +130,11 @@ RC_GTEST_PROP(InitialStress, that_varies_is_bounded_and_tight,
   RC_ASSERT(solution.status == ContactStatus::converged);
   const Estimate estimate = estimated(problem, solution, tau, sweeps(4));
   RC_ASSERT(estimate.admissible);
-  std::vector<CompositeStress> of_u_hat;
-  const LinearStresses total = total_stresses(
+  std::vector<SubcellStress<2>> of_u_hat;
+  const LinearStresses<2> total = total_stresses(
       problem.mesh, solved_body(problem, solution, tau), estimate.displacement);
   for (int t = 0; t < problem.mesh.cell_count(); ++t)
-    of_u_hat.push_back(composite_of(total.at_vertices(t)));
+    of_u_hat.push_back(subcell_values<2>(total.at_vertices(t)));
   const double of_stress = distance(exact.total, problem.mesh, estimate.stress),
                of_displacement = distance(exact.total, problem.mesh, of_u_hat);
   const double both = std::hypot(of_stress, of_displacement);
@@ -149,18 +149,18 @@ TEST(InitialStress, is_in_the_error_and_in_its_scale) {
   const Exact exact = exact_solution(0.3, random);
   Problem problem =
       loaded_in_contact(exact.total, irregular(4, 4, 2, 2, random));
-  const LinearStresses tau = at_vertices(problem.mesh, exact.tau);
+  const LinearStresses<2> tau = at_vertices(problem.mesh, exact.tau);
   add_initial_stress(problem, tau);
   add_body_force(problem, exact.force);
   const ContactSolution solution = solved(problem);
-  const LinearStresses total = total_stresses(
+  const LinearStresses<2> total = total_stresses(
       problem.mesh, solved_body(problem, solution, tau), solution.displacement);
   double difference = 0, sum = 0;
   const Estimate composite = estimated(problem, solution, tau);
   for (int t = 0; t < problem.mesh.cell_count(); ++t) {
-    const TriangleCorners corners = corners_of(problem.mesh, t);
+    const CellCorners<2> corners = corners_of(problem.mesh, t);
     const Matrix3d compliance = problem.hooke[t].inverse();
-    const CompositeStress sigma = composite_of(total.at_vertices(t));
+    const SubcellStress<2> sigma = subcell_values<2>(total.at_vertices(t));
     difference += energy(corners, compliance, composite.stress[t] - sigma);
     sum += energy(corners, compliance, composite.stress[t] + sigma);
   }
@@ -179,14 +179,14 @@ TEST(InitialStress, is_in_the_error_and_in_its_scale) {
 
 TEST(InitialStress, that_does_not_fit_is_refused) {
   Problem problem = on_rollers(0);
-  LinearStresses tau = heated(problem.mesh);
+  LinearStresses<2> tau = heated(problem.mesh);
   add_initial_stress(problem, tau);
   const ContactSolution solution = solved(problem);
-  const auto refusal_with = [&](const LinearStresses& spoilt) {
+  const auto refusal_with = [&](const LinearStresses<2>& spoilt) {
     return refusal([&] { estimated(problem, solution, spoilt); });
   };
   EXPECT_TRUE(says(refusal_with({}), "do not balance the stresses at vertex"));
-  LinearStresses short_one = tau;
+  LinearStresses<2> short_one = tau;
   short_one.mean.conservativeResize(3, 7);
   EXPECT_TRUE(says(refusal_with(short_one), "initial stress has 7 values"));
   tau.mean(1, 6) = std::nan("");

@@ -141,13 +141,13 @@ TEST(MatchingSolids, have_their_tractions_relaxed) {
 /// The e^2 that nothing lowers further.
 double least_square(const SolidProblem& problem,
                     const SurfaceSolution& solution) {
-  const SolidTopology topology = topology_of(problem.mesh);
+  const Topology<3> topology = topology_of(problem.mesh);
   const SolvedSolid body = solved_solid(problem, solution);
   const ElasticSystem system = problem.system();
-  const Matrix6Xd stress =
-      stresses(problem.mesh, body.hooke, body.displacement);
+  const LinearStresses<3> stress(
+      stresses(problem.mesh, body.hooke, body.displacement));
   const FirstSurfaceTractions first = first_tractions(
-      {topology, problem.surface, system, body}, stress,
+      {topology, problem.surface, system, body}, stress.mean,
       largest_stress_terms(problem.mesh, body.hooke, body.displacement));
   const FaceSetting setting{
       topology,

@@ -208,7 +208,7 @@ void shares_add_up(const Problem& problem) {
   for (int t = 0; t < problem.mesh.cell_count(); ++t)
     shares[t] -= energy(
         corners_of(problem.mesh, t), problem.hooke[t].inverse(),
-        estimate.stress[t] - CompositeStress(stress.col(t).replicate<1, 9>()));
+        estimate.stress[t] - SubcellStress<2>(stress.col(t).replicate<1, 9>()));
   const ContactLine& line = problem.line;
   const VectorXd contact = contact_error(line, problem.law, estimate.tractions,
                                          estimate.displacement);

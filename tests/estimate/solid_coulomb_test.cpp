@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "ffcontact/elastic/stiffness.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"
@@ -66,7 +67,7 @@ double work_on_finer_mesh(const SolidProblem& coarse,
     for (int k = 0; k < 3; ++k)
       r.col(k) = traction_at(coarse, estimate, x.col(k), x.rowwise().mean());
     const Matrix3d moments =
-        face_moments_of(r, facet_measure(fine.mesh, fine.faces, f));
+        facet_moments_of<3>(r, facet_measure(fine.mesh, fine.faces, f));
     for (int k = 0; k < 3; ++k)
       work +=
           moments.col(k).dot(field.segment<3>(3 * fine.faces.vertices(k, f)));

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/equilibrium/tractions/solid_defect.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"
@@ -480,21 +480,21 @@ TEST(SolidEstimate, stress_has_the_moments) {
   const SolidProblem problem = any_block(random);
   const SurfaceSolution solution = problem.solve();
   const SolvedSolid body = solved_solid(problem, solution);
-  const SolidTopology topology = topology_of(problem.mesh);
+  const Topology<3> topology = topology_of(problem.mesh);
   const SolidEstimate found =
       estimate_error(topology, problem.surface, problem.system(), body);
-  const FaceLoads on_faces =
-      loads_of(problem.mesh, topology.faces, found.moments, 7);
-  const EquilibriumDefect defect = tetrahedron_defect(
+  const FacetLoads<3> on_faces =
+      loads_of(problem.mesh, topology.facets, found.moments, 7);
+  const EquilibriumDefect defect = cell_defect<3>(
       corners_of(problem.mesh, 7), stress_of(topology, found, body, 7),
-      on_faces, SolidBodyLoads::Zero());
+      on_faces, CellBodyLoads<3>::Zero());
   EXPECT_LT(defect.largest(), 1e-10);
 }
 
 TEST(SolidEstimate, names_what_does_not_fit) {
   const SolidProblem problem = block_problem(block(4), BlockCase::press, 0.5);
   const SurfaceSolution solution = problem.solve();
-  const SolidTopology topology = topology_of(problem.mesh);
+  const Topology<3> topology = topology_of(problem.mesh);
   const auto said = [&](const SolvedSolid& body) {
     return refusal([&] {
       estimate_error(topology, problem.surface, problem.system(), body);

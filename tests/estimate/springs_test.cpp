@@ -170,7 +170,7 @@ double squared_spring_distance(const SprungBlock& block, const Problem& coarse,
     };
     const Vector2d from = end(coarse, 0, B), to = end(coarse, 1, B);
     const double length = (to - from).norm();
-    const Vector4d density = density_of_moments(tractions.col(B), length);
+    const Vector4d density = density_of(tractions.col(B), length);
     for (int q = 0; q < 3; ++q) {
       const double s = gauss_places[q];
       const Vector2d x = (1 - s) * end(fine, 0, b) + s * end(fine, 1, b);

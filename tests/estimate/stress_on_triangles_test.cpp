@@ -37,7 +37,7 @@ bool contains(const Matrix<double, 2, 3>& corners, const Vector2d& x) {
   return true;
 }
 
-Matrix<double, 2, 3> subtriangle(const TriangleCorners& corners, int k) {
+Matrix<double, 2, 3> subtriangle(const CellCorners<2>& corners, int k) {
   Matrix<double, 2, 3> sub;
   sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
       corners.rowwise().mean();
@@ -55,7 +55,7 @@ void expect_numbers_of_places(const Vector2d& corner) {
   for (int t = 0; t < refinement.mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k)
       estimate.stress[t].middleCols<3>(3 * k).setConstant(3 * t + k);
-  const std::vector<CompositeStress> stress =
+  const std::vector<SubcellStress<2>> stress =
       stress_on_triangles(mesh, estimate);
   ASSERT_EQ(static_cast<int>(stress.size()), mesh.cell_count());
   std::set<double> seen;

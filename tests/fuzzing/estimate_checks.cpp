@@ -77,11 +77,11 @@ void check_displacement(const Assembled& parts, const Ground& ground,
 }
 
 /// Stress at corner c (k+1, k+2, centroid) of subtriangle k.
-Vector3d at_corner(const CompositeStress& stress, int k, int c) {
+Vector3d at_corner(const SubcellStress<2>& stress, int k, int c) {
   return stress.col(3 * k + c);
 }
 
-double divergence_defect(const Corners& corners, const CompositeStress& stress,
+double divergence_defect(const Corners& corners, const SubcellStress<2>& stress,
                          const Vector2d& force) {
   double defect = 0;
   for (int k = 0; k < 3; ++k) {
@@ -104,7 +104,7 @@ double divergence_defect(const Corners& corners, const CompositeStress& stress,
 
 /// Across the side from vertex j to the centroid, between the subtriangles j + 1 and j +
 /// 2.
-double inner_jump(const Corners& corners, const CompositeStress& stress) {
+double inner_jump(const Corners& corners, const SubcellStress<2>& stress) {
   double jump = 0;
   for (int j = 0; j < 3; ++j) {
     const Vector2d n = outward(corners.col(j), corners.rowwise().mean());
@@ -249,7 +249,7 @@ void check_stress(const Case& problem, const Assembled& parts,
   const StressDefects defects =
       stress_defects(problem, parts, ground, estimate);
   // known to its own last place, however far from that of u
-  for (const CompositeStress& stress : estimate.stress)
+  for (const SubcellStress<2>& stress : estimate.stress)
     scale = std::max(scale, stress.cwiseAbs().maxCoeff());
   const auto judge = [&](const char* check, const Largest& defect) {
     if (!(defect.value <= stress_tolerance * scale))
@@ -337,7 +337,7 @@ void check_cone(const Case& problem, const Ground& ground,
 /// int a : C^-1 a over a triangle of a stress that is linear on its subtriangles: the
 /// middles of sides are exact.
 double energy_of(const Corners& corners, const Matrix3d& compliance,
-                 const CompositeStress& stress) {
+                 const SubcellStress<2>& stress) {
   double sum = 0;
   for (int k = 0; k < 3; ++k)
     for (int c = 0; c < 3; ++c) {
@@ -362,7 +362,7 @@ OwnError own_error(const Case& problem, const Assembled& parts,
   OwnError own;
   for (int t = 0; t < ground.mesh.cell_count(); ++t) {
     const Matrix3d& C = parts.elasticity[ground.region[t]];
-    const CompositeStress of_u =
+    const SubcellStress<2> of_u =
         stress_of(ground.mesh, t, C, estimate.displacement).replicate<1, 9>();
     const Corners corners = corners_at(ground.mesh, t);
     own.compliance += area_of(corners) * C.inverse().cwiseAbs().maxCoeff();

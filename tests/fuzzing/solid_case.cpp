@@ -488,8 +488,8 @@ FaceMoments SolidCase::neumann() const {
   return moments;
 }
 
-SolidBodyLoadsOfAll SolidCase::body_loads() const {
-  SolidBodyLoadsOfAll loads = SolidBodyLoadsOfAll::Zero(12, mesh.cell_count());
+BodyLoadsOfCells<3> SolidCase::body_loads() const {
+  BodyLoadsOfCells<3> loads = BodyLoadsOfCells<3>::Zero(12, mesh.cell_count());
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 4; ++k)
       loads.col(t).segment<3>(3 * k) =

@@ -38,7 +38,7 @@ struct SolidCase {
   RowMatrix A() const;  ///< with 1e30 on prescribed diagonals
   VectorXd b() const;
   FaceMoments neumann() const;
-  SolidBodyLoadsOfAll body_loads() const;
+  BodyLoadsOfCells<3> body_loads() const;
 };
 
 /// @throws what the library throws where a surface is stated

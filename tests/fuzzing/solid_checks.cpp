@@ -165,7 +165,7 @@ class Subdivided {
  public:
   using Corners = Eigen::Matrix<double, 3, 4>;
 
-  Subdivided(const SolidMesh& mesh, int cell, SolidStress stress)
+  Subdivided(const SolidMesh& mesh, int cell, SubcellStress<3> stress)
       : vertices_(mesh.cells.col(cell)),
         x_(corners_at(mesh, cell)),
         centre_(x_.rowwise().mean()),
@@ -228,7 +228,7 @@ class Subdivided {
   Eigen::Vector4i vertices_;
   Corners x_;
   Vector3d centre_;
-  SolidStress stress_;
+  SubcellStress<3> stress_;
 };
 
 /// What both sides of a face say of it, at its vertices in ascending order.
@@ -260,7 +260,7 @@ class StressChecks {
   StressChecks(const SolidCase& problem, const SurfaceSolution& solution,
                const SolidEstimate& estimate)
       : problem_(problem), estimate_(estimate) {
-    const SolidTopology topology = topology_of(problem.mesh);
+    const Topology<3> topology = topology_of(problem.mesh);
     const SolvedSolid body{problem.hooke,     solution.displacement,
                            solution.force,    problem.law,
                            problem.neumann(), problem.body_loads(),

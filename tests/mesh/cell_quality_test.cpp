@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/balances.hpp"
+#include "support/cells.hpp"
 #include "support/solids.hpp"
 
 namespace ffcontact {
@@ -36,7 +36,7 @@ TEST(CellQuality, of_sixths_of_cubes) {
 /// Twice the area over the perimeter, by Heron's sides.
 RC_GTEST_PROP(CellQuality, is_the_inscribed_circle_over_the_longest_edge,
               (Random random)) {
-  const TriangleCorners corners = random_triangle(random);
+  const CellCorners<2> corners = random_cell<2>(random);
   const Mesh mesh = single_triangle(corners);
   double perimeter = 0, longest = 0;
   for (int k = 0; k < 3; ++k) {

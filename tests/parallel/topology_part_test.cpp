@@ -28,7 +28,7 @@ MatrixXd places(const SolidMesh& mesh, const Corners& corners) {
 }
 
 RC_GTEST_PROP(TopologyPart, has_what_the_whole_has, (Random random)) {
-  const SolidTopology whole = topology_of(irregular_solid(random));
+  const Topology<3> whole = topology_of(irregular_solid(random));
   const std::vector<int> cells = any_cells(whole.mesh.cell_count(), random);
   const TopologyPart part = part_of(whole, cells);
   const auto& [mesh, faces, edges, stars] = part.topology;
@@ -36,16 +36,16 @@ RC_GTEST_PROP(TopologyPart, has_what_the_whole_has, (Random random)) {
   for (int t = 0; t < mesh.cell_count(); ++t) {
     RC_ASSERT(places(mesh, mesh.cells.col(t)) ==
               places(whole.mesh, whole.mesh.cells.col(cells[t])));
-    RC_ASSERT(faces.eta.col(t) == whole.faces.eta.col(cells[t]));
+    RC_ASSERT(faces.eta.col(t) == whole.facets.eta.col(cells[t]));
     for (int k = 0; k < 4; ++k)
       RC_ASSERT(part.face[faces.of_cell(k, t)] ==
-                whole.faces.of_cell(k, cells[t]));
+                whole.facets.of_cell(k, cells[t]));
   }
   for (int f = 0; f < faces.count(); ++f) {
     const int of_whole = part.face[f];
     RC_ASSERT(places(mesh, faces.vertices.col(f)) ==
-              places(whole.mesh, whole.faces.vertices.col(of_whole)));
-    for (int t : whole.faces.cells.col(of_whole)) {
+              places(whole.mesh, whole.facets.vertices.col(of_whole)));
+    for (int t : whole.facets.cells.col(of_whole)) {
       const auto own = std::find(cells.begin(), cells.end(), t);
       if (own == cells.end()) continue;
       const auto number = static_cast<int>(own - cells.begin());
@@ -54,8 +54,8 @@ RC_GTEST_PROP(TopologyPart, has_what_the_whole_has, (Random random)) {
     RC_ASSERT(faces.cells(0, f) >= 0);
     for (int k = 0; k < 3; ++k)
       RC_ASSERT(places(mesh, edges.vertices.col(edges.of_facet(k, f))) ==
-                places(whole.mesh, whole.edges.vertices.col(
-                                       whole.edges.of_facet(k, of_whole))));
+                places(whole.mesh, whole.ridges.vertices.col(
+                                       whole.ridges.of_facet(k, of_whole))));
   }
   RC_ASSERT(edges.facet.size() == 3u * faces.count());
   for (int e = 0; e < edges.count(); ++e)
@@ -65,7 +65,7 @@ RC_GTEST_PROP(TopologyPart, has_what_the_whole_has, (Random random)) {
 
 RC_GTEST_PROP(TopologyPart, around_cells_are_all_that_share_an_edge,
               (Random random)) {
-  const SolidTopology whole = topology_of(irregular_solid(random));
+  const Topology<3> whole = topology_of(irregular_solid(random));
   const SolidMesh& mesh = whole.mesh;
   const int chosen = static_cast<int>(random() % mesh.cell_count());
   std::vector<char> own(mesh.cell_count(), 0);

@@ -5,9 +5,8 @@
 
 #include <cmath>
 
-#include "support/balances.hpp"
+#include "support/cells.hpp"
 #include "support/solids.hpp"
-#include "support/tetrahedra.hpp"
 
 namespace ffcontact::test {
 namespace {
@@ -20,7 +19,7 @@ SolidMesh single_tetrahedron(const Matrix<double, 3, 4>& corners) {
 }
 
 TEST(CellShape, of_regular_simplices_is_one) {
-  TriangleCorners triangle;
+  CellCorners<2> triangle;
   triangle << 0, 1, 0.5, 0, 0, std::sqrt(0.75);
   EXPECT_NEAR(shape_quality(single_triangle(3 * triangle))[0], 1, 1e-15);
   EXPECT_NEAR(regular_volume<2>(), signed_area(single_triangle(triangle), 0),
@@ -50,12 +49,12 @@ TEST(CellShape, size_is_the_edge_of_the_regular_simplex) {
 
 RC_GTEST_PROP(CellShape, is_below_one_whatever_the_size, (Random random)) {
   const double scale = *real(1e-3, 1e3);
-  const TriangleCorners triangle = random_triangle(random);
+  const CellCorners<2> triangle = random_cell<2>(random);
   const double plane = shape_quality(single_triangle(triangle))[0];
   RC_ASSERT(plane < 1 && plane > 0);
   RC_ASSERT(std::abs(shape_quality(single_triangle(scale * triangle))[0] -
                      plane) < 1e-13);
-  const TetrahedronCorners corners = random_tetrahedron(random);
+  const CellCorners<3> corners = random_cell<3>(random);
   const double solid = shape_quality(single_tetrahedron(corners))[0];
   RC_ASSERT(solid < 1 && solid > 0);
   RC_ASSERT(std::abs(shape_quality(single_tetrahedron(scale * corners))[0] -

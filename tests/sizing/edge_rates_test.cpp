@@ -18,13 +18,13 @@ using namespace test;
 
 /// A block (0, 2) x (0, 1) x (0, 1) all of whose boundary tractions are known.
 struct Block {
-  SolidTopology topology;
+  Topology<3> topology;
   KnownComponents known;
   std::vector<char> is_contact;
 
   explicit Block(const SolidMesh& mesh) : topology(topology_of(mesh)) {
-    known.setConstant(3, topology.faces.count(), true);
-    is_contact.assign(topology.faces.count(), 0);
+    known.setConstant(3, topology.facets.count(), true);
+    is_contact.assign(topology.facets.count(), 0);
   }
   explicit Block(int cells)
       : Block(brick({2 * cells, cells, cells}, {2, 1, 1})) {}
@@ -33,7 +33,7 @@ struct Block {
   /// beside the ends.
   std::vector<SingularLine> singular(double alpha) const {
     const SolidMesh& mesh = topology.mesh;
-    Matrix6Xd stress(6, mesh.cell_count());
+    CellStresses<3> stress(6, mesh.cell_count());
     for (int t = 0; t < mesh.cell_count(); ++t) {
       const Vector3d x = corners_of(mesh, t).rowwise().mean();
       Vector6d size;
@@ -50,7 +50,7 @@ struct Block {
 
 bool is_on_axis(const Block& block, const SingularLine& line) {
   return std::all_of(line.edges.begin(), line.edges.end(), [&](int e) {
-    for (int v : block.topology.edges.vertices.col(e))
+    for (int v : block.topology.ridges.vertices.col(e))
       if (block.topology.mesh.vertices.col(v).tail<2>().norm() > 0)
         return false;
     return true;
@@ -92,17 +92,17 @@ TEST(SingularLines, are_the_edges_and_where_the_boundary_condition_changes) {
   EXPECT_EQ(block.singular(1).size(), 12u);
   // the lower side is in contact left of x = 1: two of its edges break there, and one
   // line crosses it
-  const SolidTopology& topology = block.topology;
-  for (int f = 0; f < topology.faces.count(); ++f) {
+  const Topology<3>& topology = block.topology;
+  for (int f = 0; f < topology.facets.count(); ++f) {
     const Matrix3d x =
-        topology.mesh.vertices(Eigen::all, topology.faces.vertices.col(f));
+        topology.mesh.vertices(Eigen::all, topology.facets.vertices.col(f));
     block.is_contact[f] = x.row(2).maxCoeff() == 0 && x.row(0).maxCoeff() <= 1;
   }
   EXPECT_EQ(block.singular(1).size(), 15u);
   block = Block(4);
-  for (int f = 0; f < topology.faces.count(); ++f) {
+  for (int f = 0; f < topology.facets.count(); ++f) {
     const Matrix3d x = block.topology.mesh.vertices(
-        Eigen::all, block.topology.faces.vertices.col(f));
+        Eigen::all, block.topology.facets.vertices.col(f));
     if (x.row(2).maxCoeff() == 0 && x.row(0).maxCoeff() <= 1)
       block.known(1, f) = false;
   }
@@ -144,7 +144,7 @@ TEST(SingularLines, rates_are_the_exponents_around_them_and_one_elsewhere) {
   const VectorXd rates = local_rates(block.topology, lines);
   const auto touches = [&](int t, const SingularLine& line) {
     for (int e : line.edges)
-      for (int v : block.topology.edges.vertices.col(e))
+      for (int v : block.topology.ridges.vertices.col(e))
         if ((block.topology.mesh.cells.col(t).array() == v).any()) return true;
     return false;
   };

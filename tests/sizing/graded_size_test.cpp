@@ -42,7 +42,7 @@ Matrix2Xi sides_of_cells(const SolidMesh& mesh) {
 RC_GTEST_PROP(GradedSize, is_the_largest_field_below, (Random random)) {
   const double gradation = *real(0.05, 2);
   const Mesh mesh = irregular(6, 4, 6, 4, random);
-  const Matrix2Xi edges = topology_of(mesh).edges.vertices;
+  const Matrix2Xi edges = topology_of(mesh).facets.vertices;
   const VectorXd size =
       random_vector(mesh.vertex_count(), random).array().square() + 0.01;
   const VectorXd graded = graded_size(mesh, edges, size, gradation);
@@ -63,7 +63,7 @@ TEST(GradedSize, grows_with_the_distance) {
   VectorXd size = VectorXd::Constant(mesh.vertex_count(), 5);
   size[0] = 1;
   const VectorXd graded =
-      graded_size(mesh, topology_of(mesh).edges.vertices, size, 0.25);
+      graded_size(mesh, topology_of(mesh).facets.vertices, size, 0.25);
   for (int i = 0; i <= 8; ++i)
     EXPECT_DOUBLE_EQ(graded[i], std::min(5.0, 1 + 0.25 * 2 * i));
 }

@@ -15,9 +15,9 @@ using namespace test;
 
 /// A square (0, 1) x (0, 1) all of whose boundary tractions are known.
 struct Square {
-  Topology topology;
+  Topology<2> topology;
   const Mesh& mesh = topology.mesh;
-  const Edges& edges = topology.edges;
+  const Edges& edges = topology.facets;
   BoundaryTractions boundary;
   std::vector<int> contact_edge;
   explicit Square(int cells)

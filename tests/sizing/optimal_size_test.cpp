@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ffcontact/mesh/edges.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
 #include "ffcontact/sizing/graded_size.hpp"
 #include "support/meshes.hpp"

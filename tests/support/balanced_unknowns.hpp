@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/equilibrium/energy/facet_forms.hpp"
-#include "ffcontact/mesh/solid_topology.hpp"
+#include "ffcontact/mesh/topology.hpp"
 #include "support/random.hpp"
 
 /// Wrenches and bars on the faces of one tetrahedron.
@@ -10,7 +10,7 @@ namespace ffcontact::test {
 
 /// Unknowns of a tetrahedron's faces that balance on it: any wrenches and bars on three of
 /// its faces, and what they ask of a fourth one.
-inline CellVector<3> balanced_unknowns(const SolidTopology& topology, int cell,
+inline CellVector<3> balanced_unknowns(const Topology<3>& topology, int cell,
                                        int d, std::mt19937& random) {
   CellVector<3> x = random_vector(36, random);
   x.segment<6>(9 * d).setZero();

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "support/solid_estimates.hpp"
 
 /// The error of an admissible pair of solids against a finer mesh.
@@ -39,7 +40,7 @@ inline double boundary_work(const SolidProblem& coarse,
         coarse.mesh.vertices(Eigen::all, coarse.faces.vertices.col(f));
     const double area = facet_measure(coarse.mesh, coarse.faces, f);
     const Matrix3d of_face = moments.col(f).reshaped(3, 3),
-                   density = face_density(of_face, area);
+                   density = facet_density<3>(of_face, area);
     whole += area;
     for (int g = 0; g < fine.faces.count(); ++g) {
       if (!fine.faces.on_boundary(g)) continue;
@@ -50,7 +51,7 @@ inline double boundary_work(const SolidProblem& coarse,
       const double part = facet_measure(fine.mesh, fine.faces, g);
       covered += part;
       const Matrix3d on_part =
-          face_moments_of(Matrix3d(density * places), part);
+          facet_moments_of<3>(Matrix3d(density * places), part);
       for (int k = 0; k < 3; ++k)
         work += on_part.col(k).dot(u.segment<3>(3 * vertices[k]));
     }

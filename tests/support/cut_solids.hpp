@@ -7,7 +7,7 @@
 
 #include "ffcontact/equilibrium/tractions/contact_face.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
-#include "ffcontact/mesh/solid_topology.hpp"
+#include "ffcontact/mesh/topology.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"
 
@@ -84,11 +84,11 @@ struct CutSolid {
 };
 
 /// A contact face where nothing moves, along x, y, z.
-inline ContactFace face_at_rest(const SolidTopology& topology, int face) {
+inline ContactFace face_at_rest(const Topology<3>& topology, int face) {
   ContactFace contact;
   contact.face = face;
   contact.opposite_corner.setZero();
-  contact.area = facet_measure(topology.mesh, topology.faces, face);
+  contact.area = facet_measure(topology.mesh, topology.facets, face);
   contact.frame.fill(Matrix3d::Identity());
   contact.work.setZero();
   contact.slip.setZero();
@@ -100,7 +100,7 @@ inline ContactFace face_at_rest(const SolidTopology& topology, int face) {
 /// the piece with the lower number carry the contact tractions.
 struct JointSolid {
   JoinedSolids joined;
-  SolidTopology topology;
+  Topology<3> topology;
   std::vector<ContactFace> contact;  ///< at rest
 
   JointSolid(std::vector<SolidMesh> pieces, const Matrix3Xd& shift) {
@@ -118,7 +118,7 @@ struct JointSolid {
 
  private:
   void find_contact(const Matrix3Xd& before) {
-    const Facets<3>& faces = topology.faces;
+    const Facets<3>& faces = topology.facets;
     for (int f = 0; f < faces.count(); ++f)
       for (int g = f + 1; g < faces.count(); ++g) {
         if (!faces.on_boundary(f) || !faces.on_boundary(g)) continue;

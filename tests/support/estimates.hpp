@@ -3,8 +3,8 @@
 
 #include <omp.h>
 
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
-#include "ffcontact/equilibrium/tractions/edge_moments.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "support/problems.hpp"
@@ -17,8 +17,8 @@ namespace ffcontact::test {
 inline const bool one_thread = (omp_set_num_threads(1), true);
 
 /// int f phi_i of a body force that is constant on each triangle.
-inline BodyLoadsOfAll body_loads(const Problem& problem) {
-  BodyLoadsOfAll loads(6, problem.mesh.cells.cols());
+inline BodyLoadsOfCells<2> body_loads(const Problem& problem) {
+  BodyLoadsOfCells<2> loads(6, problem.mesh.cells.cols());
   for (int t = 0; t < problem.mesh.cell_count(); ++t)
     loads.col(t) =
         (signed_area(problem.mesh, t) / 3 * problem.body_force.col(t))
@@ -52,12 +52,19 @@ inline Estimate estimated(const Problem& problem,
 /// What star relaxation starts from: edge tractions in equilibrium with the contact
 /// tractions of the solver.
 struct Equilibrated {
-  Topology topology;
-  Matrix3Xd stress;  ///< C eps(u_h)
+  Topology<2> topology;
+  LinearStresses<2> stress;  ///< C eps(u_h)
   BoundaryTractions boundary;
   EdgeMoments moments;
-  BodyLoadsOfAll loads;
-  EdgeLoadsOfAll difference;
+  Hooke hooke;
+  BodyLoadsOfCells<2> loads;
+
+  LoadedFacets<2> difference() const {
+    return {topology, hooke, boundary, loads, stress};
+  }
+  SubcellStress<2> sigma(int t) const {
+    return subcell_values<2>(stress.at_vertices(t));
+  }
 };
 
 inline Equilibrated equilibrated(const Problem& problem,
@@ -65,17 +72,18 @@ inline Equilibrated equilibrated(const Problem& problem,
                                  const ContactDensities& densities) {
   Equilibrated result;
   result.topology = topology_of(problem.mesh);
-  result.stress = stresses(problem.mesh, problem.hooke, displacement);
+  result.stress =
+      LinearStresses<2>(stresses(problem.mesh, problem.hooke, displacement));
   result.boundary = boundary_tractions(
       problem.mesh, problem.edges, prescribed_dofs(problem.A), problem.neumann,
       problem.line, densities);
   result.loads = body_loads(problem);
-  require_balanced(problem.mesh, nodal_residual(result.topology, result.stress,
+  result.hooke = problem.hooke;
+  const CellStresses<2>& stress = result.stress.mean;
+  require_balanced(problem.mesh, nodal_residual(result.topology, stress,
                                                 result.loads, result.boundary));
-  result.moments = equilibrated_moments(result.topology, result.stress,
-                                        result.loads, result.boundary);
-  result.difference = difference_loads(problem.mesh, problem.edges,
-                                       result.moments, result.stress);
+  result.moments = equilibrated_moments(result.topology, stress, result.loads,
+                                        result.boundary);
   return result;
 }
 
@@ -86,34 +94,44 @@ inline Equilibrated equilibrated(const Problem& problem,
 }
 
 /// sigma_hat = C eps(u_h) + the composite stress of the difference.
-inline std::vector<CompositeStress> admissible_stress(
+inline std::vector<SubcellStress<2>> admissible_stress(
     const Problem& problem, const Equilibrated& fields) {
-  std::vector<CompositeStress> stress;
+  std::vector<SubcellStress<2>> stress;
   for (int t = 0; t < problem.mesh.cell_count(); ++t)
-    stress.push_back(composite_stress(corners_of(problem.mesh, t),
-                                      fields.difference.col(t),
-                                      fields.loads.col(t)) +
-                     fields.stress.col(t).replicate<1, 9>());
+    stress.push_back(
+        difference_stress<2>(fields.difference(), fields.moments, t) +
+        fields.sigma(t));
   return stress;
 }
 
-inline EquilibriumDefect defect_of(const Problem& problem,
-                                   const Equilibrated& fields,
-                                   const std::vector<CompositeStress>& stress) {
-  return equilibrium_defect(problem.mesh, problem.edges, stress, fields.loads,
-                            fields.boundary);
+inline EquilibriumDefect defect_of(
+    const Problem& problem, const Equilibrated& fields,
+    const std::vector<SubcellStress<2>>& stress) {
+  const Mesh& mesh = problem.mesh;
+  EquilibriumDefect worst;
+  for (int t = 0; t < mesh.cell_count(); ++t) {
+    const EquilibriumDefect own =
+        cell_defect<2>(corners_of(mesh, t), stress[t],
+                       loads_of<2>(mesh, problem.edges, fields.moments, t),
+                       fields.loads.col(t).reshaped(2, 3));
+    worst.divergence = std::max(worst.divergence, own.divergence);
+    worst.jump = std::max(worst.jump, own.jump);
+  }
+  worst.boundary =
+      boundary_defect<2>(mesh, problem.edges, fields.boundary, fields.moments);
+  const double scale = largest_traction<2>(mesh, problem.edges, fields.moments);
+  return worst.relative_to(scale > 0 ? scale : 1);
 }
 
 /// |sigma_hat - C eps(u_h)|^2, from the stress and not from the loads.
 inline double elastic_square(const Problem& problem,
                              const Equilibrated& fields) {
-  const std::vector<CompositeStress> stress =
+  const std::vector<SubcellStress<2>> stress =
       admissible_stress(problem, fields);
   double square = 0;
   for (int t = 0; t < problem.mesh.cell_count(); ++t)
-    square += energy(
-        corners_of(problem.mesh, t), problem.hooke[t].inverse(),
-        stress[t] - CompositeStress(fields.stress.col(t).replicate<1, 9>()));
+    square += energy(corners_of(problem.mesh, t), problem.hooke[t].inverse(),
+                     stress[t] - fields.sigma(t));
   return square;
 }
 

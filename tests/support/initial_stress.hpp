@@ -11,16 +11,17 @@ namespace ffcontact::test {
 /// sigma0 - C eps0 at a point, Voigt.
 using InitialField = std::function<Vector3d(const Vector2d&)>;
 
-inline LinearStresses at_vertices(const Mesh& mesh, const InitialField& tau) {
+inline LinearStresses<2> at_vertices(const Mesh& mesh,
+                                     const InitialField& tau) {
   Matrix<double, 9, Dynamic> values(9, mesh.cells.cols());
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k < 3; ++k)
       values.block<3, 1>(3 * k, t) = tau(mesh.corner(t, k));
-  return LinearStresses::of_values(values);
+  return LinearStresses<2>::of_values(values);
 }
 
 /// Takes int tau0 : eps(phi) off the loads.
-inline void add_initial_stress(Problem& problem, const LinearStresses& tau) {
+inline void add_initial_stress(Problem& problem, const LinearStresses<2>& tau) {
   const Mesh& mesh = problem.mesh;
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const Matrix<double, 2, 3> gradients = hat_gradients(mesh, t);
@@ -32,7 +33,7 @@ inline void add_initial_stress(Problem& problem, const LinearStresses& tau) {
 
 inline SolvedBody solved_body(const Problem& problem,
                               const ContactSolution& solution,
-                              const LinearStresses& tau) {
+                              const LinearStresses<2>& tau) {
   SolvedBody body = solved_body(problem, solution);
   body.initial = tau;
   return body;
@@ -40,7 +41,7 @@ inline SolvedBody solved_body(const Problem& problem,
 
 inline Estimate estimated(const Problem& problem,
                           const ContactSolution& solution,
-                          const LinearStresses& tau,
+                          const LinearStresses<2>& tau,
                           const EstimateSettings& settings = {}) {
   return estimate_error(topology_of(problem.mesh), problem.line,
                         problem.system(), solved_body(problem, solution, tau),

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/equilibrium/tractions/solid_residual.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/mesh/topology.hpp"
 #include "support/free_displacement.hpp"
 #include "support/solids.hpp"
 #include "support/uniform.hpp"
@@ -14,12 +16,12 @@
 namespace ffcontact::test {
 
 struct LoadedSolid {
-  SolidTopology topology;
+  Topology<3> topology;
   HookeTensors<3> hooke;
   RowMatrix A;
   VectorXd b;
   FaceMoments neumann;
-  SolidBodyLoadsOfAll body_loads;
+  BodyLoadsOfCells<3> body_loads;
 
   explicit LoadedSolid(const SolidMesh& solid, double E = 1, double nu = 0.3)
       : topology(topology_of(solid)),
@@ -28,18 +30,20 @@ struct LoadedSolid {
         A(stiffness(solid, hooke)),
         b(VectorXd::Zero(A.rows())),
         neumann(FaceMoments::Zero(9, solid.boundary.cols())),
-        body_loads(SolidBodyLoadsOfAll::Zero(12, solid.cell_count())) {}
+        body_loads(BodyLoadsOfCells<3>::Zero(12, solid.cell_count())) {}
 
   const SolidMesh& mesh() const { return topology.mesh; }
   ElasticSystem system() const { return elastic_system(A, b, 3); }
   FaceTractions boundary() const {
-    return given_tractions(mesh(), topology.faces, system().prescribed,
+    return given_tractions(mesh(), topology.facets, system().prescribed,
                            neumann);
   }
-  Matrix6Xd stress(const VectorXd& u) const {
+  CellStresses<3> stress(const VectorXd& u) const {
     return stresses(mesh(), hooke, u);
   }
-  Matrix6Xd computed_stress() const { return stress(displacement(system())); }
+  CellStresses<3> computed_stress() const {
+    return stress(displacement(system()));
+  }
 
   void prescribe(int vertex, int component, double value) {
     const int dof = 3 * vertex + component;
@@ -61,14 +65,15 @@ struct LoadedSolid {
       const Matrix3d x = mesh().vertices(Eigen::all, mesh().boundary.col(f));
       Matrix3d density;
       for (int k = 0; k < 3; ++k) density.col(k) = traction(x.col(k));
-      const Matrix3d moments = face_moments_of(density, facet_vector(x).norm());
+      const Matrix3d moments =
+          facet_moments_of<3>(density, facet_vector(x).norm());
       neumann.col(f) += moments.reshaped();
       for (int k = 0; k < 3; ++k)
         b.segment<3>(3 * mesh().boundary(k, f)) += moments.col(k);
     }
   }
   /// int f phi_i on one tetrahedron.
-  void push(int t, const SolidBodyLoads& loads) {
+  void push(int t, const CellBodyLoads<3>& loads) {
     body_loads.col(t) += loads.reshaped();
     for (int k = 0; k < 4; ++k)
       b.segment<3>(3 * mesh().cells(k, t)) += loads.col(k);
@@ -90,7 +95,7 @@ inline LoadedSolid random_loaded_solid(const SolidMesh& solid,
     return Vector3d(entry(random), 0 * x.y(), entry(random));
   });
   for (int t = 0; t < solid.cell_count(); ++t)
-    body.push(t, SolidBodyLoads::NullaryExpr([&] { return entry(random); }));
+    body.push(t, CellBodyLoads<3>::NullaryExpr([&] { return entry(random); }));
   body.guide(low_y, 1, any);
   body.guide(low_x, 0, [](const Vector3d&) { return Vector3d(0, 0, 0); });
   body.move(low_z, any);

@@ -253,4 +253,13 @@ inline Mesh irregular(int nx, int ny, double width, double height,
   return renumbered(mesh, random).mesh;
 }
 
+inline Mesh single_triangle(const CellCorners<2>& corners) {
+  Mesh mesh;
+  mesh.vertices = corners;
+  mesh.cells = (Matrix3Xi(3, 1) << 0, 1, 2).finished();
+  mesh.boundary = (Matrix2Xi(2, 3) << 1, 2, 0, 2, 0, 1).finished();
+  mesh.boundary_label.setConstant(3, 1);
+  return mesh;
+}
+
 }  // namespace ffcontact::test

@@ -109,8 +109,7 @@ inline Polygon left_part(const Polygon& polygon, const Vector2d& a,
   return part;
 }
 
-inline Polygon intersection(const TriangleCorners& a,
-                            const TriangleCorners& b) {
+inline Polygon intersection(const CellCorners<2>& a, const CellCorners<2>& b) {
   const Eigen::Array2d apart =
       (a.rowwise().minCoeff() - b.rowwise().maxCoeff())
           .cwiseMax(b.rowwise().minCoeff() - a.rowwise().maxCoeff());
@@ -134,7 +133,7 @@ double integral(const Polygon& polygon, Function&& f) {
   return sum;
 }
 
-inline Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
+inline Vector3d barycentric(const CellCorners<2>& corners, const Vector2d& x) {
   Matrix3d system;
   system << corners, Eigen::RowVector3d::Ones();
   return system.inverse() * Vector3d(x.x(), x.y(), 1);
@@ -158,10 +157,10 @@ inline SquaredDistances squared_distances(const Problem& coarse,
   const Matrix3Xd sigma_of_u_hat = stresses(mesh, hooke, estimate.displacement);
   SquaredDistances squares{0, 0};
   for (int T = 0; T < mesh.cell_count(); ++T) {
-    const TriangleCorners corners = corners_of(mesh, T);
+    const CellCorners<2> corners = corners_of(mesh, T);
     const Matrix3d compliance = hooke[T].inverse();
     for (int k = 0; k < 3; ++k) {
-      TriangleCorners sub;
+      CellCorners<2> sub;
       sub << corners.col((k + 1) % 3), corners.col((k + 2) % 3),
           corners.rowwise().mean();
       for (int t = 0; t < fine.mesh.cell_count(); ++t) {

@@ -7,6 +7,7 @@
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "support/meshes.hpp"
 
 /// Contact problems that the tests share.
@@ -20,6 +21,11 @@ struct Material {
 inline Material material(double youngs_modulus, double nu) {
   return {youngs_modulus * nu / ((1 + nu) * (1 - 2 * nu)),
           youngs_modulus / (2 * (1 + nu))};
+}
+
+/// End values of the traction with moments (b_i, b_j) on an edge.
+inline Vector4d density_of(const Vector4d& moments, double length) {
+  return facet_density<2>(moments.reshaped(2, 2), length).reshaped();
 }
 
 constexpr Multiplier both_multipliers[] = {Multiplier::force,

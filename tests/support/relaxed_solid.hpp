@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "ffcontact/equilibrium/relaxation/solid_relaxation.hpp"
-#include "ffcontact/equilibrium/tractions/face_moments.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
+#include "support/cells.hpp"
 #include "support/loaded_solid.hpp"
-#include "support/tetrahedra.hpp"
 
 /// Solids whose face moments are relaxed.
 namespace ffcontact::test {
@@ -16,7 +16,7 @@ namespace ffcontact::test {
 struct RelaxedSolid {
   LoadedSolid body;
   FaceTractions boundary;
-  Matrix6Xd stress;
+  LinearStresses<3> stress;
   FaceSetting setting;
   FaceMoments moments;
 
@@ -25,8 +25,8 @@ struct RelaxedSolid {
         boundary(body.boundary()),
         stress(body.computed_stress()),
         setting{body.topology, body.hooke, boundary, body.body_loads, stress},
-        moments(equilibrated_moments(body.topology, stress, body.body_loads,
-                                     boundary)) {}
+        moments(equilibrated_moments(body.topology, stress.mean,
+                                     body.body_loads, boundary)) {}
   RelaxedSolid(const RelaxedSolid&) = delete;
 
   std::vector<double> relax(int steps, double tightness = 0) {
@@ -43,10 +43,10 @@ struct RelaxedSolid {
   double imbalance() const {
     double left = 0, largest = 0;
     for (int t = 0; t < body.mesh().cell_count(); ++t) {
-      const FaceLoads loads =
-          loads_of(body.mesh(), body.topology.faces, moments, t);
-      const auto out = out_of_balance(corners_of(body.mesh(), t), loads,
-                                      body.body_loads.col(t).reshaped(3, 4));
+      const FacetLoads<3> loads =
+          loads_of(body.mesh(), body.topology.facets, moments, t);
+      const auto out = out_of_balance<3>(corners_of(body.mesh(), t), loads,
+                                         body.body_loads.col(t).reshaped(3, 4));
       left = std::max(left, out.cwiseAbs().maxCoeff());
       largest = std::max(largest, loads.cwiseAbs().maxCoeff());
     }

@@ -19,7 +19,7 @@
 namespace ffcontact::test {
 
 /// The smallest angle between two faces of a tetrahedron [rad].
-inline double least_dihedral(const TetrahedronCorners& x) {
+inline double least_dihedral(const CellCorners<3>& x) {
   Matrix<double, 3, 4> n;
   for (int k = 0; k < 4; ++k) {
     Matrix3d corners;

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "support/free_displacement.hpp"
 #include "support/problems.hpp"
 
@@ -83,10 +84,11 @@ inline Problem loaded_in_contact(const Manufactured& exact, const Mesh& mesh) {
     if (normal == normals.end()) continue;
     const Vector2d a = mesh.vertices.col(mesh.boundary(0, b)),
                    c = mesh.vertices.col(mesh.boundary(1, b));
-    Vector4d density;
+    Matrix2d density;
     density << traction(exact.stress(a), normal->second),
         traction(exact.stress(c), normal->second);
-    problem.neumann.col(b) = moments_of_density(density, (c - a).norm());
+    problem.neumann.col(b) =
+        facet_moments_of<2>(density, (c - a).norm()).reshaped();
     for (int end = 0; end < 2; ++end)
       problem.b.segment<2>(2 * mesh.boundary(end, b)) +=
           problem.neumann.block<2, 1>(2 * end, b);
@@ -116,7 +118,7 @@ inline std::vector<Vector2d> sample_points(
 
 /// |C eps(u) - sigma| in energy, for stresses by their corner values on the subtriangles.
 inline double distance(const Manufactured& exact, const Mesh& mesh,
-                       const std::vector<CompositeStress>& sigma) {
+                       const std::vector<SubcellStress<2>>& sigma) {
   const Matrix3d compliance = exact.material.hooke().inverse();
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t)
@@ -143,7 +145,7 @@ inline double distance(const Manufactured& exact, const Mesh& mesh,
 inline double error_of(const Manufactured& exact, const Problem& problem,
                        const VectorXd& displacement) {
   const Matrix3Xd sigma = stresses(problem.mesh, problem.hooke, displacement);
-  std::vector<CompositeStress> values;
+  std::vector<SubcellStress<2>> values;
   for (Index t = 0; t < sigma.cols(); ++t)
     values.push_back(sigma.col(t).replicate<1, 9>());
   return distance(exact, problem.mesh, values);

@@ -41,8 +41,7 @@ struct SmoothSolid {
 /// Calls of_point(x, weight) at Gauss points that integrate polynomials of degree 3 over a
 /// tetrahedron; the weights add up to its volume.
 template <class OfPoint>
-void for_gauss_points(const TetrahedronCorners& corners,
-                      const OfPoint& of_point) {
+void for_gauss_points(const CellCorners<3>& corners, const OfPoint& of_point) {
   const std::array<double, 3> at{0.5 - std::sqrt(0.15), 0.5,
                                  0.5 + std::sqrt(0.15)},
       weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
@@ -84,7 +83,7 @@ inline LoadedSolid smooth_body(const SmoothSolid& exact, const SolidMesh& mesh,
 
 /// |u - u_h| in energy.
 inline double error_of(const SmoothSolid& exact, const LoadedSolid& body,
-                       const Matrix6Xd& stress) {
+                       const CellStresses<3>& stress) {
   double square = 0;
   for (int t = 0; t < body.mesh().cell_count(); ++t) {
     const Matrix<double, 6, 6> compliance = body.hooke[t].inverse();

@@ -15,7 +15,7 @@ inline SolvedSolid solved_solid(const SolidProblem& problem,
           solution.force,
           problem.law,
           problem.neumann,
-          SolidBodyLoadsOfAll::Zero(12, problem.mesh.cell_count()),
+          BodyLoadsOfCells<3>::Zero(12, problem.mesh.cell_count()),
           solution.stiffness};
 }
 

@@ -11,9 +11,9 @@
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/energy/facet_energy.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
-#include "ffcontact/mesh/solid_topology.hpp"
+#include "ffcontact/mesh/topology.hpp"
+#include "support/cells.hpp"
 #include "support/solids.hpp"
-#include "support/tetrahedra.hpp"
 
 namespace ffcontact::test {
 
@@ -51,8 +51,8 @@ inline SolidMesh divided_tetrahedron(int k) {
 class LeastStress {
  public:
   LeastStress(const SolidMesh& mesh, int label)
-      : topology_(topology_of(mesh)), first_(topology_.faces.count(), -1) {
-    const Facets<3>& faces = topology_.faces;
+      : topology_(topology_of(mesh)), first_(topology_.facets.count(), -1) {
+    const Facets<3>& faces = topology_.facets;
     for (int f = 0; f < faces.count(); ++f)
       if (!faces.on_boundary(f)) first_[f] = 9 * inner_++;
     for (int f = 0; f < faces.count(); ++f)
@@ -99,7 +99,7 @@ class LeastStress {
     basis.fill(Matrix9d::Identity());
     const Matrix<double, 6, 6> compliance = isotropic<3>(0, 0.5).inverse();
     for (int t = 0; t < mesh.cell_count(); ++t) {
-      const TetrahedronCorners corners = corners_of(mesh, t);
+      const CellCorners<3> corners = corners_of(mesh, t);
       const MatrixXd loads = loads_by_unknowns(t, size);
       energy_ += loads.transpose() *
                  facet_energy<3>(corners, compliance, basis) * loads;
@@ -108,7 +108,7 @@ class LeastStress {
     }
   }
 
-  /// FaceLoads of a tetrahedron [36 x unknowns].
+  /// FacetLoads<3> of a tetrahedron [36 x unknowns].
   MatrixXd loads_by_unknowns(int t, Index size) const {
     const auto& [mesh, faces, edges, stars] = topology_;
     MatrixXd loads = MatrixXd::Zero(36, size);
@@ -129,7 +129,7 @@ class LeastStress {
     MatrixXd mass = MatrixXd::Zero(9 * loaded_.size(), 9 * loaded_.size());
     for (std::size_t f = 0; f < loaded_.size(); ++f) {
       const double area =
-          facet_measure(topology_.mesh, topology_.faces, loaded_[f]);
+          facet_measure(topology_.mesh, topology_.facets, loaded_[f]);
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
           mass.block<3, 3>(9 * f + 3 * a, 9 * f + 3 * b) =
@@ -153,7 +153,7 @@ class LeastStress {
     return products.fullPivLu().kernel();
   }
 
-  SolidTopology topology_;
+  Topology<3> topology_;
   std::vector<int> first_, loaded_;
   int inner_ = 0;
   MatrixXd energy_, balance_;

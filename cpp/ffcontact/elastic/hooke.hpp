@@ -36,6 +36,10 @@ template <int dim>
 using HookeTensors = std::vector<VoigtMatrix<dim>>;
 using Hooke = HookeTensors<2>;
 
+/// Voigt stresses, constant on each cell [MPa].
+template <int dim>
+using CellStresses = Matrix<double, voigt_size<dim>, Dynamic>;
+
 /// sigma = lambda tr(eps) I + 2 G eps with Lame's constants [MPa]; plane strain in the
 /// plane.
 template <int dim = 2>
@@ -53,9 +57,9 @@ VoigtVector<dim> strain(const SimplexMesh<dim>& mesh,
 
 /// sigma_h = C eps(u_h), one column per cell [MPa].
 template <int dim>
-Matrix<double, voigt_size<dim>, Dynamic> stresses(
-    const SimplexMesh<dim>& mesh, const HookeTensors<dim>& hooke,
-    const Ref<const VectorXd>& displacement);
+CellStresses<dim> stresses(const SimplexMesh<dim>& mesh,
+                           const HookeTensors<dim>& hooke,
+                           const Ref<const VectorXd>& displacement);
 
 /// Traction sigma n of a Voigt stress on a normal [MPa].
 template <class Stress, class Normal>

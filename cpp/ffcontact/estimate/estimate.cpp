@@ -6,7 +6,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/equilibrium/tractions/free_springs.hpp"
 #include "ffcontact/estimate/bodies/compared.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
@@ -14,7 +14,7 @@
 #include "ffcontact/estimate/checks/sound_problem.hpp"
 #include "ffcontact/estimate/displacement/sticking_displacement.hpp"
 #include "ffcontact/estimate/error/error_history.hpp"
-#include "ffcontact/estimate/error/stress_norms.hpp"
+#include "ffcontact/estimate/error/polynomial_norms.hpp"
 #include "ffcontact/estimate/error/wide_cones.hpp"
 #include "ffcontact/estimate/tractions/first_tractions.hpp"
 #include "ffcontact/estimate/tractions/tool_work.hpp"
@@ -23,13 +23,6 @@
 namespace ffcontact {
 
 namespace {
-
-double largest_value(const std::vector<CompositeStress>& stress) {
-  double largest = 0;
-  for (const CompositeStress& values : stress)
-    largest = std::max(largest, max_norm(values));
-  return largest;
-}
 
 /// sigma_hat, by its moments on the edges, and r_hat.
 struct RelaxedTractions {
@@ -57,7 +50,7 @@ FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
 RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
                          FirstTractions first, const EstimateSettings& settings,
                          const VectorXd& u_hat, bool contact_is_free) {
-  const auto& [mesh, edges, stars] = bodies.topology();
+  const auto& [mesh, edges, ridges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
   const ContactDensities& densities = first.contact.densities;
@@ -73,17 +66,11 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
       free_tractions(line, compared, densities, contact_edge);
   FreeContact contact{line, body.law, tractions,
                       tool_work(mesh, line, body).fields};
-  const Ridges<2> ridges = ridges_of(mesh, edges);
-  const BodyLoadsOfAll body_loads = compared.body_loads(body);
-  result.falls = relax_stars({{mesh, edges, ridges},
-                              body.hooke,
-                              without_springs,
-                              body_loads,
-                              compared.stress.mean,
-                              compared.stress.variation,
-                              terms_of(springs)},
-                             settings.relaxation, result.moments,
-                             contact_is_free ? &contact : nullptr);
+  result.falls = relax_stars(
+      {bodies.topology(), body.hooke, without_springs,
+       compared.body_loads(body), compared.stress, terms_of(springs)},
+      settings.relaxation, result.moments,
+      contact_is_free ? &contact : nullptr);
   result.contact = std::move(tractions.densities);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
@@ -114,21 +101,22 @@ void share_spring_part(const Edges& edges, const VectorXd& of_column,
       local[edges.cells(0, e)] += of_column[edges.boundary_index[e]];
 }
 
-StressNorms norms_by(Construction construction, const MatchedBodies& bodies,
-                     const Compared& compared,
-                     const RelaxedTractions& relaxed) {
-  const auto& norms = construction == Construction::composite
-                          ? composite_norms
-                          : polynomial_norms;
+StressNorms<2> norms_by(Construction construction, const MatchedBodies& bodies,
+                        const Compared& compared,
+                        const RelaxedTractions& relaxed, Estimate& estimate) {
   const SolvedBody& body = bodies.body();
-  const auto& [mesh, edges, stars] = bodies.topology();
-  return norms(mesh, body.hooke, compared.stress,
-               difference_loads(mesh, edges, relaxed.moments, compared.stress),
-               compared.body_loads(body));
+  const BoundaryTractions boundary = bodies.boundary_with(relaxed.contact);
+  const LoadedFacets<2> difference{bodies.topology(), body.hooke, boundary,
+                                   compared.body_loads(body), compared.stress};
+  return stress_norms<2>({difference, relaxed.moments, body.body_loads},
+                         construction == Construction::composite
+                             ? composite_norms<2>
+                             : polynomial_norms,
+                         &estimate.stress);
 }
 
 /// (2.11) to (2.13).
-void put_error(const MatchedBodies& bodies, const StressNorms& norms,
+void put_error(const MatchedBodies& bodies, const StressNorms<2>& norms,
                const SpringNorms& springs, const VectorXd& contact_part,
                Estimate& estimate) {
   const double elastic = norms.difference.sum(), sum = norms.sum + springs.sum,
@@ -138,17 +126,17 @@ void put_error(const MatchedBodies& bodies, const StressNorms& norms,
       std::sqrt(square_of_error(elastic + estimate.springs, estimate.contact));
   estimate.relative = estimate.e / std::sqrt(scale);
   VectorXd local = norms.difference;
-  share_contact_part(bodies.topology().edges, bodies.line(), contact_part,
+  share_contact_part(bodies.topology().facets, bodies.line(), contact_part,
                      local);
-  share_spring_part(bodies.topology().edges, springs.difference, local);
+  share_spring_part(bodies.topology().facets, springs.difference, local);
   estimate.local =
       (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
 }
 
 /// e and its parts, and sigma_hat.
-void put_error(const MatchedBodies& bodies, const Compared& compared,
-               const RelaxedTractions& relaxed, Construction construction,
-               Estimate& estimate) {
+StressNorms<2> put_error(const MatchedBodies& bodies, const Compared& compared,
+                         const RelaxedTractions& relaxed,
+                         Construction construction, Estimate& estimate) {
   const VectorXd contact_part = contact_error(
       bodies.line(), compared.law, relaxed.contact, compared.displacement);
   estimate.contact = contact_part.sum();
@@ -156,47 +144,46 @@ void put_error(const MatchedBodies& bodies, const Compared& compared,
       spring_norms(bodies.topology().mesh, bodies.body().springs,
                    estimate.displacement, bodies.spring_tractions());
   estimate.springs = springs.difference.sum();
-  StressNorms norms =
-      norms_by(Construction::composite, bodies, compared, relaxed);
+  StressNorms<2> norms =
+      norms_by(Construction::composite, bodies, compared, relaxed, estimate);
   estimate.history =
       error_history(square_of_error(norms.difference.sum() + estimate.springs,
                                     estimate.contact),
                     relaxed.falls);
   if (construction != Construction::composite)
-    norms = norms_by(construction, bodies, compared, relaxed);
+    norms = norms_by(construction, bodies, compared, relaxed, estimate);
   put_error(bodies, norms, springs, contact_part, estimate);
-  estimate.stress = std::move(norms.stress);
+  return norms;
 }
 
 /// Contact tractions beside the largest stress: makes what is relative to the former
 /// relative to the latter, where an open contact line carries nothing but rounding.
 double share_of_contact(const ContactDensities& densities,
-                        const LinearStresses& stress) {
+                        const LinearStresses<2>& stress) {
   const double contact = largest_traction(densities);
   return relative(contact, std::max(contact, max_norm(stress.mean)));
 }
 
 /// What equilibrium is judged against at least [MPa].
 double stress_scale(const MatchedBodies& bodies, const Compared& compared,
-                    const Estimate& estimate) {
-  const double terms = largest_stress_terms(
-      bodies.topology(), bodies.line(), bodies.body(), estimate.displacement);
-  return std::max({max_norm(compared.stress.mean),
-                   largest_value(estimate.stress),
-                   least_part_of_terms * terms});
+                    double largest, const Estimate& estimate) {
+  return std::max(
+      {max_norm(compared.stress.mean), largest,
+       least_part_of_terms * largest_stress_terms(bodies.topology(),
+                                                  bodies.line(), bodies.body(),
+                                                  estimate.displacement)});
 }
 
 /// What the theory promises, measured.
 void judge(const MatchedBodies& bodies, const Compared& compared,
-           Construction construction, Estimate& estimate) {
-  const auto& [mesh, edges, stars] = bodies.topology();
+           const StressNorms<2>& norms, Construction construction,
+           Estimate& estimate) {
+  const auto& [mesh, edges, ridges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
   const VectorXd& u_hat = estimate.displacement;
-  const double scale = stress_scale(bodies, compared, estimate);
-  estimate.equilibrium =
-      equilibrium_defect(mesh, edges, estimate.stress, body.body_loads,
-                         bodies.boundary_with(estimate.tractions), scale);
+  const double scale = stress_scale(bodies, compared, norms.largest, estimate);
+  estimate.equilibrium = norms.defect.relative_to(scale > 0 ? scale : 1);
   const double of_tool =
       tool_defect(line, tool_work(mesh, line, body), estimate.tractions);
   if (of_tool > 0)
@@ -256,14 +243,15 @@ Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
               settings.tractions == Tractions::free && !terms.unstressed);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
-  put_error(bodies, u_hat, tractions, settings.construction, estimate);
+  const StressNorms<2> norms =
+      put_error(bodies, u_hat, tractions, settings.construction, estimate);
   estimate.tractions = std::move(tractions.contact);
   estimate.spring_tractions = bodies.spring_tractions();
   if (terms.unstressed)  // to the last digit: above it is what u_hat - u leaves
-    for (CompositeStress& zero : estimate.stress) zero.setZero();
+    for (SubcellStress<2>& zero : estimate.stress) zero.setZero();
 
   // 6. What the theory promises, measured.
-  judge(bodies, u_hat, settings.construction, estimate);
+  judge(bodies, u_hat, norms, settings.construction, estimate);
   estimate.refinement = bodies.take_refinement();
   return estimate;
 }
@@ -274,7 +262,7 @@ int Estimate::corrected_count() const {
   return static_cast<int>((shift.array() != 0).count());
 }
 
-Estimate estimate_error(const Topology& topology, const ContactLine& line,
+Estimate estimate_error(const Topology<2>& topology, const ContactLine& line,
                         const ElasticSystem& system, const SolvedBody& body,
                         const EstimateSettings& settings) {
   const SolvedProblem solved{topology, line, system, body};

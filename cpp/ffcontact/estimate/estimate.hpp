@@ -37,7 +37,7 @@ struct Estimate : PairError {
   std::optional<CommonRefinement> refinement;
   VectorXd displacement;  ///< u_hat on all dofs [mm]
   /// sigma_hat [MPa]; of the polynomial construction its values at these corners
-  std::vector<CompositeStress> stress;
+  std::vector<SubcellStress<2>> stress;
   ContactDensities tractions;  ///< r_hat [MPa]
   /// moments of t_hat of the springs at the vertices of each column of Mesh::boundary [4 x
   /// boundary]; no columns without springs
@@ -65,7 +65,7 @@ struct Estimate : PairError {
 /// @throws std::invalid_argument  for input that does not fit (see law_of_matrix.hpp), or
 ///                                where no tractions in the cone hold the body
 /// @throws std::runtime_error     if a part of the body is held by nothing
-Estimate estimate_error(const Topology& topology, const ContactLine& line,
+Estimate estimate_error(const Topology<2>& topology, const ContactLine& line,
                         const ElasticSystem& system, const SolvedBody& body,
                         const EstimateSettings& settings = {});
 

@@ -7,6 +7,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
 #include "ffcontact/contact/uniqueness/slip_pattern.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -23,14 +24,14 @@ struct FaceOfNodes {
   Matrix3d traction;
 };
 
-std::vector<FaceOfNodes> faces_of_nodes(const SolidTopology& topology,
+std::vector<FaceOfNodes> faces_of_nodes(const Topology<3>& topology,
                                         const ContactSurface& surface,
                                         const SurfaceTractions& tractions) {
   std::vector<FaceOfNodes> faces;
   for (int m = 0; m < surface.face_count(); ++m)
     faces.push_back(
         {surface.face_node.col(m),
-         facet_measure(topology.mesh, topology.faces, surface.face[m]),
+         facet_measure(topology.mesh, topology.facets, surface.face[m]),
          tractions.col(m).reshaped(3, 3)});
   return faces;
 }
@@ -51,7 +52,7 @@ struct NodalFriction {
 /// What a solution says of the friction at its nodes.
 class PairOnSurface {
  public:
-  PairOnSurface(const SolidTopology& topology, const ContactSurface& surface,
+  PairOnSurface(const Topology<3>& topology, const ContactSurface& surface,
                 const SurfaceLaw& law, const SolidEstimate& estimate)
       : surface_(surface),
         cones_(traction_cones(law, surface)),
@@ -130,7 +131,7 @@ class PairOnSurface {
       for (int k = 0; k < 3; ++k)
         d.col(k) = surface_.frame(face.node[k]) *
                    missed(face.node[k], face.traction.col(k));
-      const Matrix3d of_face = face_moments_of(d, face.area);
+      const Matrix3d of_face = facet_moments_of<3>(d, face.area);
       for (int k = 0; k < 3; ++k)
         moments.col(face.node[k]) +=
             surface_.frame(face.node[k]).rightCols<2>().transpose() *
@@ -164,7 +165,7 @@ DirectedSlip slip_of(const PairOnSurface& pair, const NodalLaw& law,
 
 }  // namespace
 
-DirectedSlip directed_slip(const SolidTopology& topology,
+DirectedSlip directed_slip(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const SolvedSolid& body,
                            const SolidEstimate& estimate) {
@@ -172,7 +173,7 @@ DirectedSlip directed_slip(const SolidTopology& topology,
                  nodal_law(body.law, surface), Flags(surface.node_count(), 0));
 }
 
-SolidCoulomb solid_coulomb(const SolidTopology& topology,
+SolidCoulomb solid_coulomb(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const ElasticSystem& system, const SolvedSolid& body,
                            const SolidEstimate& estimate, const Flags& held) {

@@ -24,7 +24,7 @@ struct SolidCoulomb {
 /// as means of the faces around the node weighted by their areas, or 0 where nothing
 /// presses. The moments of d are those of its values at the corners of the faces, linear
 /// between.
-DirectedSlip directed_slip(const SolidTopology& topology,
+DirectedSlip directed_slip(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const SolvedSolid& body,
                            const SolidEstimate& estimate);
@@ -34,7 +34,7 @@ DirectedSlip directed_slip(const SolidTopology& topology,
 /// taken to be below it.
 /// @param system  as for estimate_error
 /// @param held    1 at nodes that slip nowhere, neither in the exact solution [p]
-SolidCoulomb solid_coulomb(const SolidTopology& topology,
+SolidCoulomb solid_coulomb(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const ElasticSystem& system, const SolvedSolid& body,
                            const SolidEstimate& estimate, const Flags& held);

@@ -10,7 +10,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/law/bounded_friction.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
-#include "ffcontact/equilibrium/tractions/solid_defect.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
 #include "ffcontact/estimate/checks/reason_against.hpp"
@@ -18,6 +18,7 @@
 #include "ffcontact/estimate/displacement/sticking_solid.hpp"
 #include "ffcontact/estimate/error/error_history.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
+#include "ffcontact/estimate/error/stress_norms.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
 #include "ffcontact/estimate/error/traction_oscillation.hpp"
 #include "ffcontact/estimate/tractions/first_surface_tractions.hpp"
@@ -31,7 +32,7 @@ namespace {
 /// Loads on supports are felt by nothing.
 bool has_loads(const SolvedSolidProblem& solved) {
   const auto& [topology, surface, system, body] = solved;
-  const FaceTractions given = given_tractions(topology.mesh, topology.faces,
+  const FaceTractions given = given_tractions(topology.mesh, topology.facets,
                                               system.prescribed, body.neumann);
   return !given.moments.isZero(0) || !body.body_loads.isZero(0);
 }
@@ -41,7 +42,7 @@ bool has_loads(const SolvedSolidProblem& solved) {
 struct SolidStresses {
   double terms;
   bool unstressed;
-  Matrix6Xd computed;
+  CellStresses<3> computed;
 
   explicit SolidStresses(const SolvedSolidProblem& solved)
       : terms(largest_stress_terms(solved.topology.mesh, solved.body.hooke,
@@ -55,45 +56,6 @@ struct SolidStresses {
     if (unstressed) computed.setZero();
   }
 };
-
-/// What (2.11) and (2.12) take of sigma_hat, and how far it is from equilibrium.
-struct SolidNorms {
-  VectorXd difference;       ///< |sigma_hat - sigma|^2 per tetrahedron [N mm]
-  double sum;                ///< |sigma_hat + sigma|^2 in all
-  EquilibriumDefect defect;  ///< [MPa]
-  double largest;            ///< component of sigma_hat [MPa]
-};
-
-SolidNorms solid_norms(const FaceSetting& setting, const FaceMoments& moments) {
-  const SolidMesh& mesh = setting.topology.mesh;
-  const Facets<3>& faces = setting.topology.faces;
-  SolidNorms norms{VectorXd(mesh.cell_count()), 0, {}, 0};
-  VectorXd sums(mesh.cell_count());
-  double divergence = 0, jump = 0, largest = 0;
-#pragma omp parallel for reduction(max : divergence, jump, largest)
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    const TetrahedronCorners corners = corners_of(mesh, t);
-    const Matrix6d compliance = setting.hooke[t].inverse();
-    const SolidStress sigma = setting.stress.col(t).replicate<1, 16>(),
-                      tau = difference_stress<3>(setting.loaded(), moments, t);
-    norms.difference[t] = energy<3>(corners, compliance, tau);
-    sums[t] = energy<3>(corners, compliance, tau + 2 * sigma);
-    // not sigma + tau: the stress of u_hat may be far larger than sigma_hat
-    const FaceLoads loads = loads_of(mesh, faces, moments, t);
-    const SolidBodyLoads in_body = setting.body_loads.col(t).reshaped(3, 4);
-    const SolidStress sigma_hat = composite_stress(corners, loads, in_body);
-    const EquilibriumDefect defect =
-        tetrahedron_defect(corners, sigma_hat, loads, in_body);
-    divergence = std::max(divergence, defect.divergence);
-    jump = std::max(jump, defect.jump);
-    largest = std::max(largest, max_norm(sigma_hat));
-  }
-  norms.largest = largest;
-  norms.sum = parted_sum(mesh.cell_count(), [&](int t) { return sums[t]; });
-  norms.defect = {divergence, jump,
-                  boundary_defect(mesh, faces, setting.boundary, moments)};
-  return norms;
-}
 
 /// |w_t| on a face, where it has one direction.
 double mean_slip(const ContactFace& face) {
@@ -117,10 +79,10 @@ std::vector<ContactFace> relaxed_faces(const SolvedSolidProblem& solved,
   const auto& [topology, surface, system, body] = solved;
   std::vector<ContactFace> relaxed;
   for (const ContactFace& face :
-       contact_faces(topology.mesh, topology.faces, surface, body.law,
+       contact_faces(topology.mesh, topology.facets, surface, body.law,
                      estimate.displacement)) {
     const auto given =
-        body.neumann.col(topology.faces.boundary_index[face.face]);
+        body.neumann.col(topology.facets.boundary_index[face.face]);
     const bool is_free = face.opposite < 0 || given.isZero(0);
     if (is_free && !stays_unloaded(solved, face, estimate))
       relaxed.push_back(face);
@@ -147,7 +109,7 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
   const VectorXi relaxed = surface_faces(contact);
   VectorXd part = surface.against_a_body()
                       ? facing_contact_error(
-                            topology.mesh, topology.faces, surface, body.law,
+                            topology.mesh, topology.facets, surface, body.law,
                             estimate.tractions, estimate.displacement)
                       : VectorXd::Zero(surface.face_count());
   part(relaxed) = contact_error(paid_faces(surface, body.law, contact),
@@ -157,7 +119,7 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
 
 /// (2.11) to (2.13).
 void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
-               const SolidNorms& norms, const std::vector<double>& falls,
+               const StressNorms<3>& norms, const std::vector<double>& falls,
                SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
   const VectorXd contact_part =
@@ -173,7 +135,7 @@ void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
   estimate.history = error_history(square, falls);
   VectorXd local = norms.difference;
   for (int m = 0; m < surface.face_count(); ++m)
-    local[topology.faces.cells(0, surface.face[m])] += contact_part[m];
+    local[topology.facets.cells(0, surface.face[m])] += contact_part[m];
   estimate.local = (local / scale).cwiseMax(0.0).cwiseSqrt();
 }
 
@@ -192,17 +154,15 @@ bool pays_for_rough_faces(const SolvedSolidProblem& solved,
 
 /// What the theory promises, measured.
 void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
-           const std::vector<ContactFace>& contact, const SolidNorms& norms,
+           const std::vector<ContactFace>& contact, const StressNorms<3>& norms,
            SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
   const double largest = std::max(
       {max_norm(stress.computed), norms.largest,
        least_part_of_terms * stress.terms,
-       largest_traction(topology.mesh, topology.faces, estimate.moments)});
+       largest_traction(topology.mesh, topology.facets, estimate.moments)});
   const double scale = largest > 0 ? largest : 1;
-  estimate.equilibrium = {norms.defect.divergence / scale,
-                          norms.defect.jump / scale,
-                          norms.defect.boundary / scale};
+  estimate.equilibrium = norms.defect.relative_to(scale);
   estimate.cone =
       std::max(
           cone_violation(body.law, surface, estimate.tractions),
@@ -210,18 +170,18 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
                                       Eigen::all, surface_faces(contact)))) /
       scale;
   const BetweenNodes found =
-      between_nodes(topology.faces, surface, body.law, estimate.face_tractions,
+      between_nodes(topology.facets, surface, body.law, estimate.face_tractions,
                     estimate.displacement);
   put_between_nodes(found,
                     scale * largest_displacement(body.law, body.displacement),
                     estimate);
   const DeepestNode deepest =
-      deepest_node(topology.faces, surface, body.law, estimate.displacement);
+      deepest_node(topology.facets, surface, body.law, estimate.displacement);
   if (deepest.depth > 0)
     estimate.penetration =
         deepest.depth / largest_displacement(body.law, body.displacement);
   const auto middle = [&solved](int facet) {
-    return middle_of(solved.topology.mesh, solved.topology.faces,
+    return middle_of(solved.topology.mesh, solved.topology.facets,
                      solved.surface.face[facet]);
   };
   estimate.reason = reason_against(
@@ -239,7 +199,7 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
 
 }  // namespace
 
-SolidEstimate estimate_error(const SolidTopology& topology,
+SolidEstimate estimate_error(const Topology<3>& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
                              const SolvedSolid& body,
@@ -260,12 +220,12 @@ SolidEstimate estimate_error(const SolidTopology& topology,
 
   // 1. Admissible displacement [CHH01, 4.1].
   estimate.displacement = sticking_displacement(
-      solved, admissible_displacement(topology.faces, surface, body.law,
+      solved, admissible_displacement(topology.facets, surface, body.law,
                                       body.displacement, system.prescribed));
-  const Matrix6Xd of_displacement =
+  const LinearStresses<3> of_displacement(
       stress.unstressed
           ? stress.computed
-          : stresses(topology.mesh, body.hooke, estimate.displacement);
+          : stresses(topology.mesh, body.hooke, estimate.displacement));
 
   // 2., 3. Contact tractions in the cone, face tractions in equilibrium with them.
   FirstSurfaceTractions first =
@@ -281,23 +241,24 @@ SolidEstimate estimate_error(const SolidTopology& topology,
   put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
-  const SolidNorms norms = solid_norms(setting, estimate.moments);
+  const StressNorms<3> norms =
+      stress_norms<3>({setting.loaded(), estimate.moments, body.body_loads});
   put_error(solved, setting, norms, falls, estimate);
   estimate.oscillation = traction_oscillation(
-      topology.mesh, topology.faces, surface, body.hooke, estimate.tractions);
+      topology.mesh, topology.facets, surface, body.hooke, estimate.tractions);
 
   // 6. What the theory promises, measured.
   judge(solved, stress, setting.contact, norms, estimate);
   return estimate;
 }
 
-SolidStress stress_of(const SolidTopology& topology,
-                      const SolidEstimate& estimate, const SolvedSolid& body,
-                      int cell) {
-  return composite_stress<3>(
+SubcellStress<3> stress_of(const Topology<3>& topology,
+                           const SolidEstimate& estimate,
+                           const SolvedSolid& body, int cell) {
+  return composite_stress(
       corners_of(topology.mesh, cell),
-      loads_of(topology.mesh, topology.faces, estimate.moments, cell),
-      body.body_loads.col(cell).reshaped(3, 4));
+      loads_of(topology.mesh, topology.facets, estimate.moments, cell),
+      loads_in_cell<3>(body.body_loads, cell));
 }
 
 }  // namespace ffcontact

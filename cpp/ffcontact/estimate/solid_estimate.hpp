@@ -40,7 +40,7 @@ struct SolidEstimate : PairError {
 /// @throws std::invalid_argument  for input that does not fit, loads that are not those of
 ///                                u_h, or where no tractions in the cone hold the body
 /// @throws std::runtime_error     if a part of the body is held by nothing
-SolidEstimate estimate_error(const SolidTopology& topology,
+SolidEstimate estimate_error(const Topology<3>& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
                              const SolvedSolid& body,
@@ -48,8 +48,8 @@ SolidEstimate estimate_error(const SolidTopology& topology,
                              const RelaxFaces& relax = relax_faces);
 
 /// sigma_hat at the corners of the subtetrahedra of one tetrahedron [MPa].
-SolidStress stress_of(const SolidTopology& topology,
-                      const SolidEstimate& estimate, const SolvedSolid& body,
-                      int cell);
+SubcellStress<3> stress_of(const Topology<3>& topology,
+                           const SolidEstimate& estimate,
+                           const SolvedSolid& body, int cell);
 
 }  // namespace ffcontact

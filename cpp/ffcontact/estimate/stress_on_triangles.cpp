@@ -3,8 +3,8 @@
 
 #include <Eigen/LU>
 
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/equilibrium/tractions/refined_moments.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -13,7 +13,7 @@ namespace ffcontact {
 namespace {
 
 /// The smallest of these coordinates says how far inside a point is.
-Vector3d barycentric(const TriangleCorners& corners, const Vector2d& x) {
+Vector3d barycentric(const CellCorners<2>& corners, const Vector2d& x) {
   // differences first: what is left of them far from the origin is exact
   const Vector2d last = piola_matrix(corners).inverse() * (x - corners.col(0));
   return {1 - last.sum(), last.x(), last.y()};
@@ -37,24 +37,25 @@ Place place_of(const Mesh& mesh, const std::vector<int>& triangles,
 }
 
 /// The stress at a point of one of some triangles.
-Vector3d stress_at(const Mesh& mesh, const std::vector<CompositeStress>& stress,
+Vector3d stress_at(const Mesh& mesh,
+                   const std::vector<SubcellStress<2>>& stress,
                    const std::vector<int>& triangles, const Vector2d& x) {
   const auto [t, coordinates] = place_of(mesh, triangles, x);
   int k;  // the subtriangle opposite to the vertex that is farthest away
   coordinates.minCoeff(&k);
   return stress[t].middleCols<3>(3 * k) *
-         barycentric(subtriangle(corners_of(mesh, t), k), x);
+         barycentric(subcell<2>(corners_of(mesh, t), k), x);
 }
 
 /// The stress of a fan at the corners of its parent's subtriangles.
-CompositeStress stress_on_parent(const TriangleCorners& parent,
-                                 const Mesh& mesh,
-                                 const std::vector<CompositeStress>& stress,
-                                 const std::vector<int>& fan) {
+SubcellStress<2> stress_on_parent(const CellCorners<2>& parent,
+                                  const Mesh& mesh,
+                                  const std::vector<SubcellStress<2>>& stress,
+                                  const std::vector<int>& fan) {
   constexpr double inwards = 1e-6;
-  CompositeStress result;
+  SubcellStress<2> result;
   for (int k = 0; k < 3; ++k) {
-    const TriangleCorners sub = subtriangle(parent, k);
+    const CellCorners<2> sub = subcell<2>(parent, k);
     const Vector2d middle = sub.rowwise().mean();
     for (int c = 0; c < 3; ++c) {
       const Vector2d x = sub.col(c) + inwards * (middle - sub.col(c));
@@ -66,11 +67,11 @@ CompositeStress stress_on_parent(const TriangleCorners& parent,
 
 }  // namespace
 
-std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh,
-                                                 const Estimate& estimate) {
+std::vector<SubcellStress<2>> stress_on_triangles(const Mesh& mesh,
+                                                  const Estimate& estimate) {
   if (!estimate.refinement) return estimate.stress;
   const CommonRefinement& refinement = *estimate.refinement;
-  std::vector<CompositeStress> stress(
+  std::vector<SubcellStress<2>> stress(
       estimate.stress.begin(), estimate.stress.begin() + mesh.cell_count());
   for (const auto& [parent, fan] : fans_of(refinement, mesh.cell_count()))
     stress[parent] = stress_on_parent(corners_of(mesh, parent), refinement.mesh,

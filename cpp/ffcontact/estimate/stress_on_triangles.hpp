@@ -10,7 +10,7 @@ namespace ffcontact {
 /// sigma_hat at the corners of the subtriangles of the computed solution's triangles:
 /// estimate.stress, and on a triangle that was cut for a common refinement the values of
 /// the cut stress there, as seen from the subtriangle's centroid.
-std::vector<CompositeStress> stress_on_triangles(const Mesh& mesh,
-                                                 const Estimate& estimate);
+std::vector<SubcellStress<2>> stress_on_triangles(const Mesh& mesh,
+                                                  const Estimate& estimate);
 
 }  // namespace ffcontact

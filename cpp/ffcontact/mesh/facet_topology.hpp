@@ -14,11 +14,7 @@ struct FacetTopology {
   const Facets<d>& facets;
   const Ridges<d>& ridges;
 
-  Matrix<double, d, d + 1> corners(int cell) const {
-    Matrix<double, d, d + 1> points;
-    for (int k = 0; k <= d; ++k) points.col(k) = mesh.corner(cell, k);
-    return points;
-  }
+  CellCorners<d> corners(int cell) const { return corners_of(mesh, cell); }
   MatrixOf<d> facet_corners(int facet) const {
     const Matrix<int, d, 1> vertices = facets.vertices.col(facet);
     return facet_points<d>(mesh, vertices);

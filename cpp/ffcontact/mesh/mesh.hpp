@@ -83,6 +83,21 @@ MatrixOf<dim> facet_points(const SimplexMesh<dim>& mesh,
   return points;
 }
 
+/// The corners of a cell, one column each.
+template <int dim>
+using CellCorners = Matrix<double, dim, dim + 1>;
+template <int dim>
+CellCorners<dim> corners_of(const SimplexMesh<dim>& mesh, int cell) {
+  CellCorners<dim> corners;
+  for (int k = 0; k <= dim; ++k) corners.col(k) = mesh.corner(cell, k);
+  return corners;
+}
+
+template <int dim>
+VectorOf<dim> centroid_of(const SimplexMesh<dim>& mesh, int cell) {
+  return corners_of(mesh, cell).rowwise().mean();
+}
+
 /// Length [mm] or area [mm^2] of a labelled facet, a column of `boundary`.
 template <int dim>
 double boundary_measure(const SimplexMesh<dim>& mesh, Index column);

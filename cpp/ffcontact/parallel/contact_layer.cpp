@@ -8,12 +8,12 @@ namespace ffcontact {
 namespace {
 
 std::vector<int> cells_of(const FaceSetting& setting) {
-  const SolidTopology& topology = setting.topology;
-  Flags edge(topology.edges.count(), 0);
+  const Topology<3>& topology = setting.topology;
+  Flags edge(topology.ridges.count(), 0);
   for (const ContactFace& contact : setting.contact)
     for (int face : {contact.face, contact.opposite})
       for (int k = 0; k < 3 && face >= 0; ++k)
-        edge[topology.edges.of_facet(k, face)] = 1;
+        edge[topology.ridges.of_facet(k, face)] = 1;
   return cells_at(topology, edge);
 }
 

@@ -36,7 +36,7 @@ PartSetting setting_of(const FaceSetting& whole, const FaceMoments& moments,
   of.boundary.known = whole.boundary.known(Eigen::all, face);
   of.boundary.moments = whole.boundary.moments(Eigen::all, face);
   of.body_loads = whole.body_loads(Eigen::all, cell);
-  of.stress = whole.stress(Eigen::all, cell);
+  of.stress = whole.stress.of_cells(cell);
   of.moments = moments(Eigen::all, face);
   return of;
 }
@@ -48,7 +48,7 @@ FaceParts::FaceParts(const FaceSetting& setting, const FaceMoments& moments,
       moments_(moments),
       owner_(std::move(owner)),
       contact_(std::move(contact)) {
-  const SolidTopology& topology = setting.topology;
+  const Topology<3>& topology = setting.topology;
   for (int r = 0; r < processes; ++r) {
     Flags own(topology.mesh.cell_count());
     for (int t = 0; t < count_of(own); ++t) own[t] = owner_[t] == r;
@@ -85,7 +85,7 @@ FacePart FaceParts::part(int process) const {
 }
 
 std::vector<int> FaceParts::counted(int process) const {
-  return numbers_where(setting_.topology.faces.count(),
+  return numbers_where(setting_.topology.facets.count(),
                        [&](int f) { return counts(process, f); });
 }
 
@@ -95,7 +95,7 @@ std::vector<int> FaceParts::contact_counted(int process) const {
 }
 
 bool FaceParts::has_side(int process, int face) const {
-  const Vector2i sides = setting_.topology.faces.cells.col(face);
+  const Vector2i sides = setting_.topology.facets.cells.col(face);
   return std::any_of(sides.begin(), sides.end(), [&](int cell) {
     return cell >= 0 && has(cells_[process], cell);
   });

@@ -16,8 +16,8 @@ struct PartSetting {
   TopologyPart part;
   HookeTensors<3> hooke;
   FaceTractions boundary;
-  SolidBodyLoadsOfAll body_loads;
-  Matrix6Xd stress;
+  BodyLoadsOfCells<3> body_loads;
+  LinearStresses<3> stress;
   FaceMoments moments;
 
   FaceSetting setting() const {
@@ -61,7 +61,7 @@ class FaceParts {
 
  private:
   bool counts(int process, int face) const {
-    return owner_[setting_.topology.faces.cells(0, face)] == process;
+    return owner_[setting_.topology.facets.cells(0, face)] == process;
   }
   /// Is a cell beside the face one of the process's, its halo included?
   bool has_side(int process, int face) const;

@@ -90,35 +90,35 @@ int place_in(const std::vector<int>& list, int number) {
                           list.begin());
 }
 
-TopologyPart part_of(const SolidTopology& whole, std::vector<int> cells) {
+TopologyPart part_of(const Topology<3>& whole, std::vector<int> cells) {
   const auto& [mesh, faces, edges, stars] = whole;
   const Selection chosen(mesh.cell_count(), cells),
       vertices(mesh.vertex_count(), mesh.cells(Eigen::all, cells).reshaped()),
       sides(faces.count(), faces.of_cell(Eigen::all, cells).reshaped());
   TopologyPart part;
   part.topology.mesh = mesh_of(mesh, cells, vertices);
-  part.topology.faces = faces_of(faces, chosen, vertices, sides);
-  part.topology.edges = edges_of(edges, vertices, sides);
+  part.topology.facets = faces_of(faces, chosen, vertices, sides);
+  part.topology.ridges = edges_of(edges, vertices, sides);
   part.cell = std::move(cells);
   part.face = sides.chosen();
   return part;
 }
 
-Flags edges_of_cells(const SolidTopology& topology, const Flags& cell) {
-  Flags edge(topology.edges.count(), 0);
+Flags edges_of_cells(const Topology<3>& topology, const Flags& cell) {
+  Flags edge(topology.ridges.count(), 0);
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
     for (int k = 0; k < 4 && cell[t]; ++k)
-      for (int e : topology.edges.of_facet.col(topology.faces.of_cell(k, t)))
+      for (int e : topology.ridges.of_facet.col(topology.facets.of_cell(k, t)))
         edge[e] = 1;
   return edge;
 }
 
-std::vector<int> cells_at(const SolidTopology& topology, const Flags& edge) {
+std::vector<int> cells_at(const Topology<3>& topology, const Flags& edge) {
   std::vector<int> cells;
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     bool has_one = false;
     for (int k = 0; k < 4; ++k)
-      for (int e : topology.edges.of_facet.col(topology.faces.of_cell(k, t)))
+      for (int e : topology.ridges.of_facet.col(topology.facets.of_cell(k, t)))
         has_one = has_one || edge[e];
     if (has_one) cells.push_back(t);
   }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/mesh/solid_topology.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -13,7 +13,7 @@ namespace ffcontact {
 /// one tetrahedron is missing has the other one alone, an edge the faces of the part
 /// alone. Labels and stars are left out.
 struct TopologyPart {
-  SolidTopology topology;
+  Topology<3> topology;
   std::vector<int> cell, face;  ///< in the whole, ascending
 };
 
@@ -21,12 +21,12 @@ struct TopologyPart {
 int place_in(const std::vector<int>& list, int number);
 
 /// @param cells  ascending
-TopologyPart part_of(const SolidTopology& whole, std::vector<int> cells);
+TopologyPart part_of(const Topology<3>& whole, std::vector<int> cells);
 
 /// 1 for each edge of one of these tetrahedra.
-Flags edges_of_cells(const SolidTopology& topology, const Flags& cell);
+Flags edges_of_cells(const Topology<3>& topology, const Flags& cell);
 
 /// The tetrahedra with one of these edges, ascending.
-std::vector<int> cells_at(const SolidTopology& topology, const Flags& edge);
+std::vector<int> cells_at(const Topology<3>& topology, const Flags& edge);
 
 }  // namespace ffcontact

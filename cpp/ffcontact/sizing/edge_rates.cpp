@@ -25,15 +25,15 @@ const double blunt = std::cos(M_PI / 6);  ///< turns by less go on
 constexpr double nearest_in_space = 1.5, farthest_in_space = 8;
 
 /// The two boundary faces at a boundary edge.
-Vector2i boundary_faces(const SolidTopology& topology, int edge) {
+Vector2i boundary_faces(const Topology<3>& topology, int edge) {
   std::vector<int> found;
-  for (int face : topology.edges.facets_of(edge))
-    if (topology.faces.on_boundary(face)) found.push_back(face);
+  for (int face : topology.ridges.facets_of(edge))
+    if (topology.facets.on_boundary(face)) found.push_back(face);
   return {found[0], found[1]};
 }
 
 /// Does the surface turn, or its condition change, between the faces at a boundary edge?
-bool is_singular(const SolidTopology& topology, int edge,
+bool is_singular(const Topology<3>& topology, int edge,
                  const KnownComponents& known, const Flags& is_contact) {
   const auto& [mesh, faces, edges, stars] = topology;
   const Vector2i sides = boundary_faces(topology, edge);
@@ -44,26 +44,26 @@ bool is_singular(const SolidTopology& topology, int edge,
          is_contact[a] != is_contact[b];
 }
 
-std::vector<int> singular_edges(const SolidTopology& topology,
+std::vector<int> singular_edges(const Topology<3>& topology,
                                 const KnownComponents& known,
                                 const Flags& is_contact) {
-  const Ridges<3>& edges = topology.edges;
+  const Ridges<3>& edges = topology.ridges;
   return numbers_where(edges.count(), [&](int e) {
     return edges.on_boundary[e] && is_singular(topology, e, known, is_contact);
   });
 }
 
-Vector3d along(const SolidTopology& topology, int edge) {
-  return edge_vector(topology.mesh, topology.edges, edge);
+Vector3d along(const Topology<3>& topology, int edge) {
+  return edge_vector(topology.mesh, topology.ridges, edge);
 }
 
 /// Singular edges one after the other, each line once.
 class LinesOfEdges {
  public:
-  LinesOfEdges(const SolidTopology& topology, const std::vector<int>& edges)
+  LinesOfEdges(const Topology<3>& topology, const std::vector<int>& edges)
       : topology_(topology) {
     for (int e : edges)
-      for (int v : topology.edges.vertices.col(e)) at_vertex_[v].push_back(e);
+      for (int v : topology.ridges.vertices.col(e)) at_vertex_[v].push_back(e);
     for (int e : edges) left_[e] = true;
     for (int e : edges)
       if (left_[e]) lines.push_back(line_through(e));
@@ -81,10 +81,10 @@ class LinesOfEdges {
     const double cosine = along(topology_, edge)
                               .normalized()
                               .dot(along(topology_, other).normalized());
-    const bool same_way =
-        topology_.edges.vertices(0, edge) !=
-            topology_.edges.vertices(0, other) &&
-        topology_.edges.vertices(1, edge) != topology_.edges.vertices(1, other);
+    const bool same_way = topology_.ridges.vertices(0, edge) !=
+                              topology_.ridges.vertices(0, other) &&
+                          topology_.ridges.vertices(1, edge) !=
+                              topology_.ridges.vertices(1, other);
     return (same_way ? cosine : -cosine) > blunt ? other : -1;
   }
 
@@ -94,7 +94,7 @@ class LinesOfEdges {
     for (int e = next(edge, vertex); e >= 0 && left_[e]; e = next(e, vertex)) {
       left_[e] = false;
       taken.push_back(e);
-      const Vector2i ends = topology_.edges.vertices.col(e);
+      const Vector2i ends = topology_.ridges.vertices.col(e);
       vertex = ends[0] == vertex ? ends[1] : ends[0];
     }
     return taken;
@@ -102,7 +102,7 @@ class LinesOfEdges {
 
   std::vector<int> line_through(int edge) {
     left_[edge] = false;
-    const Vector2i ends = topology_.edges.vertices.col(edge);
+    const Vector2i ends = topology_.ridges.vertices.col(edge);
     std::vector<int> line = taken_from(edge, ends[0]);
     std::reverse(line.begin(), line.end());
     line.push_back(edge);
@@ -110,7 +110,7 @@ class LinesOfEdges {
     return line;
   }
 
-  const SolidTopology& topology_;
+  const Topology<3>& topology_;
   std::map<int, std::vector<int>> at_vertex_;
   std::map<int, bool> left_;
 };
@@ -121,7 +121,7 @@ struct MeasuredLine {
   Flags is_inside;  ///< in the middle half
   double length = 0;
 
-  MeasuredLine(const SolidTopology& topology, std::vector<int> line)
+  MeasuredLine(const Topology<3>& topology, std::vector<int> line)
       : edges(std::move(line)) {
     std::vector<double> place;
     for (int e : edges) {
@@ -134,22 +134,22 @@ struct MeasuredLine {
   }
 };
 
-double distance_to(const SolidTopology& topology, int edge, const Vector3d& x) {
-  const int start = topology.edges.vertices(0, edge);
+double distance_to(const Topology<3>& topology, int edge, const Vector3d& x) {
+  const int start = topology.ridges.vertices(0, edge);
   const Vector3d from = x - topology.mesh.vertices.col(start),
                  d = along(topology, edge);
   const double place = std::clamp(from.dot(d) / d.squaredNorm(), 0.0, 1.0);
   return (from - place * d).norm();
 }
 
-bool share_a_vertex(const SolidTopology& topology, int edge, int other) {
-  for (int v : topology.edges.vertices.col(edge))
-    for (int w : topology.edges.vertices.col(other))
+bool share_a_vertex(const Topology<3>& topology, int edge, int other) {
+  for (int v : topology.ridges.vertices.col(edge))
+    for (int w : topology.ridges.vertices.col(other))
       if (v == w) return true;
   return false;
 }
 
-bool touch(const SolidTopology& topology, const std::vector<int>& line,
+bool touch(const Topology<3>& topology, const std::vector<int>& line,
            const std::vector<int>& other) {
   for (int e : line)
     for (int f : other)
@@ -158,7 +158,7 @@ bool touch(const SolidTopology& topology, const std::vector<int>& line,
 }
 
 /// From the middle half.
-double distance_to(const SolidTopology& topology, const MeasuredLine& line,
+double distance_to(const Topology<3>& topology, const MeasuredLine& line,
                    const Vector3d& x) {
   double nearest = infinity;
   for (std::size_t k = 0; k < line.edges.size(); ++k)
@@ -168,7 +168,7 @@ double distance_to(const SolidTopology& topology, const MeasuredLine& line,
 }
 
 /// Half the way from the middle half to the next line that does not touch this one.
-double room_beside(const SolidTopology& topology, const MeasuredLine& line,
+double room_beside(const Topology<3>& topology, const MeasuredLine& line,
                    const std::vector<std::vector<int>>& lines) {
   const auto& [mesh, faces, edges, stars] = topology;
   double nearest = infinity;
@@ -187,7 +187,7 @@ struct TetrahedronEnergies {
   Matrix3Xd centroid;
 
   TetrahedronEnergies(const SolidMesh& mesh, const HookeTensors<3>& hooke,
-                      const Ref<const Matrix6Xd>& stress)
+                      const Ref<const CellStresses<3>>& stress)
       : energy(mesh.cell_count()),
         size(mesh.cell_count()),
         centroid(3, mesh.cell_count()) {
@@ -201,12 +201,12 @@ struct TetrahedronEnergies {
   }
 };
 
-std::vector<int> tetrahedra_at(const SolidTopology& topology,
+std::vector<int> tetrahedra_at(const Topology<3>& topology,
                                const std::vector<int>& edges) {
   std::vector<int> found;
-  const SolidStars& stars = topology.stars;
+  const Stars& stars = topology.stars;
   for (int e : edges)
-    for (int v : topology.edges.vertices.col(e))
+    for (int v : topology.ridges.vertices.col(e))
       for (int t : stars.cells_of(v)) found.push_back(t);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -214,11 +214,11 @@ std::vector<int> tetrahedra_at(const SolidTopology& topology,
 }
 
 /// The box around a line and what is nearer than `margin`.
-Eigen::AlignedBox3d box_around(const SolidTopology& topology,
+Eigen::AlignedBox3d box_around(const Topology<3>& topology,
                                const std::vector<int>& line, double margin) {
   Eigen::AlignedBox3d box;
   for (int e : line)
-    for (int v : topology.edges.vertices.col(e))
+    for (int v : topology.ridges.vertices.col(e))
       box.extend(Vector3d(topology.mesh.vertices.col(v)));
   const Vector3d around = Vector3d::Constant(margin);
   return {box.min() - around, box.max() + around};
@@ -230,7 +230,7 @@ struct NearestEdge {
   double distance = infinity;
 };
 
-NearestEdge nearest_edge(const SolidTopology& topology,
+NearestEdge nearest_edge(const Topology<3>& topology,
                          const std::vector<int>& line, const Vector3d& x) {
   NearestEdge nearest;
   for (std::size_t k = 0; k < line.size(); ++k) {
@@ -241,7 +241,7 @@ NearestEdge nearest_edge(const SolidTopology& topology,
 }
 
 /// What is nearer than `largest` to the middle half.
-Neighbourhood near(const SolidTopology& topology, const MeasuredLine& line,
+Neighbourhood near(const Topology<3>& topology, const MeasuredLine& line,
                    const TetrahedronEnergies& tetrahedra, double largest) {
   const Eigen::AlignedBox3d box = box_around(topology, line.edges, largest);
   Neighbourhood found;
@@ -256,7 +256,7 @@ Neighbourhood near(const SolidTopology& topology, const MeasuredLine& line,
 }
 
 /// 1 where there is no room for a fit.
-double exponent_about(const SolidTopology& topology, const MeasuredLine& line,
+double exponent_about(const Topology<3>& topology, const MeasuredLine& line,
                       const std::vector<std::vector<int>>& lines,
                       const TetrahedronEnergies& tetrahedra) {
   const double size =
@@ -271,11 +271,10 @@ double exponent_about(const SolidTopology& topology, const MeasuredLine& line,
 
 }  // namespace
 
-std::vector<SingularLine> singular_lines(const SolidTopology& topology,
-                                         const HookeTensors<3>& hooke,
-                                         const Ref<const Matrix6Xd>& stress,
-                                         const KnownComponents& known,
-                                         const Flags& is_contact) {
+std::vector<SingularLine> singular_lines(
+    const Topology<3>& topology, const HookeTensors<3>& hooke,
+    const Ref<const CellStresses<3>>& stress, const KnownComponents& known,
+    const Flags& is_contact) {
   const LinesOfEdges all(topology, singular_edges(topology, known, is_contact));
   const TetrahedronEnergies tetrahedra(topology.mesh, hooke, stress);
   std::vector<SingularLine> result;
@@ -285,7 +284,7 @@ std::vector<SingularLine> singular_lines(const SolidTopology& topology,
   return result;
 }
 
-VectorXd local_rates(const SolidTopology& topology,
+VectorXd local_rates(const Topology<3>& topology,
                      const std::vector<SingularLine>& singular) {
   VectorXd rates = VectorXd::Ones(topology.mesh.cell_count());
   for (const auto& [edges, exponent] : singular)

@@ -7,8 +7,8 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
-#include "ffcontact/equilibrium/tractions/solid_residual.hpp"
-#include "ffcontact/mesh/solid_topology.hpp"
+#include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -32,15 +32,14 @@ struct SingularLine {
 /// @param stress      sigma_h per tetrahedron [MPa]
 /// @param known       components of the traction that are given [3 x faces]
 /// @param is_contact  1 for contact faces [faces]
-std::vector<SingularLine> singular_lines(const SolidTopology& topology,
-                                         const HookeTensors<3>& hooke,
-                                         const Ref<const Matrix6Xd>& stress,
-                                         const KnownComponents& known,
-                                         const Flags& is_contact);
+std::vector<SingularLine> singular_lines(
+    const Topology<3>& topology, const HookeTensors<3>& hooke,
+    const Ref<const CellStresses<3>>& stress, const KnownComponents& known,
+    const Flags& is_contact);
 
 /// Local rates q_E of the error, eps_E ~ h_E^q_E: alpha on the tetrahedra at a singular
 /// line, 1 on all others.
-VectorXd local_rates(const SolidTopology& topology,
+VectorXd local_rates(const Topology<3>& topology,
                      const std::vector<SingularLine>& singular);
 
 }  // namespace ffcontact

@@ -7,7 +7,7 @@
 
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/plane.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "ffcontact/sizing/energy_exponent.hpp"
@@ -32,30 +32,32 @@ bool condition_changes(int in, int out, const BoundaryTractions& boundary,
 }
 
 /// May the stress be singular at a boundary vertex?
-bool is_candidate(const Topology& topology, int v,
+bool is_candidate(const Topology<2>& topology, int v,
                   const BoundaryTractions& boundary,
                   const std::vector<int>& contact_edges) {
-  const auto& [mesh, edges, stars] = topology;
-  const auto [out, in] = end_spokes(stars, v);
+  const auto& [mesh, edges, ridges, stars] = topology;
+  int in = -1, out = -1;
+  for_boundary_facets(topology, v, [&](int e) {
+    (topology.facets.vertices(0, e) == v ? out : in) = e;
+  });
+  if (in < 0 || out < 0) return false;
   return boundary_turns(edge_normal(mesh, edges, in),
                         edge_normal(mesh, edges, out)) ||
          condition_changes(in, out, boundary, contact_edges);
 }
 
-std::vector<int> candidates(const Topology& topology,
+std::vector<int> candidates(const Topology<2>& topology,
                             const BoundaryTractions& boundary,
                             const std::vector<int>& contact_edges) {
-  const Stars& stars = topology.stars;
   return numbers_where(topology.mesh.vertex_count(), [&](int v) {
-    return stars.triangle_count(v) > 0 && stars.on_boundary(v) &&
-           is_candidate(topology, v, boundary, contact_edges);
+    return is_candidate(topology, v, boundary, contact_edges);
   });
 }
 
 double size_at(const Mesh& mesh, const Stars& stars, int v) {
   double area = 0;
-  for (int t : stars.triangles_of(v)) area += signed_area(mesh, t);
-  return std::sqrt(2 * area / stars.triangle_count(v));
+  for (int t : stars.cells_of(v)) area += signed_area(mesh, t);
+  return std::sqrt(2 * area / stars.count(v));
 }
 
 double distance(const Mesh& mesh, int v, int w) {
@@ -101,7 +103,7 @@ struct TriangleEnergies {
 }  // namespace
 
 std::vector<SingularVertex> singular_vertices(
-    const Topology& topology, const Hooke& hooke,
+    const Topology<2>& topology, const Hooke& hooke,
     const Ref<const Matrix3Xd>& stress, const BoundaryTractions& boundary,
     const std::vector<int>& contact_edges) {
   const Mesh& mesh = topology.mesh;
@@ -120,11 +122,11 @@ std::vector<SingularVertex> singular_vertices(
   return result;
 }
 
-VectorXd local_rates(const Topology& topology,
+VectorXd local_rates(const Topology<2>& topology,
                      const std::vector<SingularVertex>& singular) {
   VectorXd rates = VectorXd::Ones(topology.mesh.cell_count());
   for (const auto& [vertex, exponent] : singular)
-    for (int t : topology.stars.triangles_of(vertex))
+    for (int t : topology.stars.cells_of(vertex))
       rates[t] = std::min(rates[t], exponent);
   return rates;
 }

@@ -26,14 +26,14 @@ struct SingularVertex {
 /// @param stress      sigma_h per triangle [MPa]
 /// @param compliance  C^-1 per triangle through `hooke`
 std::vector<SingularVertex> singular_vertices(
-    const Topology& topology, const Hooke& hooke,
+    const Topology<2>& topology, const Hooke& hooke,
     const Ref<const Matrix3Xd>& stress, const BoundaryTractions& boundary,
     const std::vector<int>& contact_edges);
 
 /// Local rates q_E of the error, eps_E ~ h_E^q_E: alpha on the triangles at a singular
 /// vertex, where the singularity sets the error, 1 on all others [P. Coorevits, P.
 /// Ladeveze, J.-P. Pelle, Engrg. Comput. 11 (1994); CHH01, 5.1].
-VectorXd local_rates(const Topology& topology,
+VectorXd local_rates(const Topology<2>& topology,
                      const std::vector<SingularVertex>& singular);
 
 }  // namespace ffcontact

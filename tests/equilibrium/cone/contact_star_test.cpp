@@ -2,6 +2,7 @@
 #include "ffcontact/equilibrium/cone/contact_star.hpp"
 
 #include "ffcontact/equilibrium/energy/ridge_form.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "support/cut_solids.hpp"
 
 namespace ffcontact {
@@ -19,7 +20,7 @@ JointSolid one_or_two(std::mt19937& random) {
 /// One or two solids whose side low_z is in contact, or matches, their other sides free or
 /// held, with tractions in the cone, motions and residuals at random.
 struct AnyContact {
-  SolidTopology topology;
+  Topology<3> topology;
   FacetForms<3> forms;
   KnownComponents known;
   std::vector<ContactFace> contact;
@@ -36,10 +37,10 @@ struct AnyContact {
       : topology(solid.topology),
         forms(topology, HookeTensors<3>(topology.mesh.cell_count(),
                                         isotropic<3>(0.5, 0.4))),
-        index(topology.faces.count(), -1),
+        index(topology.facets.count(), -1),
         scale(random() % 2 ? 1 : 1e-3),
-        residual(scale * random_matrix(9, topology.faces.count(), random)) {
-    const Facets<3>& faces = topology.faces;
+        residual(scale * random_matrix(9, topology.facets.count(), random)) {
+    const Facets<3>& faces = topology.facets;
     known.setConstant(3, faces.count(), false);
     const bool free[] = {false, random() % 2 == 0, random() % 2 == 0};
     const int law = static_cast<int>(random() % 4);
@@ -73,10 +74,10 @@ struct AnyContact {
     }
     Matrix3d w = 0.1 * scale * random_matrix(3, 3, random);
     w.row(0) = -w.row(0).cwiseAbs();
-    face.work = face_moments_of(w, face.area);
+    face.work = facet_moments_of<3>(w, face.area);
     Matrix3d slip = Matrix3d::Zero();
     slip.row(0) = w.bottomRows<2>().colwise().norm();
-    face.slip = face_moments_of(slip, face.area).row(0);
+    face.slip = facet_moments_of<3>(slip, face.area).row(0);
     face.direction = w.bottomRows<2>().colwise().normalized();
     index[face.face] = static_cast<int>(contact.size());
     contact.push_back(face);
@@ -94,7 +95,7 @@ struct AnyContact {
 RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
               (Random random)) {
   AnyContact any(random);
-  const Ridges<3>& edges = any.topology.edges;
+  const Ridges<3>& edges = any.topology.ridges;
   int changed = 0;
   for (const JointEdge& joint : joint_edges(any.topology, any.contact)) {
     const ContactStar star(any.topology, joint, any.known, any.forms,
@@ -126,7 +127,7 @@ RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
           const int f = edges.facet[edges.facet_start[part.edge] + k];
           if (f != any.contact[m].face) continue;
           const Matrix3d corners = any.topology.mesh.vertices(
-              Eigen::all, any.topology.faces.vertices.col(f));
+              Eigen::all, any.topology.facets.vertices.col(f));
           const Vector9d moments =
               wrench_basis<3>(corners) *
               at_place<3>(any.topology, part.edge, k, part.of(x));

@@ -17,7 +17,7 @@ using namespace test;
 RC_GTEST_PROP(FacetForms, are_the_energy_of_balanced_corrections,
               (Random random)) {
   const LoadedSolid solid = any_solid(random);
-  const SolidTopology& topology = solid.topology;
+  const Topology<3>& topology = solid.topology;
   const FacetForms<3> forms(topology, solid.hooke);
   for (int t = 0; t < topology.mesh.cell_count(); t += 5) {
     const CellForm<3> H =

@@ -28,20 +28,11 @@ Problem loaded_problem(int nx, int ny, Random& random) {
 struct PlaneBody {
   Problem problem;
   Equilibrated fields;
-  Ridges<2> ridges;
 
   explicit PlaneBody(const Problem& stated)
-      : problem(stated),
-        fields(equilibrated(stated, solved(stated))),
-        ridges(ridges_of(fields.topology.mesh, fields.topology.edges)) {}
+      : problem(stated), fields(equilibrated(stated, solved(stated))) {}
 
-  LoadedFacets<2> loaded() const {
-    return {{fields.topology.mesh, fields.topology.edges, ridges},
-            problem.hooke,
-            fields.boundary,
-            fields.loads,
-            fields.stress};
-  }
+  LoadedFacets<2> loaded() const { return fields.difference(); }
   double square(const EdgeMoments& moments) const {
     double sum = 0;
     for (int t = 0; t < problem.mesh.cell_count(); ++t)
@@ -50,11 +41,13 @@ struct PlaneBody {
     return sum;
   }
   EquilibriumDefect defect(const EdgeMoments& moments) const {
-    std::vector<CompositeStress> stress;
+    std::vector<SubcellStress<2>> stress;
     for (int t = 0; t < problem.mesh.cell_count(); ++t)
       stress.push_back(difference_stress<2>(loaded(), moments, t) +
-                       fields.stress.col(t).replicate<1, 9>());
-    return defect_of(problem, fields, stress);
+                       fields.sigma(t));
+    Equilibrated at = fields;
+    at.moments = moments;
+    return defect_of(problem, at, stress);
   }
 };
 

@@ -62,7 +62,7 @@ TEST(SolidRelaxation, ends_at_the_least_energy) {
   std::array<Matrix9d, 4> identity;
   identity.fill(Matrix9d::Identity());
   for (int t = 0; t < cells; ++t) {
-    const TetrahedronCorners x = corners_of(mesh, t);
+    const CellCorners<3> x = corners_of(mesh, t);
     const Matrix6d compliance = solid.body.hooke[t].inverse();
     MatrixXd to_loads = MatrixXd::Zero(36, unknowns);
     for (int f : faces.of_cell.col(t))
@@ -100,7 +100,7 @@ TEST(SolidRelaxation, ends_at_the_least_energy) {
 std::vector<double> effectivities(const SolidMesh& mesh, bool mixed) {
   const SmoothSolid exact;
   RelaxedSolid solid(smooth_body(exact, mesh, mixed));
-  const double error = error_of(exact, solid.body, solid.stress);
+  const double error = error_of(exact, solid.body, solid.stress.mean);
   std::vector<double> squares{solid.square()}, result;
   for (double fall : solid.relax(16)) squares.push_back(squares.back() - fall);
   for (double square : squares) result.push_back(std::sqrt(square) / error);
@@ -165,7 +165,7 @@ struct AutomaticSteps {
     SmoothSolid exact;
     exact.nu = nu;
     RelaxedSolid solid(smooth_body(exact, mesh, true));
-    const double error = error_of(exact, solid.body, solid.stress);
+    const double error = error_of(exact, solid.body, solid.stress.mean);
     steps = relax_faces(solid.setting, {}, solid.moments).size();
     effectivity = std::sqrt(solid.square()) / error;
   }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "support/bodies.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
@@ -82,8 +82,8 @@ RC_GTEST_PROP(BoundaryTractions,
     Vector4d expected;
     expected << problem.mesh.vertices.col(problem.edges.vertices(0, e)),
         problem.mesh.vertices.col(problem.edges.vertices(1, e));
-    RC_ASSERT((density_of_moments(boundary.moments.col(e), length) - expected)
-                  .norm() < 1e-11);
+    RC_ASSERT((density_of(boundary.moments.col(e), length) - expected).norm() <
+              1e-11);
   }
 }
 
@@ -96,8 +96,8 @@ RC_GTEST_PROP(BoundaryTractions, are_the_contact_densities_on_the_line,
       random_matrix(2, problem.line.edge_count(), random)};
   const BoundaryTractions boundary = tractions_of(problem, densities);
   for (int k = 0; k < problem.line.edge_count(); ++k) {
-    const Vector4d ends = density_of_moments(
-        boundary.moments.col(problem.line.edge[k]), problem.line.length[k]);
+    const Vector4d ends = density_of(boundary.moments.col(problem.line.edge[k]),
+                                     problem.line.length[k]);
     for (int end = 0; end < 2; ++end) {
       const Vector2d r = ends.segment<2>(2 * end);
       RC_ASSERT(std::abs(r.dot(problem.line.edge_normal(k)) -

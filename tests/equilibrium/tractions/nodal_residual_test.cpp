@@ -6,6 +6,7 @@
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
+#include "support/loaded_solid.hpp"
 #include "support/refusals.hpp"
 
 namespace ffcontact {
@@ -13,8 +14,8 @@ namespace {
 
 using namespace test;
 
-NodalResidual residual_of(const Problem& problem,
-                          const VectorXd& displacement) {
+NodalResidual<2> residual_of(const Problem& problem,
+                             const VectorXd& displacement) {
   const Matrix2Xd zero = Matrix2Xd::Zero(2, problem.line.edge_count());
   const BoundaryTractions given = boundary_tractions(
       problem.mesh, problem.edges, prescribed_dofs(problem.A), problem.neumann,
@@ -32,7 +33,7 @@ RC_GTEST_PROP(NodalResidual, is_what_the_loads_lack_in_the_linear_system,
   const ElasticSystem system = problem.system();
   const VectorXd u = random_vector(problem.b.size(), random);
   const VectorXd K_u = stiffness(problem.mesh, problem.hooke) * u;
-  const NodalResidual residual = residual_of(problem, u);
+  const NodalResidual<2> residual = residual_of(problem, u);
   int free = 0;
   for (int dof = 0; dof < u.size(); ++dof) {
     if (residual.supported(dof % 2, dof / 2)) {
@@ -50,8 +51,8 @@ RC_GTEST_PROP(NodalResidual, is_what_the_loads_lack_in_the_linear_system,
 TEST(NodalResidual, takes_forces_where_no_support_answers) {
   const Problem problem = example_1(Multiplier::force, 2);
   const VectorXd u = VectorXd::Zero(problem.b.size());
-  const NodalResidual before = residual_of(problem, u);
-  const NodalResidual after =
+  const NodalResidual<2> before = residual_of(problem, u);
+  const NodalResidual<2> after =
       with_forces(before, VectorXd::Constant(problem.b.size(), 1e3));
   ASSERT_TRUE(before.supported.any());
   for (Index v = 0; v < before.missing.cols(); ++v)
@@ -96,6 +97,24 @@ TEST(NodalResidual, refuses_a_point_support_with_a_reaction) {
   const ContactSolution solution = solved(problem);
   EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }),
                    "at vertex 5 (0, 20)"));
+}
+
+RC_GTEST_PROP(NodalResidual, of_a_solid_is_what_the_loads_lack,
+              (Random random)) {
+  const LoadedSolid body = random_loaded_solid(irregular_solid(random), random);
+  const VectorXd u = displacement(body.system());
+  const NodalResidual<3> none = nodal_residual(
+      body.topology, body.stress(u), body.body_loads, body.boundary());
+  RC_ASSERT(none.missing.cwiseAbs().maxCoeff() < 1e-11 * none.scale);
+
+  const VectorXd change = random_vector(u.size(), random);
+  const NodalResidual<3> less =
+      less_stress(body.topology, none, body.stress(change));
+  const RowMatrix K = stiffness(body.mesh(), body.hooke);
+  const VectorXd forces = K * change;
+  const NodalResidual<3> again = with_forces(less, forces);
+  RC_ASSERT(less.missing.cwiseAbs().maxCoeff() > 0.1);
+  RC_ASSERT(again.missing.cwiseAbs().maxCoeff() < 1e-10);
 }
 
 }  // namespace

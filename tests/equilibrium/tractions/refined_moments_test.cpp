@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
-#include "support/balances.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
+#include "support/cells.hpp"
 #include "support/cut_bodies.hpp"
 
 namespace ffcontact {
@@ -47,8 +47,8 @@ struct QuadraticStress {
     }
     return result;
   }
-  BodyLoadsOfAll body_loads(const Mesh& mesh) const {
-    BodyLoadsOfAll result(6, mesh.cells.cols());
+  BodyLoadsOfCells<2> body_loads(const Mesh& mesh) const {
+    BodyLoadsOfCells<2> result(6, mesh.cells.cols());
     for (int t = 0; t < mesh.cell_count(); ++t) {
       Matrix<double, 2, 3> F;
       for (int k = 0; k < 3; ++k) F.col(k) = force(mesh.corner(t, k));
@@ -86,14 +86,13 @@ RC_GTEST_PROP(RefinedMoments, balance_every_triangle_in_force_and_moment,
   const QuadraticStress field(random);
   const Mesh& mesh = cut.refinement.mesh;
   const EdgeMoments moments = refined(cut, field);
-  const Matrix3Xd no_stress = Matrix3Xd::Zero(3, mesh.cells.cols());
-  const EdgeLoadsOfAll on_edges =
-      difference_loads(mesh, cut.refinement.edges, moments, no_stress);
-  const BodyLoadsOfAll in_body = field.body_loads(mesh);
+  const BodyLoadsOfCells<2> in_body = field.body_loads(mesh);
   RC_ASSERT(mesh.cell_count() > cut.mesh().cell_count());
   for (int t = 0; t < mesh.cell_count(); ++t)
     RC_ASSERT(
-        out_of_balance(corners_of(mesh, t), on_edges.col(t), in_body.col(t))
+        out_of_balance<2>(corners_of(mesh, t),
+                          loads_of<2>(mesh, cut.refinement.edges, moments, t),
+                          in_body.col(t).reshaped(2, 3))
             .norm() < 1e-10 * moments.cwiseAbs().maxCoeff());
 }
 
@@ -152,8 +151,8 @@ RC_GTEST_PROP(RefinedBodyLoads, are_those_of_the_linear_force_of_the_old_ones,
               (Random random)) {
   const CutBodies cut(random);
   const QuadraticStress field(random);
-  const BodyLoadsOfAll loads = refined_body_loads(cut.mesh(), cut.refinement,
-                                                  field.body_loads(cut.mesh()));
+  const BodyLoadsOfCells<2> loads = refined_body_loads(
+      cut.mesh(), cut.refinement, field.body_loads(cut.mesh()));
   RC_ASSERT(relative_difference(loads, field.body_loads(cut.refinement.mesh)) <
             1e-12);
 }
@@ -164,9 +163,10 @@ Matrix4Xd moments_of_tractions(const Mesh& mesh, const QuadraticStress& field) {
   for (Index b = 0; b < mesh.boundary.cols(); ++b) {
     const Vector2d first = mesh.vertices.col(mesh.boundary(0, b)),
                    second = mesh.vertices.col(mesh.boundary(1, b));
-    Vector4d density;
+    Matrix2d density;
     density << field.force(first), field.force(second);
-    moments.col(b) = moments_of_density(density, (second - first).norm());
+    moments.col(b) =
+        facet_moments_of<2>(density, (second - first).norm()).reshaped();
   }
   return moments;
 }

@@ -8,8 +8,8 @@
 
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "support/balanced_unknowns.hpp"
+#include "support/cells.hpp"
 #include "support/solids.hpp"
-#include "support/tetrahedra.hpp"
 
 namespace ffcontact {
 namespace {
@@ -41,21 +41,21 @@ RC_GTEST_PROP(WrenchBasis, has_the_wrench_and_bars_without_one,
 }
 
 /// What wrenches and bars on a tetrahedron's faces lack to balance, of the loads.
-double imbalance(const SolidTopology& topology, int cell,
+double imbalance(const Topology<3>& topology, int cell,
                  const CellVector<3>& x) {
   const std::array<Matrix9d, 4> bases = wrench_bases<3>(topology, cell);
-  FaceLoads loads;
+  FacetLoads<3> loads;
   for (int k = 0; k < 4; ++k)
     loads.middleCols<3>(3 * k).reshaped() = bases[k] * x.segment<9>(9 * k);
-  return out_of_balance(corners_of(topology.mesh, cell), loads,
-                        SolidBodyLoads::Zero())
+  return out_of_balance<3>(corners_of(topology.mesh, cell), loads,
+                           CellBodyLoads<3>::Zero())
              .norm() /
          (1 + loads.norm());
 }
 
 RC_GTEST_PROP(WrenchBasis, a_wrench_around_an_edge_balances_its_tetrahedra,
               (Random random)) {
-  const SolidTopology topology = topology_of(irregular_solid(random));
+  const Topology<3> topology = topology_of(irregular_solid(random));
   const auto& [mesh, faces, edges, stars] = topology;
   const Vector6d wrench = random_vector(6, random);
   for (int e = 0; e < edges.count(); e += 7) {
@@ -73,7 +73,7 @@ RC_GTEST_PROP(WrenchBasis, a_wrench_around_an_edge_balances_its_tetrahedra,
 
 RC_GTEST_PROP(WrenchBasis, the_wrench_on_one_face_balances_the_others,
               (Random random)) {
-  const SolidTopology topology = topology_of(irregular_solid(random));
+  const Topology<3> topology = topology_of(irregular_solid(random));
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     const CellVector<3> x = balanced_unknowns(topology, t, t % 4, random);
     RC_ASSERT(imbalance(topology, t, x) < 1e-12);

@@ -121,8 +121,8 @@ RC_GTEST_PROP(RefinedBody, has_the_initial_stress_of_the_old_triangles,
     return at_origin + slopes * x;
   };
   old.initial = at_vertices(cut.mesh(), tau);
-  const LinearStresses expected = at_vertices(cut.refinement.mesh, tau),
-                       found = refined(cut, old).initial;
+  const LinearStresses<2> expected = at_vertices(cut.refinement.mesh, tau),
+                          found = refined(cut, old).initial;
   for (int t = 0; t < cut.refinement.mesh.cell_count(); ++t)
     RC_ASSERT((found.at_vertices(t) - expected.at_vertices(t)).norm() <
               1e-12 * (1 + slopes.norm()) *

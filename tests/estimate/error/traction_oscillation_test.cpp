@@ -138,7 +138,7 @@ LinearPart linear_part(const FacingTractions& pair, const QuadraticField& v) {
     if (!carried.known(0, f)) continue;
     const double area = facet_measure(mesh, faces, f);
     const Matrix3d moments = carried.moments.col(f).reshaped(3, 3),
-                   density = face_density(moments, area),
+                   density = facet_density<3>(moments, area),
                    x = mesh.vertices(Eigen::all, faces.vertices.col(f));
     for (const CubicPoint& point : cubic_points())
       part.work +=

@@ -57,7 +57,7 @@ SolvedBody any_body(fuzz::Bytes& bytes, const Mesh& mesh, const ContactLaw& law,
                   solution.pressure,
                   law,
                   Matrix4Xd::Zero(4, mesh.boundary.cols()),
-                  BodyLoadsOfAll::Zero(6, mesh.cells.cols()),
+                  BodyLoadsOfCells<2>::Zero(6, mesh.cells.cols()),
                   solution.stiffness};
   const int spoilt = bytes.next();
   if (spoilt % 8 == 1)
@@ -75,8 +75,8 @@ SolvedBody any_body(fuzz::Bytes& bytes, const Mesh& mesh, const ContactLaw& law,
 }
 
 void solve_and_judge(fuzz::Bytes& bytes, const Mesh& mesh) {
-  const Topology topology = topology_of(mesh);
-  const ContactLine line = contact_line(mesh, topology.edges, {1});
+  const Topology<2> topology = topology_of(mesh);
+  const ContactLine line = contact_line(mesh, topology.facets, {1});
   const RowMatrix A = any_matrix(bytes, mesh);
   const VectorXd b = any_values(bytes, 2 * mesh.vertex_count());
   const ElasticSystem system = elastic_system(A, b);

@@ -2,7 +2,7 @@
 #include "ffcontact/equilibrium/cone/boundary_relaxation.hpp"
 
 #include "ffcontact/contact/law/friction_cone.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/linear/dense/congruent.hpp"
 #include "ffcontact/linear/dense/products.hpp"
 #include "ffcontact/linear/minimum/quadratic_minimum.hpp"
@@ -16,7 +16,9 @@ namespace {
 Matrix4d spoke_densities(const BoundarySpoke& spoke, double length) {
   Matrix4d density;
   for (int c = 0; c < 4; ++c)
-    density.col(c) = density_of_moments(spoke.moments.col(c), length);
+    density.col(c) =
+        facet_density<2>(spoke.moments.col(c).reshaped(2, 2), length)
+            .reshaped();
   return density;
 }
 

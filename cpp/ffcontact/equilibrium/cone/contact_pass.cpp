@@ -14,26 +14,26 @@ namespace ffcontact {
 namespace {
 
 /// The faces of all tetrahedra at an edge.
-std::vector<int> faces_near(const SolidTopology& topology,
+std::vector<int> faces_near(const Topology<3>& topology,
                             const JointEdge& joint) {
   std::vector<int> near;
   for (const JointEdge::Part& part : joint.parts)
     for (const Wedge& wedge : wedges_of<3>(topology, part.edge))
-      for (int face : topology.faces.of_cell.col(wedge.cell))
+      for (int face : topology.facets.of_cell.col(wedge.cell))
         near.push_back(face);
   return near;
 }
 
 }  // namespace
 
-ContactPass::ContactPass(const SolidTopology& topology,
+ContactPass::ContactPass(const Topology<3>& topology,
                          const FaceTractions& boundary,
                          const FacetForms<3>& forms,
                          const std::vector<ContactFace>& contact,
                          const FaceMoments& moments)
     : topology_(topology), forms_(forms), contact_(contact) {
   const KnownComponents known = without_contact(boundary.known, contact);
-  std::vector<int> contact_index(topology.faces.count(), -1);
+  std::vector<int> contact_index(topology.facets.count(), -1);
   for (const ContactFace& face : contact) {
     contact_index[face.face] = count_of(tractions_);
     const Matrix3d of_face = moments.col(face.face).reshaped(3, 3);
@@ -49,7 +49,7 @@ ContactPass::ContactPass(const SolidTopology& topology,
 
 /// The lowest colour that no star before it with a face in common has.
 void ContactPass::colour() {
-  std::vector<std::vector<int>> taken(topology_.faces.count());
+  std::vector<std::vector<int>> taken(topology_.facets.count());
   for (int s = 0; s < count_of(stars_); ++s) {
     const std::vector<int> faces = faces_near(topology_, stars_[s].joint());
     const auto is_taken = [&](int colour) {

@@ -20,7 +20,7 @@ class ContactPass : public ContactRelaxation {
   /// @param boundary  known tractions, those of contact among them
   /// @param contact   stays where it is; empty: a pass does nothing
   /// @param moments   of all faces, from which r_hat is taken
-  ContactPass(const SolidTopology& topology, const FaceTractions& boundary,
+  ContactPass(const Topology<3>& topology, const FaceTractions& boundary,
               const FacetForms<3>& forms,
               const std::vector<ContactFace>& contact,
               const FaceMoments& moments);
@@ -36,7 +36,7 @@ class ContactPass : public ContactRelaxation {
   double relax(const ContactStar& star, const ContactStar::Scales& scales,
                Matrix9Xd& corrections, Matrix9Xd& residual);
 
-  const SolidTopology& topology_;
+  const Topology<3>& topology_;
   const FacetForms<3>& forms_;
   const std::vector<ContactFace>& contact_;
   std::vector<Matrix3d> tractions_;  ///< r_hat of the contact faces

@@ -24,10 +24,10 @@ constexpr PivotThreshold dependent_on_others{1e-9};
 constexpr double cone_rounding = 1e-12;
 
 /// Tractions at the vertices of a contact face from its nine unknowns.
-Matrix9d tractions_of_unknowns(const SolidTopology& topology,
+Matrix9d tractions_of_unknowns(const Topology<3>& topology,
                                const ContactFace& face) {
   const Matrix3d corners = topology.mesh.vertices(
-      Eigen::all, topology.faces.vertices.col(face.face));
+      Eigen::all, topology.facets.vertices.col(face.face));
   Matrix9d tractions = wrench_basis<3>(corners);
   for (int k = 0; k < 9; ++k)
     tractions.col(k) =
@@ -36,7 +36,7 @@ Matrix9d tractions_of_unknowns(const SolidTopology& topology,
 }
 
 /// The same of the face at one place around an edge from the outside unknowns of a joint.
-MatrixXd tractions_of_joint(const SolidTopology& topology,
+MatrixXd tractions_of_joint(const Topology<3>& topology,
                             const ContactFace& face,
                             const JointEdge::Part& part, int place,
                             const std::vector<int>& outside, int size) {
@@ -78,7 +78,7 @@ MatrixXd free_basis(const MatrixXd& conditions, const std::vector<MatrixXd>& P,
 
 }  // namespace
 
-ContactStar::ContactStar(const SolidTopology& topology, JointEdge joint,
+ContactStar::ContactStar(const Topology<3>& topology, JointEdge joint,
                          const KnownComponents& known,
                          const FacetForms<3>& forms,
                          const std::vector<ContactFace>& contact,
@@ -89,26 +89,26 @@ ContactStar::ContactStar(const SolidTopology& topology, JointEdge joint,
   if (is_free()) reduce(joint_form(topology, joint_, forms));
 }
 
-void ContactStar::find_places(const SolidTopology& topology) {
+void ContactStar::find_places(const Topology<3>& topology) {
   Flags is_outside(joint_.size, 0);
   std::fill_n(is_outside.begin(), 6, 1);
   for (const auto& [edge, place, sign] : joint_.parts) {
-    const std::vector<int> faces = facets_around<3>(topology.edges, edge);
+    const std::vector<int> faces = facets_around<3>(topology.ridges, edge);
     for (int i = 0; i < count_of(faces); ++i)
       for (int bar = 0; bar < 3; ++bar)
-        if (topology.faces.on_boundary(faces[i]))
+        if (topology.facets.on_boundary(faces[i]))
           is_outside[place[6 + 3 * i + bar]] = 1;
   }
   for (int i = 0; i < joint_.size; ++i)
     (is_outside[i] ? outside_ : inside_).push_back(i);
 }
 
-void ContactStar::find_basis(const SolidTopology& topology,
+void ContactStar::find_basis(const Topology<3>& topology,
                              const KnownComponents& known,
                              const std::vector<ContactFace>& contact,
                              const std::vector<int>& contact_index) {
   for (const JointEdge::Part& part : joint_.parts) {
-    const std::vector<int> faces = facets_around<3>(topology.edges, part.edge);
+    const std::vector<int> faces = facets_around<3>(topology.ridges, part.edge);
     for (int i = 0; i < count_of(faces); ++i) {
       const int index = contact_index[faces[i]];
       if (index < 0) continue;

@@ -25,7 +25,7 @@ class ContactStar {
   ///                       faces
   /// @param contact        stays where it is
   /// @param contact_index  of the contact face of each mesh face, or -1
-  ContactStar(const SolidTopology& topology, JointEdge joint,
+  ContactStar(const Topology<3>& topology, JointEdge joint,
               const KnownComponents& known, const FacetForms<3>& forms,
               const std::vector<ContactFace>& contact,
               const std::vector<int>& contact_index);
@@ -54,8 +54,8 @@ class ContactStar {
  private:
   using Tractions = std::vector<Matrix3d>;
 
-  void find_places(const SolidTopology& topology);
-  void find_basis(const SolidTopology& topology, const KnownComponents& known,
+  void find_places(const Topology<3>& topology);
+  void find_basis(const Topology<3>& topology, const KnownComponents& known,
                   const std::vector<ContactFace>& contact,
                   const std::vector<int>& contact_index);
   void reduce(const MatrixXd& A);

@@ -22,9 +22,9 @@ constexpr double same_place = 1e-9;
 /// The edges that each edge of a contact face lies on.
 using EdgeLinks = std::map<int, std::vector<int>>;
 
-EdgeLinks linked_edges(const SolidTopology& topology,
+EdgeLinks linked_edges(const Topology<3>& topology,
                        const std::vector<ContactFace>& contact) {
-  const auto& of_facet = topology.edges.of_facet;
+  const auto& of_facet = topology.ridges.of_facet;
   EdgeLinks links;
   for (const ContactFace& face : contact)
     for (int k = 0; k < 3; ++k) {
@@ -54,12 +54,12 @@ std::vector<int> taken_with(int edge, EdgeLinks& links) {
 using RoundedPlace = std::array<double, 3>;
 
 /// The lowest of the edges' middles, in steps of a length.
-RoundedPlace lowest_middle(const SolidTopology& topology,
+RoundedPlace lowest_middle(const Topology<3>& topology,
                            const std::vector<int>& edges, double step) {
   std::vector<RoundedPlace> places;
   for (int edge : edges) {
     const Vector3d place =
-        edge_middle(topology.mesh, topology.edges, edge) / step;
+        edge_middle(topology.mesh, topology.ridges, edge) / step;
     places.push_back(
         {std::round(place[0]), std::round(place[1]), std::round(place[2])});
   }
@@ -69,7 +69,7 @@ RoundedPlace lowest_middle(const SolidTopology& topology,
 /// Numbers the unknowns around edges that lie on each other.
 class JointNumbering {
  public:
-  JointNumbering(const SolidTopology& topology,
+  JointNumbering(const Topology<3>& topology,
                  const std::vector<ContactFace>& contact)
       : topology_(topology) {
     for (const ContactFace& face : contact)
@@ -81,7 +81,7 @@ class JointNumbering {
     joint.size = 6;
     std::map<int, int> bars;  // the first of each face
     for (int edge : edges)
-      for (int face : facets_around<3>(topology_.edges, edge))
+      for (int face : facets_around<3>(topology_.ridges, edge))
         if (facing_.count(face) == 0) {
           bars[face] = joint.size;
           joint.size += 3;
@@ -93,7 +93,7 @@ class JointNumbering {
 
  private:
   Vector3d direction(int edge) const {
-    return edge_vector(topology_.mesh, topology_.edges, edge);
+    return edge_vector(topology_.mesh, topology_.ridges, edge);
   }
 
   /// -1 where one edge runs against the other, and faces turn about it the other way.
@@ -106,8 +106,8 @@ class JointNumbering {
     const auto first_bar = [&](int face) {
       return entry_of(bars, face, "bar of a face");
     };
-    const std::vector<int> faces = facets_around<3>(topology_.edges, edge);
-    const int size = unknowns_around<3>(topology_.edges, edge);
+    const std::vector<int> faces = facets_around<3>(topology_.ridges, edge);
+    const int size = unknowns_around<3>(topology_.ridges, edge);
     JointEdge::Part part{edge, VectorXi::LinSpaced(size, 0, size - 1),
                          VectorXd::Ones(size)};
     part.sign.head<6>().setConstant(turn);
@@ -126,14 +126,14 @@ class JointNumbering {
     return part;
   }
 
-  const SolidTopology& topology_;
+  const Topology<3>& topology_;
   /// the contact face that each opposite face faces
   std::map<int, const ContactFace*> facing_;
 };
 
 }  // namespace
 
-std::vector<JointEdge> joint_edges(const SolidTopology& topology,
+std::vector<JointEdge> joint_edges(const Topology<3>& topology,
                                    const std::vector<ContactFace>& contact) {
   if (contact.empty()) return {};
   const double size = box_sides(topology.mesh.vertices).maxCoeff();
@@ -150,7 +150,7 @@ std::vector<JointEdge> joint_edges(const SolidTopology& topology,
   return joints;
 }
 
-MatrixXd joint_form(const SolidTopology& topology, const JointEdge& joint,
+MatrixXd joint_form(const Topology<3>& topology, const JointEdge& joint,
                     const FacetForms<3>& forms) {
   MatrixXd A = MatrixXd::Zero(joint.size, joint.size);
   for (const JointEdge::Part& part : joint.parts) {
@@ -163,7 +163,7 @@ MatrixXd joint_form(const SolidTopology& topology, const JointEdge& joint,
   return A;
 }
 
-MatrixXd joint_conditions(const SolidTopology& topology, const JointEdge& joint,
+MatrixXd joint_conditions(const Topology<3>& topology, const JointEdge& joint,
                           const KnownComponents& known) {
   MatrixXd rows(0, joint.size);
   for (const JointEdge::Part& part : joint.parts) {
@@ -179,7 +179,7 @@ MatrixXd joint_conditions(const SolidTopology& topology, const JointEdge& joint,
   return rows;
 }
 
-VectorXd joint_restricted(const SolidTopology& topology, const JointEdge& joint,
+VectorXd joint_restricted(const Topology<3>& topology, const JointEdge& joint,
                           const Matrix9Xd& g) {
   VectorXd x = VectorXd::Zero(joint.size);
   for (const JointEdge::Part& part : joint.parts)

@@ -5,7 +5,7 @@
 
 #include "ffcontact/equilibrium/energy/facet_forms.hpp"
 #include "ffcontact/equilibrium/tractions/contact_face.hpp"
-#include "ffcontact/mesh/solid_topology.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -30,19 +30,19 @@ struct JointEdge {
 };
 
 /// The edges of contact faces, in the order of their middles, whatever their numbers.
-std::vector<JointEdge> joint_edges(const SolidTopology& topology,
+std::vector<JointEdge> joint_edges(const Topology<3>& topology,
                                    const std::vector<ContactFace>& contact);
 
 /// A = sum over the parts of Z' H Z.
-MatrixXd joint_form(const SolidTopology& topology, const JointEdge& joint,
+MatrixXd joint_form(const Topology<3>& topology, const JointEdge& joint,
                     const FacetForms<3>& forms);
 
 /// edge_conditions of all parts.
-MatrixXd joint_conditions(const SolidTopology& topology, const JointEdge& joint,
+MatrixXd joint_conditions(const Topology<3>& topology, const JointEdge& joint,
                           const KnownComponents& known);
 
 /// Z' g, the sum over the parts.
-VectorXd joint_restricted(const SolidTopology& topology, const JointEdge& joint,
+VectorXd joint_restricted(const Topology<3>& topology, const JointEdge& joint,
                           const Matrix9Xd& g);
 
 }  // namespace ffcontact

@@ -162,7 +162,7 @@ template <int d, class Scalar>
 CellForm<d, Scalar> facet_energy(const CellCorners<d>& corners,
                                  const VoigtMatrix<d>& compliance,
                                  const FacetBases<d>& basis) {
-  const MatrixOf<d> B = piola_matrix<d>(corners);
+  const MatrixOf<d> B = piola_matrix(corners);
   const Bases<d, Scalar> columns = pulled_back<d, Scalar>(B, basis);
   const Matrix<Scalar, Packed<d>::pairs, 1> weights =
       pair_weights<d>(B, compliance).template cast<Scalar>();
@@ -179,7 +179,7 @@ CellVector<d> facet_slope(const CellCorners<d>& corners,
                           const SubcellStress<d>& stress,
                           const FacetBases<d>& basis) {
   constexpr int size = CompositeElement<d>::moments;
-  const MatrixOf<d> B = piola_matrix<d>(corners);
+  const MatrixOf<d> B = piola_matrix(corners);
   // int sigma : C^-1 tau = E : s with tau = T s / det B
   const SubcellStress<d> E = massed<d, voigt_size<d>>(
       piola_voigt<d>(B).transpose() * compliance * stress);

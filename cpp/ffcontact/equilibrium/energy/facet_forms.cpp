@@ -146,7 +146,7 @@ constexpr Places<d> places;
 template <int d>
 int largest_facet(const CellCorners<d>& corners) {
   int largest = 0;
-  facet_vectors<d>(corners).colwise().squaredNorm().maxCoeff(&largest);
+  facet_vectors(corners).colwise().squaredNorm().maxCoeff(&largest);
   return largest;
 }
 

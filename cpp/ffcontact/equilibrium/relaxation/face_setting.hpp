@@ -5,7 +5,7 @@
 
 #include "ffcontact/equilibrium/tractions/contact_face.hpp"
 #include "ffcontact/equilibrium/tractions/facet_loads.hpp"
-#include "ffcontact/equilibrium/tractions/solid_residual.hpp"
+#include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 
 namespace ffcontact {
 
@@ -13,11 +13,11 @@ namespace ffcontact {
 ///     e^2 = |sigma_hat - sigma|^2 + 2 sum of contact_term
 /// with r_hat in the cone.
 struct FaceSetting {
-  const SolidTopology& topology;
+  const Topology<3>& topology;
   const HookeTensors<3>& hooke;
   const FaceTractions& boundary;
-  const SolidBodyLoadsOfAll& body_loads;
-  const Matrix6Xd& stress;  ///< sigma, constant per tetrahedron [MPa]
+  const BodyLoadsOfCells<3>& body_loads;
+  const LinearStresses<3>& stress;  ///< sigma
   /// faces whose tractions, known in `boundary`, may change in the cone
   std::vector<ContactFace> contact = {};
 

@@ -32,8 +32,8 @@ FacetDescent<d>::FacetDescent(const LoadedFacets<d>& body,
     if (!share.cell[t]) continue;
     const CellCorners<d> corners = topology.corners(t);
     const VoigtMatrix<d> compliance = body.hooke[t].inverse();
-    const SubcellStress<d> tau = difference_stress<d>(body, moments, t);
-    squares[t] = energy<d>(corners, compliance, tau);
+    const SubcellStress<d> tau = difference_stress(body, moments, t);
+    squares[t] = energy(corners, compliance, tau);
     images_.col(t) =
         -facet_slope<d>(corners, compliance, tau, wrench_bases<d>(topology, t));
   }

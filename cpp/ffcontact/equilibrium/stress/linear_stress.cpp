@@ -1,38 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
 
-#include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/stress/cell_geometry.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/linear/norms.hpp"
-#include "ffcontact/mesh/edges.hpp"
 
 namespace ffcontact {
 
 namespace {
 
 /// Values of a constant stress differ by less than this part of the largest.
-constexpr double rounding = 1e-14;
+constexpr double rounding_of_constants = 1e-14;
 
 }  // namespace
 
-LinearStresses LinearStresses::of_values(
-    const Ref<const Matrix<double, 9, Dynamic>>& values) {
+template <int d>
+LinearStresses<d> LinearStresses<d>::of_values(
+    const Ref<const Values>& values) {
+  constexpr int size = voigt_size<d>;
   LinearStresses result;
-  result.mean =
-      (values.topRows<3>() + values.middleRows<3>(3) + values.bottomRows<3>()) /
-      3;
-  result.variation = values - result.mean.replicate<3, 1>();
-  if (max_norm(result.variation) <= rounding * max_norm(values))
-    result.variation.resize(9, 0);
+  result.mean = values.template topRows<size>();
+  for (int k = 1; k <= d; ++k)
+    result.mean += values.template middleRows<size>(size * k);
+  result.mean /= d + 1;
+  result.variation = values - result.mean.template replicate<d + 1, 1>();
+  if (max_norm(result.variation) <= rounding_of_constants * max_norm(values))
+    result.variation.resize(Values::RowsAtCompileTime, 0);
   return result;
 }
 
-Matrix3d LinearStresses::at_vertices(int triangle) const {
-  Matrix3d values = mean.col(triangle).replicate<1, 3>();
-  if (varies()) values += variation.col(triangle).reshaped(3, 3);
+template <int d>
+typename LinearStresses<d>::Values LinearStresses<d>::values() const {
+  Values values = mean.template replicate<d + 1, 1>();
+  if (varies()) values += variation;
   return values;
 }
 
-LinearStresses operator+(LinearStresses a, const LinearStresses& b) {
+template <int d>
+VertexStress<d> LinearStresses<d>::at_vertices(int cell) const {
+  VertexStress<d> values = mean.col(cell).template replicate<1, d + 1>();
+  if (varies()) values.reshaped() += variation.col(cell);
+  return values;
+}
+
+template <int d>
+LinearStresses<d> LinearStresses<d>::of_cells(
+    const std::vector<int>& cells) const {
+  LinearStresses result(CellStresses<d>(mean(Eigen::all, cells)));
+  if (varies()) result.variation = variation(Eigen::all, cells);
+  return result;
+}
+
+template <int d>
+LinearStresses<d> operator+(LinearStresses<d> a, const LinearStresses<d>& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
   a.mean += b.mean;
@@ -43,36 +63,40 @@ LinearStresses operator+(LinearStresses a, const LinearStresses& b) {
   return a;
 }
 
-CompositeStress composite_of(const Matrix3d& at_vertices) {
-  CompositeStress values;
-  const Vector3d middle = at_vertices.rowwise().mean();
-  for (int k = 0; k < 3; ++k)
-    values.middleCols<3>(3 * k) << at_vertices.col((k + 1) % 3),
-        at_vertices.col((k + 2) % 3), middle;
+template <int d>
+SubcellStress<d> subcell_values(const VertexStress<d>& at_vertices) {
+  SubcellStress<d> values;
+  for (int k = 0; k <= d; ++k) {
+    for (int j = 0; j < d; ++j)
+      values.col((d + 1) * k + j) = at_vertices.col(vertex_of_facet<d>(k, j));
+    values.col((d + 1) * k + d) = at_vertices.rowwise().mean();
+  }
   return values;
 }
 
-EdgeLoads edge_loads(const TriangleCorners& corners,
-                     const Matrix3d& at_vertices) {
-  EdgeLoads loads;
-  for (int k = 0; k < 3; ++k) {
-    const Vector2d normal = turned_right(side_of(corners, k));
-    Vector4d tractions;  // times the length of the side
-    tractions << traction(at_vertices.col((k + 1) % 3), normal),
-        traction(at_vertices.col((k + 2) % 3), normal);
-    loads.segment<4>(4 * k) = moments_of_density(tractions, 1);
+template <int d>
+FacetLoads<d> loads_of_stress(const CellCorners<d>& corners,
+                              const VertexStress<d>& at_vertices) {
+  const CellCorners<d> vectors = facet_vectors(corners);
+  FacetLoads<d> loads;
+  for (int k = 0; k <= d; ++k) {
+    MatrixOf<d> tractions;  // times the facet's measure
+    for (int j = 0; j < d; ++j)
+      tractions.col(j) =
+          traction(at_vertices.col(vertex_of_facet<d>(k, j)), vectors.col(k));
+    loads.template middleCols<d>(d * k) = facet_moments_of<d>(tractions, 1);
   }
   return loads;
 }
 
-BodyLoads balancing_loads(const TriangleCorners& corners,
-                          const Matrix3d& at_vertices) {
-  Vector2d twice_divergence = Vector2d::Zero();  // times the area
-  for (int k = 0; k < 3; ++k)
-    twice_divergence -=
-        traction(at_vertices.col(k), turned_right(side_of(corners, k)));
-  const Vector2d at_vertex = -twice_divergence / 6;
-  return at_vertex.replicate<3, 1>();
-}
+template struct LinearStresses<FFCONTACT_DIMENSION>;
+template LinearStresses<FFCONTACT_DIMENSION> operator+(
+    LinearStresses<FFCONTACT_DIMENSION>,
+    const LinearStresses<FFCONTACT_DIMENSION>&);
+template SubcellStress<FFCONTACT_DIMENSION> subcell_values<FFCONTACT_DIMENSION>(
+    const VertexStress<FFCONTACT_DIMENSION>&);
+template FacetLoads<FFCONTACT_DIMENSION> loads_of_stress<FFCONTACT_DIMENSION>(
+    const CellCorners<FFCONTACT_DIMENSION>&,
+    const VertexStress<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

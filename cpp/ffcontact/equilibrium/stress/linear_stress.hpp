@@ -2,47 +2,52 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
-#include "ffcontact/base/eigen.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/composite_element.hpp"
 
 namespace ffcontact {
 
-/// Stresses that are linear on each triangle, Voigt [MPa]: C eps(u) of a linear u, which
-/// is constant, and initial stresses, which vary.
-struct LinearStresses {
-  Matrix3Xd mean;  ///< [3 x triangles]
-  /// what the values at the three vertices have beyond the mean, which sums to 0; without
-  /// columns: nothing
-  Matrix<double, 9, Dynamic> variation;
+/// Values of a stress at the vertices of a cell, Voigt [MPa], one a column.
+template <int d>
+using VertexStress = Matrix<double, voigt_size<d>, d + 1>;
 
-  LinearStresses() : mean(3, 0) {}
-  // NOLINTNEXTLINE(google-explicit-constructor): constant stresses are linear
-  LinearStresses(Matrix3Xd constant) : mean(std::move(constant)) {}
-  /// @param values  at the vertices, one triangle a column [9 x triangles]; where they
-  ///                vary by rounding alone the stresses are constant
-  static LinearStresses of_values(
-      const Ref<const Matrix<double, 9, Dynamic>>& values);
+/// Stresses that are linear on each cell, Voigt [MPa]: C eps(u) of a linear u, which is
+/// constant, and initial stresses, which vary.
+template <int d>
+struct LinearStresses {
+  /// VertexStress, one cell a column, column-major
+  using Values = Matrix<double, voigt_size<d>*(d + 1), Dynamic>;
+
+  CellStresses<d> mean;
+  /// what the values at the vertices have beyond the mean, which sums to 0; without
+  /// columns: nothing
+  Values variation;
+
+  LinearStresses() : mean(voigt_size<d>, 0) {}
+  explicit LinearStresses(CellStresses<d> constant)
+      : mean(std::move(constant)) {}
+  /// Where values vary by rounding alone the stresses are constant.
+  static LinearStresses of_values(const Ref<const Values>& values);
 
   bool varies() const { return variation.cols() > 0; }
   bool empty() const { return mean.cols() == 0; }
-  /// Values at the vertices of a triangle, one a column.
-  Matrix3d at_vertices(int triangle) const;
+  Values values() const;
+  VertexStress<d> at_vertices(int cell) const;
+  LinearStresses of_cells(const std::vector<int>& cells) const;
 };
 
 /// Sums, where an empty stress is zero.
-LinearStresses operator+(LinearStresses a, const LinearStresses& b);
+template <int d>
+LinearStresses<d> operator+(LinearStresses<d> a, const LinearStresses<d>& b);
 
-/// A linear stress by its values at the vertices of a triangle: at the corners of the
-/// subtriangles.
-CompositeStress composite_of(const Matrix3d& at_vertices);
+/// A linear stress by its values at the vertices of a cell: at the corners of the subcells.
+template <int d>
+SubcellStress<d> subcell_values(const VertexStress<d>& at_vertices);
 
-/// Its edge loads.
-EdgeLoads edge_loads(const TriangleCorners& corners,
-                     const Matrix3d& at_vertices);
-
-/// int f phi_i of f = -div sigma [N/mm].
-BodyLoads balancing_loads(const TriangleCorners& corners,
-                          const Matrix3d& at_vertices);
+/// Its loads on the facets.
+template <int d>
+FacetLoads<d> loads_of_stress(const CellCorners<d>& corners,
+                              const VertexStress<d>& at_vertices);
 
 }  // namespace ffcontact

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 
 namespace ffcontact {
 
@@ -114,7 +114,7 @@ void add_line_integrals(const Point& from, const Point& to, int first,
 /// Those on the three edges.
 LongColumns edge_integrals() {
   const Matrix<long double, 2, 3> vertex =
-      reference_triangle().cast<long double>();
+      reference_cell<2>().cast<long double>();
   LongColumns edges = LongColumns::Zero(monomials, 6);
   for (int k = 0; k < 3; ++k)
     add_line_integrals(vertex.col((k + 1) % 3), vertex.col((k + 2) % 3), 2 * k,

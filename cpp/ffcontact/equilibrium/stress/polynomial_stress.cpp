@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
 #include "ffcontact/equilibrium/stress/polynomial_basis.hpp"
 #include "ffcontact/linear/dense/cholesky.hpp"
@@ -60,25 +61,25 @@ RigidMotions rigid_motions(const Matrix2d& B) {
 
 using Coefficients = Matrix<double, 2, polynomial_count>;
 
-VectorXd load_of(const EdgeLoads& on_edges, const BodyLoads& body_loads) {
+VectorXd load_of(const FacetLoads<2>& on_edges,
+                 const CellBodyLoads<2>& body_loads) {
   Coefficients load = Coefficients::Zero();
   for (int k = 0; k < 3; ++k) {
     // times the edge's length
-    const Vector4d density = density_of_moments(on_edges.segment<4>(4 * k), 1);
-    load += product(density.reshaped(2, 2),
+    const Matrix2d density = facet_density<2>(on_edges.middleCols<2>(2 * k), 1);
+    load += product(density,
                     polynomial_basis().edges.middleCols(2 * k, 2).transpose());
   }
-  load +=
-      product(body_loads.reshaped(2, 3), polynomial_basis().body.transpose());
+  load += product(body_loads, polynomial_basis().body.transpose());
   return load.reshaped();
 }
 
 }  // namespace
 
-PolynomialStress polynomial_stress(const TriangleCorners& corners,
+PolynomialStress polynomial_stress(const CellCorners<2>& corners,
                                    const Matrix3d& hooke,
-                                   const EdgeLoads& on_edges,
-                                   const BodyLoads& body_loads) {
+                                   const FacetLoads<2>& on_edges,
+                                   const CellBodyLoads<2>& body_loads) {
   const Matrix2d B = piola_matrix(corners);
   MatrixXd K = stiffness_of(B, hooke);
   const RigidMotions Z = rigid_motions(B);
@@ -103,8 +104,8 @@ Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point) {
   return stress.hooke * strain;
 }
 
-CompositeStress corner_values(const PolynomialStress& stress) {
-  CompositeStress values;
+SubcellStress<2> corner_values(const PolynomialStress& stress) {
+  SubcellStress<2> values;
   for (int k = 0; k < 3; ++k) {
     for (int c = 0; c < 2; ++c)
       values.col(3 * k + c) =
@@ -115,15 +116,15 @@ CompositeStress corner_values(const PolynomialStress& stress) {
 }
 
 double energy(const PolynomialStress& stress, const Matrix3d& at_vertices) {
-  const TriangleCorners& corners = stress.corners;
+  const CellCorners<2>& corners = stress.corners;
   const Matrix2d B = piola_matrix(corners);
   const VectorXd w = stress.displacement.reshaped();
   // int s : eps(w), by parts
-  const double work = load_of(edge_loads(corners, at_vertices),
-                              balancing_loads(corners, at_vertices))
-                          .dot(w);
+  const FacetLoads<2> loads = loads_of_stress(corners, at_vertices);
+  const double work = load_of(loads, balancing_body_loads<2>(loads)).dot(w);
   return w.dot(stiffness_of(B, stress.hooke) * w) + 2 * work +
-         energy(corners, stress.hooke.inverse(), composite_of(at_vertices));
+         energy(corners, stress.hooke.inverse(),
+                subcell_values<2>(at_vertices));
 }
 
 }  // namespace ffcontact

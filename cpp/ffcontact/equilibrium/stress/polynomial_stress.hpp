@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/equilibrium/stress/polynomial_basis.hpp"
 
 namespace ffcontact {
@@ -17,7 +17,7 @@ namespace ffcontact {
 /// of the jumps between triangles. All integrals are exact (PolynomialBasis), in reference
 /// coordinates x = B (xi, eta) + x_0.
 struct PolynomialStress {
-  TriangleCorners corners;
+  CellCorners<2> corners;
   Matrix3d hooke;  ///< C in Voigt order with engineering shear [MPa]
   /// coefficients of w on the orthonormal basis, without rigid motion [mm]
   Matrix<double, 2, polynomial_count> displacement;
@@ -27,16 +27,16 @@ struct PolynomialStress {
 ///                    with the body loads [N/mm]
 /// @param body_loads  int f phi_i at the three vertices; f is taken as the linear
 ///                    function with these moments
-PolynomialStress polynomial_stress(const TriangleCorners& corners,
+PolynomialStress polynomial_stress(const CellCorners<2>& corners,
                                    const Matrix3d& hooke,
-                                   const EdgeLoads& on_edges,
-                                   const BodyLoads& body_loads);
+                                   const FacetLoads<2>& on_edges,
+                                   const CellBodyLoads<2>& body_loads);
 
 /// Voigt stress [MPa] at a point of the triangle [mm].
 Vector3d stress_at(const PolynomialStress& stress, const Vector2d& point);
 
 /// Point values at the corners of the subtriangles.
-CompositeStress corner_values(const PolynomialStress& stress);
+SubcellStress<2> corner_values(const PolynomialStress& stress);
 
 /// int (sigma + s) : C^-1 (sigma + s) over the triangle for a linear stress s [N/mm per
 /// unit thickness times mm].

@@ -3,7 +3,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/linear/dense/congruent.hpp"
 #include "ffcontact/linear/dense/products.hpp"
 #include "ffcontact/linear/dense/symmetric_eigen.hpp"
@@ -61,12 +61,17 @@ Vector4d end_displacements(const Mesh& mesh,
   return {first.x(), first.y(), second.x(), second.y()};
 }
 
+/// Its end values from its moments.
+Vector4d density_of(const Vector4d& moments, double length) {
+  return facet_density<2>(moments.reshaped(2, 2), length).reshaped();
+}
+
 /// The traction at a point from its moments, a column for each.
 Matrix<double, 2, 4> tractions_at(int point, double length) {
   Matrix<double, 2, 4> tractions;
   for (int k = 0; k < 4; ++k)
     tractions.col(k) =
-        between_ends(point, density_of_moments(Vector4d::Unit(k), length));
+        between_ends(point, density_of(Vector4d::Unit(k), length));
   return tractions;
 }
 
@@ -95,7 +100,7 @@ SpringError quadratic_form(const Mesh& mesh, const BoundarySprings& springs,
                            const Vector4d& moments, Index column, double sign) {
   const double length = boundary_measure(mesh, column);
   const Vector4d ends = end_displacements(mesh, displacement, column),
-                 density = density_of_moments(moments, length);
+                 density = density_of(moments, length);
   SpringError error;
   for (int q = 0; q < 3; ++q) {
     const Matrix2d K = springs.stiffness_at(q, column);

@@ -6,7 +6,7 @@
 #include "ffcontact/base/entry_of.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/equilibrium/tractions/prescribed_labels.hpp"
 
 namespace ffcontact {
@@ -68,7 +68,7 @@ Vector4d contact_moments(const ContactLine& line,
                          const ContactDensities& densities, int contact_edge) {
   const Matrix2d r = end_values(densities, contact_edge).reshaped(2, 2),
                  density = edge_frame(line, contact_edge).transpose() * r;
-  return moments_of_density(density.reshaped(), line.length[contact_edge]);
+  return facet_moments_of<2>(density, line.length[contact_edge]).reshaped();
 }
 
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ffcontact/base/over.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 
 namespace ffcontact {
 
@@ -24,7 +25,7 @@ KnownComponents without_contact(KnownComponents known,
 }
 
 Matrix3d traction_of(const ContactFace& face, const Matrix3d& moments) {
-  const Matrix3d density = face_density(moments, face.area);
+  const Matrix3d density = facet_density<3>(moments, face.area);
   Matrix3d traction;
   for (int i = 0; i < 3; ++i)
     traction.col(i) = face.frame[i].transpose() * density.col(i);
@@ -34,7 +35,7 @@ Matrix3d traction_of(const ContactFace& face, const Matrix3d& moments) {
 Matrix3d moments_of(const ContactFace& face, const Matrix3d& traction) {
   Matrix3d density;
   for (int i = 0; i < 3; ++i) density.col(i) = face.frame[i] * traction.col(i);
-  return face_moments_of(density, face.area);
+  return facet_moments_of<3>(density, face.area);
 }
 
 double cone_violation(const ContactFace& face, const Matrix3d& traction) {

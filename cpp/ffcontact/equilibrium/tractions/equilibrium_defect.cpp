@@ -1,132 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
 
-#include <array>
-#include <cmath>
-
-#include "ffcontact/base/over.hpp"
-#include "ffcontact/base/require.hpp"
-#include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
+#include "ffcontact/equilibrium/stress/stress_conditions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-TriangleCorners subtriangle_corners(const Mesh& mesh, int t, int k) {
-  TriangleCorners x;
-  x << mesh.corner(t, (k + 1) % 3), mesh.corner(t, (k + 2) % 3),
-      centroid_of(mesh, t);
-  return x;
-}
-
-Vector2d divergence(const TriangleCorners& x, const Matrix3d& corner_stress) {
-  const Vector2d a = x.col(1) - x.col(0), b = x.col(2) - x.col(0);
-  const double twice_area = a.x() * b.y() - a.y() * b.x();
-  Vector2d sum = Vector2d::Zero();
-  for (int c = 0; c < 3; ++c)
-    sum += traction(corner_stress.col(c),
-                    -turned_right(side_of(x, c)) / twice_area);
-  return sum;
-}
-
-double longest_side(const TriangleCorners& corners) {
-  return largest_over(3, [&](int k) { return side_of(corners, k).norm(); });
-}
-
-/// Largest divergence times size over the subtriangles of one triangle.
-double divergence_of_triangle(const Mesh& mesh, int t,
-                              const CompositeStress& stress,
-                              const BodyLoads& body_loads) {
-  const double area = signed_area(mesh, t);
-  const Matrix<double, 2, 3> f = body_force_of(body_loads, area);
-  double worst = 0;
-  for (int k = 0; k < 3; ++k) {
-    const Vector2d div_sigma = divergence(subtriangle_corners(mesh, t, k),
-                                          stress.middleCols<3>(3 * k));
-    worst = std::max(worst, (div_sigma + f.col(k)).norm());
-  }
-  return worst * area / longest_side(corners_of(mesh, t));
-}
-
-/// Largest jump across the edge from a vertex to the centroid.
-double jump_inside(const Mesh& mesh, int t, int vertex,
-                   const CompositeStress& stress) {
-  const Vector2d along = centroid_of(mesh, t) - mesh.corner(t, vertex);
-  const Vector2d n = turned_right(along.normalized());
-  // The vertex is corner 1 of the subtriangle opposite to its predecessor, and corner 0
-  // of the other one.
-  const int before = (vertex + 2) % 3, after = (vertex + 1) % 3;
-  const Vector3d at_vertex = stress.col(3 * after + 1) - stress.col(3 * before);
-  const Vector3d at_centroid =
-      stress.col(3 * before + 2) - stress.col(3 * after + 2);
-  return std::max(traction(at_vertex, n).norm(),
-                  traction(at_centroid, n).norm());
-}
-
-/// sigma n of the triangle beside an edge, at the edge's first and second vertex, for the
-/// edge's own normal.
-Vector4d traction_beside(const Mesh& mesh, const Edges& edges, int edge, int t,
-                         const std::vector<CompositeStress>& stress) {
-  const int k = edges.side_of_cell(edge, t);
-  const Vector2d n = edge_normal(mesh, edges, edge);
-  // then the triangle runs through the edge from its first vertex to its second
-  const bool same = edges.eta(k, t) > 0;
-  Vector4d ends;
-  ends << traction(stress[t].col(3 * k + (same ? 0 : 1)), n),
-      traction(stress[t].col(3 * k + (same ? 1 : 0)), n);
-  return ends;
-}
-
-/// Largest |sigma n - F| of the known components at the ends of a boundary edge.
-double boundary_defect(const Mesh& mesh, const Edges& edges, int e,
-                       const BoundaryTractions& boundary,
-                       const Vector4d& traction) {
-  const Vector4d given = density_of_moments(boundary.moments.col(e),
-                                            edge_vector(mesh, edges, e).norm());
+/// Largest difference of the tractions on the outer facets to those with given moments.
+template <int d>
+double outer_jump(const CellCorners<d>& vectors, const SubcellStress<d>& stress,
+                  const FacetLoads<d>& on_facets) {
   double largest = 0;
-  for (int k = 0; k < 4; ++k)
-    if (boundary.known(k % 2, e))
-      largest = std::max(largest, std::abs(traction[k] - given[k]));
+  for (int k = 0; k <= d; ++k) {
+    const VectorOf<d> n = vectors.col(k).normalized();
+    MatrixOf<d> jump = facet_density<d>(on_facets.template middleCols<d>(d * k),
+                                        vectors.col(k).norm());
+    for (int j = 0; j < d; ++j)
+      jump.col(j) -= traction(stress.col((d + 1) * k + j), n);
+    largest = std::max(largest, max_norm(jump));
+  }
   return largest;
+}
+
+template <int d>
+MatrixOf<d> density_on(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                       int facet, const FacetColumns<d>& moments) {
+  return facet_density<d>(moments.col(facet).reshaped(d, d),
+                          facet_measure(mesh, facets, facet));
 }
 
 }  // namespace
 
-EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges,
-                                     const std::vector<CompositeStress>& stress,
-                                     const BodyLoadsOfAll& body_loads,
-                                     const BoundaryTractions& boundary,
-                                     double least_scale) {
-  require_size("stress", static_cast<Index>(stress.size()), mesh.cell_count());
-  require_size("body loads", body_loads.cols(), mesh.cell_count());
-  double divergence = 0, jump = 0, at_boundary = 0, largest_traction = 0;
-#pragma omp parallel for reduction(max : divergence, jump)
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    divergence =
-        std::max(divergence,
-                 divergence_of_triangle(mesh, t, stress[t], body_loads.col(t)));
-    for (int k = 0; k < 3; ++k)
-      jump = std::max(jump, jump_inside(mesh, t, k, stress[t]));
-  }
-#pragma omp parallel for reduction(max : jump, at_boundary, largest_traction)
-  for (int e = 0; e < edges.count(); ++e) {
-    const Vector4d left =
-        traction_beside(mesh, edges, e, edges.cells(0, e), stress);
-    largest_traction = std::max(largest_traction, max_norm(left));
-    if (edges.on_boundary(e)) {
-      at_boundary = std::max(at_boundary,
-                             boundary_defect(mesh, edges, e, boundary, left));
-    } else {
-      const Vector4d right =
-          traction_beside(mesh, edges, e, edges.cells(1, e), stress);
-      jump = std::max(jump, max_norm(left - right));
-    }
-  }
-  const double largest = std::max(largest_traction, least_scale),
-               scale = largest > 0 ? largest : 1;
-  return {divergence / scale, jump / scale, at_boundary / scale};
+template <int d>
+EquilibriumDefect cell_defect(const CellCorners<d>& corners,
+                              const SubcellStress<d>& stress,
+                              const FacetLoads<d>& on_facets,
+                              const CellBodyLoads<d>& body_loads) {
+  const CellCorners<d> vectors = facet_vectors(corners);
+  const double volume = volume_of(corners),
+               height = volume / vectors.colwise().norm().maxCoeff();
+  EquilibriumDefect defect;
+  defect.divergence = height * max_norm(divergences(corners, stress) +
+                                        body_force_of<d>(body_loads, volume));
+  defect.jump = std::max(max_norm(inner_jumps(corners, stress)),
+                         outer_jump<d>(vectors, stress, on_facets));
+  return defect;
 }
+
+template <int d>
+double boundary_defect(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                       const FacetTractions<d>& boundary,
+                       const FacetColumns<d>& moments) {
+  double largest = 0;
+  for (int f = 0; f < facets.count(); ++f) {
+    if (!boundary.known.col(f).any()) continue;
+    const MatrixOf<d> off = density_on(mesh, facets, f, moments) -
+                            density_on(mesh, facets, f, boundary.moments);
+    for (int c = 0; c < d; ++c)
+      if (boundary.known(c, f))
+        largest = std::max(largest, max_norm(off.row(c)));
+  }
+  return largest;
+}
+
+template <int d>
+double largest_traction(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                        const FacetColumns<d>& moments) {
+  double largest = 0;
+#pragma omp parallel for reduction(max : largest)
+  for (int f = 0; f < facets.count(); ++f)
+    largest = std::max(largest, max_norm(density_on(mesh, facets, f, moments)));
+  return largest;
+}
+
+template EquilibriumDefect cell_defect<FFCONTACT_DIMENSION>(
+    const CellCorners<FFCONTACT_DIMENSION>&,
+    const SubcellStress<FFCONTACT_DIMENSION>&,
+    const FacetLoads<FFCONTACT_DIMENSION>&,
+    const CellBodyLoads<FFCONTACT_DIMENSION>&);
+template double boundary_defect<FFCONTACT_DIMENSION>(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Facets<FFCONTACT_DIMENSION>&,
+    const FacetTractions<FFCONTACT_DIMENSION>&,
+    const FacetColumns<FFCONTACT_DIMENSION>&);
+template double largest_traction<FFCONTACT_DIMENSION>(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Facets<FFCONTACT_DIMENSION>&,
+    const FacetColumns<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -2,37 +2,51 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
-#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/tractions/facet_tractions.hpp"
+#include "ffcontact/mesh/facets.hpp"
 
 namespace ffcontact {
 
-/// How far a stress that is linear on the subtriangles is from statically admissible
-/// (2.2), measured on its point values:
-///     h |div sigma + f|                    in each subtriangle, h = the triangle's area over its longest side: the traction on
-///                                          that side that would balance it, whatever the triangle's shape
-///     |jump of sigma n|                    across inner edges of the triangles and across mesh edges, at both ends
-///     |sigma n - F|                        for the known components on the boundary, at both ends
-/// each relative to the largest traction sigma n on any edge, or to a least scale where
-/// all tractions are below it.
+/// How far a stress that is linear on the subcells is from statically admissible (2.2),
+/// measured on its point values:
+///     h |div sigma + f|    in each subcell, h = the cell's volume over its largest facet: the traction on that facet that
+///                          would balance it, whatever the cell's shape
+///     |jump of sigma n|    across the inner facets of the cells, and to the tractions with the given moments on their outer
+///                          facets, which both cells beside a facet have in common
+///     |t - F|              of these tractions t to the known ones on the boundary
+/// at the corners.
 struct EquilibriumDefect {
   double divergence = 0;
   double jump = 0;
   double boundary = 0;
+
   double largest() const { return std::max({divergence, jump, boundary}); }
+  /// All of it as part of a stress.
+  EquilibriumDefect relative_to(double scale) const {
+    return {divergence / scale, jump / scale, boundary / scale};
+  }
 };
 
-/// @param stress      corner values per triangle [MPa]
-/// @param body_loads  int f phi_i per triangle; f is the field constant on the
-///                    subtriangles that has these moments
-/// @param least_scale  [MPa]
-/// @throws std::invalid_argument  if sizes differ
-EquilibriumDefect equilibrium_defect(const Mesh& mesh, const Edges& edges,
-                                     const std::vector<CompositeStress>& stress,
-                                     const BodyLoadsOfAll& body_loads,
-                                     const BoundaryTractions& boundary,
-                                     double least_scale = 0);
+/// On one cell [MPa].
+/// @param on_facets   moments, outward
+/// @param body_loads  int f phi_i; f is the field constant on the subcells that has these
+///                    moments
+template <int d>
+EquilibriumDefect cell_defect(const CellCorners<d>& corners,
+                              const SubcellStress<d>& stress,
+                              const FacetLoads<d>& on_facets,
+                              const CellBodyLoads<d>& body_loads);
+
+/// Largest difference between known boundary tractions and those of the moments [MPa].
+template <int d>
+double boundary_defect(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                       const FacetTractions<d>& boundary,
+                       const FacetColumns<d>& moments);
+
+/// Largest component of the traction on any facet [MPa].
+template <int d>
+double largest_traction(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                        const FacetColumns<d>& moments);
 
 }  // namespace ffcontact

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/linear/dense/least_squares.hpp"
 
 namespace ffcontact {
@@ -26,7 +26,7 @@ bool is_cut(const Edges& old_edges, const CommonRefinement& refinement,
 /// Resultant and moment about the centroid, divided by the size, of forces on the
 /// vertices [3 x 6].
 Matrix<double, 3, 6> resultants(const Mesh& mesh, int triangle) {
-  const TriangleCorners arms =
+  const CellCorners<2> arms =
       corners_of(mesh, triangle).colwise() - centroid_of(mesh, triangle);
   const double size = arms.colwise().norm().maxCoeff();
   Matrix<double, 3, 6> result;
@@ -105,7 +105,7 @@ struct FanBalance {
 /// Balances the triangles of one fan by the moments of the edges between them.
 void balance_fan(const CommonRefinement& refinement,
                  const std::vector<int>& triangles, const Vector3d& stress,
-                 const BodyLoadsOfAll& body_loads, EdgeMoments& moments) {
+                 const BodyLoadsOfCells<2>& body_loads, EdgeMoments& moments) {
   const Mesh& mesh = refinement.mesh;
   const Edges& edges = refinement.edges;
   const std::map<int, int> inner = inner_edges(refinement, triangles);
@@ -206,7 +206,7 @@ EdgeMoments refined_moments(const Edges& old_edges,
                             const CommonRefinement& refinement,
                             const EdgeMoments& old_moments,
                             const Ref<const Matrix3Xd>& old_stress,
-                            const BodyLoadsOfAll& body_loads,
+                            const BodyLoadsOfCells<2>& body_loads,
                             const BoundaryTractions& cut) {
   const Edges& edges = refinement.edges;
   EdgeMoments moments = EdgeMoments::Zero(4, edges.count());
@@ -236,11 +236,11 @@ std::map<int, std::vector<int>> fans_of(const CommonRefinement& refinement,
   return fans;
 }
 
-BodyLoadsOfAll refined_body_loads(const Mesh& old_mesh,
-                                  const CommonRefinement& refinement,
-                                  const BodyLoadsOfAll& old_loads) {
+BodyLoadsOfCells<2> refined_body_loads(const Mesh& old_mesh,
+                                       const CommonRefinement& refinement,
+                                       const BodyLoadsOfCells<2>& old_loads) {
   const Mesh& mesh = refinement.mesh;
-  BodyLoadsOfAll loads(6, mesh.cells.cols());
+  BodyLoadsOfCells<2> loads(6, mesh.cells.cols());
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const int old = refinement.parent[t];
     const VertexVectors F = vertex_values(old_loads.col(old).reshaped(2, 3),
@@ -260,13 +260,12 @@ Matrix4Xd refined_boundary_moments(const Mesh& old_mesh,
   Matrix4Xd moments(4, mesh.boundary.cols());
   for (Index b = 0; b < mesh.boundary.cols(); ++b) {
     const int old = refinement.parent_boundary[b];
-    const Matrix2d ends = density_of_moments(old_moments.col(old),
-                                             boundary_measure(old_mesh, old))
-                              .reshaped(2, 2);
+    const Matrix2d ends = facet_density<2>(old_moments.col(old).reshaped(2, 2),
+                                           boundary_measure(old_mesh, old));
     const Matrix2d density = interpolated(
         refinement, old_mesh.boundary.col(old), mesh.boundary.col(b), ends);
     moments.col(b) =
-        moments_of_density(density.reshaped(), boundary_measure(mesh, b));
+        facet_moments_of<2>(density, boundary_measure(mesh, b)).reshaped();
   }
   return moments;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/interface/pairing/common_refinement.hpp"
 
@@ -36,7 +36,7 @@ EdgeMoments refined_moments(const Edges& old_edges,
                             const CommonRefinement& refinement,
                             const EdgeMoments& old_moments,
                             const Ref<const Matrix3Xd>& old_stress,
-                            const BodyLoadsOfAll& body_loads,
+                            const BodyLoadsOfCells<2>& body_loads,
                             const BoundaryTractions& cut);
 
 /// The triangles of each old triangle that was cut.
@@ -45,9 +45,9 @@ std::map<int, std::vector<int>> fans_of(const CommonRefinement& refinement,
 
 /// Body loads int f phi_i of the refinement: f is the linear function on each old
 /// triangle that has the old loads.
-BodyLoadsOfAll refined_body_loads(const Mesh& old_mesh,
-                                  const CommonRefinement& refinement,
-                                  const BodyLoadsOfAll& old_loads);
+BodyLoadsOfCells<2> refined_body_loads(const Mesh& old_mesh,
+                                       const CommonRefinement& refinement,
+                                       const BodyLoadsOfCells<2>& old_loads);
 
 /// Moments of boundary tractions, linear on the old edges, at the ends of the columns of
 /// Mesh::boundary [4 x boundary].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/bodies/compared.hpp"
 
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -10,11 +10,15 @@ namespace ffcontact {
 namespace {
 
 /// Body loads of sigma_hat - sigma from those of sigma_hat.
-BodyLoadsOfAll difference_body_loads(const Mesh& mesh, BodyLoadsOfAll loads,
-                                     const LinearStresses& stress) {
+BodyLoadsOfCells<2> difference_body_loads(const Mesh& mesh,
+                                          BodyLoadsOfCells<2> loads,
+                                          const LinearStresses<2>& stress) {
 #pragma omp parallel for
   for (int t = 0; t < mesh.cell_count(); ++t)
-    loads.col(t) -= balancing_loads(corners_of(mesh, t), stress.at_vertices(t));
+    loads.col(t) -=
+        balancing_body_loads<2>(
+            loads_of_stress(corners_of(mesh, t), stress.at_vertices(t)))
+            .reshaped();
   return loads;
 }
 

@@ -10,12 +10,12 @@ namespace ffcontact {
 struct Compared {
   VectorXd displacement;
   ContactLaw law;
-  LinearStresses stress;  ///< sigma
+  LinearStresses<2> stress;  ///< sigma
   /// body loads of sigma_hat - sigma, where they are not those of sigma_hat
-  BodyLoadsOfAll other_loads{};
+  BodyLoadsOfCells<2> other_loads{};
 
   /// Body loads of sigma_hat - sigma.
-  const BodyLoadsOfAll& body_loads(const SolvedBody& body) const {
+  const BodyLoadsOfCells<2>& body_loads(const SolvedBody& body) const {
     return stress.varies() ? other_loads : body.body_loads;
   }
 };

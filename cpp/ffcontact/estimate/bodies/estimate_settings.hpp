@@ -17,7 +17,7 @@ enum class Tractions {
 
 /// How sigma_hat is built inside the triangles from the edge tractions [CHH01, 4.2.2].
 enum class Construction {
-  composite,  ///< in equilibrium at every point (CompositeStress)
+  composite,  ///< in equilibrium at every point (SubcellStress<2>)
   /// C eps(w), w of degree 4, in equilibrium in the mean only (PolynomialStress): e is
   /// lower and no bound, and the result is not admissible
   polynomial,

@@ -21,12 +21,11 @@ MatchedBodies::MatchedBodies(const SolvedProblem& solved) : solved_(solved) {
   solved_springs_ = springs_ =
       spring_moments(topology.mesh, body.springs, body.displacement);
   if (line.matches()) return;
-  refinement_ = common_refinement(topology.mesh, topology.edges, line);
-  const Stars stars = stars_of(refinement_->mesh, refinement_->edges);
+  refinement_ = common_refinement(topology.mesh, topology.facets, line);
   cut_ = Cut{
-      {refinement_->mesh, refinement_->edges, stars},
+      topology_of(refinement_->mesh, refinement_->edges),
       refined_prescribed(*refinement_, system.prescribed),
-      refined_body(topology.mesh, topology.edges, line, body, *refinement_)};
+      refined_body(topology.mesh, topology.facets, line, body, *refinement_)};
   springs_ = matched_moments(solved_springs_);
 }
 
@@ -49,7 +48,7 @@ Matrix4Xd MatchedBodies::solved_moments() const {
 
 BoundaryTractions MatchedBodies::boundary_with(
     const ContactDensities& densities) const {
-  return boundary_tractions(topology().mesh, topology().edges, prescribed(),
+  return boundary_tractions(topology().mesh, topology().facets, prescribed(),
                             sum_of(body().neumann, springs_), line(),
                             densities);
 }
@@ -57,7 +56,7 @@ BoundaryTractions MatchedBodies::boundary_with(
 BoundaryTractions MatchedBodies::solved_boundary(
     const BoundaryTractions& boundary) const {
   if (!cut_) return boundary;
-  const Edges& edges = solved_.topology.edges;
+  const Edges& edges = solved_.topology.facets;
   return tractions_of_parts(
       edges, *refinement_, boundary,
       given_tractions(solved_.topology.mesh, edges, solved_.system.prescribed,
@@ -86,7 +85,7 @@ EdgeMoments MatchedBodies::moments(const EdgeMoments& solved,
                                    const Matrix3Xd& stress,
                                    const BoundaryTractions& boundary) const {
   if (!cut_) return solved;
-  return refined_moments(solved_.topology.edges, *refinement_, solved, stress,
+  return refined_moments(solved_.topology.facets, *refinement_, solved, stress,
                          cut_->body.body_loads, boundary);
 }
 

@@ -14,7 +14,7 @@ namespace ffcontact {
 
 /// What an estimate is asked of.
 struct SolvedProblem {
-  const Topology& topology;
+  const Topology<2>& topology;
   const ContactLine& line;
   const ElasticSystem& system;
   const SolvedBody& body;
@@ -27,7 +27,7 @@ class MatchedBodies {
   /// @param solved  stays where it is
   explicit MatchedBodies(const SolvedProblem& solved);
 
-  const Topology& topology() const {
+  const Topology<2>& topology() const {
     return cut_ ? cut_->topology : solved_.topology;
   }
   const ContactLine& line() const {
@@ -88,7 +88,7 @@ class MatchedBodies {
 
  private:
   struct Cut {
-    Topology topology;
+    Topology<2> topology;
     Flags prescribed;
     SolvedBody body;
   };

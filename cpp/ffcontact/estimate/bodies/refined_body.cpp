@@ -61,9 +61,9 @@ ContactLaw refined_law(const Edges& old_edges, const ContactLine& old_line,
 }
 
 /// Linear on the old triangles, at the vertices of the new ones.
-LinearStresses refined_stresses(const Mesh& old_mesh,
-                                const CommonRefinement& refinement,
-                                const LinearStresses& old) {
+LinearStresses<2> refined_stresses(const Mesh& old_mesh,
+                                   const CommonRefinement& refinement,
+                                   const LinearStresses<2>& old) {
   if (old.empty()) return old;
   const Mesh& mesh = refinement.mesh;
   Matrix<double, 9, Dynamic> values =
@@ -77,7 +77,7 @@ LinearStresses refined_stresses(const Mesh& old_mesh,
                                             old_mesh.cells(i, parent)) *
             old.at_vertices(parent).col(i);
   }
-  return LinearStresses::of_values(values);
+  return LinearStresses<2>::of_values(values);
 }
 
 /// Springs are on edges that are not cut.

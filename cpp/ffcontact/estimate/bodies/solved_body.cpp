@@ -3,9 +3,9 @@
 
 namespace ffcontact {
 
-LinearStresses total_stresses(const Mesh& mesh, const SolvedBody& body,
-                              const Ref<const VectorXd>& displacement) {
-  return LinearStresses(stresses(mesh, body.hooke, displacement)) +
+LinearStresses<2> total_stresses(const Mesh& mesh, const SolvedBody& body,
+                                 const Ref<const VectorXd>& displacement) {
+  return LinearStresses<2>(stresses(mesh, body.hooke, displacement)) +
          body.initial;
 }
 

@@ -9,7 +9,7 @@
 #include "ffcontact/contact/rigid_tool.hpp"
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
 
@@ -23,12 +23,12 @@ struct SolvedBody {
   ContactLaw law;
   /// moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
   Matrix4Xd neumann;
-  BodyLoadsOfAll
+  BodyLoadsOfCells<2>
       body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of the solution on the contact line; null: factorised if needed
   /// tau0 = sigma0 - C eps0 of sigma = C eps(u) + tau0; empty: none
-  LinearStresses initial{};
+  LinearStresses<2> initial{};
   /// of which A has the stiffness, and the loads what K u_0 makes of them
   BoundarySprings springs{};
   /// the foundation, if forces move it: the law is against where they have moved it, and
@@ -41,7 +41,7 @@ struct SolvedBody {
 Matrix4Xd boundary_moments(const Mesh& mesh, const SolvedBody& body);
 
 /// sigma = C eps(u) + tau0.
-LinearStresses total_stresses(const Mesh& mesh, const SolvedBody& body,
-                              const Ref<const VectorXd>& displacement);
+LinearStresses<2> total_stresses(const Mesh& mesh, const SolvedBody& body,
+                                 const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

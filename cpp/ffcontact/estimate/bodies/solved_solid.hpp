@@ -6,7 +6,8 @@
 #include "ffcontact/contact/law/surface_law.hpp"
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/tractions/solid_residual.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
@@ -18,14 +19,14 @@ struct SolvedSolid {
   SurfaceLaw law;
   /// moments of the given tractions, as for given_tractions [N, 9 x boundary]
   FaceMoments neumann;
-  SolidBodyLoadsOfAll body_loads;  ///< int f phi_i per tetrahedron [N]
+  BodyLoadsOfCells<3> body_loads;  ///< int f phi_i per tetrahedron [N]
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of the solution on the surface; null: factorised if needed
 };
 
 /// What an estimate of a solid is asked of.
 struct SolvedSolidProblem {
-  const SolidTopology& topology;
+  const Topology<3>& topology;
   const ContactSurface& surface;
   const ElasticSystem& system;
   const SolvedSolid& body;

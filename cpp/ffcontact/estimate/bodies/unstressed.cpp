@@ -12,7 +12,7 @@ namespace ffcontact {
 
 namespace {
 
-double largest_value(const LinearStresses& stresses) {
+double largest_value(const LinearStresses<2>& stresses) {
   return max_norm(stresses.mean) + max_norm(stresses.variation);
 }
 
@@ -44,27 +44,27 @@ bool slides(const ContactLine& line, const SolvedBody& body) {
 }
 
 /// Loads on supports are felt by nothing.
-bool has_loads(const Topology& topology, const Flags& prescribed,
+bool has_loads(const Topology<2>& topology, const Flags& prescribed,
                const SolvedBody& body) {
   const BoundaryTractions given =
-      given_tractions(topology.mesh, topology.edges, prescribed,
+      given_tractions(topology.mesh, topology.facets, prescribed,
                       boundary_moments(topology.mesh, body));
   return !given.moments.isZero(0) || !body.body_loads.isZero(0);
 }
 
 }  // namespace
 
-double largest_stress_terms(const Topology& topology, const ContactLine& line,
-                            const SolvedBody& body,
+double largest_stress_terms(const Topology<2>& topology,
+                            const ContactLine& line, const SolvedBody& body,
                             const VectorXd& displacement) {
-  const auto& [mesh, edges, stars] = topology;
+  const auto& [mesh, edges, ridges, stars] = topology;
   const double given = std::max(
       terms_along_line(edges, line, body.hooke, largest_given(body.law)),
       largest_value(body.initial));
   return std::max(given, largest_stress_terms(mesh, body.hooke, displacement));
 }
 
-bool is_unstressed(const Topology& topology, const ContactLine& line,
+bool is_unstressed(const Topology<2>& topology, const ContactLine& line,
                    const Flags& prescribed, const SolvedBody& body,
                    double stress_terms) {
   if (has_loads(topology, prescribed, body)) return false;

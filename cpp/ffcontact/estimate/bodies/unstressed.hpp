@@ -25,15 +25,15 @@ struct StressTerms {
 /// Largest |C| |grad phi_k| |u_k|, summed over the vertices of a triangle, or initial
 /// stress, or what the gap and the displacement of the load step before come to as
 /// strains along the line [MPa].
-double largest_stress_terms(const Topology& topology, const ContactLine& line,
-                            const SolvedBody& body,
+double largest_stress_terms(const Topology<2>& topology,
+                            const ContactLine& line, const SolvedBody& body,
                             const VectorXd& displacement);
 
 /// Bodies without loads whose stresses and tractions are rounding, and that slide nowhere
 /// against Tresca's friction: rigid motions.
 /// @param prescribed    1 where the dof is prescribed [2 * vertices]
 /// @param stress_terms  largest_stress_terms of u_h
-bool is_unstressed(const Topology& topology, const ContactLine& line,
+bool is_unstressed(const Topology<2>& topology, const ContactLine& line,
                    const Flags& prescribed, const SolvedBody& body,
                    double stress_terms);
 

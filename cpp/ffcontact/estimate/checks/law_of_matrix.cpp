@@ -3,7 +3,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/estimate/checks/forces_of_matrix.hpp"
 
 namespace ffcontact {

@@ -9,7 +9,7 @@ namespace ffcontact {
 
 namespace {
 
-void require_valid(const LinearStresses& initial, int triangles) {
+void require_valid(const LinearStresses<2>& initial, int triangles) {
   if (initial.empty()) return;
   require_size("initial stress", initial.mean.cols(), triangles);
   for (int t = 0; t < triangles; ++t)
@@ -28,7 +28,7 @@ void require_sound(const SolvedProblem& solved,
                      body.pressure);
   require_valid(body.initial, mesh.cell_count());
   require_valid(mesh, body.springs);
-  require_no_springs_in_contact(topology.edges, line, body.springs);
+  require_no_springs_in_contact(topology.facets, line, body.springs);
   require_valid(body.law, line);
   if (body.tool && line.against_a_body())
     refuse("a tool is a rigid foundation, but the contact line faces a body");

@@ -93,7 +93,7 @@ class Sticking {
 
   /// The largest of C beside an edge [MPa].
   double stiffness(int e) const {
-    const Edges& edges = bodies_.topology().edges;
+    const Edges& edges = bodies_.topology().facets;
     const Hooke& hooke = bodies_.body().hooke;
     const int facing = facing_edge(line_, e);
     double largest = max_norm(hooke[edges.cells(0, line_.edge[e])]);

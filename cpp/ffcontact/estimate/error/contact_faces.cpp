@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/estimate/error/between_nodes.hpp"
 #include "ffcontact/estimate/tractions/cone_projection.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
@@ -58,8 +59,8 @@ void put_motions(const SeenMotions& seen, double least, double rounding,
     Matrix3d slip = Matrix3d::Zero();
     for (int k = 0; k < 3; ++k)
       slip(0, k) = slip_beyond(rounding, seen[i].col(k).tail<2>().norm());
-    face.work.col(i) = face_moments_of(seen[i], face.area).col(i);
-    face.slip[i] = face_moments_of(slip, face.area)(0, i);
+    face.work.col(i) = facet_moments_of<3>(seen[i], face.area).col(i);
+    face.slip[i] = facet_moments_of<3>(slip, face.area)(0, i);
     face.direction.col(i).setZero();
     if (slip(0, i) > least)
       face.direction.col(i) = seen[i].col(i).tail<2>() / slip(0, i);

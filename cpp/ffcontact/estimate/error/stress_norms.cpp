@@ -2,62 +2,73 @@
 #include "ffcontact/estimate/error/stress_norms.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
-#include "ffcontact/equilibrium/stress/polynomial_stress.hpp"
+#include "ffcontact/base/parted_sum.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-struct TriangleNorms {
-  double difference, sum;
-  CompositeStress stress;
-};
-
-template <class OfTriangle>
-StressNorms norms_of_all(int triangles, const OfTriangle& of_triangle) {
-  StressNorms norms{VectorXd(triangles), 0,
-                    std::vector<CompositeStress>(triangles)};
-  VectorXd sum(triangles);
-#pragma omp parallel for
-  for (int t = 0; t < triangles; ++t) {
-    const TriangleNorms own = of_triangle(t);
-    norms.difference[t] = own.difference;
-    norms.stress[t] = own.stress;
-    sum[t] = own.sum;
-  }
-  norms.sum = sum.sum();
-  return norms;
+template <int d>
+FacetLoads<d> loads_of(const StressPair<d>& pair, int cell) {
+  const auto& [mesh, facets, ridges] = pair.difference.topology;
+  return loads_of(mesh, facets, pair.moments, cell);
 }
 
 }  // namespace
 
-StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke,
-                            const LinearStresses& stress,
-                            const EdgeLoadsOfAll& difference,
-                            const BodyLoadsOfAll& body_loads) {
-  return norms_of_all(mesh.cell_count(), [&](int t) -> TriangleNorms {
-    const TriangleCorners corners = corners_of(mesh, t);
-    const Matrix3d compliance = hooke[t].inverse();
-    const CompositeStress sigma = composite_of(stress.at_vertices(t));
-    const CompositeStress tau =
-        composite_stress(corners, difference.col(t), body_loads.col(t));
-    return {energy(corners, compliance, tau),
-            energy(corners, compliance, tau + 2 * sigma), sigma + tau};
-  });
+template <int d>
+CellNorms<d> composite_norms(const StressPair<d>& pair, int cell) {
+  const LoadedFacets<d>& difference = pair.difference;
+  const CellCorners<d> corners = difference.topology.corners(cell);
+  const VoigtMatrix<d> compliance = difference.hooke[cell].inverse();
+  const SubcellStress<d> sigma = subcell_values<d>(
+                             difference.stress.at_vertices(cell)),
+                         tau =
+                             difference_stress(difference, pair.moments, cell);
+  return {energy(corners, compliance, tau),
+          energy(corners, compliance, tau + 2 * sigma),
+          composite_stress<d>(corners, loads_of(pair, cell),
+                              loads_in_cell<d>(pair.body_loads, cell))};
 }
 
-StressNorms polynomial_norms(const Mesh& mesh, const Hooke& hooke,
-                             const LinearStresses& stress,
-                             const EdgeLoadsOfAll& difference,
-                             const BodyLoadsOfAll& body_loads) {
-  return norms_of_all(mesh.cell_count(), [&](int t) -> TriangleNorms {
-    const PolynomialStress tau = polynomial_stress(
-        corners_of(mesh, t), hooke[t], difference.col(t), body_loads.col(t));
-    const Matrix3d sigma = stress.at_vertices(t);
-    return {energy(tau, Matrix3d::Zero()), energy(tau, 2 * sigma),
-            corner_values(tau) + composite_of(sigma)};
-  });
+template <int d>
+StressNorms<d> stress_norms(const StressPair<d>& pair, NormsOfCell<d> norms_of,
+                            std::vector<SubcellStress<d>>* stress) {
+  const int cells = pair.difference.topology.mesh.cell_count();
+  StressNorms<d> norms{VectorXd(cells), 0, {}, 0};
+  if (stress) stress->resize(cells);
+  VectorXd sums(cells);
+  double divergence = 0, jump = 0, largest = 0;
+#pragma omp parallel for reduction(max : divergence, jump, largest)
+  for (int t = 0; t < cells; ++t) {
+    const CellNorms<d> own = norms_of(pair, t);
+    norms.difference[t] = own.difference;
+    sums[t] = own.sum;
+    if (stress) (*stress)[t] = own.stress;
+    const EquilibriumDefect defect =
+        cell_defect<d>(pair.difference.topology.corners(t), own.stress,
+                       loads_of(pair, t), loads_in_cell<d>(pair.body_loads, t));
+    divergence = std::max(divergence, defect.divergence);
+    jump = std::max(jump, defect.jump);
+    largest = std::max(largest, max_norm(own.stress));
+  }
+  norms.sum = parted_sum(cells, [&](int t) { return sums[t]; });
+  const auto& [mesh, facets, ridges] = pair.difference.topology;
+  norms.defect = {
+      divergence, jump,
+      boundary_defect(mesh, facets, pair.difference.boundary, pair.moments)};
+  norms.largest = largest;
+  return norms;
 }
+
+template CellNorms<FFCONTACT_DIMENSION> composite_norms<FFCONTACT_DIMENSION>(
+    const StressPair<FFCONTACT_DIMENSION>&, int);
+template StressNorms<FFCONTACT_DIMENSION> stress_norms<FFCONTACT_DIMENSION>(
+    const StressPair<FFCONTACT_DIMENSION>&, NormsOfCell<FFCONTACT_DIMENSION>,
+    std::vector<SubcellStress<FFCONTACT_DIMENSION>>*);
 
 }  // namespace ffcontact

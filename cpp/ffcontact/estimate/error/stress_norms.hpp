@@ -3,33 +3,46 @@
 
 #include <vector>
 
-#include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/stress/composite_stress.hpp"
-#include "ffcontact/equilibrium/tractions/difference_loads.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
+#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 
 namespace ffcontact {
 
-/// sigma_hat inside the triangles, and what (2.11) and (2.12) take of it, with
-/// |tau|^2 = int C^-1 tau : tau.
-struct StressNorms {
-  VectorXd difference;  ///< |sigma_hat - sigma|^2 per triangle [N/mm times mm]
-  double sum;           ///< |sigma_hat + sigma|^2 in all
-  /// sigma_hat at the corners of the subtriangles [MPa]
-  std::vector<CompositeStress> stress;
+/// sigma_hat by its moments on the facets, and sigma, which it is compared with.
+template <int d>
+struct StressPair {
+  const LoadedFacets<d>& difference;
+  const FacetColumns<d>& moments;
+  const BodyLoadsOfCells<d>& body_loads;  ///< of sigma_hat
 };
 
-/// @param stress      sigma [MPa]
-/// @param difference  edge loads of sigma_hat - sigma
-/// @param body_loads  int f phi_i per triangle, of sigma_hat - sigma
-StressNorms composite_norms(const Mesh& mesh, const Hooke& hooke,
-                            const LinearStresses& stress,
-                            const EdgeLoadsOfAll& difference,
-                            const BodyLoadsOfAll& body_loads);
+/// On one cell: |tau|^2 = int C^-1 tau : tau of sigma_hat - sigma and sigma_hat + sigma, and
+/// sigma_hat.
+template <int d>
+struct CellNorms {
+  double difference, sum;
+  SubcellStress<d> stress;
+};
+template <int d>
+using NormsOfCell = CellNorms<d> (*)(const StressPair<d>& pair, int cell);
 
-/// The same for the polynomial construction.
-StressNorms polynomial_norms(const Mesh& mesh, const Hooke& hooke,
-                             const LinearStresses& stress,
-                             const EdgeLoadsOfAll& difference,
-                             const BodyLoadsOfAll& body_loads);
+/// Of composite stresses. sigma_hat is that of its own loads: sigma may be far larger.
+template <int d>
+CellNorms<d> composite_norms(const StressPair<d>& pair, int cell);
+
+/// What (2.11) and (2.12) take of sigma_hat, and how far it is from equilibrium.
+template <int d>
+struct StressNorms {
+  VectorXd difference;       ///< |sigma_hat - sigma|^2 per cell [N mm]
+  double sum;                ///< |sigma_hat + sigma|^2 in all
+  EquilibriumDefect defect;  ///< [MPa]
+  double largest;            ///< component of sigma_hat [MPa]
+};
+
+/// @param stress  null, or takes sigma_hat at the corners of the subcells [MPa]
+template <int d>
+StressNorms<d> stress_norms(const StressPair<d>& pair,
+                            NormsOfCell<d> norms_of = composite_norms<d>,
+                            std::vector<SubcellStress<d>>* stress = nullptr);
 
 }  // namespace ffcontact

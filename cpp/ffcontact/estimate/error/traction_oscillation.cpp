@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/interface/pairing/convex_polygon.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
@@ -110,7 +111,7 @@ Matrix3d square_of(const TractionPiece& piece, double face_area) {
 
 /// int d d' over a face.
 Matrix3d oscillation_of(const FaceContact& contact, double area) {
-  const Matrix3d nearest = face_density(contact.moments, area);
+  const Matrix3d nearest = facet_density<3>(contact.moments, area);
   std::vector<TractionPiece> parts{{whole_face(), -nearest}};
   for (const TractionPiece& piece : contact.pieces)
     parts = with_piece(parts, piece);
@@ -148,8 +149,8 @@ std::map<int, FaceContact> contact_of_faces(
   return contact;
 }
 
-TetrahedronCorners regular_tetrahedron() {
-  TetrahedronCorners corners;
+CellCorners<3> regular_tetrahedron() {
+  CellCorners<3> corners;
   corners << 0, 1, 0.5, 0.5,                       //
       0, 0, std::sqrt(0.75), std::sqrt(0.75) / 3,  //
       0, 0, 0, std::sqrt(2.0 / 3);
@@ -167,7 +168,7 @@ Matrix<double, 6, 6> transported(const Matrix3d& B,
 
 }  // namespace
 
-double face_oscillation_square(const TetrahedronCorners& corners,
+double face_oscillation_square(const CellCorners<3>& corners,
                                const Matrix<double, 6, 6>& compliance,
                                double face_area, const Matrix3d& square) {
   const Matrix3d B = piola_matrix(corners) *

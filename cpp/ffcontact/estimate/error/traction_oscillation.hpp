@@ -35,7 +35,7 @@ constexpr double traction_constant = 2.29;
 
 /// |d|_F'^2 of one face of a tetrahedron.
 /// @param square  int_F d d' [N^2/mm^2]
-double face_oscillation_square(const TetrahedronCorners& corners,
+double face_oscillation_square(const CellCorners<3>& corners,
                                const Matrix<double, 6, 6>& compliance,
                                double face_area, const Matrix3d& square);
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/tractions/rebalancing.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -19,8 +19,8 @@ constexpr double balanced = 1e-13;
 
 /// Bodies without springs.
 struct NoSprings {
-  template <class Residual>
-  Residual answered(Residual residual, const VectorXd&) const {
+  template <int d>
+  NodalResidual<d> answered(NodalResidual<d> residual, const VectorXd&) const {
     return residual;
   }
   void keep(const VectorXd&) {}
@@ -28,17 +28,17 @@ struct NoSprings {
 
 /// Stresses in equilibrium with loads and contact tractions: the given ones, and those of
 /// the small displacement that makes up for what they lack; its own rounding once more.
-/// @param topology     of triangles or tetrahedra
 /// @param residual     what the stresses lack beside all loads and tractions
 /// @param rebalancing  makes a Rebalancing; not called where nothing is missing
 /// @param springs      answer that displacement too: answered(residual, u) takes their
 ///                     forces into account, keep(u) what they have answered
-template <class Topology, class Tensors, class Residual, class Stress,
-          class MakeRebalancing, class Springs = NoSprings>
-Stress balanced_stresses(const Topology& topology, const Tensors& hooke,
-                         Residual residual, Stress stress,
-                         const MakeRebalancing& rebalancing,
-                         Springs&& springs = {}) {
+template <int d, class MakeRebalancing, class Springs = NoSprings>
+CellStresses<d> balanced_stresses(const Topology<d>& topology,
+                                  const HookeTensors<d>& hooke,
+                                  NodalResidual<d> residual,
+                                  CellStresses<d> stress,
+                                  const MakeRebalancing& rebalancing,
+                                  Springs&& springs = {}) {
   const auto missing = [&] { return max_norm(residual.missing); };
   const auto is_balanced = [&] {
     return missing() <= balanced * residual.scale;
@@ -48,7 +48,7 @@ Stress balanced_stresses(const Topology& topology, const Tensors& hooke,
   for (int step = 0; step < most_refinements && !is_balanced(); ++step) {
     const double before = missing();
     const VectorXd u = solver.displacement(residual.missing.reshaped());
-    const Stress added = stresses(topology.mesh, hooke, u);
+    const CellStresses<d> added = stresses(topology.mesh, hooke, u);
     residual =
         springs.answered(less_stress(topology, std::move(residual), added), u);
     if (step > 0 && missing() >= before) break;

@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
-#include "ffcontact/equilibrium/tractions/face_moments.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
@@ -19,9 +19,9 @@ namespace {
 /// those of contact are left out.
 FaceTractions tractions_without_contact(const SolvedSolidProblem& solved) {
   const auto& [topology, surface, system, body] = solved;
-  return with_contact(given_tractions(topology.mesh, topology.faces,
+  return with_contact(given_tractions(topology.mesh, topology.facets,
                                       system.prescribed, body.neumann),
-                      topology.mesh, topology.faces, surface,
+                      topology.mesh, topology.facets, surface,
                       Matrix3Xd::Zero(3, surface.node_count()));
 }
 
@@ -56,7 +56,7 @@ double longest_side(const SolidMesh& mesh) {
 /// @throws std::invalid_argument  if the stresses of u_h are not in equilibrium with loads
 ///                                and nodal forces, with the cause
 void require_loads_of_solution(const SolvedSolidProblem& solved,
-                               const SolidResidual& without_contact,
+                               const NodalResidual<3>& without_contact,
                                double stress_terms) {
   const auto& [topology, surface, system, body] = solved;
   const double side = longest_side(topology.mesh);
@@ -91,16 +91,18 @@ Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
     lumped = continued_tractions(body.law, surface, body.displacement,
                                  system.prescribed, std::move(lumped));
   if (motions.cols() == 0) return lumped;
-  const Matrix6Xd no_stress = Matrix6Xd::Zero(6, topology.mesh.cell_count());
-  const SolidResidual loads =
+  const CellStresses<3> no_stress =
+      CellStresses<3>::Zero(6, topology.mesh.cell_count());
+  const NodalResidual<3> loads =
       nodal_residual(topology, no_stress, body.body_loads, without_contact);
   const VectorXd of_loads = -motions.transpose() * loads.missing.reshaped(),
                  of_forces =
                      motions.transpose() *
                      nodal_load(surface, body.force, system.dof_count());
   for (const VectorXd& resultants : {of_loads, of_forces}) {
-    const auto nearest = nearest_in_cone(topology.mesh, topology.faces, surface,
-                                         body.law, lumped, motions, resultants);
+    const auto nearest =
+        nearest_in_cone(topology.mesh, topology.facets, surface, body.law,
+                        lumped, motions, resultants);
     if (nearest) return *nearest;
   }
   refuse_unheld_solid();
@@ -109,9 +111,9 @@ Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
 }  // namespace
 
 FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
-                                      const Matrix6Xd& stress,
+                                      const CellStresses<3>& stress,
                                       double stress_terms) {
-  const SolidTopology& topology = solved.topology;
+  const Topology<3>& topology = solved.topology;
   const ContactSurface& surface = solved.surface;
   const ElasticSystem& system = solved.system;
   const SolvedSolid& body = solved.body;
@@ -123,9 +125,9 @@ FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
 
   FirstSurfaceTractions first;
   first.contact = tractions_in_cone(solved, without, motions);
-  first.boundary = with_contact(without, topology.mesh, topology.faces, surface,
-                                first.contact);
-  const Matrix6Xd in_balance = balanced_stresses(
+  first.boundary = with_contact(without, topology.mesh, topology.facets,
+                                surface, first.contact);
+  const CellStresses<3> in_balance = balanced_stresses(
       topology, body.hooke,
       nodal_residual(topology, stress, body.body_loads, first.boundary), stress,
       [&] {

@@ -21,7 +21,7 @@ struct FirstSurfaceTractions {
 ///                                the cause, or where no tractions in the cone hold the
 ///                                body
 FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
-                                      const Matrix6Xd& stress,
+                                      const CellStresses<3>& stress,
                                       double stress_terms);
 
 }  // namespace ffcontact

@@ -11,7 +11,7 @@
 #include "ffcontact/contact/condensed/condensed_contact.hpp"
 #include "ffcontact/contact/law/held_rows.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
-#include "ffcontact/equilibrium/tractions/edge_moments.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
 #include "ffcontact/estimate/tractions/imbalance_cause.hpp"
@@ -32,9 +32,9 @@ Matrix3Xd computed_stresses(const SolvedProblem& solved,
   return total_stresses(mesh, solved.body, solved.body.displacement).mean;
 }
 
-double longest_edge(const Topology& topology) {
-  return largest_over(topology.edges.count(), [&](int e) {
-    return edge_vector(topology.mesh, topology.edges, e).norm();
+double longest_edge(const Topology<2>& topology) {
+  return largest_over(topology.facets.count(), [&](int e) {
+    return edge_vector(topology.mesh, topology.facets, e).norm();
   });
 }
 
@@ -43,7 +43,7 @@ double longest_edge(const Topology& topology) {
 BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   const Matrix2Xd zero = Matrix2Xd::Zero(2, line.edge_count());
-  return boundary_tractions(topology.mesh, topology.edges, system.prescribed,
+  return boundary_tractions(topology.mesh, topology.facets, system.prescribed,
                             boundary_moments(topology.mesh, body), line,
                             {zero, zero});
 }
@@ -60,11 +60,11 @@ VectorXd computed_forces(const SolvedProblem& solved) {
 /// What the stresses of u_h lack beside the given loads; contact tractions are not among
 /// these.
 /// @throws std::invalid_argument  if lambda_h does not make up for it, with the cause
-NodalResidual residual_without_contact(const SolvedProblem& solved,
-                                       const StressTerms& terms,
-                                       const Matrix3Xd& stress) {
+NodalResidual<2> residual_without_contact(const SolvedProblem& solved,
+                                          const StressTerms& terms,
+                                          const Matrix3Xd& stress) {
   const auto& [topology, line, system, body] = solved;
-  const NodalResidual residual = nodal_residual(
+  const NodalResidual<2> residual = nodal_residual(
       topology, stress, body.body_loads, tractions_without_contact(solved));
   try {
     require_balanced(
@@ -108,7 +108,7 @@ VectorXd resultants_of_loads(const SolvedProblem& solved,
                              const MatrixXd& motions) {
   const auto& [topology, line, system, body] = solved;
   const Matrix3Xd no_stress = Matrix3Xd::Zero(3, topology.mesh.cell_count());
-  const NodalResidual loads = nodal_residual(
+  const NodalResidual<2> loads = nodal_residual(
       topology, no_stress, body.body_loads, tractions_without_contact(solved));
   return -motions.transpose() * loads.missing.reshaped();
 }
@@ -177,7 +177,7 @@ std::optional<Candidate> candidate(const ContactLine& line,
 /// [MPa/mm].
 VectorXd stiffness_at_edges(const MatchedBodies& bodies) {
   const ContactLine& line = bodies.line();
-  const Edges& edges = bodies.topology().edges;
+  const Edges& edges = bodies.topology().facets;
   return VectorXd::NullaryExpr(line.edge_count(), [&](Index e) {
     return max_norm(bodies.body().hooke[edges.cells(0, line.edge[e])]) /
            bodies.solved_length(static_cast<int>(e));
@@ -224,7 +224,8 @@ struct SpringAnswers {
   const SolvedProblem& solved;
   MatchedBodies& bodies;
 
-  NodalResidual answered(NodalResidual residual, const VectorXd& u) const {
+  NodalResidual<2> answered(NodalResidual<2> residual,
+                            const VectorXd& u) const {
     const BoundarySprings& springs = solved.body.springs;
     if (springs.empty()) return residual;
     const Mesh& mesh = solved.topology.mesh;
@@ -248,7 +249,7 @@ FirstTractions first_tractions(const SolvedProblem& solved,
                                const Ref<const VectorXd>& u_hat) {
   const Matrix3Xd computed = computed_stresses(solved, terms);
   const MatrixXd motions = unheld_motions(solved.topology.mesh, solved.system);
-  const NodalResidual without =
+  const NodalResidual<2> without =
       residual_without_contact(solved, terms, computed);
   ContactTractions contact =
       kind == Tractions::published

@@ -1,18 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/equilibrium/tractions/face_moments.hpp"
+#include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 
 #include <gtest/gtest.h>
 
-#include "ffcontact/elastic/stiffness.hpp"
+#include "support/cases.hpp"
+#include "support/cells.hpp"
+#include "support/estimates.hpp"
 #include "support/loaded_solid.hpp"
 #include "support/random.hpp"
-#include "support/refusals.hpp"
-#include "support/tetrahedra.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
+
+/// Largest force and moment left over on a triangle, relative to the largest moment of an
+/// edge.
+double imbalance(const Problem& problem, const Equilibrated& fields) {
+  double worst = 0;
+  for (int t = 0; t < problem.mesh.cell_count(); ++t)
+    worst = std::max(
+        worst, out_of_balance<2>(
+                   corners_of(problem.mesh, t),
+                   difference_loads<2>(fields.difference(), fields.moments, t),
+                   fields.loads.col(t).reshaped(2, 3))
+                   .norm());
+  return worst / fields.moments.cwiseAbs().maxCoeff();
+}
+
+RC_GTEST_PROP(EdgeMoments, balance_every_triangle_in_force_and_moment, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  RC_ASSERT(imbalance(problem, equilibrated(problem, solved(problem))) < 1e-9);
+}
+
+RC_GTEST_PROP(EdgeMoments, are_the_given_ones_where_these_are_known, ()) {
+  const Problem problem = problem_of(*random_case(0.5));
+  const Equilibrated fields = equilibrated(problem, solved(problem));
+  for (int e = 0; e < problem.edges.count(); ++e)
+    for (int c = 0; c < 4; ++c)
+      if (fields.boundary.known(c % 2, e))
+        RC_ASSERT(fields.moments(c, e) == fields.boundary.moments(c, e));
+}
+
+RC_GTEST_PROP(EdgeMoments, of_a_constant_stress_are_its_tractions,
+              (Random random)) {
+  Problem problem = body(irregular(4, 3, 4, 3, random), material(1, 0.3));
+  for (int label : {top, left, right}) clamp(problem, label);
+  const Vector3d sigma = random_vector(3, random);
+  const ContactLine& line = problem.line;
+  ContactDensities densities{Matrix2Xd(2, line.edge_count()),
+                             Matrix2Xd(2, line.edge_count())};
+  for (int k = 0; k < line.edge_count(); ++k) {
+    const Vector2d r = traction(sigma, line.edge_normal(k));
+    densities.normal.col(k).setConstant(r.dot(line.edge_normal(k)));
+    densities.tangential.col(k).setConstant(r.dot(line.edge_tangent(k)));
+  }
+  const BoundaryTractions boundary = boundary_tractions(
+      problem.mesh, problem.edges, prescribed_dofs(problem.A), problem.neumann,
+      line, densities);
+  const Matrix3Xd stress = sigma.replicate(1, problem.mesh.cell_count());
+  const EdgeMoments moments = equilibrated_moments(
+      topology_of(problem.mesh), stress, body_loads(problem), boundary);
+  for (int e = 0; e < problem.edges.count(); ++e) {
+    const Vector2d F =
+        traction(sigma, edge_normal(problem.mesh, problem.edges, e));
+    const Matrix2d density =
+        facet_density<2>(moments.col(e).reshaped(2, 2),
+                         facet_measure(problem.mesh, problem.edges, e));
+    RC_ASSERT((density.colwise() - F).norm() < 1e-9);
+  }
+}
+
+TEST(EdgeMoments, a_spoiled_moment_is_out_of_balance) {
+  const Problem problem = example_1(Multiplier::force, 4);
+  Equilibrated fields = equilibrated(problem, solved(problem));
+  ASSERT_LT(imbalance(problem, fields), 1e-10);
+  fields.moments(1, 7) += 1e-4 * fields.moments.cwiseAbs().maxCoeff();
+  EXPECT_GT(imbalance(problem, fields), 0.9e-4);
+}
 
 /// Largest force or moment over size that is left on a tetrahedron, and largest value.
 struct SolidBalance {
@@ -23,9 +88,9 @@ SolidBalance balance_of(const LoadedSolid& body, const FaceMoments& moments) {
   const auto& [mesh, faces, edges, stars] = body.topology;
   SolidBalance balance;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const FaceLoads loads = loads_of(mesh, faces, moments, t);
-    const SolidBodyLoads in_body = body.body_loads.col(t).reshaped(3, 4);
-    const auto out = out_of_balance(corners_of(mesh, t), loads, in_body);
+    const FacetLoads<3> loads = loads_of(mesh, faces, moments, t);
+    const CellBodyLoads<3> in_body = body.body_loads.col(t).reshaped(3, 4);
+    const auto out = out_of_balance<3>(corners_of(mesh, t), loads, in_body);
     balance.left = std::max(balance.left, out.cwiseAbs().maxCoeff());
     balance.largest = std::max(balance.largest, loads.cwiseAbs().maxCoeff());
   }
@@ -43,7 +108,7 @@ RC_GTEST_PROP(FaceMoments, balance_every_tetrahedron, (Random random)) {
 RC_GTEST_PROP(FaceMoments, balance_the_stress_at_every_vertex,
               (Random random)) {
   const LoadedSolid body = random_loaded_solid(irregular_solid(random), random);
-  const Matrix6Xd stress = body.computed_stress();
+  const CellStresses<3> stress = body.computed_stress();
   const auto& [mesh, faces, edges, stars] = body.topology;
   const FaceMoments moments = equilibrated_moments(
       body.topology, stress, body.body_loads, body.boundary());
@@ -68,7 +133,7 @@ RC_GTEST_PROP(FaceMoments, keep_known_boundary_tractions, (Random random)) {
   const FaceMoments moments = equilibrated_moments(
       body.topology, body.computed_stress(), body.body_loads, boundary);
   int known = 0;
-  for (int f = 0; f < body.topology.faces.count(); ++f)
+  for (int f = 0; f < body.topology.facets.count(); ++f)
     for (int row = 0; row < 9; ++row)
       if (boundary.known(row % 3, f)) {
         ++known;
@@ -83,7 +148,7 @@ RC_GTEST_PROP(FaceMoments, are_those_of_a_constant_stress, (Random random)) {
   const Matrix3d gradient = random_matrix(3, 3, random);
   for (int side : {low_x, high_x, low_y, high_y, low_z, high_z})
     body.move(side, [&](const Vector3d& x) { return gradient * x; });
-  const Matrix6Xd stress = body.computed_stress();
+  const CellStresses<3> stress = body.computed_stress();
   const auto& [mesh, faces, edges, stars] = body.topology;
   const FaceMoments moments = equilibrated_moments(
       body.topology, stress, body.body_loads, body.boundary());
@@ -98,7 +163,7 @@ RC_GTEST_PROP(FaceMoments, are_those_of_a_constant_stress, (Random random)) {
 RC_GTEST_PROP(FaceMoments, are_nearest_to_the_mean_stresses, (Random random)) {
   // around an inner vertex: opposite changes that balance raise the distance
   const LoadedSolid body = random_loaded_solid(irregular_solid(random), random);
-  const Matrix6Xd stress = body.computed_stress();
+  const CellStresses<3> stress = body.computed_stress();
   const auto& [mesh, faces, edges, stars] = body.topology;
   const FaceMoments moments = equilibrated_moments(
       body.topology, stress, body.body_loads, body.boundary());
@@ -124,76 +189,6 @@ RC_GTEST_PROP(FaceMoments, are_nearest_to_the_mean_stresses, (Random random)) {
     }
     RC_ASSERT(slope.norm() < 1e-9 * size.norm());
   }
-}
-
-RC_GTEST_PROP(SolidResidual, is_what_the_loads_lack, (Random random)) {
-  const LoadedSolid body = random_loaded_solid(irregular_solid(random), random);
-  const VectorXd u = displacement(body.system());
-  const SolidResidual none = nodal_residual(body.topology, body.stress(u),
-                                            body.body_loads, body.boundary());
-  RC_ASSERT(none.missing.cwiseAbs().maxCoeff() < 1e-11 * none.scale);
-
-  const VectorXd change = random_vector(u.size(), random);
-  const SolidResidual less =
-      less_stress(body.topology, none, body.stress(change));
-  const RowMatrix K = stiffness(body.mesh(), body.hooke);
-  const VectorXd forces = K * change;
-  const SolidResidual again = with_forces(less, forces);
-  RC_ASSERT(less.missing.cwiseAbs().maxCoeff() > 0.1);
-  RC_ASSERT(again.missing.cwiseAbs().maxCoeff() < 1e-10);
-}
-
-TEST(FaceTractions, contact_is_linear_between_the_nodes) {
-  const SolidMesh mesh = brick({1, 1, 1}, {1, 1, 1});
-  const Facets<3> faces = facets_of(mesh);
-  const ContactSurface surface = contact_surface(mesh, faces, {low_z});
-  const FaceTractions none = given_tractions(
-      mesh, faces, std::vector<char>(24, 0), FaceMoments::Zero(9, 12));
-  Matrix3Xd r(3, 4);
-  for (int i = 0; i < 4; ++i) {
-    const Vector3d x = mesh.vertices.col(surface.vertex[i]);
-    r.col(i) << -1 - x.x(), 2 * x.y(), 3;
-  }
-  const FaceTractions boundary = with_contact(none, mesh, faces, surface, r);
-  // n = -z, t1 = x, t2 = y: int of (2 y, 3, 1 + x) and of its work on x
-  Vector3d force = Vector3d::Zero();
-  double work = 0;
-  for (int f = 0; f < faces.count(); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const Vector3d moment = boundary.moments.col(f).segment<3>(3 * k);
-      force += moment;
-      work += mesh.vertices(0, faces.vertices(k, f)) * moment.z();
-    }
-  EXPECT_LT((force - Vector3d(1, 3, 1.5)).norm(), 1e-14);
-  EXPECT_NEAR(work, 0.5 + 1.0 / 3, 1e-14);
-}
-
-TEST(FaceTractions, tractions_follow_the_order_of_the_face) {
-  std::mt19937 random(1);
-  const SolidMesh mesh = shuffled(brick({1, 1, 1}, {1, 1, 1}), random);
-  const Facets<3> faces = facets_of(mesh);
-  FaceMoments given = FaceMoments::Zero(9, 12);
-  for (int f = 0; f < 12; ++f)
-    for (int k = 0; k < 3; ++k)
-      given.col(f).segment<3>(3 * k).setConstant(mesh.boundary(k, f));
-  const FaceTractions boundary =
-      given_tractions(mesh, faces, std::vector<char>(24, 0), given);
-  for (int f = 0; f < faces.count(); ++f) {
-    if (!faces.on_boundary(f)) continue;
-    for (int row = 0; row < 9; ++row)
-      EXPECT_EQ(boundary.moments(row, f), faces.vertices(row / 3, f));
-  }
-}
-
-TEST(FaceTractions, refuses_values_that_are_not_finite) {
-  const SolidMesh mesh = brick({1, 1, 1}, {1, 1, 1});
-  FaceMoments given = FaceMoments::Zero(9, 12);
-  given(3, 2) = std::nan("");
-  EXPECT_TRUE(says(refusal([&] {
-                     given_tractions(mesh, facets_of(mesh),
-                                     std::vector<char>(24, 0), given);
-                   }),
-                   "traction[21]"));
 }
 
 }  // namespace
