@@ -65,51 +65,11 @@ Load load_of(const NamedArguments& named, const char* name, int body,
   return {named.component(own, 0, 2), named.component(own, 1, 2)};
 }
 
-VoigtExpression voigt_of(const NamedArguments& named, const char* name,
-                         int body, int bodies) {
-  const std::string own = name_of_body(name, body, bodies);
-  return {named.component(own, 0, 3), named.component(own, 1, 3),
-          named.component(own, 2, 3)};
-}
+/// Components xx, xy, yy.
+using Stiffness = std::array<Expression, 3>;
 
-bool is_given(const VoigtExpression& expression) {
-  return expression[0] != nullptr;
-}
-
-/// Initial stresses of the bodies, joined; empty where none has any.
-class InitialStresses {
- public:
-  explicit InitialStresses(const PlaneBodies& bodies) : bodies_(bodies) {}
-
-  /// Reads those of body k. @return their oscillation
-  double read(Stack stack, const NamedArguments& named, int k,
-              const Hooke& hooke) {
-    const int bodies = bodies_.body_count();
-    const VoigtExpression strain = voigt_of(named, "initialstrain", k, bodies),
-                          stress = voigt_of(named, "initialstress", k, bodies);
-    if (!is_given(strain) && !is_given(stress)) return 0;
-    const std::vector<int>& first = bodies_.joined.first_cell;
-    if (values_.cols() == 0)
-      values_ = Matrix<double, 9, Dynamic>::Zero(9, first.back());
-    const InitialStress own =
-        initial_stress_of(stack, strain, stress, hooke, *bodies_.fem_meshes[k]);
-    values_.middleCols(first[k], first[k + 1] - first[k]) = own.at_vertices;
-    return own.oscillation;
-  }
-
-  LinearStresses<2> joined() const {
-    return values_.cols() > 0 ? LinearStresses<2>::of_values(values_)
-                              : LinearStresses<2>();
-  }
-
- private:
-  const PlaneBodies& bodies_;
-  Matrix<double, 9, Dynamic> values_;  ///< at the vertices of all triangles
-};
-
-/// Components xx, xy, yy of the springs' stiffness, [kx, ky] or [kxx, kxy, kyy].
-VoigtExpression stiffness_of(const NamedArguments& named,
-                             const std::string& name) {
+/// Of the springs, [kx, ky] or [kxx, kxy, kyy].
+Stiffness stiffness_of(const NamedArguments& named, const std::string& name) {
   const int size = named.component_count(name);
   if (size != 2 && size != 3)
     refuse(name, " must be a list [kx, ky] or [kxx, kxy, kyy]");
@@ -140,7 +100,7 @@ class Springs {
   BoundarySprings joined;
 
  private:
-  void put(Stack stack, const VoigtExpression& K, const Load& rest, int k) {
+  void put(Stack stack, const Stiffness& K, const Load& rest, int k) {
     const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[k];
     const Mesh mesh = mesh_of(&fem_mesh);
     const auto put_rows = [&](Expression expression, auto& rows, int row,
@@ -163,7 +123,7 @@ class Springs {
 /// Reads one body into what is there for all of them.
 Oscillation read_body(Stack stack, const NamedArguments& named,
                       const PlaneBodies& bodies, int k, SolvedBody& body,
-                      InitialStresses& initial, Springs& springs) {
+                      InitialStresses<2>& initial, Springs& springs) {
   const JoinedMesh& joined = bodies.joined;
   const int count = bodies.body_count();
   const Fem2D::Mesh& fem_mesh = *bodies.fem_meshes[k];
@@ -178,7 +138,7 @@ Oscillation read_body(Stack stack, const NamedArguments& named,
   body.body_loads.middleCols(joined.first_cell[k], mesh.cells.cols()) =
       force.loads;
   springs.read(stack, named, k);
-  return {force.oscillation, initial.read(stack, named, k, hooke)};
+  return {force.oscillation, initial.read(stack, named, k, hooke, fem_mesh)};
 }
 
 }  // namespace
@@ -189,13 +149,10 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
   body.neumann.resize(4, bodies.joined.first_boundary.back());
   body.body_loads.resize(6, bodies.joined.first_cell.back());
   Oscillation all;
-  InitialStresses initial(bodies);
+  InitialStresses<2> initial(bodies.joined.first_cell);
   Springs springs(bodies);
   for (int k = 0; k < bodies.body_count(); ++k) {
-    const Oscillation own =
-        read_body(stack, named, bodies, k, body, initial, springs);
-    all = {std::hypot(all.force, own.force),
-           std::hypot(all.strain, own.strain)};
+    all.add(read_body(stack, named, bodies, k, body, initial, springs));
   }
   body.initial = initial.joined();
   body.springs = std::move(springs.joined);

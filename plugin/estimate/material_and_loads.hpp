@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "estimate/oscillation.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "problem/plane_bodies.hpp"
 
 namespace ffcontact::plugin {
-
-/// What data have beyond that which is judged exactly.
-struct Oscillation {
-  double force = 0;   ///< of the body forces (BodyForce)
-  double strain = 0;  ///< of the initial strains and stresses (InitialStress)
-};
 
 /// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
 /// (initialstrain=, initialstress=), loads (traction=, bodyforce=) and springs (spring=,

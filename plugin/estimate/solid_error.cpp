@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/solid_coulomb.hpp"
 #include "ffcontact/sizing/edge_rates.hpp"
 //
@@ -34,10 +35,9 @@ constexpr int most_sweeps_in_space = 20;
 void require_parameters_of_solids(const NamedArguments& named) {
   for (const char* parameter :
        {"multiplier", "tractions", "construction", "rt", "springpart",
-        "rabscissa", "corrected", "unmended", "strainoscillation"})
+        "rabscissa", "corrected", "unmended"})
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
-  for (const char* of_bodies :
-       {"initialstrain", "initialstress", "spring", "rest"})
+  for (const char* of_bodies : {"spring", "rest"})
     if (named.given_of_bodies(of_bodies)) refuse_of_plane_bodies(of_bodies);
 }
 
@@ -68,7 +68,7 @@ void put_solid_rates(Stack stack, const NamedArguments& named,
     is_contact[face] = 1;
   }
   const CellStresses<3> stress =
-      stresses(topology.mesh, body.hooke, body.displacement);
+      total_stresses(topology.mesh, body, body.displacement).mean;
   put_by_bodies(
       stack, named, problem.joined.first_cell, "rate",
       local_rates(topology, singular_lines(topology, body.hooke, stress, known,
@@ -163,7 +163,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   const SolidProblem& problem = *contact.problem;
 
   ffcontact::SolvedSolid body = judged_body(*contact.solved);
-  const double oscillation = read(problem, body);
+  const Oscillation oscillation = read(problem, body);
 
   const Topology<3> topology = topology_of(problem.mesh);
   SolidEstimate estimate =
@@ -172,7 +172,8 @@ double solid_error(Stack stack, const NamedArguments& named,
   put(stack, named, problem, estimate);
   put_solid_stress(stack, named, problem, topology, estimate, body);
   put_solid_rates(stack, named, topology, problem, *contact.solved, body);
-  named.put(stack, "oscillation", oscillation);
+  named.put(stack, "oscillation", oscillation.force);
+  named.put(stack, "strainoscillation", oscillation.strain);
   report(stack, named, estimate, watch.seconds());
   report_reason(stack, named, estimate);
   put_bound(stack, named, topology, problem, *contact.solved, body, estimate,

@@ -3,15 +3,15 @@
 
 #include <functional>
 
+#include "estimate/oscillation.hpp"
 #include "freefem/arguments.hpp"
 #include "problem/solid_contact.hpp"
 
 namespace ffcontact::plugin {
 
-/// Reads the elastic law and the loads of solids into what is judged.
-/// @return oscillation of the body forces
-using ReadSolids = std::function<double(const SolidBodies& bodies,
-                                        ffcontact::SolvedSolid& body)>;
+/// Reads elastic law, initial strains and stresses and loads of solids into what is judged.
+using ReadSolids = std::function<Oscillation(const SolidBodies& bodies,
+                                             ffcontact::SolvedSolid& body)>;
 
 /// contacterror(C, ...) for the contact of a mesh3 that contactsolve has solved.
 /// The contact keeps what was made of it.

@@ -8,6 +8,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/stress/stress_conditions.hpp"
 //
+#include "estimate/initial_stress.hpp"
 #include "freefem/solid_point.hpp"
 
 namespace ffcontact::plugin {
@@ -156,7 +157,7 @@ double oscillation_square(const ForceSamples& samples,
 }
 
 /// @param body_loads  of all solids [12 x tetrahedra]
-/// @return the square of their oscillation
+/// @return their oscillation
 double put_body_loads(Stack stack, const SolidLoad& force,
                       const SolidPart& solid, BodyLoadsOfCells<3>& body_loads) {
   if (!force.given()) return 0;
@@ -171,28 +172,31 @@ double put_body_loads(Stack stack, const SolidLoad& force,
     body_loads.col(cell) = loads.reshaped();
     square += oscillation_square(samples, loads, volume);
   }
-  return square;
+  return std::sqrt(square);
 }
 
 }  // namespace
 
-double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const SolidBodies& bodies,
-                               ffcontact::SolvedSolid& body) {
+Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
+                                    const SolidBodies& bodies,
+                                    ffcontact::SolvedSolid& body) {
   const SolidMesh& mesh = bodies.joined.mesh;
   body.neumann = FaceMoments::Zero(9, mesh.boundary.cols());
   body.body_loads = BodyLoadsOfCells<3>::Zero(12, mesh.cell_count());
-  double square = 0;
+  Oscillation all;
+  InitialStresses<3> initial(bodies.joined.first_cell);
   for (int k = 0; k < bodies.body_count(); ++k) {
     const NamesOfBody own(k, bodies.body_count());
     const SolidPart solid = bodies.part(k);
     const HookeTensors<3> hooke = hooke_of(stack, named, own, solid);
     body.hooke.insert(body.hooke.end(), hooke.begin(), hooke.end());
     put_tractions(stack, {named, own("traction")}, solid, body.neumann);
-    square += put_body_loads(stack, {named, own("bodyforce")}, solid,
-                             body.body_loads);
+    all.add({put_body_loads(stack, {named, own("bodyforce")}, solid,
+                            body.body_loads),
+             initial.read(stack, named, k, hooke, solid)});
   }
-  return std::sqrt(square);
+  body.initial = initial.joined();
+  return all;
 }
 
 }  // namespace ffcontact::plugin

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "estimate/oscillation.hpp"
 #include "ffcontact/estimate/solid_estimate.hpp"
 #include "freefem/arguments.hpp"
 #include "problem/solid_bodies.hpp"
 
 namespace ffcontact::plugin {
 
-/// Reads elastic law (lambda= and G=, or hooke=) and loads (traction=, bodyforce=) of all
-/// solids into what is judged, by the quadratures that FreeFEM's int2d and int3d use by
-/// default, so that they are the loads of the script.
-/// @return oscillation of the body forces (BodyForce)
+/// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
+/// (initialstrain=, initialstress=) and loads (traction=, bodyforce=) of all solids into what
+/// is judged, by the quadratures that FreeFEM's int2d and int3d use by default, so that they
+/// are the loads of the script.
 /// @throws std::invalid_argument  if a solid has not one elastic law
-double read_material_and_loads(Stack stack, const NamedArguments& named,
-                               const SolidBodies& bodies,
-                               ffcontact::SolvedSolid& body);
+Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
+                                    const SolidBodies& bodies,
+                                    ffcontact::SolvedSolid& body);
 
 }  // namespace ffcontact::plugin

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/mesh/facets.hpp"
+//
 #include "freefem/boundary_places.hpp"
 
 namespace ffcontact::plugin {

@@ -104,16 +104,20 @@ Oscillation take(const ReadColumns& whole, SolvedBody& body) {
   return {whole.oscillation[0], whole.oscillation[1]};
 }
 
-ReadColumns columns_of(const ffcontact::SolvedSolid& body, double oscillation) {
-  return {
-      {columns_of(body.hooke), body.body_loads}, {body.neumann}, {oscillation}};
+ReadColumns columns_of(const ffcontact::SolvedSolid& body,
+                       const Oscillation& oscillation) {
+  return {{columns_of(body.hooke), body.body_loads, body.initial.values()},
+          {body.neumann},
+          {oscillation.force, oscillation.strain}};
 }
 
-double take(const ReadColumns& whole, ffcontact::SolvedSolid& body) {
+Oscillation take(const ReadColumns& whole, ffcontact::SolvedSolid& body) {
   body.hooke = tensors_of<HookeTensors<3>>(whole.cells[0]);
   body.body_loads = whole.cells[1];
+  if (whole.cells[2].cols() > 0)
+    body.initial = LinearStresses<3>::of_values(whole.cells[2]);
   body.neumann = whole.boundary[0];
-  return whole.oscillation[0];
+  return {whole.oscillation[0], whole.oscillation[1]};
 }
 
 /// A call whose value and outputs process 0 finds, from a packet of each process.

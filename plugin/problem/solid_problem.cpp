@@ -70,8 +70,7 @@ void SolidProblem::require_one_side(const StatedPair& stated,
   if (!must_not_face_itself(stated)) return;
   const int touching = touching_face(mesh, faces, whole, stated.labels);
   if (touching < 0) return;
-  const Vector3d middle =
-      facet_points<3>(mesh, faces.vertices.col(touching)).rowwise().mean();
+  const Vector3d middle = facet_points(mesh, faces, touching).rowwise().mean();
   refuse_both_sides(mesh.boundary_label[faces.boundary_index[touching]],
                     in_words(Vector3d(mesh.origin + middle)));
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 #include "support/smooth_problem.hpp"

@@ -11,6 +11,7 @@
 #include "ffcontact/contact/law/bounded_friction.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
+#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
 #include "ffcontact/estimate/checks/reason_against.hpp"
@@ -45,14 +46,17 @@ struct SolidStresses {
   CellStresses<3> computed;
 
   explicit SolidStresses(const SolvedSolidProblem& solved)
-      : terms(largest_stress_terms(solved.topology.mesh, solved.body.hooke,
-                                   solved.body.displacement)),
-        computed(stresses(solved.topology.mesh, solved.body.hooke,
-                          solved.body.displacement)) {
+      : terms(std::max(
+            solved.body.initial.bound(),
+            largest_stress_terms(solved.topology.mesh, solved.body.hooke,
+                                 solved.body.displacement))) {
+    const LinearStresses<3> total = total_stresses(
+        solved.topology.mesh, solved.body, solved.body.displacement);
     const double traction = max_norm(solved.body.force) /
                             solved.surface.area.minCoeff(),
-                 largest = std::max(max_norm(computed), traction);
+                 largest = std::max(total.bound(), traction);
     unstressed = largest <= rounding_of_terms * terms && !has_loads(solved);
+    computed = total.mean;
     if (unstressed) computed.setZero();
   }
 };
@@ -222,10 +226,10 @@ SolidEstimate estimate_error(const Topology<3>& topology,
   estimate.displacement = sticking_displacement(
       solved, admissible_displacement(topology.facets, surface, body.law,
                                       body.displacement, system.prescribed));
-  const LinearStresses<3> of_displacement(
+  const LinearStresses<3> of_displacement =
       stress.unstressed
-          ? stress.computed
-          : stresses(topology.mesh, body.hooke, estimate.displacement));
+          ? LinearStresses<3>(stress.computed)
+          : total_stresses(topology.mesh, body, estimate.displacement);
 
   // 2., 3. Contact tractions in the cone, face tractions in equilibrium with them.
   FirstSurfaceTractions first =
@@ -234,8 +238,10 @@ SolidEstimate estimate_error(const Topology<3>& topology,
   estimate.moments = std::move(first.moments);
 
   // 4. Relaxation of sigma_hat - C eps(u_hat), contact tractions in the cone.
+  const BodyLoadsOfCells<3> body_loads =
+      difference_body_loads(topology.mesh, body.body_loads, of_displacement);
   const FaceSetting setting{topology,        body.hooke,
-                            first.boundary,  body.body_loads,
+                            first.boundary,  body_loads,
                             of_displacement, relaxed_faces(solved, estimate)};
   const std::vector<double> falls = relax(setting, settings, estimate.moments);
   put_relaxed(solved, setting.contact, first.boundary.moments, estimate);

@@ -33,6 +33,9 @@ struct SolidEstimate : PairError {
 /// keeps force and moment of what contact alone holds; between bodies it stays as it is on
 /// faces that do not match (matching_faces).
 ///
+/// With initial strains and stresses C eps(u_hat) + tau0 stands for C eps(u_hat), as in
+/// Estimate.
+///
 /// A body without loads whose stresses and tractions are below 1e-12 of the terms |C|
 /// |grad phi| |u| that stresses are summed from has none.
 /// @param system  the stiffness and the prescribed dofs u_h was computed with

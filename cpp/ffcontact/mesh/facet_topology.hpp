@@ -16,8 +16,7 @@ struct FacetTopology {
 
   CellCorners<d> corners(int cell) const { return corners_of(mesh, cell); }
   MatrixOf<d> facet_corners(int facet) const {
-    const Matrix<int, d, 1> vertices = facets.vertices.col(facet);
-    return facet_points<d>(mesh, vertices);
+    return facet_points(mesh, facets, facet);
   }
 };
 

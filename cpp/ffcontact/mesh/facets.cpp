@@ -148,7 +148,7 @@ class Gathering {
 template <int dim>
 VectorOf<dim> vector_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
                         int facet) {
-  return facet_vector(facet_points<dim>(mesh, facets.vertices.col(facet)));
+  return facet_vector(facet_points(mesh, facets, facet));
 }
 
 }  // namespace

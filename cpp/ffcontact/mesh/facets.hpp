@@ -45,6 +45,12 @@ struct Facets {
 template <int dim>
 Facets<dim> facets_of(const SimplexMesh<dim>& mesh);
 
+template <int dim>
+MatrixOf<dim> facet_points(const SimplexMesh<dim>& mesh,
+                           const Facets<dim>& facets, int facet) {
+  return mesh.vertices(Eigen::all, facets.vertices.col(facet));
+}
+
 /// Length of an edge [mm], area of a face [mm^2].
 template <int dim>
 double facet_measure(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,

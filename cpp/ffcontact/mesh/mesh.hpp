@@ -78,9 +78,7 @@ inline Vector3d facet_vector(const Matrix3d& corners) {
 template <int dim>
 MatrixOf<dim> facet_points(const SimplexMesh<dim>& mesh,
                            const Matrix<int, dim, 1>& vertices) {
-  MatrixOf<dim> points;
-  for (int k = 0; k < dim; ++k) points.col(k) = mesh.vertices.col(vertices[k]);
-  return points;
+  return mesh.vertices(Eigen::all, vertices);
 }
 
 /// The corners of a cell, one column each.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
 
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
+#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -41,6 +43,11 @@ VertexStress<d> LinearStresses<d>::at_vertices(int cell) const {
   VertexStress<d> values = mean.col(cell).template replicate<1, d + 1>();
   if (varies()) values.reshaped() += variation.col(cell);
   return values;
+}
+
+template <int d>
+double LinearStresses<d>::bound() const {
+  return max_norm(mean) + max_norm(variation);
 }
 
 template <int d>
@@ -89,12 +96,41 @@ FacetLoads<d> loads_of_stress(const CellCorners<d>& corners,
   return loads;
 }
 
+template <int d>
+BodyLoadsOfCells<d> difference_body_loads(const SimplexMesh<d>& mesh,
+                                          BodyLoadsOfCells<d> loads,
+                                          const LinearStresses<d>& stress) {
+  if (!stress.varies()) return loads;
+#pragma omp parallel for
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    loads.col(t) -=
+        balancing_body_loads<d>(
+            loads_of_stress(corners_of(mesh, t), stress.at_vertices(t)))
+            .reshaped();
+  return loads;
+}
+
+template <int d>
+void require_valid(const LinearStresses<d>& initial, int cells) {
+  if (initial.empty()) return;
+  require_size("initial stress", initial.mean.cols(), cells);
+  for (int t = 0; t < cells; ++t)
+    if (!initial.at_vertices(t).allFinite())
+      refuse("the initial strain or stress on ", MeshWords<d>::cell, " ", t,
+             " is not a finite number");
+}
+
 template struct LinearStresses<FFCONTACT_DIMENSION>;
 template LinearStresses<FFCONTACT_DIMENSION> operator+(
     LinearStresses<FFCONTACT_DIMENSION>,
     const LinearStresses<FFCONTACT_DIMENSION>&);
 template SubcellStress<FFCONTACT_DIMENSION> subcell_values<FFCONTACT_DIMENSION>(
     const VertexStress<FFCONTACT_DIMENSION>&);
+template BodyLoadsOfCells<FFCONTACT_DIMENSION> difference_body_loads(
+    const SimplexMesh<FFCONTACT_DIMENSION>&,
+    BodyLoadsOfCells<FFCONTACT_DIMENSION>,
+    const LinearStresses<FFCONTACT_DIMENSION>&);
+template void require_valid(const LinearStresses<FFCONTACT_DIMENSION>&, int);
 template FacetLoads<FFCONTACT_DIMENSION> loads_of_stress<FFCONTACT_DIMENSION>(
     const CellCorners<FFCONTACT_DIMENSION>&,
     const VertexStress<FFCONTACT_DIMENSION>&);

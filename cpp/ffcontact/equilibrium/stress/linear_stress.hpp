@@ -34,6 +34,8 @@ struct LinearStresses {
   bool empty() const { return mean.cols() == 0; }
   Values values() const;
   VertexStress<d> at_vertices(int cell) const;
+  /// No value is larger.
+  double bound() const;
   LinearStresses of_cells(const std::vector<int>& cells) const;
 };
 
@@ -49,5 +51,16 @@ SubcellStress<d> subcell_values(const VertexStress<d>& at_vertices);
 template <int d>
 FacetLoads<d> loads_of_stress(const CellCorners<d>& corners,
                               const VertexStress<d>& at_vertices);
+
+/// Body loads of sigma_hat - sigma from those of sigma_hat, which they are where sigma is
+/// constant on each cell.
+template <int d>
+BodyLoadsOfCells<d> difference_body_loads(const SimplexMesh<d>& mesh,
+                                          BodyLoadsOfCells<d> loads,
+                                          const LinearStresses<d>& stress);
+
+/// @throws std::invalid_argument  if there is not one for each cell, or one is not finite
+template <int d>
+void require_valid(const LinearStresses<d>& initial, int cells);
 
 }  // namespace ffcontact

@@ -103,9 +103,8 @@ VectorOf<d> mean_moment(const Topology<d>& topology, int facet,
   const Vector2i sides = topology.facets.cells.col(facet);
   VoigtVector<d> mean = stress.col(sides[0]);
   if (sides[1] >= 0) mean = 0.5 * (mean + stress.col(sides[1]));
-  const Matrix<int, d, 1> vertices = topology.facets.vertices.col(facet);
-  return traction(mean,
-                  facet_vector(facet_points<d>(topology.mesh, vertices)) / d);
+  const auto& [mesh, facets, ridges, stars] = topology;
+  return traction(mean, facet_vector(facet_points(mesh, facets, facet)) / d);
 }
 
 template <int d>

@@ -22,9 +22,9 @@ FacetLoads<d> loads_of(const SimplexMesh<d>& mesh, const Facets<d>& facets,
 template <int d>
 FacetLoads<d> difference_loads(const LoadedFacets<d>& body,
                                const FacetColumns<d>& moments, int cell) {
-  const auto& [mesh, facets, ridges] = body.topology;
-  return loads_of(mesh, facets, moments, cell) -
-         loads_of_stress(corners_of(mesh, cell), body.stress.at_vertices(cell));
+  return loads_of(body.topology, moments, cell) -
+         loads_of_stress(body.topology.corners(cell),
+                         body.stress.at_vertices(cell));
 }
 
 template <int d>

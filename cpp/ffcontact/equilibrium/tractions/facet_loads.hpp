@@ -27,6 +27,12 @@ template <int d>
 FacetLoads<d> loads_of(const SimplexMesh<d>& mesh, const Facets<d>& facets,
                        const FacetColumns<d>& moments, int cell);
 
+template <int d>
+FacetLoads<d> loads_of(const FacetTopology<d>& topology,
+                       const FacetColumns<d>& moments, int cell) {
+  return loads_of(topology.mesh, topology.facets, moments, cell);
+}
+
 /// The loads of sigma_hat - sigma on one cell's facets. With the body loads they are in
 /// equilibrium when sigma_hat is.
 template <int d>

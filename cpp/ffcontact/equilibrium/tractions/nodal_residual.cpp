@@ -90,9 +90,8 @@ NodalResidual<d> nodal_residual(const Topology<d>& topology,
 template <int d>
 NodalResidual<d> with_forces(NodalResidual<d> residual,
                              const VectorXd& forces) {
-  const Matrix<double, d, Dynamic> added =
-      forces.reshaped(d, residual.missing.cols());
-  residual.missing += residual.supported.select(0, added);
+  residual.missing.reshaped() +=
+      residual.supported.reshaped().select(0, forces);
   residual.scale = std::max(residual.scale, max_norm(forces));
   return residual;
 }

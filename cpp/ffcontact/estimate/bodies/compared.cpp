@@ -2,27 +2,11 @@
 #include "ffcontact/estimate/bodies/compared.hpp"
 
 #include "ffcontact/equilibrium/tractions/facet_loads.hpp"
+#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
-
-namespace {
-
-/// Body loads of sigma_hat - sigma from those of sigma_hat.
-BodyLoadsOfCells<2> difference_body_loads(const Mesh& mesh,
-                                          BodyLoadsOfCells<2> loads,
-                                          const LinearStresses<2>& stress) {
-#pragma omp parallel for
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    loads.col(t) -=
-        balancing_body_loads<2>(
-            loads_of_stress(corners_of(mesh, t), stress.at_vertices(t)))
-            .reshaped();
-  return loads;
-}
-
-}  // namespace
 
 Compared compared(const MatchedBodies& bodies, const VectorXd& displacement) {
   const Mesh& mesh = bodies.topology().mesh;

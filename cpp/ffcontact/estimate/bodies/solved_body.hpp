@@ -40,8 +40,4 @@ struct SolvedBody {
 /// Mesh::boundary].
 Matrix4Xd boundary_moments(const Mesh& mesh, const SolvedBody& body);
 
-/// sigma = C eps(u) + tau0.
-LinearStresses<2> total_stresses(const Mesh& mesh, const SolvedBody& body,
-                                 const Ref<const VectorXd>& displacement);
-
 }  // namespace ffcontact

@@ -6,6 +6,7 @@
 #include "ffcontact/contact/law/surface_law.hpp"
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
+#include "ffcontact/equilibrium/stress/linear_stress.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
@@ -22,6 +23,8 @@ struct SolvedSolid {
   BodyLoadsOfCells<3> body_loads;  ///< int f phi_i per tetrahedron [N]
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of the solution on the surface; null: factorised if needed
+  /// tau0 = sigma0 - C eps0 of sigma = C eps(u) + tau0; empty: none
+  LinearStresses<3> initial{};
 };
 
 /// What an estimate of a solid is asked of.

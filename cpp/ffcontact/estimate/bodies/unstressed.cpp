@@ -6,15 +6,12 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
+#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-double largest_value(const LinearStresses<2>& stresses) {
-  return max_norm(stresses.mean) + max_norm(stresses.variation);
-}
 
 /// What a displacement of the length `given` along each contact edge would stress on
 /// either side.
@@ -60,7 +57,7 @@ double largest_stress_terms(const Topology<2>& topology,
   const auto& [mesh, edges, ridges, stars] = topology;
   const double given = std::max(
       terms_along_line(edges, line, body.hooke, largest_given(body.law)),
-      largest_value(body.initial));
+      body.initial.bound());
   return std::max(given, largest_stress_terms(mesh, body.hooke, displacement));
 }
 
@@ -69,7 +66,7 @@ bool is_unstressed(const Topology<2>& topology, const ContactLine& line,
                    double stress_terms) {
   if (has_loads(topology, prescribed, body)) return false;
   const double stress =
-      largest_value(total_stresses(topology.mesh, body, body.displacement));
+      total_stresses(topology.mesh, body, body.displacement).bound();
   const double traction = max_norm(body.pressure);
   return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
          !slides(line, body);

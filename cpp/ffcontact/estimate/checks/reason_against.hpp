@@ -23,8 +23,7 @@ struct WorstPlaces {
 template <int dim>
 VectorOf<dim> middle_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,
                         int facet) {
-  const Matrix<int, dim, 1> vertices = facets.vertices.col(facet);
-  return mesh.origin + facet_points<dim>(mesh, vertices).rowwise().mean();
+  return mesh.origin + facet_points(mesh, facets, facet).rowwise().mean();
 }
 
 /// Puts what was found between the nodes into the error, in its units.

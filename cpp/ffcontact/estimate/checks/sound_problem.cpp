@@ -7,19 +7,6 @@
 
 namespace ffcontact {
 
-namespace {
-
-void require_valid(const LinearStresses<2>& initial, int triangles) {
-  if (initial.empty()) return;
-  require_size("initial stress", initial.mean.cols(), triangles);
-  for (int t = 0; t < triangles; ++t)
-    if (!initial.at_vertices(t).allFinite())
-      refuse("the initial strain or stress on triangle ", t,
-             " is not a finite number");
-}
-
-}  // namespace
-
 void require_sound(const SolvedProblem& solved,
                    const EstimateSettings& settings) {
   const auto& [topology, line, system, body] = solved;

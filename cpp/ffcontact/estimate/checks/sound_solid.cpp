@@ -11,6 +11,7 @@ void require_sound(const SolvedSolidProblem& solved,
                    const SolidRelaxationSettings& settings) {
   const auto& [topology, surface, system, body] = solved;
   require_sound_body(solved, surface.node_count(), "contact force", body.force);
+  require_valid(body.initial, topology.mesh.cell_count());
   require_valid(body.law, surface);
   if (settings.steps && *settings.steps < 0)
     refuse("steps must not be negative, got ", *settings.steps);

@@ -14,8 +14,7 @@ namespace {
 
 template <int d>
 FacetLoads<d> loads_of(const StressPair<d>& pair, int cell) {
-  const auto& [mesh, facets, ridges] = pair.difference.topology;
-  return loads_of(mesh, facets, pair.moments, cell);
+  return loads_of(pair.difference.topology, pair.moments, cell);
 }
 
 }  // namespace

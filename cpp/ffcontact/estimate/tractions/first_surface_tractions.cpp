@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/equilibrium/stress/cell_geometry.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
@@ -33,24 +35,21 @@ std::string cause_at(const Imbalance& imbalance,
     return "it is the reaction of a point support, which no admissible stress "
            "has: prescribe displacements on whole faces";
   if (!(topology.mesh.boundary.array() == imbalance.vertex).any())
-    return "inside the body: give the bodyforce= u was computed with; loads of "
-           "thermal or initial strains are not known here";
+    return "inside the body: give the bodyforce=, initialstrain= and "
+           "initialstress= u was computed with";
   const std::vector<int> contact = contact_vertices(surface);
   if (std::find(contact.begin(), contact.end(), imbalance.vertex) !=
       contact.end())
     return "on the contact surface: give the forces of the solution u, and "
            "the same label= and traction=";
-  return "on the boundary: give the traction= u was computed with; loads of "
-         "thermal or initial strains are not known here";
+  return "on the boundary: give the traction=, initialstrain= and "
+         "initialstress= u was computed with";
 }
 
 double longest_side(const SolidMesh& mesh) {
-  double longest = 0;
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 1; k < 4; ++k)
-      longest =
-          std::max(longest, (mesh.corner(t, k) - mesh.corner(t, 0)).norm());
-  return longest;
+  return largest_over(mesh.cell_count(), [&](int t) {
+    return piola_matrix<3>(corners_of(mesh, t)).colwise().norm().maxCoeff();
+  });
 }
 
 /// @throws std::invalid_argument  if the stresses of u_h are not in equilibrium with loads

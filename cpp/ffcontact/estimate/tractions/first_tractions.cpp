@@ -13,6 +13,7 @@
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
+#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
 #include "ffcontact/estimate/tractions/imbalance_cause.hpp"
 #include "ffcontact/estimate/tractions/nearest_in_cone.hpp"

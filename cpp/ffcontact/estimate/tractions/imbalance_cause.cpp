@@ -7,6 +7,7 @@
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/elastic/inner_forces.hpp"
 #include "ffcontact/estimate/bodies/nodal_forces.hpp"
+#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {

@@ -114,8 +114,7 @@ class FacePairing {
   [[noreturn]] void refuse_unfaced() const {
     const int face = surface_.face[0];
     const Vector3d x =
-        mesh_.origin +
-        facet_points<3>(mesh_, faces_.vertices.col(face)).rowwise().mean();
+        mesh_.origin + facet_points(mesh_, faces_, face).rowwise().mean();
     refuse("no point of the contact surface, as ", in_words(x),
            ", faces a face of the opposite body along its contact direction: "
            "give the labels of two sides that lie opposite to each other, or "
@@ -140,9 +139,8 @@ class FacePairing {
 
   /// @param start  where places and heights are counted from
   SeenFace seen(int face, const Matrix3d& frame, const Vector3d& start) const {
-    const Matrix3d x =
-        frame.transpose() *
-        (facet_points<3>(mesh_, faces_.vertices.col(face)).colwise() - start);
+    const Matrix3d x = frame.transpose() *
+                       (facet_points(mesh_, faces_, face).colwise() - start);
     return {x.topRows<2>(), x.row(2)};
   }
 
