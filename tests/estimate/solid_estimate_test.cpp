@@ -475,6 +475,20 @@ TEST(SolidEstimate, keeps_force_and_moment_where_contact_alone_holds) {
   EXPECT_LT(found.relative, 0.6);
 }
 
+TEST(SolidEstimate, relaxation_pays_for_friction_that_tractions_do_not_use) {
+  Random random(3);
+  const SolidProblem problem = block_problem(block(4), BlockCase::shear, 1e4);
+  const VectorXd u = random_vector(problem.b.size(), random);
+  Matrix3d pressed = Matrix3d::Zero();
+  pressed.row(0).setConstant(-1);
+  for (const ContactFace& face : contact_faces(
+           problem.mesh, problem.faces, problem.surface, problem.law, u)) {
+    for (const FrictionCone& cone : face.cone) EXPECT_EQ(cone.friction, 1e3);
+    const double paid = 1e4 * face.slip.sum() - face.work.row(0).sum();
+    EXPECT_NEAR(contact_term(face, pressed), paid, 1e-12 * paid);
+  }
+}
+
 TEST(SolidEstimate, stress_has_the_moments) {
   std::mt19937 random(4);
   const SolidProblem problem = any_block(random);

@@ -116,8 +116,8 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
                             topology.mesh, topology.facets, surface, body.law,
                             estimate.tractions, estimate.displacement)
                       : VectorXd::Zero(surface.face_count());
-  part(relaxed) = contact_error(paid_faces(surface, body.law, contact),
-                                estimate.face_tractions(Eigen::all, relaxed));
+  part(relaxed) =
+      contact_error(contact, estimate.face_tractions(Eigen::all, relaxed));
   return part;
 }
 

@@ -72,6 +72,8 @@ struct AnyContact {
                                   (scale < 1 ? 0.5 : 1) * any.tail<2>() /
                                   std::max(1.0, any.tail<2>().norm());
     }
+    face.paid = face.cone;
+    if (law == 1) face.paid[random() % 3].friction = 5;
     Matrix3d w = 0.1 * scale * random_matrix(3, 3, random);
     w.row(0) = -w.row(0).cwiseAbs();
     face.work = facet_moments_of<3>(w, face.area);

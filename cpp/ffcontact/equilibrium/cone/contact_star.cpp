@@ -53,8 +53,8 @@ MatrixXd tractions_of_joint(const Topology<3>& topology,
 Matrix3d contact_slope(const ContactFace& face, const Matrix3d& traction) {
   Matrix3d slope = face.work;
   for (int i = 0; i < 3; ++i)
-    if (!face.cone[i].at_limit(traction(0, i)))
-      slope(0, i) -= face.cone[i].friction * face.slip[i];
+    if (!face.paid[i].at_limit(traction(0, i)))
+      slope(0, i) -= face.paid[i].friction * face.slip[i];
   return slope;
 }
 

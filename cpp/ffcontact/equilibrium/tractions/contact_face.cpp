@@ -10,7 +10,7 @@ namespace ffcontact {
 
 double contact_term(const ContactFace& face, const Matrix3d& traction) {
   return sum_over(3, [&](int i) {
-    return face.cone[i].bound(traction(0, i)) * face.slip[i] +
+    return face.paid[i].bound(traction(0, i)) * face.slip[i] +
            traction.col(i).dot(face.work.col(i));
   });
 }

@@ -20,6 +20,8 @@ struct ContactFace {
   double area;                       ///< [mm^2]
   std::array<Matrix3d, 3> frame;     ///< columns n, t1, t2 at its vertices
   std::array<FrictionCone, 3> cone;  ///< of tractions there
+  /// of what e pays there, which is wider where friction is bounded (bounded_friction)
+  std::array<FrictionCone, 3> paid;
   Matrix3d work;  ///< int phi_i w along n, t1, t2, one column a vertex [mm^3]
   Vector3d slip;  ///< int phi_i |w_t|, |w_t| linear between the vertices [mm^3]
   Matrix<double, 2, 3> direction;  ///< w_t / |w_t| at the vertices, or 0

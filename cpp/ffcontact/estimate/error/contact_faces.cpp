@@ -76,7 +76,8 @@ std::vector<ContactFace> contact_faces(
   const bool between_bodies = surface.against_a_body();
   const std::vector<MatchingFace> matches =
       matching_faces(mesh, faces, surface);
-  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const std::vector<FrictionCone> cones = traction_cones(law, surface),
+                                  paid = law_cones(law, surface);
   const double least = least_motion * largest_displacement(law, displacement),
                rounding = rounding_of_slip(law, displacement);
   std::vector<ContactFace> contact;
@@ -93,21 +94,12 @@ std::vector<ContactFace> contact_faces(
     for (int i = 0; i < 3; ++i) {
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
+      face.paid[i] = paid[nodes[i]];
     }
     put_motions(seen_motions(faces, surface, law, m, matches[m], displacement),
                 least, rounding, face);
     contact.push_back(face);
   }
-  return contact;
-}
-
-std::vector<ContactFace> paid_faces(const ContactSurface& surface,
-                                    const SurfaceLaw& law,
-                                    std::vector<ContactFace> contact) {
-  const std::vector<FrictionCone> paid = law_cones(law, surface);
-  for (ContactFace& face : contact)
-    for (int i = 0; i < 3; ++i)
-      face.cone[i] = paid[surface.face_node(i, face.surface_face)];
   return contact;
 }
 

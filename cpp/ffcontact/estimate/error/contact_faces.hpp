@@ -24,12 +24,6 @@ std::vector<ContactFace> contact_faces(const SolidMesh& mesh,
                                        const SurfaceLaw& law,
                                        const Ref<const VectorXd>& displacement);
 
-/// The same with the cones that e pays for (law_cones) in place of those that r_hat keeps
-/// to.
-std::vector<ContactFace> paid_faces(const ContactSurface& surface,
-                                    const SurfaceLaw& law,
-                                    std::vector<ContactFace> contact);
-
 /// Their places on the surface.
 VectorXi surface_faces(const std::vector<ContactFace>& contact);
 
