@@ -111,7 +111,7 @@ struct ContactProblem : PlaneBodies {
   void append_carrier(const Carrier& carrier, bool on_opposite);
 
   mutable Topology<2>
-      topology_;  ///< stars are made when an estimate asks for them
+      topology_;  ///< ridges and stars are made when an estimate asks
   std::vector<Pair> pairs_;
   /// while it is stated
   const PlacesElsewhere<2>* elsewhere_ = nullptr;

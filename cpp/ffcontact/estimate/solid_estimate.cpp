@@ -238,11 +238,14 @@ SolidEstimate estimate_error(const Topology<3>& topology,
   estimate.moments = std::move(first.moments);
 
   // 4. Relaxation of sigma_hat - C eps(u_hat), contact tractions in the cone.
-  const BodyLoadsOfCells<3> body_loads =
-      difference_body_loads(topology.mesh, body.body_loads, of_displacement);
-  const FaceSetting setting{topology,        body.hooke,
-                            first.boundary,  body_loads,
-                            of_displacement, relaxed_faces(solved, estimate)};
+  BodyLoadsOfCells<3> other_loads;
+  if (of_displacement.varies())
+    other_loads =
+        difference_body_loads(topology.mesh, body.body_loads, of_displacement);
+  const FaceSetting setting{
+      topology,        body.hooke,
+      first.boundary,  of_displacement.varies() ? other_loads : body.body_loads,
+      of_displacement, relaxed_faces(solved, estimate)};
   const std::vector<double> falls = relax(setting, settings, estimate.moments);
   put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
 

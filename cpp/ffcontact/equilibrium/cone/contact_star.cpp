@@ -26,8 +26,8 @@ constexpr double cone_rounding = 1e-12;
 /// Tractions at the vertices of a contact face from its nine unknowns.
 Matrix9d tractions_of_unknowns(const Topology<3>& topology,
                                const ContactFace& face) {
-  const Matrix3d corners = topology.mesh.vertices(
-      Eigen::all, topology.facets.vertices.col(face.face));
+  const Matrix3d corners =
+      facet_points(topology.mesh, topology.facets, face.face);
   Matrix9d tractions = wrench_basis<3>(corners);
   for (int k = 0; k < 9; ++k)
     tractions.col(k) =

@@ -3,8 +3,8 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
-#include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
+#include "ffcontact/equilibrium/stress/stress_conditions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -84,23 +84,13 @@ SubcellStress<d> subcell_values(const VertexStress<d>& at_vertices) {
 template <int d>
 FacetLoads<d> loads_of_stress(const CellCorners<d>& corners,
                               const VertexStress<d>& at_vertices) {
-  const CellCorners<d> vectors = facet_vectors(corners);
-  FacetLoads<d> loads;
-  for (int k = 0; k <= d; ++k) {
-    MatrixOf<d> tractions;  // times the facet's measure
-    for (int j = 0; j < d; ++j)
-      tractions.col(j) =
-          traction(at_vertices.col(vertex_of_facet<d>(k, j)), vectors.col(k));
-    loads.template middleCols<d>(d * k) = facet_moments_of<d>(tractions, 1);
-  }
-  return loads;
+  return facet_loads_of(corners, subcell_values<d>(at_vertices));
 }
 
 template <int d>
 BodyLoadsOfCells<d> difference_body_loads(const SimplexMesh<d>& mesh,
                                           BodyLoadsOfCells<d> loads,
                                           const LinearStresses<d>& stress) {
-  if (!stress.varies()) return loads;
 #pragma omp parallel for
   for (int t = 0; t < mesh.cell_count(); ++t)
     loads.col(t) -=

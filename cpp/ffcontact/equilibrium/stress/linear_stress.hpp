@@ -52,8 +52,8 @@ template <int d>
 FacetLoads<d> loads_of_stress(const CellCorners<d>& corners,
                               const VertexStress<d>& at_vertices);
 
-/// Body loads of sigma_hat - sigma from those of sigma_hat, which they are where sigma is
-/// constant on each cell.
+/// Body loads of sigma_hat - sigma from those of sigma_hat; the same where sigma does not
+/// vary in the cells.
 template <int d>
 BodyLoadsOfCells<d> difference_body_loads(const SimplexMesh<d>& mesh,
                                           BodyLoadsOfCells<d> loads,

@@ -60,10 +60,4 @@ FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
   return given;
 }
 
-CellCorners<3> corners_of(const SolidMesh& mesh, int cell) {
-  CellCorners<3> corners;
-  for (int k = 0; k < 4; ++k) corners.col(k) = mesh.corner(cell, k);
-  return corners;
-}
-
 }  // namespace ffcontact

@@ -36,6 +36,4 @@ FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
                            const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& traction);
 
-CellCorners<3> corners_of(const SolidMesh& mesh, int cell);
-
 }  // namespace ffcontact

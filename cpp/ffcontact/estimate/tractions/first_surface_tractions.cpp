@@ -11,6 +11,7 @@
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
+#include "ffcontact/estimate/tractions/missing_loads.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 
 namespace ffcontact {
@@ -34,16 +35,14 @@ std::string cause_at(const Imbalance& imbalance,
   if (system.prescribed[3 * imbalance.vertex + imbalance.component])
     return "it is the reaction of a point support, which no admissible stress "
            "has: prescribe displacements on whole faces";
-  if (!(topology.mesh.boundary.array() == imbalance.vertex).any())
-    return "inside the body: give the bodyforce=, initialstrain= and "
-           "initialstress= u was computed with";
   const std::vector<int> contact = contact_vertices(surface);
-  if (std::find(contact.begin(), contact.end(), imbalance.vertex) !=
-      contact.end())
-    return "on the contact surface: give the forces of the solution u, and "
-           "the same label= and traction=";
-  return "on the boundary: give the traction=, initialstrain= and "
-         "initialstress= u was computed with";
+  const bool in_contact = std::find(contact.begin(), contact.end(),
+                                    imbalance.vertex) != contact.end();
+  return missing_loads(topology.mesh, imbalance.vertex,
+                       in_contact ? "on the contact surface: give the forces "
+                                    "of the solution u, and the same label= "
+                                    "and traction="
+                                  : "");
 }
 
 double longest_side(const SolidMesh& mesh) {

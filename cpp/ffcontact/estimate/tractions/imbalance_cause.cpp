@@ -8,6 +8,7 @@
 #include "ffcontact/elastic/inner_forces.hpp"
 #include "ffcontact/estimate/bodies/nodal_forces.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
+#include "ffcontact/estimate/tractions/missing_loads.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -94,18 +95,6 @@ bool is_prescribed_along_line(const Imbalance& imbalance,
   return false;
 }
 
-/// What else may be missing at a vertex.
-std::string missing_loads(const Mesh& mesh, int vertex, bool on_line) {
-  if (!(mesh.boundary.array() == vertex).any())
-    return "inside the body: give the bodyforce=, initialstrain= and "
-           "initialstress= u was computed with";
-  if (on_line)
-    return "on the contact line: give pn and pt of the solution u, and the "
-           "same label=, normal= and traction=";
-  return "on the boundary: give the traction=, initialstrain= and "
-         "initialstress= u was computed with";
-}
-
 }  // namespace
 
 std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
@@ -122,7 +111,11 @@ std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
   const bool on_line = (line.vertex.array() == imbalance.vertex).any();
   if (on_line && fits_other_multiplier(imbalance, mesh, line, system, body))
     return other_multiplier_in_words(body.law.multiplier);
-  return missing_loads(mesh, imbalance.vertex, on_line);
+  return missing_loads(mesh, imbalance.vertex,
+                       on_line ? "on the contact line: give pn and pt of the "
+                                 "solution u, and the same label=, normal= and "
+                                 "traction="
+                               : "");
 }
 
 }  // namespace ffcontact
