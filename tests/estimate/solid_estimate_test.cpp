@@ -280,7 +280,7 @@ TEST(SolidEstimate, is_admissible_on_flat_and_on_graded_tetrahedra) {
 }
 
 TEST(SolidEstimate, is_balanced_where_oblique_guided_faces_meet) {
-  // what leaves their known components alone is no sum of few wrenches and bars
+  // what leaves their known components alone is no sum of few wrenches and modes
   SolidMesh mesh = block(4);
   for (int v = 0; v < mesh.vertex_count(); ++v) {
     const Vector3d x = mesh.vertices.col(v);

@@ -5,10 +5,10 @@
 #include "ffcontact/mesh/topology.hpp"
 #include "support/random.hpp"
 
-/// Wrenches and bars on the faces of one tetrahedron.
+/// Wrenches and modes on the faces of one tetrahedron.
 namespace ffcontact::test {
 
-/// Unknowns of a tetrahedron's faces that balance on it: any wrenches and bars on three of
+/// Unknowns of a tetrahedron's faces that balance on it: any wrenches and modes on three of
 /// its faces, and what they ask of a fourth one.
 inline CellVector<3> balanced_unknowns(const Topology<3>& topology, int cell,
                                        int d, std::mt19937& random) {

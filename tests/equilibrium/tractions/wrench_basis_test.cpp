@@ -40,7 +40,7 @@ RC_GTEST_PROP(WrenchBasis, has_the_wrench_and_bars_without_one,
   RC_ASSERT((V.leftCols<6>().transpose() * V.rightCols<3>()).norm() < 1e-10);
 }
 
-/// What wrenches and bars on a tetrahedron's faces lack to balance, of the loads.
+/// What wrenches and modes on a tetrahedron's faces lack to balance, of the loads.
 double imbalance(const Topology<3>& topology, int cell,
                  const CellVector<3>& x) {
   const std::array<Matrix9d, 4> bases = wrench_bases<3>(topology, cell);

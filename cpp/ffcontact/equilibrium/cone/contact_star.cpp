@@ -95,9 +95,9 @@ void ContactStar::find_places(const Topology<3>& topology) {
   for (const auto& [edge, place, sign] : joint_.parts) {
     const std::vector<int> faces = facets_around<3>(topology.ridges, edge);
     for (int i = 0; i < count_of(faces); ++i)
-      for (int bar = 0; bar < 3; ++bar)
+      for (int mode = 0; mode < 3; ++mode)
         if (topology.facets.on_boundary(faces[i]))
-          is_outside[place[6 + 3 * i + bar]] = 1;
+          is_outside[place[6 + 3 * i + mode]] = 1;
   }
   for (int i = 0; i < joint_.size; ++i)
     (is_outside[i] ? outside_ : inside_).push_back(i);

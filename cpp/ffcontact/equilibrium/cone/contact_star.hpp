@@ -14,8 +14,8 @@ namespace ffcontact {
 ///     e^2 = e_0^2 + 2 g'x + x'A x + 2 sum of contact_term(r_hat + P x)
 /// where r_hat + P x is in the cone at the vertices of the contact faces.
 ///
-/// P leaves the bars of the faces inside the body out; these are eliminated. With x = N t
-/// on the wrench and the bars of the boundary faces, N what leaves other known
+/// P leaves the modes of the faces inside the body out; these are eliminated. With x = N t
+/// on the wrench and the modes of the boundary faces, N what leaves other known
 /// tractions alone and r_t = 0 where there is no friction,
 ///     S = N'(A_oo - A_oi A_ii^-1 A_io) N,   at most 12 x 12 for one or two bodies.
 /// The unconstrained minimum if it is in the cone, or else that in the inner cones.

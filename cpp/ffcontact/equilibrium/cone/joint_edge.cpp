@@ -79,15 +79,15 @@ class JointNumbering {
   JointEdge joint(const std::vector<int>& edges) const {
     JointEdge joint;
     joint.size = 6;
-    std::map<int, int> bars;  // the first of each face
+    std::map<int, int> modes;  // the first of each face
     for (int edge : edges)
       for (int face : facets_around<3>(topology_.ridges, edge))
         if (facing_.count(face) == 0) {
-          bars[face] = joint.size;
+          modes[face] = joint.size;
           joint.size += 3;
         }
     for (int edge : edges)
-      joint.parts.push_back(part(edge, turn(edge, edges[0]), bars));
+      joint.parts.push_back(part(edge, turn(edge, edges[0]), modes));
     return joint;
   }
 
@@ -102,9 +102,9 @@ class JointNumbering {
   }
 
   JointEdge::Part part(int edge, double turn,
-                       const std::map<int, int>& bars) const {
-    const auto first_bar = [&](int face) {
-      return entry_of(bars, face, "bar of a face");
+                       const std::map<int, int>& modes) const {
+    const auto first_mode = [&](int face) {
+      return entry_of(modes, face, "mode of a face");
     };
     const std::vector<int> faces = facets_around<3>(topology_.ridges, edge);
     const int size = unknowns_around<3>(topology_.ridges, edge);
@@ -115,12 +115,12 @@ class JointNumbering {
       auto place = part.place.segment<3>(6 + 3 * i);
       const auto facing = facing_.find(faces[i]);
       if (facing == facing_.end()) {
-        place = Vector3i(0, 1, 2).array() + first_bar(faces[i]);
+        place = Vector3i(0, 1, 2).array() + first_mode(faces[i]);
         continue;
       }
       const ContactFace& own = *facing->second;
       for (int k = 0; k < 3; ++k)
-        place[own.opposite_corner[k]] = first_bar(own.face) + k;
+        place[own.opposite_corner[k]] = first_mode(own.face) + k;
       part.sign.segment<3>(6 + 3 * i).setConstant(-1);
     }
     return part;

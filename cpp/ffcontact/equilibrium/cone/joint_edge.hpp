@@ -11,8 +11,8 @@ namespace ffcontact {
 
 /// Edges of several bodies that lie on each other in matching contact faces, as one.
 ///
-/// The corrections of the faces around it are those of edge_form: one wrench w that goes
-/// around through all bodies, and three bars on each face, which a contact face and the
+/// The corrections of the faces around it are those of ridge_form: one wrench w that goes
+/// around through all bodies, and three modes of each face, which a contact face and the
 /// one that it faces have in common, in opposite directions,
 ///     x = (w, y_1, .., y_M) [6 + 3 M],   x_e = sign_e . x(place_e) of the faces around edge e.
 /// Wrenches are about the middle of each edge: bodies that are apart feel them alike. An
@@ -37,7 +37,7 @@ std::vector<JointEdge> joint_edges(const Topology<3>& topology,
 MatrixXd joint_form(const Topology<3>& topology, const JointEdge& joint,
                     const FacetForms<3>& forms);
 
-/// edge_conditions of all parts.
+/// ridge_conditions of all parts.
 MatrixXd joint_conditions(const Topology<3>& topology, const JointEdge& joint,
                           const KnownComponents& known);
 
