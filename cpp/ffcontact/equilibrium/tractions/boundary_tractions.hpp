@@ -20,24 +20,7 @@ using EdgeMoments = FacetColumns<2>;
 /// normal turned too.
 Vector4d reversed(const Vector4d& moments);
 
-/// What the boundary of an admissible stress must carry, per edge and Cartesian
-/// component.
-///
-/// On Neumann and contact edges both components are known, on the latter as the sum of
-/// given and contact tractions. On a Dirichlet edge a prescribed component is free (the
-/// support answers) and the other one known, e.g. 0 on a symmetry line. A component of an
-/// edge counts as prescribed when that dof is prescribed at every vertex of every edge
-/// with the same label: a single Neumann edge between two supports stays Neumann.
 using BoundaryTractions = FacetTractions<2>;
-
-/// The given tractions alone; contact edges are as any others.
-/// @param prescribed  1 where the dof is prescribed [2 * vertices]
-/// @param neumann     moments of the given tractions at the two vertices of each column
-///                    of Mesh::boundary [4 x boundary]; not read on prescribed components
-/// @throws std::invalid_argument  if sizes differ or a traction is not finite
-BoundaryTractions given_tractions(const Mesh& mesh, const Edges& edges,
-                                  const Flags& prescribed,
-                                  const Ref<const Matrix4Xd>& neumann);
 
 /// The given and the contact tractions.
 /// @param line     where it faces whole edges of another body, these carry the opposite

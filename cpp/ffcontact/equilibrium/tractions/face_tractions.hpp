@@ -17,16 +17,6 @@ using FaceMoments = FacetColumns<3>;
 
 using FaceTractions = FacetTractions<3>;
 
-/// The given tractions alone; contact faces are as any others.
-/// @param prescribed  1 where the dof is prescribed [3 * vertices]
-/// @param neumann     moments of the given tractions at the three vertices of each column
-///                    of SolidMesh::boundary [N, 9 x boundary]; not read on prescribed
-///                    components
-/// @throws std::invalid_argument  if sizes differ or a traction is not finite
-FaceTractions given_tractions(const SolidMesh& mesh, const Facets<3>& faces,
-                              const Flags& prescribed,
-                              const Ref<const FaceMoments>& neumann);
-
 /// Adds contact tractions, with which all components are known. Against another body they
 /// act on both, where faces do not match by the linear tractions nearest to them: these
 /// have their force and their moment on every face.

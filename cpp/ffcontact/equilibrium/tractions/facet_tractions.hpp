@@ -3,7 +3,9 @@
 
 #include <map>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/equilibrium/stress/composite_element.hpp"
+#include "ffcontact/mesh/facets.hpp"
 
 namespace ffcontact {
 
@@ -15,6 +17,12 @@ template <int d>
 using KnownDirections = std::map<int, VectorOf<d>>;
 
 /// What the boundary of an admissible stress must carry, per facet and Cartesian component.
+///
+/// On Neumann and contact facets all components are known, on the latter as the sum of
+/// given and contact tractions. On a Dirichlet facet a prescribed component is free (the
+/// support answers) and the others are known, e.g. 0 on a plane of symmetry. A component of
+/// a facet counts as prescribed when that dof is prescribed at every vertex of every facet
+/// with the same label: a single Neumann edge between two supports stays Neumann.
 template <int d>
 struct FacetTractions {
   KnownTractions<d> known;  ///< false inside the body
@@ -24,6 +32,18 @@ struct FacetTractions {
   /// of boundary facets along which one direction, not an axis, is known alone: that one
   KnownDirections<d> known_direction{};
 };
+
+/// The given tractions alone; contact facets are as any others.
+/// @param prescribed  1 where the dof is prescribed [d * vertices]
+/// @param neumann     moments of the given tractions at the vertices of each column of
+///                    SimplexMesh::boundary [d^2 x boundary]; not read on prescribed
+///                    components
+/// @throws std::invalid_argument  if sizes differ or a traction is not finite
+template <int d>
+FacetTractions<d> given_tractions(const SimplexMesh<d>& mesh,
+                                  const Facets<d>& facets,
+                                  const Flags& prescribed,
+                                  const Ref<const FacetColumns<d>>& neumann);
 
 /// Known moments to the last digit, where there are others but for rounding.
 template <int d>
