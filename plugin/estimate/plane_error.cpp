@@ -42,9 +42,10 @@ EstimateSettings estimate_settings(Stack stack, const NamedArguments& named) {
                     {"polynomial", Construction::polynomial}});
   RelaxationSettings& relaxation = settings.relaxation;
   relaxation.tightness = named.number(stack, "tightness", relaxation.tightness);
-  const int sweeps = relaxation.tightness > 0 ? most_sweeps : relaxation.sweeps;
-  relaxation.sweeps = static_cast<int>(named.integer(stack, "sweeps", sweeps));
-  relaxation.report =
+  if (named.given("sweeps") || relaxation.tightness > 0)
+    relaxation.steps =
+        static_cast<int>(named.integer(stack, "sweeps", most_sweeps));
+  settings.report =
       progress_lines("contacterror", named.verbosity_level(stack), 2);
   return settings;
 }

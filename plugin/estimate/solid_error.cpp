@@ -41,9 +41,8 @@ void require_parameters_of_solids(const NamedArguments& named) {
     if (named.given_of_bodies(of_bodies)) refuse_of_plane_bodies(of_bodies);
 }
 
-SolidRelaxationSettings solid_settings(Stack stack,
-                                       const NamedArguments& named) {
-  SolidRelaxationSettings settings;
+RelaxationSettings solid_settings(Stack stack, const NamedArguments& named) {
+  RelaxationSettings settings;
   settings.tightness = named.number(stack, "tightness", settings.tightness);
   if (!named.given("sweeps") && settings.tightness == 0) return settings;
   const long wanted = named.integer(stack, "sweeps", most_sweeps_in_space);
@@ -157,7 +156,7 @@ double solid_error(Stack stack, const NamedArguments& named,
                    const RelaxFaces& relax) {
   const Stopwatch watch;
   require_parameters_of_solids(named);
-  const SolidRelaxationSettings settings = solid_settings(stack, named);
+  const RelaxationSettings settings = solid_settings(stack, named);
   const StuckNodes stuck = stuck_nodes_of(stack, named);
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;

@@ -217,11 +217,11 @@ double error_shared(Stack stack, const NamedArguments& named,
 }
 
 RelaxFaces relax_shared(const SharedContact& contact) {
-  return [&contact](const FaceSetting& setting,
-                    const SolidRelaxationSettings& settings,
+  return [&contact](const FacetSetting<3>& setting,
+                    const RelaxationSettings& settings,
                     FaceMoments& moments) -> std::vector<double> {
     if (settings.steps == 0) return {};
-    std::vector<int> owner(setting.topology.mesh.cell_count());
+    std::vector<int> owner(setting.body.topology.mesh.cell_count());
     const auto& cells = contact.solid->cell;
     for (int r = 0; r < count_of(cells); ++r)
       for (int t : cells[r]) owner[t] = r;

@@ -178,8 +178,8 @@ VectorXd Team::extended(long factor, const VectorXd& kept) const {
   return factor_of(factor).extended(kept);
 }
 
-std::vector<double> Team::relaxed(const FaceSetting& setting,
-                                  const SolidRelaxationSettings& settings,
+std::vector<double> Team::relaxed(const FacetSetting<3>& setting,
+                                  const RelaxationSettings& settings,
                                   std::vector<int> owner,
                                   FaceMoments& moments) const {
   LeadingRelaxation relaxation(setting, moments, std::move(owner), *processes_);
@@ -212,7 +212,7 @@ Packet Team::served(const Service& service) {
   FactorOrder order;
   std::vector<long> discarded;
   long number = 0;
-  SolidRelaxationSettings settings;
+  RelaxationSettings settings;
   std::unique_ptr<PartRelaxation> relaxation;
   while (true) {
     Packet packet(processes_->receive(0));
@@ -240,7 +240,7 @@ Packet Team::served(const Service& service) {
       case Word::condense: factor_of(packet.take<long>()).condensed({}); break;
       case Word::extend: factor_of(packet.take<long>()).extended({}); break;
       case Word::share:
-        settings = packet.take<SolidRelaxationSettings>();
+        settings = packet.take<RelaxationSettings>();
         relaxation =
             std::make_unique<PartRelaxation>(face_part_in(packet), *processes_);
         answer({});

@@ -71,11 +71,11 @@ class Team {
   /// @}
   /// It goes when the next one is made.
   void discard(long factor) noexcept;
-  /// relax_faces by all.
+  /// relax_facets by all.
   /// @param owner  of each tetrahedron
   /// @throws std::runtime_error  if one of them has no memory for its part
-  std::vector<double> relaxed(const FaceSetting& setting,
-                              const SolidRelaxationSettings& settings,
+  std::vector<double> relaxed(const FacetSetting<3>& setting,
+                              const RelaxationSettings& settings,
                               std::vector<int> owner,
                               FaceMoments& moments) const;
   /// Ends the others' part in a call that fails.

@@ -40,7 +40,7 @@ std::function<void()> estimate(int n) {
   return
       [&body, &system, &solved = bodies.at(n), &topology = topologies.at(n)] {
         EstimateSettings settings;
-        settings.relaxation.sweeps = 2;
+        settings.relaxation.steps = 2;
         const Estimate result =
             estimate_error(topology, body.line, system, solved, settings);
         benchmark::DoNotOptimize(result.e);

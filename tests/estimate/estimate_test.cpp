@@ -455,7 +455,7 @@ TEST(Estimate, tells_of_every_sweep) {
   const Problem problem = example_1(Multiplier::force, 8);
   std::vector<Progress> told;
   EstimateSettings settings = sweeps(3);
-  settings.relaxation.report = [&](const Progress& p) { told.push_back(p); };
+  settings.report = [&](const Progress& p) { told.push_back(p); };
   const Estimate estimate = estimated(problem, solved(problem), settings);
   ASSERT_EQ(told.size(), 4u);
   EXPECT_STREQ(told[0].phase, "admissible fields");
@@ -517,7 +517,7 @@ TEST(Estimate, refuses_what_does_not_fit) {
                    }),
                    "triangle 2 is not symmetric"));
   EXPECT_TRUE(says(refusal_of([](SolvedBody&, EstimateSettings& s) {
-                     s.relaxation.sweeps = -1;
+                     s.relaxation.steps = -1;
                    }),
                    "sweeps must not be negative"));
   EXPECT_TRUE(

@@ -50,7 +50,7 @@ RC_GTEST_PROP(Slivers, keep_equilibrium_and_cone, (Random random)) {
 /// 5 % where it is still four times as large, after 64 steps by up to 2 %.
 RC_GTEST_PROP(Slivers, do_not_depend_on_numbers, (Random random)) {
   const SolidMesh mesh = slivers(random);
-  const SolidRelaxationSettings many{64};
+  const RelaxationSettings many{64};
   const SolidEstimate first = estimate(
                           block_problem(mesh, BlockCase::shear, 0.5), many),
                       second = estimate(block_problem(shuffled(mesh, random),

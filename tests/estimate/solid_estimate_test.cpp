@@ -343,7 +343,7 @@ double contact_of_turned_plate(double angle, double gap) {
   problem.move(low_x, [](const Vector3d&) { return Vector3d(0, 0, 0); });
   problem.load(high_z, R * Vector3d(0.5, 0.3, -5));
   problem.law.gap = VectorXd::Constant(problem.surface.node_count(), gap);
-  SolidRelaxationSettings settings;
+  RelaxationSettings settings;
   settings.steps = 0;
   return estimate(problem, settings).contact;
 }
@@ -364,7 +364,7 @@ RC_GTEST_PROP(SolidEstimate, does_not_depend_on_numbers, (Random random)) {
   const SolidProblem first = block_problem(mesh, BlockCase::shear, 0.5),
                      second = block_problem(shuffled(mesh, random),
                                             BlockCase::shear, 0.5);
-  SolidRelaxationSettings unrelaxed;
+  RelaxationSettings unrelaxed;
   unrelaxed.steps = 0;
   RC_ASSERT(
       std::abs(estimate(first, unrelaxed).e / estimate(second, unrelaxed).e -
@@ -481,7 +481,7 @@ TEST(SolidEstimate, relaxation_pays_for_friction_that_tractions_do_not_use) {
   const VectorXd u = random_vector(problem.b.size(), random);
   Matrix3d pressed = Matrix3d::Zero();
   pressed.row(0).setConstant(-1);
-  for (const ContactFace& face : contact_faces(
+  for (const ContactFacet<3>& face : contact_faces(
            problem.mesh, problem.faces, problem.surface, problem.law, u)) {
     for (const FrictionCone& cone : face.cone) EXPECT_EQ(cone.friction, 1e3);
     const double paid = 1e4 * face.slip.sum() - face.work.row(0).sum();

@@ -45,7 +45,7 @@ struct Stressed {
   SolidEstimate found;
 
   Stressed(SolidProblem problem, LinearStresses<3> tau,
-           const SolidRelaxationSettings& settings = {})
+           const RelaxationSettings& settings = {})
       : topology(topology_of(problem.mesh)) {
     const SolidMesh& mesh = problem.mesh;
     for (int t = 0; t < mesh.cell_count(); ++t) {

@@ -607,7 +607,7 @@ Outcome outcome_of(const SolidCase& problem) {
     }
     outcome.finds = solid_solution_finds(problem, solution);
     step = "estimate";
-    SolidRelaxationSettings settings;
+    RelaxationSettings settings;
     settings.steps = problem.steps;
     const SolidEstimate estimate = estimate_error(
         topology_of(problem.mesh), problem.surface, system,

@@ -63,7 +63,7 @@ void judge_estimate(const Case& problem, const Assembled& parts,
                     const ElasticSystem& system,
                     const ContactSolution& solution, Outcome& outcome) {
   EstimateSettings settings;
-  settings.relaxation.sweeps = problem.sweeps;
+  settings.relaxation.steps = problem.sweeps;
   Estimate estimate;
   // What is solved has an estimate, whatever the problem promised, where there is an
   // admissible pair.

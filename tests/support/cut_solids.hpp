@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "ffcontact/equilibrium/tractions/contact_face.hpp"
+#include "ffcontact/equilibrium/tractions/contact_facet.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/topology.hpp"
 #include "support/random.hpp"
@@ -84,11 +84,11 @@ struct CutSolid {
 };
 
 /// A contact face where nothing moves, along x, y, z.
-inline ContactFace face_at_rest(const Topology<3>& topology, int face) {
-  ContactFace contact;
-  contact.face = face;
+inline ContactFacet<3> face_at_rest(const Topology<3>& topology, int face) {
+  ContactFacet<3> contact;
+  contact.facet = face;
   contact.opposite_corner.setZero();
-  contact.area = facet_measure(topology.mesh, topology.facets, face);
+  contact.measure = facet_measure(topology.mesh, topology.facets, face);
   contact.frame.fill(Matrix3d::Identity());
   contact.work.setZero();
   contact.slip.setZero();
@@ -101,7 +101,7 @@ inline ContactFace face_at_rest(const Topology<3>& topology, int face) {
 struct JointSolid {
   JoinedSolids joined;
   Topology<3> topology;
-  std::vector<ContactFace> contact;  ///< at rest
+  std::vector<ContactFacet<3>> contact;  ///< at rest
 
   JointSolid(std::vector<SolidMesh> pieces, const Matrix3Xd& shift) {
     Matrix3Xd before(3, 0);
@@ -125,8 +125,8 @@ struct JointSolid {
         const Matrix3d x = before(Eigen::all, faces.vertices.col(f)),
                        y = before(Eigen::all, faces.vertices.col(g));
         if ((x - y).rowwise().sum().norm() > 1e-6) continue;
-        ContactFace face = face_at_rest(topology, f);
-        face.surface_face = static_cast<int>(contact.size());
+        ContactFacet<3> face = face_at_rest(topology, f);
+        face.index = static_cast<int>(contact.size());
         face.opposite = g;
         for (int k = 0; k < 3; ++k)
           (y.colwise() - x.col(k))

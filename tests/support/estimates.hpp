@@ -3,6 +3,7 @@
 
 #include <omp.h>
 
+#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
@@ -36,7 +37,7 @@ inline SolvedBody solved_body(const Problem& problem,
 inline EstimateSettings sweeps(int count,
                                Tractions tractions = Tractions::free) {
   EstimateSettings settings;
-  settings.relaxation.sweeps = count;
+  settings.relaxation.steps = count;
   settings.tractions = tractions;
   return settings;
 }

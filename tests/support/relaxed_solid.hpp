@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "ffcontact/equilibrium/relaxation/solid_relaxation.hpp"
+#include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "support/cells.hpp"
 #include "support/loaded_solid.hpp"
@@ -17,26 +17,26 @@ struct RelaxedSolid {
   LoadedSolid body;
   FaceTractions boundary;
   LinearStresses<3> stress;
-  FaceSetting setting;
+  FacetSetting<3> setting;
   FaceMoments moments;
 
   explicit RelaxedSolid(LoadedSolid loaded)
       : body(std::move(loaded)),
         boundary(body.boundary()),
         stress(body.computed_stress()),
-        setting{body.topology, body.hooke, boundary, body.body_loads, stress},
+        setting{{body.topology, body.hooke, boundary, body.body_loads, stress}},
         moments(equilibrated_moments(body.topology, stress.mean,
                                      body.body_loads, boundary)) {}
   RelaxedSolid(const RelaxedSolid&) = delete;
 
   std::vector<double> relax(int steps, double tightness = 0) {
-    return relax_faces(setting, {steps, tightness}, moments);
+    return relax_facets<3>(setting, {steps, tightness}, moments);
   }
   double square() const {
     double sum = 0;
     for (int t = 0; t < body.mesh().cell_count(); ++t)
       sum += energy(corners_of(body.mesh(), t), body.hooke[t].inverse(),
-                    difference_stress<3>(setting.loaded(), moments, t));
+                    difference_stress<3>(setting.body, moments, t));
     return sum;
   }
   /// Force or moment over size left on a tetrahedron, relative to the largest load.

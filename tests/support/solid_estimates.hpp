@@ -21,15 +21,15 @@ inline SolvedSolid solved_solid(const SolidProblem& problem,
 
 inline SolidEstimate estimate(const SolidProblem& problem,
                               const SurfaceSolution& solution,
-                              const SolidRelaxationSettings& settings = {},
-                              const RelaxFaces& relax = relax_faces) {
+                              const RelaxationSettings& settings = {},
+                              const RelaxFaces& relax = relax_facets<3>) {
   return estimate_error(topology_of(problem.mesh), problem.surface,
                         problem.system(), solved_solid(problem, solution),
                         settings, relax);
 }
 
 inline SolidEstimate estimate(const SolidProblem& problem,
-                              const SolidRelaxationSettings& settings = {}) {
+                              const RelaxationSettings& settings = {}) {
   return estimate(problem, problem.solve(), settings);
 }
 

@@ -71,17 +71,17 @@ inline std::vector<int> owners(int cells, int processes, bool bands,
   return owner;
 }
 
-/// relax_faces by so many.
+/// relax_facets<3> by so many.
 inline RelaxFaces relaxed_by(int processes, bool bands, unsigned seed) {
-  return [=](const FaceSetting& setting,
-             const SolidRelaxationSettings& settings, FaceMoments& moments) {
+  return [=](const FacetSetting<3>& setting, const RelaxationSettings& settings,
+             FaceMoments& moments) {
     std::mt19937 random(seed);
     Post post;
     const MessagesByPost first(post, 0, processes);
-    LeadingRelaxation leading(
-        setting, moments,
-        owners(setting.topology.mesh.cell_count(), processes, bands, random),
-        first);
+    LeadingRelaxation leading(setting, moments,
+                              owners(setting.body.topology.mesh.cell_count(),
+                                     processes, bands, random),
+                              first);
     std::vector<std::thread> others;
     for (int r = 1; r < processes; ++r)
       others.emplace_back([&, r, part = leading.part_of(r)] {

@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/estimate.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
@@ -13,6 +14,7 @@
 #include "ffcontact/estimate/checks/reason_against.hpp"
 #include "ffcontact/estimate/checks/sound_problem.hpp"
 #include "ffcontact/estimate/displacement/sticking_displacement.hpp"
+#include "ffcontact/estimate/error/contact_edges.hpp"
 #include "ffcontact/estimate/error/error_history.hpp"
 #include "ffcontact/estimate/error/polynomial_norms.hpp"
 #include "ffcontact/estimate/error/wide_cones.hpp"
@@ -31,22 +33,6 @@ struct RelaxedTractions {
   std::vector<double> falls;  ///< of e^2, sweep by sweep
 };
 
-/// Beside the largest stress: admissible pairs are in equilibrium to 1e-10 of it.
-constexpr double rounding_of_traction = 1e-11;
-
-FreeTractions free_tractions(const ContactLine& line, const Compared& compared,
-                             const ContactDensities& densities,
-                             std::vector<int> contact_edge) {
-  const TractionCosts costs =
-      traction_costs(line, compared.law, densities, compared.displacement);
-  for (int& e : contact_edge)
-    if (e >= 0 && stays_unloaded(line, compared, densities, costs, e)) e = -1;
-  const double largest =
-      std::max(largest_traction(densities), max_norm(compared.stress.mean));
-  return {densities, costs.normal, costs.tangential, std::move(contact_edge),
-          rounding_of_traction * largest};
-}
-
 RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
                          FirstTractions first, const EstimateSettings& settings,
                          const VectorXd& u_hat, bool contact_is_free) {
@@ -55,23 +41,22 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
   const SolvedBody& body = bodies.body();
   const ContactDensities& densities = first.contact.densities;
   const BoundaryTractions boundary = bodies.boundary_with(densities);
-  const std::vector<int> contact_edge = contact_edge_numbers(line, edges);
-  const std::vector<FreeSpring> springs =
-      free_springs(mesh, edges, body.springs, boundary, contact_edge, u_hat,
-                   bodies.spring_tractions());
+  const std::vector<FreeSpring> springs = free_springs(
+      mesh, edges, body.springs, boundary, contact_edge_numbers(line, edges),
+      u_hat, bodies.spring_tractions());
   const BoundaryTractions without_springs = released(boundary, springs);
 
-  RelaxedTractions result{std::move(first.moments), {}, {}};
-  FreeTractions tractions =
-      free_tractions(line, compared, densities, contact_edge);
-  FreeContact contact{line, body.law, tractions,
-                      tool_work(mesh, line, body).fields};
-  result.falls = relax_stars(
-      {bodies.topology(), body.hooke, without_springs,
-       compared.body_loads(body), compared.stress, terms_of(springs)},
-      settings.relaxation, result.moments,
-      contact_is_free ? &contact : nullptr);
-  result.contact = std::move(tractions.densities);
+  FacetSetting<2> setting{{bodies.topology(), body.hooke, without_springs,
+                           compared.body_loads(body), compared.stress,
+                           terms_of(springs)}};
+  if (contact_is_free)
+    setting.contact = contact_edges(line, compared.law, compared.displacement,
+                                    densities, boundary);
+  setting.kept_work = tool_work(mesh, line, body).fields;
+  setting.report = settings.report;
+  RelaxedTractions result{std::move(first.moments), densities, {}};
+  result.falls = relax_facets<2>(setting, settings.relaxation, result.moments);
+  put_tractions(setting.contact, result.moments, result.contact);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
   add_spring_changes(mesh, edges, springs, boundary, result.moments,
@@ -174,49 +159,63 @@ double stress_scale(const MatchedBodies& bodies, const Compared& compared,
                                                   estimate.displacement)});
 }
 
+/// Beside the largest stress; what tractions miss of the work along a tool counts as missing
+/// on the boundary.
+EquilibriumDefect relative_defect(const MatchedBodies& bodies,
+                                  EquilibriumDefect defect, double scale,
+                                  const ContactDensities& tractions) {
+  const ToolWork work =
+      tool_work(bodies.topology().mesh, bodies.line(), bodies.body());
+  defect.boundary =
+      std::max(defect.boundary, tool_defect(bodies.line(), work, tractions));
+  return defect.relative_to(scale > 0 ? scale : 1);
+}
+
+std::string reason_of(const MatchedBodies& bodies, int deepest_node,
+                      const BetweenNodes& found, Construction construction,
+                      const Estimate& estimate) {
+  const auto& [mesh, edges, ridges, stars] = bodies.topology();
+  const ContactLine& line = bodies.line();
+  return reason_against(
+      estimate,
+      {mesh.place(line.vertex[deepest_node]),
+       middle_of(mesh, edges, line.edge[found.turned_facet]),
+       middle_of(mesh, edges, line.edge[found.negative_facet])},
+      construction, estimate.unmended.size());
+}
+
 /// What the theory promises, measured.
 void judge(const MatchedBodies& bodies, const Compared& compared,
            const StressNorms<2>& norms, Construction construction,
            Estimate& estimate) {
-  const auto& [mesh, edges, ridges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
   const SolvedBody& body = bodies.body();
   const VectorXd& u_hat = estimate.displacement;
-  const double scale = stress_scale(bodies, compared, norms.largest, estimate);
-  estimate.equilibrium = norms.defect.relative_to(scale > 0 ? scale : 1);
-  const double of_tool =
-      tool_defect(line, tool_work(mesh, line, body), estimate.tractions);
-  if (of_tool > 0)
-    estimate.equilibrium.boundary =
-        std::max(estimate.equilibrium.boundary, of_tool / scale);
+  const double scale = stress_scale(bodies, compared, norms.largest, estimate),
+               moved = max_norm(body.displacement);
+  estimate.equilibrium =
+      relative_defect(bodies, norms.defect, scale, estimate.tractions);
   estimate.cone = cone_defect(line, body.law, estimate.tractions) *
                   share_of_contact(estimate.tractions, compared.stress);
   const PenetrationDefect penetration =
-      penetration_defect(line, body.law, u_hat, max_norm(body.displacement));
+      penetration_defect(line, body.law, u_hat, moved);
   estimate.penetration = penetration.value;
   const BetweenNodes found =
       between_nodes(line, body.law, estimate.tractions, u_hat);
-  const double displacement = std::max(max_norm(body.displacement),
-                                       largest_displacement(body.law, u_hat));
-  put_between_nodes(
-      found,
-      std::max(scale, largest_traction(estimate.tractions)) * displacement,
-      estimate);
+  put_between_nodes(found,
+                    std::max(scale, largest_traction(estimate.tractions)) *
+                        std::max(moved, largest_displacement(body.law, u_hat)),
+                    estimate);
   estimate.reason =
-      reason_against(estimate,
-                     {mesh.place(line.vertex[penetration.node]),
-                      middle_of(mesh, edges, line.edge[found.turned_facet]),
-                      middle_of(mesh, edges, line.edge[found.negative_facet])},
-                     construction, estimate.unmended.size());
+      reason_of(bodies, penetration.node, found, construction, estimate);
   estimate.admissible = estimate.reason.empty();
 }
 
 /// Steps 1 to 6 of the estimate.
 Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
                      const EstimateSettings& settings) {
-  tell(settings.relaxation.report,
-       {"admissible fields", 0, "dofs",
-        static_cast<double>(solved.system.dof_count())});
+  tell(settings.report, {"admissible fields", 0, "dofs",
+                         static_cast<double>(solved.system.dof_count())});
   // Facing traces that match, by cutting where they do not.
   MatchedBodies bodies(solved);
   Estimate estimate;

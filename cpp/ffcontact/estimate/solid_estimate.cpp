@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/parted_sum.hpp"
@@ -30,12 +31,15 @@ namespace ffcontact {
 
 namespace {
 
+FaceTractions given_of(const SolvedSolidProblem& solved) {
+  return given_tractions(solved.topology.mesh, solved.topology.facets,
+                         solved.system.prescribed, solved.body.neumann);
+}
+
 /// Loads on supports are felt by nothing.
 bool has_loads(const SolvedSolidProblem& solved) {
-  const auto& [topology, surface, system, body] = solved;
-  const FaceTractions given = given_tractions(topology.mesh, topology.facets,
-                                              system.prescribed, body.neumann);
-  return !given.moments.isZero(0) || !body.body_loads.isZero(0);
+  return !given_of(solved).moments.isZero(0) ||
+         !solved.body.body_loads.isZero(0);
 }
 
 /// Stresses of u_h and the forces beside them, 0 where they are rounding.
@@ -62,41 +66,41 @@ struct SolidStresses {
 };
 
 /// |w_t| on a face, where it has one direction.
-double mean_slip(const ContactFace& face) {
-  return 3 * max_norm(face.slip) / face.area;
+double mean_slip(const ContactFacet<3>& face) {
+  return 3 * max_norm(face.slip) / face.measure;
 }
 
 /// Does a face without tractions stay without, as outweighs_all_gains says?
-bool stays_unloaded(const SolvedSolidProblem& solved, const ContactFace& face,
+bool stays_unloaded(const SolvedSolidProblem& solved,
+                    const ContactFacet<3>& face,
                     const SolidEstimate& estimate) {
   const SurfaceLaw& law = solved.body.law;
-  const Vector3i nodes = solved.surface.face_node.col(face.surface_face);
+  const Vector3i nodes = solved.surface.face_node.col(face.index);
   return law.slip_bound.size() == 0 &&
          estimate.tractions(Eigen::all, nodes).isZero(0) &&
          outweighs_all_gains(law.friction(nodes).minCoeff(), mean_slip(face),
                              max_norm(estimate.displacement));
 }
 
-/// The contact faces whose tractions are relaxed: those that carry nothing beside.
-std::vector<ContactFace> relaxed_faces(const SolvedSolidProblem& solved,
-                                       const SolidEstimate& estimate) {
+/// The contact faces whose tractions are relaxed.
+/// @param given  tractions beside those of contact
+std::vector<ContactFacet<3>> relaxed_faces(const SolvedSolidProblem& solved,
+                                           const FaceTractions& given,
+                                           const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
-  std::vector<ContactFace> relaxed;
-  for (const ContactFace& face :
+  std::vector<ContactFacet<3>> relaxed;
+  for (ContactFacet<3>& face :
        contact_faces(topology.mesh, topology.facets, surface, body.law,
                      estimate.displacement)) {
-    const auto given =
-        body.neumann.col(topology.facets.boundary_index[face.face]);
-    const bool is_free = face.opposite < 0 || given.isZero(0);
-    if (is_free && !stays_unloaded(solved, face, estimate))
-      relaxed.push_back(face);
+    face.beside = given.moments.col(face.facet);
+    if (!stays_unloaded(solved, face, estimate)) relaxed.push_back(face);
   }
   return relaxed;
 }
 
 /// r_hat on all faces of the surface and on the boundary, relaxed where it may be.
 void put_relaxed(const SolvedSolidProblem& solved,
-                 const std::vector<ContactFace>& contact,
+                 const std::vector<ContactFacet<3>>& contact,
                  FaceMoments& on_boundary, SolidEstimate& estimate) {
   const SurfaceTractions relaxed = tractions_of(contact, estimate.moments);
   estimate.face_tractions =
@@ -107,7 +111,7 @@ void put_relaxed(const SolvedSolidProblem& solved,
 
 /// The contact part of e^2 on each face of the surface.
 VectorXd contact_part_of(const SolvedSolidProblem& solved,
-                         const std::vector<ContactFace>& contact,
+                         const std::vector<ContactFacet<3>>& contact,
                          const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
   const VectorXi relaxed = surface_faces(contact);
@@ -122,7 +126,7 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
 }
 
 /// (2.11) to (2.13).
-void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
+void put_error(const SolvedSolidProblem& solved, const FacetSetting<3>& setting,
                const StressNorms<3>& norms, const std::vector<double>& falls,
                SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
@@ -146,7 +150,7 @@ void put_error(const SolvedSolidProblem& solved, const FaceSetting& setting,
 /// Does e pay for next to nothing but friction without bound on what the displacements of
 /// surfaces that do not match differ by between their nodes? No u_hat sticks there.
 bool pays_for_rough_faces(const SolvedSolidProblem& solved,
-                          const std::vector<ContactFace>& matching,
+                          const std::vector<ContactFacet<3>>& matching,
                           const SolidEstimate& estimate) {
   constexpr double nearly_all = 0.99;
   const ContactSurface& surface = solved.surface;
@@ -156,49 +160,76 @@ bool pays_for_rough_faces(const SolvedSolidProblem& solved,
          estimate.contact > nearly_all * estimate.e * estimate.e;
 }
 
-/// What the theory promises, measured.
-void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
-           const std::vector<ContactFace>& contact, const StressNorms<3>& norms,
-           SolidEstimate& estimate) {
+/// What stresses and tractions are large beside [MPa].
+double stress_scale(const SolvedSolidProblem& solved,
+                    const SolidStresses& stress, const StressNorms<3>& norms,
+                    const SolidEstimate& estimate) {
+  const double largest =
+      std::max({max_norm(stress.computed), norms.largest,
+                least_part_of_terms * stress.terms,
+                largest_traction(solved.topology.mesh, solved.topology.facets,
+                                 estimate.moments)});
+  return largest > 0 ? largest : 1;
+}
+
+/// Out of the cone, at the nodes and on relaxed faces [MPa].
+double cone_violation(const SolvedSolidProblem& solved,
+                      const std::vector<ContactFacet<3>>& contact,
+                      const SolidEstimate& estimate) {
+  return std::max(
+      cone_violation(solved.body.law, solved.surface, estimate.tractions),
+      cone_violation(contact, estimate.face_tractions(Eigen::all,
+                                                      surface_faces(contact))));
+}
+
+/// Why the pair is not admissible, or nothing.
+std::string reason_of(const SolvedSolidProblem& solved,
+                      const std::vector<ContactFacet<3>>& contact,
+                      const DeepestNode& deepest, const BetweenNodes& found,
+                      const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
-  const double largest = std::max(
-      {max_norm(stress.computed), norms.largest,
-       least_part_of_terms * stress.terms,
-       largest_traction(topology.mesh, topology.facets, estimate.moments)});
-  const double scale = largest > 0 ? largest : 1;
-  estimate.equilibrium = norms.defect.relative_to(scale);
-  estimate.cone =
-      std::max(
-          cone_violation(body.law, surface, estimate.tractions),
-          cone_violation(contact, estimate.face_tractions(
-                                      Eigen::all, surface_faces(contact)))) /
-      scale;
-  const BetweenNodes found =
-      between_nodes(topology.facets, surface, body.law, estimate.face_tractions,
-                    estimate.displacement);
-  put_between_nodes(found,
-                    scale * largest_displacement(body.law, body.displacement),
-                    estimate);
-  const DeepestNode deepest =
-      deepest_node(topology.facets, surface, body.law, estimate.displacement);
-  if (deepest.depth > 0)
-    estimate.penetration =
-        deepest.depth / largest_displacement(body.law, body.displacement);
   const auto middle = [&solved](int facet) {
     return middle_of(solved.topology.mesh, solved.topology.facets,
                      solved.surface.face[facet]);
   };
-  estimate.reason = reason_against(
+  const std::string reason = reason_against(
       estimate, {topology.mesh.place(surface.vertex[deepest.node]),
                  middle(found.turned_facet), middle(found.negative_facet)});
-  if (estimate.reason.empty() &&
-      pays_for_rough_faces(solved, contact, estimate))
-    estimate.reason =
-        "e pays friction= times what the displacements of surfaces whose "
-        "meshes do not match differ by between their nodes: where nothing "
-        "slips make the meshes match, or give friction= no larger than the "
-        "contact needs";
+  if (reason.empty() && pays_for_rough_faces(solved, contact, estimate))
+    return "e pays friction= times what the displacements of surfaces whose "
+           "meshes do not match differ by between their nodes: where nothing "
+           "slips make the meshes match, or give friction= no larger than the "
+           "contact needs";
+  return reason;
+}
+
+/// What the theory promises, measured.
+void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
+           const std::vector<ContactFacet<3>>& contact,
+           const StressNorms<3>& norms, SolidEstimate& estimate) {
+  const auto& [topology, surface, system, body] = solved;
+  const double scale = stress_scale(solved, stress, norms, estimate),
+               moved = largest_displacement(body.law, body.displacement);
+  estimate.equilibrium = norms.defect.relative_to(scale);
+  estimate.cone = cone_violation(solved, contact, estimate) / scale;
+  const BetweenNodes found =
+      between_nodes(topology.facets, surface, body.law, estimate.face_tractions,
+                    estimate.displacement);
+  put_between_nodes(found, scale * moved, estimate);
+  const DeepestNode deepest =
+      deepest_node(topology.facets, surface, body.law, estimate.displacement);
+  if (deepest.depth > 0) estimate.penetration = deepest.depth / moved;
+  estimate.reason = reason_of(solved, contact, deepest, found, estimate);
   estimate.admissible = estimate.reason.empty();
+}
+
+/// sigma, of u_hat.
+LinearStresses<3> stress_beside(const SolvedSolidProblem& solved,
+                                const SolidStresses& stress,
+                                const SolidEstimate& estimate) {
+  if (stress.unstressed) return LinearStresses<3>(stress.computed);
+  return total_stresses(solved.topology.mesh, solved.body,
+                        estimate.displacement);
 }
 
 }  // namespace
@@ -207,7 +238,7 @@ SolidEstimate estimate_error(const Topology<3>& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
                              const SolvedSolid& body,
-                             const SolidRelaxationSettings& settings,
+                             const RelaxationSettings& settings,
                              const RelaxFaces& relax) {
   const SolvedSolidProblem given{topology, surface, system, body};
   require_sound(given, settings);
@@ -227,9 +258,7 @@ SolidEstimate estimate_error(const Topology<3>& topology,
       solved, admissible_displacement(topology.facets, surface, body.law,
                                       body.displacement, system.prescribed));
   const LinearStresses<3> of_displacement =
-      stress.unstressed
-          ? LinearStresses<3>(stress.computed)
-          : total_stresses(topology.mesh, body, estimate.displacement);
+      stress_beside(solved, stress, estimate);
 
   // 2., 3. Contact tractions in the cone, face tractions in equilibrium with them.
   FirstSurfaceTractions first =
@@ -242,16 +271,17 @@ SolidEstimate estimate_error(const Topology<3>& topology,
   if (of_displacement.varies())
     other_loads =
         difference_body_loads(topology.mesh, body.body_loads, of_displacement);
-  const FaceSetting setting{
-      topology,        body.hooke,
-      first.boundary,  of_displacement.varies() ? other_loads : body.body_loads,
-      of_displacement, relaxed_faces(solved, estimate)};
+  const FacetSetting<3> setting{
+      {topology, body.hooke, first.boundary,
+       of_displacement.varies() ? other_loads : body.body_loads,
+       of_displacement},
+      relaxed_faces(solved, given_of(solved), estimate)};
   const std::vector<double> falls = relax(setting, settings, estimate.moments);
   put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const StressNorms<3> norms =
-      stress_norms<3>({setting.loaded(), estimate.moments, body.body_loads});
+      stress_norms<3>({setting.body, estimate.moments, body.body_loads});
   put_error(solved, setting, norms, falls, estimate);
   estimate.oscillation = traction_oscillation(
       topology.mesh, topology.facets, surface, body.hooke, estimate.tractions);

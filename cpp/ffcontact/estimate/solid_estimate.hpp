@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/relaxation/solid_relaxation.hpp"
+#include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 #include "ffcontact/estimate/bodies/solved_solid.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/error/pair_error.hpp"
@@ -47,8 +47,8 @@ SolidEstimate estimate_error(const Topology<3>& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
                              const SolvedSolid& body,
-                             const SolidRelaxationSettings& settings = {},
-                             const RelaxFaces& relax = relax_faces);
+                             const RelaxationSettings& settings = {},
+                             const RelaxFaces& relax = relax_facets<3>);
 
 /// sigma_hat at the corners of the subtetrahedra of one tetrahedron [MPa].
 SubcellStress<3> stress_of(const Topology<3>& topology,

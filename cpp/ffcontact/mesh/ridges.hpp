@@ -29,17 +29,20 @@ struct Ridges {
   }
 };
 
-/// From one end of an edge to the other, and halfway [mm].
+/// From one end of an edge to the other [mm].
 inline Vector3d edge_vector(const SolidMesh& mesh, const Ridges<3>& edges,
                             int edge) {
   return mesh.vertices.col(edges.vertices(1, edge)) -
          mesh.vertices.col(edges.vertices(0, edge));
 }
-inline Vector3d edge_middle(const SolidMesh& mesh, const Ridges<3>& edges,
-                            int edge) {
-  return (mesh.vertices.col(edges.vertices(0, edge)) +
-          mesh.vertices.col(edges.vertices(1, edge))) /
-         2;
+/// A vertex itself, or halfway between the ends of an edge [mm].
+template <int dim>
+VectorOf<dim> ridge_middle(const SimplexMesh<dim>& mesh,
+                           const Ridges<dim>& ridges, int ridge) {
+  VectorOf<dim> sum = mesh.vertices.col(ridges.vertices(0, ridge));
+  for (int k = 1; k < dim - 1; ++k)
+    sum += mesh.vertices.col(ridges.vertices(k, ridge));
+  return sum / (dim - 1);
 }
 
 /// @throws std::invalid_argument  if the body touches itself in a single ridge: more than

@@ -7,21 +7,21 @@ namespace ffcontact {
 
 namespace {
 
-std::vector<int> cells_of(const FaceSetting& setting) {
-  const Topology<3>& topology = setting.topology;
+std::vector<int> cells_of(const FacetSetting<3>& setting) {
+  const FacetTopology<3>& topology = setting.body.topology;
   Flags edge(topology.ridges.count(), 0);
-  for (const ContactFace& contact : setting.contact)
-    for (int face : {contact.face, contact.opposite})
+  for (const ContactFacet<3>& contact : setting.contact)
+    for (int face : {contact.facet, contact.opposite})
       for (int k = 0; k < 3 && face >= 0; ++k)
         edge[topology.ridges.of_facet(k, face)] = 1;
   return cells_at(topology, edge);
 }
 
 /// With the numbers of their faces in a part.
-std::vector<ContactFace> in_part(std::vector<ContactFace> contact,
-                                 const std::vector<int>& faces) {
-  for (ContactFace& face : contact) {
-    face.face = place_in(faces, face.face);
+std::vector<ContactFacet<3>> in_part(std::vector<ContactFacet<3>> contact,
+                                     const std::vector<int>& faces) {
+  for (ContactFacet<3>& face : contact) {
+    face.facet = place_in(faces, face.facet);
     if (face.opposite >= 0) face.opposite = place_in(faces, face.opposite);
   }
   return contact;
@@ -29,11 +29,11 @@ std::vector<ContactFace> in_part(std::vector<ContactFace> contact,
 
 }  // namespace
 
-ContactLayer::ContactLayer(const FaceSetting& setting,
+ContactLayer::ContactLayer(const FacetSetting<3>& setting,
                            const FaceMoments& moments)
     : of_(setting_of(setting, moments, cells_of(setting))),
-      contact_(in_part(setting.contact, of_.part.face)),
+      own_{of_.body(), in_part(setting.contact, of_.part.face)},
       forms_(of_.part.topology, of_.hooke),
-      pass_(of_.part.topology, of_.boundary, forms_, contact_, of_.moments) {}
+      pass_(own_, forms_, of_.moments) {}
 
 }  // namespace ffcontact

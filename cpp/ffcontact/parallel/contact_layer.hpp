@@ -8,23 +8,23 @@
 
 namespace ffcontact {
 
-/// A ContactPass by itself: all that it needs are the tetrahedra around the edges of the
+/// A ContactPass<3> by itself: all that it needs are the tetrahedra around the edges of the
 /// contact faces.
 class ContactLayer {
  public:
   /// @param setting  of the whole
-  ContactLayer(const FaceSetting& setting, const FaceMoments& moments);
+  ContactLayer(const FacetSetting<3>& setting, const FaceMoments& moments);
   ContactLayer(const ContactLayer&) = delete;
 
   /// Of the whole, ascending; those of arguments of pass().
   const std::vector<int>& faces() const { return of_.part.face; }
-  ContactRelaxation& pass() { return pass_; }
+  ContactRelaxation<3>& pass() { return pass_; }
 
  private:
   PartSetting of_;
-  std::vector<ContactFace> contact_;
+  FacetSetting<3> own_;
   FacetForms<3> forms_;
-  ContactPass pass_;
+  ContactPass<3> pass_;
 };
 
 }  // namespace ffcontact

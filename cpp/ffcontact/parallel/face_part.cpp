@@ -27,28 +27,28 @@ std::vector<int> places_in(const std::vector<int>& of,
 
 }  // namespace
 
-PartSetting setting_of(const FaceSetting& whole, const FaceMoments& moments,
+PartSetting setting_of(const FacetSetting<3>& whole, const FaceMoments& moments,
                        std::vector<int> cells) {
   PartSetting of;
-  of.part = part_of(whole.topology, std::move(cells));
+  of.part = part_of(whole.body.topology, std::move(cells));
   const std::vector<int>&cell = of.part.cell, &face = of.part.face;
-  for (int t : cell) of.hooke.push_back(whole.hooke[t]);
-  of.boundary.known = whole.boundary.known(Eigen::all, face);
-  of.boundary.moments = whole.boundary.moments(Eigen::all, face);
-  of.body_loads = whole.body_loads(Eigen::all, cell);
-  of.stress = whole.stress.of_cells(cell);
+  for (int t : cell) of.hooke.push_back(whole.body.hooke[t]);
+  of.boundary.known = whole.body.boundary.known(Eigen::all, face);
+  of.boundary.moments = whole.body.boundary.moments(Eigen::all, face);
+  of.body_loads = whole.body.body_loads(Eigen::all, cell);
+  of.stress = whole.body.stress.of_cells(cell);
   of.moments = moments(Eigen::all, face);
   return of;
 }
 
-FaceParts::FaceParts(const FaceSetting& setting, const FaceMoments& moments,
+FaceParts::FaceParts(const FacetSetting<3>& setting, const FaceMoments& moments,
                      std::vector<int> owner, int processes,
                      std::vector<int> contact)
     : setting_(setting),
       moments_(moments),
       owner_(std::move(owner)),
       contact_(std::move(contact)) {
-  const Topology<3>& topology = setting.topology;
+  const FacetTopology<3>& topology = setting.body.topology;
   for (int r = 0; r < processes; ++r) {
     Flags own(topology.mesh.cell_count());
     for (int t = 0; t < count_of(own); ++t) own[t] = owner_[t] == r;
@@ -85,7 +85,7 @@ FacePart FaceParts::part(int process) const {
 }
 
 std::vector<int> FaceParts::counted(int process) const {
-  return numbers_where(setting_.topology.facets.count(),
+  return numbers_where(setting_.body.topology.facets.count(),
                        [&](int f) { return counts(process, f); });
 }
 
@@ -95,7 +95,7 @@ std::vector<int> FaceParts::contact_counted(int process) const {
 }
 
 bool FaceParts::has_side(int process, int face) const {
-  const Vector2i sides = setting_.topology.facets.cells.col(face);
+  const Vector2i sides = setting_.body.topology.facets.cells.col(face);
   return std::any_of(sides.begin(), sides.end(), [&](int cell) {
     return cell >= 0 && has(cells_[process], cell);
   });

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/equilibrium/relaxation/face_setting.hpp"
 #include "ffcontact/equilibrium/relaxation/facet_descent.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/equilibrium/tractions/facet_setting.hpp"
 #include "ffcontact/parallel/topology_part.hpp"
 
 namespace ffcontact {
 
-/// All that a FaceSetting says of some tetrahedra, and moments to start from; contact faces
-/// are known ones.
+/// All that LoadedFacets say of some tetrahedra, and moments to start from.
 struct PartSetting {
   TopologyPart part;
   HookeTensors<3> hooke;
@@ -20,13 +20,13 @@ struct PartSetting {
   LinearStresses<3> stress;
   FaceMoments moments;
 
-  FaceSetting setting() const {
+  LoadedFacets<3> body() const {
     return {part.topology, hooke, boundary, body_loads, stress};
   }
 };
 
 /// @param cells  ascending
-PartSetting setting_of(const FaceSetting& whole, const FaceMoments& moments,
+PartSetting setting_of(const FacetSetting<3>& whole, const FaceMoments& moments,
                        std::vector<int> cells);
 
 /// What one of several processes relaxes, and whom it tells what. Lists of what two
@@ -48,7 +48,7 @@ class FaceParts {
   /// @param setting  stays where it is, as moments
   /// @param owner    the process of each tetrahedron
   /// @param contact  the faces of the contact layer, ascending
-  FaceParts(const FaceSetting& setting, const FaceMoments& moments,
+  FaceParts(const FacetSetting<3>& setting, const FaceMoments& moments,
             std::vector<int> owner, int processes, std::vector<int> contact);
 
   int count() const { return count_of(cells_); }
@@ -61,12 +61,12 @@ class FaceParts {
 
  private:
   bool counts(int process, int face) const {
-    return owner_[setting_.topology.facets.cells(0, face)] == process;
+    return owner_[setting_.body.topology.facets.cells(0, face)] == process;
   }
   /// Is a cell beside the face one of the process's, its halo included?
   bool has_side(int process, int face) const;
 
-  const FaceSetting& setting_;
+  const FacetSetting<3>& setting_;
   const FaceMoments& moments_;
   std::vector<int> owner_, contact_;
   std::vector<std::vector<int>> cells_;  ///< of each process, its halo included

@@ -11,19 +11,22 @@ namespace {
 
 using Number = Matrix<double, 1, 1>;
 
+void send_to_others(const Messages& messages, const Number& number) {
+  for (int r = 1; r < messages.count(); ++r) send_numbers(messages, r, number);
+}
+
 /// A number that process 0 has, on all.
 double told(const Messages& messages, double of_leader) {
   Number number(of_leader);
   if (messages.rank() > 0)
     receive_numbers(messages, 0, number);
   else
-    for (int r = 1; r < messages.count(); ++r)
-      send_numbers(messages, r, number);
+    send_to_others(messages, number);
   return number[0];
 }
 
 /// Passes that process 0 makes in the contact layer, from what all have there.
-class LedContact : public ContactRelaxation {
+class LedContact : public ContactRelaxation<3> {
  public:
   LedContact(const FaceParts& parts, const FacePart& own, ContactLayer& layer,
              const Messages& messages)
@@ -74,7 +77,7 @@ class LedContact : public ContactRelaxation {
 };
 
 /// Passes that process 0 makes.
-class FollowedContact : public ContactRelaxation {
+class FollowedContact : public ContactRelaxation<3> {
  public:
   FollowedContact(const FacePart& own, const Messages& messages)
       : own_(own), messages_(messages) {}
@@ -130,9 +133,8 @@ void HaloExchange::complete(FacetImages<3>& images) const {
 
 PartRelaxation::PartRelaxation(FacePart part, const Messages& messages)
     : part_(std::move(part)),
-      setting_(part_.of.setting()),
       exchange_(part_, messages),
-      descent_(setting_.loaded(), part_.of.moments, part_.share, exchange_) {}
+      descent_(part_.of.body(), part_.of.moments, part_.share, exchange_) {}
 
 Matrix9Xd PartRelaxation::corrections() {
   std::vector<int> counted;
@@ -141,7 +143,7 @@ Matrix9Xd PartRelaxation::corrections() {
   return descent_.corrections()(Eigen::all, counted);
 }
 
-LeadingRelaxation::LeadingRelaxation(const FaceSetting& setting,
+LeadingRelaxation::LeadingRelaxation(const FacetSetting<3>& setting,
                                      const FaceMoments& moments,
                                      std::vector<int> owner,
                                      const Messages& messages)
@@ -155,8 +157,8 @@ void LeadingRelaxation::prepare() {
   own_ = std::make_unique<PartRelaxation>(parts_.part(0), messages_);
 }
 
-std::vector<double> LeadingRelaxation::relax(
-    const SolidRelaxationSettings& settings, FaceMoments& moments) {
+std::vector<double> LeadingRelaxation::relax(const RelaxationSettings& settings,
+                                             FaceMoments& moments) {
   LedContact contact(parts_, own_->part(), layer_, messages_);
   const std::vector<double> falls = own_->relax(contact, settings);
   Matrix9Xd corrections(9, moments.cols());
@@ -168,14 +170,15 @@ std::vector<double> LeadingRelaxation::relax(
     receive_numbers(messages_, r, of_part);
     corrections(Eigen::all, counted) = of_part;
   }
-  add_corrections<3>(setting_.topology,
-                     without_contact(setting_.boundary.known, setting_.contact),
-                     corrections, moments);
+  add_corrections<3>(
+      setting_.body.topology,
+      without_contact<3>(setting_.body.boundary.known, setting_.contact),
+      corrections, moments);
   return falls;
 }
 
 void follow(PartRelaxation& relaxation, const Messages& messages,
-            const SolidRelaxationSettings& settings) {
+            const RelaxationSettings& settings) {
   FollowedContact contact(relaxation.part(), messages);
   relaxation.relax(contact, settings);
   send_numbers(messages, 0, relaxation.corrections());

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "ffcontact/equilibrium/relaxation/solid_relaxation.hpp"
+#include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 #include "ffcontact/parallel/contact_layer.hpp"
 #include "ffcontact/parallel/messages.hpp"
 
-/// relax_faces by several processes: each has the forms and the factors of its part,
+/// relax_facets by several processes: each has the forms and the factors of its part,
 /// process 0 the contact besides. The answer does not depend on their number but for the
 /// rounding of sums.
 namespace ffcontact {
@@ -35,16 +35,15 @@ class PartRelaxation {
   PartRelaxation(const PartRelaxation&) = delete;
 
   const FacePart& part() const { return part_; }
-  std::vector<double> relax(ContactRelaxation& contact,
-                            const SolidRelaxationSettings& settings) {
-    return ffcontact::relax(descent_, contact, settings);
+  std::vector<double> relax(ContactRelaxation<3>& contact,
+                            const RelaxationSettings& settings) {
+    return ffcontact::relax<3>(descent_, contact, settings);
   }
   /// (w, y) of the faces that it counts, in their order.
   Matrix9Xd corrections();
 
  private:
   FacePart part_;
-  FaceSetting setting_;
   HaloExchange exchange_;
   FacetDescent<3> descent_;
 };
@@ -55,18 +54,18 @@ class LeadingRelaxation {
   /// @param setting   of the whole, as moments; it stays where it is
   /// @param owner     the process of each tetrahedron
   /// @param messages  stays where it is
-  LeadingRelaxation(const FaceSetting& setting, const FaceMoments& moments,
+  LeadingRelaxation(const FacetSetting<3>& setting, const FaceMoments& moments,
                     std::vector<int> owner, const Messages& messages);
 
   FacePart part_of(int process) const { return parts_.part(process); }
   /// Makes its own part ready.
   void prepare();
-  /// As relax_faces, while the others follow.
-  std::vector<double> relax(const SolidRelaxationSettings& settings,
+  /// As relax_facets, while the others follow.
+  std::vector<double> relax(const RelaxationSettings& settings,
                             FaceMoments& moments);
 
  private:
-  const FaceSetting& setting_;
+  const FacetSetting<3>& setting_;
   const Messages& messages_;
   ContactLayer layer_;
   FaceParts parts_;
@@ -75,6 +74,6 @@ class LeadingRelaxation {
 
 /// Any other process, while process 0 leads.
 void follow(PartRelaxation& relaxation, const Messages& messages,
-            const SolidRelaxationSettings& settings);
+            const RelaxationSettings& settings);
 
 }  // namespace ffcontact

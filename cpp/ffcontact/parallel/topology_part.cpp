@@ -90,8 +90,8 @@ int place_in(const std::vector<int>& list, int number) {
                           list.begin());
 }
 
-TopologyPart part_of(const Topology<3>& whole, std::vector<int> cells) {
-  const auto& [mesh, faces, edges, stars] = whole;
+TopologyPart part_of(const FacetTopology<3>& whole, std::vector<int> cells) {
+  const auto& [mesh, faces, edges] = whole;
   const Selection chosen(mesh.cell_count(), cells),
       vertices(mesh.vertex_count(), mesh.cells(Eigen::all, cells).reshaped()),
       sides(faces.count(), faces.of_cell(Eigen::all, cells).reshaped());
@@ -104,7 +104,7 @@ TopologyPart part_of(const Topology<3>& whole, std::vector<int> cells) {
   return part;
 }
 
-Flags edges_of_cells(const Topology<3>& topology, const Flags& cell) {
+Flags edges_of_cells(const FacetTopology<3>& topology, const Flags& cell) {
   Flags edge(topology.ridges.count(), 0);
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
     for (int k = 0; k < 4 && cell[t]; ++k)
@@ -113,7 +113,7 @@ Flags edges_of_cells(const Topology<3>& topology, const Flags& cell) {
   return edge;
 }
 
-std::vector<int> cells_at(const Topology<3>& topology, const Flags& edge) {
+std::vector<int> cells_at(const FacetTopology<3>& topology, const Flags& edge) {
   std::vector<int> cells;
   for (int t = 0; t < topology.mesh.cell_count(); ++t) {
     bool has_one = false;

@@ -21,12 +21,12 @@ struct TopologyPart {
 int place_in(const std::vector<int>& list, int number);
 
 /// @param cells  ascending
-TopologyPart part_of(const Topology<3>& whole, std::vector<int> cells);
+TopologyPart part_of(const FacetTopology<3>& whole, std::vector<int> cells);
 
 /// 1 for each edge of one of these tetrahedra.
-Flags edges_of_cells(const Topology<3>& topology, const Flags& cell);
+Flags edges_of_cells(const FacetTopology<3>& topology, const Flags& cell);
 
 /// The tetrahedra with one of these edges, ascending.
-std::vector<int> cells_at(const Topology<3>& topology, const Flags& edge);
+std::vector<int> cells_at(const FacetTopology<3>& topology, const Flags& edge);
 
 }  // namespace ffcontact

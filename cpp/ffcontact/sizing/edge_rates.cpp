@@ -175,8 +175,8 @@ double room_beside(const Topology<3>& topology, const MeasuredLine& line,
   for (const std::vector<int>& other : lines) {
     if (touch(topology, line.edges, other)) continue;
     for (int e : other)
-      nearest = std::min(
-          nearest, distance_to(topology, line, edge_middle(mesh, edges, e)));
+      nearest = std::min(nearest, distance_to(topology, line,
+                                              ridge_middle<3>(mesh, edges, e)));
   }
   return nearest / 2;
 }

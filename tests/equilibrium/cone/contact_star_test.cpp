@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/cone/contact_star.hpp"
 
-#include "ffcontact/equilibrium/energy/ridge_form.hpp"
+#include "ffcontact/equilibrium/cone/facet_cone.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
-#include "support/cut_solids.hpp"
+#include "support/ridge_groups.hpp"
 
 namespace ffcontact {
 namespace {
@@ -22,9 +22,11 @@ JointSolid one_or_two(std::mt19937& random) {
 struct AnyContact {
   Topology<3> topology;
   FacetForms<3> forms;
-  KnownComponents known;
-  std::vector<ContactFace> contact;
-  std::vector<int> index;
+  FaceTractions boundary;
+  HookeTensors<3> hooke;
+  BodyLoadsOfCells<3> loads;
+  LinearStresses<3> stress;
+  std::vector<ContactFacet<3>> contact;
   std::vector<Matrix3d> tractions;
   double
       scale;  ///< of what moves tractions: a small one leaves most in the cone
@@ -37,10 +39,10 @@ struct AnyContact {
       : topology(solid.topology),
         forms(topology, HookeTensors<3>(topology.mesh.cell_count(),
                                         isotropic<3>(0.5, 0.4))),
-        index(topology.facets.count(), -1),
         scale(random() % 2 ? 1 : 1e-3),
         residual(scale * random_matrix(9, topology.facets.count(), random)) {
     const Facets<3>& faces = topology.facets;
+    KnownComponents& known = boundary.known;
     known.setConstant(3, faces.count(), false);
     const bool free[] = {false, random() % 2 == 0, random() % 2 == 0};
     const int law = static_cast<int>(random() % 4);
@@ -53,12 +55,14 @@ struct AnyContact {
       for (int c = 0; c < 3; ++c) known(c, f) = !(is_high_x && free[c]);
       if (alone && side == low_z) add(face_at_rest(topology, f), law, random);
     }
-    for (const ContactFace& face : solid.contact) add(face, law, random);
+    for (const ContactFacet<3>& face : solid.contact) add(face, law, random);
   }
 
-  void add(ContactFace face, int law, std::mt19937& random) {
-    for (int f : {face.face, face.opposite})
-      if (f >= 0) known.col(f).setConstant(false);
+  FacetSetting<3> setting() const {
+    return {{topology, hooke, boundary, loads, stress}, contact};
+  }
+
+  void add(ContactFacet<3> face, int law, std::mt19937& random) {
     Matrix3d traction;
     for (int i = 0; i < 3; ++i) {
       face.frame[i] << 0, 1, 0, 0, 0, 1, -1, 0, 0;
@@ -76,12 +80,11 @@ struct AnyContact {
     if (law == 1) face.paid[random() % 3].friction = 5;
     Matrix3d w = 0.1 * scale * random_matrix(3, 3, random);
     w.row(0) = -w.row(0).cwiseAbs();
-    face.work = facet_moments_of<3>(w, face.area);
+    face.work = facet_moments_of<3>(w, face.measure);
     Matrix3d slip = Matrix3d::Zero();
     slip.row(0) = w.bottomRows<2>().colwise().norm();
-    face.slip = facet_moments_of<3>(slip, face.area).row(0);
+    face.slip = facet_moments_of<3>(slip, face.measure).row(0);
     face.direction = w.bottomRows<2>().colwise().normalized();
-    index[face.face] = static_cast<int>(contact.size());
     contact.push_back(face);
     tractions.push_back(traction);
   }
@@ -89,7 +92,7 @@ struct AnyContact {
   double term() const {
     double sum = 0;
     for (std::size_t m = 0; m < contact.size(); ++m)
-      sum += contact_term(contact[m], tractions[m]);
+      sum += contact_term<3>(contact[m], tractions[m]);
     return sum;
   }
 };
@@ -97,13 +100,15 @@ struct AnyContact {
 RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
               (Random random)) {
   AnyContact any(random);
-  const Ridges<3>& edges = any.topology.ridges;
+  const FacetSetting<3> setting = any.setting();
+  const FreeContact<3> contact(setting);
+  const KnownComponents known =
+      without_contact<3>(any.boundary.known, any.contact);
   int changed = 0;
-  for (const JointEdge& joint : joint_edges(any.topology, any.contact)) {
-    const ContactStar star(any.topology, joint, any.known, any.forms,
-                           any.contact, any.index);
+  for (const RidgeGroup& group : ridge_groups<3>(any.topology, any.contact)) {
+    const ContactStar<3> star(any.topology, group, contact, any.forms);
     if (!star.is_free()) continue;
-    const VectorXd g = -joint_restricted(any.topology, joint, any.residual);
+    const VectorXd g = -group_restricted<3>(any.topology, group, any.residual);
     const std::vector<Matrix3d> before = any.tractions;
     const double term = any.term();
     const auto change = star.change(g, {0, 1}, any.tractions);
@@ -114,27 +119,21 @@ RC_GTEST_PROP(ContactStar, lowers_what_it_says_inside_the_cone,
     ++changed;
     // e^2 = 2 g'x + x'A x + 2 terms
     const VectorXd& x = change.x;
-    const MatrixXd A = joint_form(any.topology, joint, any.forms);
+    const MatrixXd A = group_form<3>(any.topology, group, any.forms);
     const double fall = -2 * g.dot(x) - x.dot(A * x) - 2 * (any.term() - term);
     RC_ASSERT(std::abs(fall - change.fall) < 1e-9 * (1 + fall));
     RC_ASSERT(change.fall > 0);
     // what is known stays
-    RC_ASSERT((joint_conditions(any.topology, joint, any.known) * x).norm() <
-              1e-9 * (1 + x.norm()));
+    const FaceMoments moments =
+        moments_of_unknowns(any.topology, spread(any.topology, group, x));
+    for (int f = 0; f < moments.cols(); ++f)
+      for (int row = 0; row < 9; ++row)
+        RC_ASSERT(!known(row % 3, f) ||
+                  std::abs(moments(row, f)) < 1e-9 * (1 + x.norm()));
     for (std::size_t m = 0; m < any.contact.size(); ++m) {
-      RC_ASSERT(cone_violation(any.contact[m], any.tractions[m]) < 1e-13);
-      Matrix3d moved = before[m];
-      for (const JointEdge::Part& part : joint.parts)
-        for (int k = 0; k < edges.facet_count(part.edge); ++k) {
-          const int f = edges.facet[edges.facet_start[part.edge] + k];
-          if (f != any.contact[m].face) continue;
-          const Matrix3d corners = any.topology.mesh.vertices(
-              Eigen::all, any.topology.facets.vertices.col(f));
-          const Vector9d moments =
-              wrench_basis<3>(corners) *
-              at_place<3>(any.topology, part.edge, k, part.of(x));
-          moved += traction_of(any.contact[m], moments.reshaped(3, 3));
-        }
+      RC_ASSERT(cone_violation<3>(any.contact[m], any.tractions[m]) < 1e-12);
+      const Matrix3d moved =
+          before[m] + traction_on<3>(any.contact[m], moments);
       RC_ASSERT((moved - any.tractions[m]).norm() < 1e-9);
     }
     // nothing is left for the same star, but for what chords cut off a cone

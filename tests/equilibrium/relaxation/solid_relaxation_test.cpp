@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/equilibrium/relaxation/solid_relaxation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
 #include <set>
 
+#include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 #include "support/relaxed_solid.hpp"
 #include "support/slivers.hpp"
 #include "support/smooth_solid.hpp"
@@ -76,7 +75,7 @@ TEST(SolidRelaxation, ends_at_the_least_energy) {
     slope += to_loads.transpose() *
              facet_slope<3>(
                  x, compliance,
-                 difference_stress<3>(solid.setting.loaded(), solid.moments, t),
+                 difference_stress<3>(solid.setting.body, solid.moments, t),
                  identity);
     balance.middleRows(6 * t, 6) =
         balance_conditions(x).leftCols<36>() * to_loads;
@@ -166,7 +165,7 @@ struct AutomaticSteps {
     exact.nu = nu;
     RelaxedSolid solid(smooth_body(exact, mesh, true));
     const double error = error_of(exact, solid.body, solid.stress.mean);
-    steps = relax_faces(solid.setting, {}, solid.moments).size();
+    steps = relax_facets<3>(solid.setting, {}, solid.moments).size();
     effectivity = std::sqrt(solid.square()) / error;
   }
 };
@@ -198,7 +197,7 @@ TEST(SolidRelaxation, without_a_number_goes_on_while_four_steps_lower_e) {
       e.push_back(std::sqrt(e.back() * e.back() - fall));
     std::size_t last = 16;
     while (last < 32 && e[last] < 0.97 * e[last - 4]) last += 4;
-    EXPECT_EQ(relax_faces(some.setting, {}, some.moments).size(), last);
+    EXPECT_EQ(relax_facets<3>(some.setting, {}, some.moments).size(), last);
     counts.insert(last);
   }
   EXPECT_GT(counts.size(), 2u);
@@ -209,7 +208,7 @@ TEST(SolidRelaxation, has_the_same_digits_on_two_threads) {
   RelaxedSolid one(any_solid(random));
   FaceMoments two = one.moments;
   const std::vector<double> falls = on_threads(2, [&] {
-    return relax_faces(one.setting, {5, 0}, two);
+    return relax_facets<3>(one.setting, {5, 0}, two);
   });
   EXPECT_EQ(one.relax(5), falls);
   EXPECT_EQ(one.moments, two);

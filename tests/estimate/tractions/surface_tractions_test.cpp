@@ -196,7 +196,7 @@ TEST(SurfaceError, of_linear_fields) {
 RC_GTEST_PROP(ContactFaces, moments_and_tractions_are_the_same,
               (Random random)) {
   SolidProblem problem(irregular_solid(random), 0.6);
-  const std::vector<ContactFace> contact =
+  const std::vector<ContactFacet<3>> contact =
       contact_faces(problem.mesh, problem.faces, problem.surface, problem.law,
                     VectorXd::Zero(problem.b.size()));
   SurfaceTractions given = 0.1 * random_matrix(9, contact.size(), random);
@@ -207,14 +207,15 @@ RC_GTEST_PROP(ContactFaces, moments_and_tractions_are_the_same,
   // n is -z, t1 and t2 are x and y: the resultant is that of the moments
   Vector3d force = Vector3d::Zero();
   for (std::size_t m = 0; m < contact.size(); ++m)
-    force += contact[m].area / 3 * given.col(m).reshaped(3, 3).rowwise().sum();
+    force +=
+        contact[m].measure / 3 * given.col(m).reshaped(3, 3).rowwise().sum();
   const Vector3d sum = moments.reshaped(3, moments.size() / 3).rowwise().sum();
   RC_ASSERT((Vector3d(-sum.z(), sum.x(), sum.y()) - force).norm() < 1e-13);
 }
 
 TEST(ContactFaces, cut_off_rounding_alone) {
   SolidProblem problem(brick({1, 1, 1}, {1, 1, 1}), 0.5);
-  const std::vector<ContactFace> contact =
+  const std::vector<ContactFacet<3>> contact =
       contact_faces(problem.mesh, problem.faces, problem.surface, problem.law,
                     VectorXd::Zero(problem.b.size()));
   for (double outside : {1e-14, 1e-6}) {

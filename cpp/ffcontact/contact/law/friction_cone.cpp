@@ -145,18 +145,6 @@ void add_between(const ConesAtEnds& cones, EdgeCone& edge, Index& rows) {
   }
 }
 
-EdgeCone edge_cone(const ConesAtEnds& cones) {
-  EdgeCone result{{cones[0].frictionless(), cones[1].frictionless()},
-                  Matrix<double, Dynamic, 4>::Zero(EdgeCone::most_rows, 4),
-                  VectorXd::Zero(EdgeCone::most_rows)};
-  Index rows = 0;
-  for (int end = 0; end < 2; ++end) add_end(cones[end], end, result, rows);
-  add_between(cones, result, rows);
-  result.C.conservativeResize(rows, Eigen::NoChange);
-  result.d.conservativeResize(rows);
-  return result;
-}
-
 /// How far the way from an inner point to r goes inside the cone, at most 1.
 double part_inside(const EdgeCone& cone, const Vector4d& inner,
                    const Vector4d& r) {
@@ -193,6 +181,18 @@ ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
 ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
                        int edge) {
   return cones(line, law, &EdgeRange::most, edge);
+}
+
+EdgeCone edge_cone(const ConesAtEnds& cones) {
+  EdgeCone result{{cones[0].frictionless(), cones[1].frictionless()},
+                  Matrix<double, Dynamic, 4>::Zero(EdgeCone::most_rows, 4),
+                  VectorXd::Zero(EdgeCone::most_rows)};
+  Index rows = 0;
+  for (int end = 0; end < 2; ++end) add_end(cones[end], end, result, rows);
+  add_between(cones, result, rows);
+  result.C.conservativeResize(rows, Eigen::NoChange);
+  result.d.conservativeResize(rows);
+  return result;
 }
 
 EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {

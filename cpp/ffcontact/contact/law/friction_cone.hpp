@@ -70,6 +70,7 @@ struct EdgeCone {
   Matrix<double, Dynamic, 4> C;
   VectorXd d;
 };
+EdgeCone edge_cone(const ConesAtEnds& cones);
 EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge);
 
 /// Cuts off the rounding of end values r that are in the cone of their edge but for it.

@@ -2,6 +2,7 @@
 #include "ffcontact/equilibrium/cone/contact_pass.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "ffcontact/base/over.hpp"
@@ -13,94 +14,118 @@ namespace ffcontact {
 
 namespace {
 
-/// The faces of all tetrahedra at an edge.
-std::vector<int> faces_near(const Topology<3>& topology,
-                            const JointEdge& joint) {
-  std::vector<int> near;
-  for (const JointEdge::Part& part : joint.parts)
-    for (const Wedge& wedge : wedges_of<3>(topology, part.edge))
-      for (int face : topology.facets.of_cell.col(wedge.cell))
-        near.push_back(face);
-  return near;
+/// The cells at the ridges of a group.
+template <int d>
+std::vector<int> cells_of(const FacetTopology<d>& topology,
+                          const RidgeGroup& group) {
+  std::vector<int> cells;
+  for (int ridge : group.ridge)
+    for (const Wedge& wedge : wedges_of<d>(topology, ridge))
+      cells.push_back(wedge.cell);
+  return cells;
+}
+
+/// Has one of these cells taken a colour?
+bool is_taken(const std::map<int, std::vector<int>>& colours_of_cell,
+              const std::vector<int>& cells, int colour) {
+  return std::any_of(cells.begin(), cells.end(), [&](int cell) {
+    const auto taken = colours_of_cell.find(cell);
+    return taken != colours_of_cell.end() &&
+           std::count(taken->second.begin(), taken->second.end(), colour) > 0;
+  });
 }
 
 }  // namespace
 
-ContactPass::ContactPass(const Topology<3>& topology,
-                         const FaceTractions& boundary,
-                         const FacetForms<3>& forms,
-                         const std::vector<ContactFace>& contact,
-                         const FaceMoments& moments)
-    : topology_(topology), forms_(forms), contact_(contact) {
-  const KnownComponents known = without_contact(boundary.known, contact);
-  std::vector<int> contact_index(topology.facets.count(), -1);
-  for (const ContactFace& face : contact) {
-    contact_index[face.face] = count_of(tractions_);
-    const Matrix3d of_face = moments.col(face.face).reshaped(3, 3);
-    tractions_.push_back(traction_of(face, of_face));
+template <int d>
+ContactPass<d>::ContactPass(const FacetSetting<d>& setting,
+                            const FacetForms<d>& forms,
+                            const FacetColumns<d>& moments)
+    : topology_(setting.body.topology), forms_(forms), contact_(setting) {
+  for (const ContactFacet<d>& facet : contact_.facets()) {
+    tractions_.push_back(traction_on<d>(facet, moments));
+    const int cell = topology_.facets.cells(0, facet.facet);
+    stress_ = std::max(stress_, max_norm(setting.body.stress.mean.col(cell)));
   }
-  for (JointEdge& joint : joint_edges(topology, contact)) {
-    ContactStar star(topology, std::move(joint), known, forms, contact,
-                     contact_index);
-    if (star.is_free()) stars_.push_back(std::move(star));
-  }
+  for (RidgeGroup& group : ridge_groups<d>(topology_, contact_.facets()))
+    stars_.emplace_back(topology_, std::move(group), contact_, forms);
   colour();
 }
 
-/// The lowest colour that no star before it with a face in common has.
-void ContactPass::colour() {
-  std::vector<std::vector<int>> taken(topology_.facets.count());
+/// The lowest colour that no star before it with a cell in common has.
+template <int d>
+void ContactPass<d>::colour() {
+  std::map<int, std::vector<int>> taken;  // of each cell
   for (int s = 0; s < count_of(stars_); ++s) {
-    const std::vector<int> faces = faces_near(topology_, stars_[s].joint());
-    const auto is_taken = [&](int colour) {
-      return std::any_of(faces.begin(), faces.end(), [&](int face) {
-        const std::vector<int>& of_face = taken[face];
-        return std::find(of_face.begin(), of_face.end(), colour) !=
-               of_face.end();
-      });
-    };
+    const std::vector<int> cells = cells_of<d>(topology_, stars_[s].group());
     int colour = 0;
-    while (is_taken(colour)) ++colour;
-    for (int face : faces) taken[face].push_back(colour);
+    while (is_taken(taken, cells, colour)) ++colour;
+    for (int cell : cells) taken[cell].push_back(colour);
     if (colour == count_of(colours_)) colours_.emplace_back();
     colours_[colour].push_back(s);
   }
 }
 
-/// Lets one star change what lies around its edges; returns by how much e^2 fell.
-double ContactPass::relax(const ContactStar& star,
-                          const ContactStar::Scales& scales,
-                          Matrix9Xd& corrections, Matrix9Xd& residual) {
-  const VectorXd g = -joint_restricted(topology_, star.joint(), residual);
-  const ContactStar::Change change = star.change(g, scales, tractions_);
-  if (change.fall == 0) return 0;
-  for (const JointEdge::Part& part : star.joint().parts)
-    add_around<3>(topology_, forms_, part.edge, part.of(change.x), corrections,
-                  residual);
-  return change.fall;
+template <int d>
+typename ContactStar<d>::Scales ContactPass<d>::scales(
+    double least_fall) const {
+  double largest = stress_;
+  for (const MatrixOf<d>& traction : tractions_)
+    largest = std::max(largest, max_norm(traction));
+  return {least_fall, largest};
 }
 
-double ContactPass::pass(double least_fall, Matrix9Xd& corrections,
-                         Matrix9Xd& residual) {
-  ContactStar::Scales scales{least_fall, 0};
-  for (const Matrix3d& traction : tractions_)
-    scales.traction = std::max(scales.traction, max_norm(traction));
-  VectorXd falls = VectorXd::Zero(count_of(stars_));
+/// Of the stars of one colour, all from the same residual.
+template <int d>
+std::vector<typename ContactStar<d>::Change> ContactPass<d>::changes(
+    const std::vector<int>& colour, const typename Star::Scales& scales,
+    const FacetColumns<d>& residual) {
+  std::vector<typename Star::Change> changes(colour.size());
   constexpr std::size_t worth_threads = 64;  // fewer stars than a wait takes
-  for (const std::vector<int>& colour : colours_) {
 #pragma omp parallel for if (colour.size() >= worth_threads)
-    for (std::size_t k = 0; k < colour.size(); ++k)
-      falls[colour[k]] =
-          relax(stars_[colour[k]], scales, corrections, residual);
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    const Star& star = stars_[colour[k]];
+    changes[k] =
+        star.change(-group_restricted<d>(topology_, star.group(), residual),
+                    scales, tractions_);
   }
-  return falls.sum();
+  return changes;
 }
 
-double ContactPass::contact_part() const {
-  const double sum = sum_over(contact_.size(), [&](int m) {
-    return contact_term(contact_[m], tractions_[m]);
+template <int d>
+double ContactPass<d>::pass(double least_fall, FacetColumns<d>& corrections,
+                            FacetColumns<d>& residual) {
+  const typename Star::Scales of_pass = scales(least_fall);
+  double fall = 0;
+  for (const std::vector<int>& colour : colours_) {
+    const auto found = changes(colour, of_pass, residual);
+    for (std::size_t k = 0; k < colour.size(); ++k) {
+      fall += found[k].fall;
+      if (found[k].fall > 0)
+        add(stars_[colour[k]].group(), found[k].x, corrections, residual);
+    }
+  }
+  return fall;
+}
+
+/// Stars of one colour share facets outside their cells: one after the other.
+template <int d>
+void ContactPass<d>::add(const RidgeGroup& group, const VectorXd& x,
+                         FacetColumns<d>& corrections,
+                         FacetColumns<d>& residual) const {
+  for (int k = 0; k < count_of(group.ridge); ++k)
+    add_around<d>(topology_, forms_, group.ridge[k], x(group.of_ridge(k)),
+                  corrections, residual);
+}
+
+template <int d>
+double ContactPass<d>::contact_part() const {
+  const double sum = sum_over(tractions_.size(), [&](int m) {
+    return contact_term<d>(contact_.facets()[m], tractions_[m]);
   });
   return 2 * sum;
 }
+
+template class ContactPass<FFCONTACT_DIMENSION>;
 
 }  // namespace ffcontact

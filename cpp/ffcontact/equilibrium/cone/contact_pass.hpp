@@ -8,40 +8,46 @@
 
 namespace ffcontact {
 
-/// Relaxes contact tractions inside the cone: one after the other, the stars of the edges
-/// with contact faces take what lowers e^2 most (ContactStar). Where faces of two bodies
-/// match (ContactFace::opposite) a star goes through both.
+/// Relaxes contact tractions inside the cone: one after the other, the stars of the ridges
+/// of contact facets take what lowers e^2 most (ContactStar). Where facets of two bodies
+/// match (ContactFacet::opposite) a star goes through both.
 ///
-/// The order is that of the middles of the edges, whatever their numbers.
-/// Stars that have no tetrahedron's face in common are of one colour and change together:
-/// the digits do not depend on the number of threads.
-class ContactPass : public ContactRelaxation {
+/// The order is that of the middles of the ridges, whatever their numbers.
+/// Stars that have no cell in common are of one colour and change together: the digits do
+/// not depend on the number of threads.
+template <int d>
+class ContactPass : public ContactRelaxation<d> {
  public:
-  /// @param boundary  known tractions, those of contact among them
-  /// @param contact   stays where it is; empty: a pass does nothing
-  /// @param moments   of all faces, from which r_hat is taken
-  ContactPass(const Topology<3>& topology, const FaceTractions& boundary,
-              const FacetForms<3>& forms,
-              const std::vector<ContactFace>& contact,
-              const FaceMoments& moments);
+  /// @param setting  stays where it is; without contact facets a pass does nothing
+  /// @param moments  of all facets, from which r_hat is taken
+  ContactPass(const FacetSetting<d>& setting, const FacetForms<d>& forms,
+              const FacetColumns<d>& moments);
+  ContactPass(const ContactPass&) = delete;
 
-  bool is_free() const override { return !contact_.empty(); }
+  bool is_free() const override { return !contact_.facets().empty(); }
   double contact_part() const override;
   /// @param least_fall  what is nothing in a star
-  double pass(double least_fall, Matrix9Xd& corrections,
-              Matrix9Xd& residual) override;
+  double pass(double least_fall, FacetColumns<d>& corrections,
+              FacetColumns<d>& residual) override;
 
  private:
-  void colour();
-  double relax(const ContactStar& star, const ContactStar::Scales& scales,
-               Matrix9Xd& corrections, Matrix9Xd& residual);
+  using Star = ContactStar<d>;
 
-  const Topology<3>& topology_;
-  const FacetForms<3>& forms_;
-  const std::vector<ContactFace>& contact_;
-  std::vector<Matrix3d> tractions_;  ///< r_hat of the contact faces
-  std::vector<ContactStar> stars_;
+  void colour();
+  typename Star::Scales scales(double least_fall) const;
+  std::vector<typename Star::Change> changes(
+      const std::vector<int>& colour, const typename Star::Scales& scales,
+      const FacetColumns<d>& residual);
+  void add(const RidgeGroup& group, const VectorXd& x,
+           FacetColumns<d>& corrections, FacetColumns<d>& residual) const;
+
+  const FacetTopology<d> topology_;
+  const FacetForms<d>& forms_;
+  const FreeContact<d> contact_;
+  typename Star::Tractions tractions_;  ///< r_hat of the contact facets
+  std::vector<Star> stars_;
   std::vector<std::vector<int>> colours_;  ///< the stars of each
+  double stress_ = 0;  ///< the largest in the cells of contact facets [MPa]
 };
 
 }  // namespace ffcontact

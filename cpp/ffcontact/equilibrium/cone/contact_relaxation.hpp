@@ -6,6 +6,7 @@
 namespace ffcontact {
 
 /// What relaxes contact tractions inside the cone between the steps of a descent.
+template <int d>
 class ContactRelaxation {
  public:
   virtual ~ContactRelaxation() = default;
@@ -15,10 +16,10 @@ class ContactRelaxation {
   virtual double contact_part() const = 0;
   /// One pass; returns by how much e^2 fell.
   /// @param least_fall   what is nothing
-  /// @param corrections  unknowns (w, y) of all faces
+  /// @param corrections  unknowns (w, y) of all facets
   /// @param residual     minus half the slope of the elastic part of e^2 by these
-  virtual double pass(double least_fall, Matrix9Xd& corrections,
-                      Matrix9Xd& residual) = 0;
+  virtual double pass(double least_fall, FacetColumns<d>& corrections,
+                      FacetColumns<d>& residual) = 0;
 };
 
 }  // namespace ffcontact

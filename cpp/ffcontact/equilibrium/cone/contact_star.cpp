@@ -4,185 +4,146 @@
 #include <algorithm>
 #include <utility>
 
-#include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/equilibrium/cone/inner_cone.hpp"
-#include "ffcontact/equilibrium/energy/ridge_form.hpp"
-#include "ffcontact/linear/dense/least_squares.hpp"
+#include "ffcontact/equilibrium/cone/facet_cone.hpp"
 #include "ffcontact/linear/minimum/quadratic_minimum.hpp"
-#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Conditions on the corrections of an edge that depend on others but for this part.
-constexpr PivotThreshold dependent_on_others{1e-9};
 /// Tractions outside the cone by this part of the largest are in it but for rounding,
-/// which contact_faces takes off. Less, and the digits of sums say which stars stay.
+/// which is taken off at the end. Less, and the digits of sums say which stars stay.
 constexpr double cone_rounding = 1e-12;
 
-/// Tractions at the vertices of a contact face from its nine unknowns.
-Matrix9d tractions_of_unknowns(const Topology<3>& topology,
-                               const ContactFace& face) {
-  const Matrix3d corners =
-      facet_points(topology.mesh, topology.facets, face.face);
-  Matrix9d tractions = wrench_basis<3>(corners);
-  for (int k = 0; k < 9; ++k)
-    tractions.col(k) =
-        traction_of(face, tractions.col(k).reshaped(3, 3)).reshaped();
-  return tractions;
-}
-
-/// The same of the face at one place around an edge from the outside unknowns of a joint.
-MatrixXd tractions_of_joint(const Topology<3>& topology,
-                            const ContactFace& face,
-                            const JointEdge::Part& part, int place,
-                            const std::vector<int>& outside, int size) {
-  const Matrix9d of_face = tractions_of_unknowns(topology, face);
-  MatrixXd tractions(9, outside.size());
-  for (Index j = 0; j < tractions.cols(); ++j)
-    tractions.col(j) =
-        of_face * at_place<3>(topology, part.edge, place,
-                              part.of(VectorXd::Unit(size, outside[j])));
-  return tractions;
-}
+/// Conditions on tractions that corrections change by less than this part of what they
+/// could are not changed by them.
+constexpr double least_change = 1e-12;
 
 /// Half the slope of the contact part of e^2 by the tractions at the vertices.
-Matrix3d contact_slope(const ContactFace& face, const Matrix3d& traction) {
-  Matrix3d slope = face.work;
-  for (int i = 0; i < 3; ++i)
-    if (!face.paid[i].at_limit(traction(0, i)))
-      slope(0, i) -= face.paid[i].friction * face.slip[i];
+template <int d>
+MatrixOf<d> contact_slope(const ContactFacet<d>& facet,
+                          const MatrixOf<d>& traction) {
+  MatrixOf<d> slope = facet.work;
+  for (int i = 0; i < d; ++i)
+    if (!facet.paid[i].at_limit(traction(0, i)))
+      slope(0, i) -= facet.paid[i].friction * facet.slip[i];
   return slope;
 }
 
-/// x that leave known tractions alone, and r_t = 0 where there is no friction.
-/// @param P  tractions at the vertices of each contact face by x
-MatrixXd free_basis(const MatrixXd& conditions, const std::vector<MatrixXd>& P,
-                    const std::vector<const ContactFace*>& faces) {
-  MatrixXd rows = conditions;
-  for (std::size_t k = 0; k < P.size(); ++k)
-    for (int i = 0; i < 3; ++i) {
-      if (!faces[k]->cone[i].frictionless()) continue;
-      rows.conservativeResize(rows.rows() + 2, conditions.cols());
-      // a moment, as the others
-      rows.bottomRows<2>() =
-          faces[k]->area / 12 * P[k].middleRows<2>(3 * i + 1);
+/// Conditions C t >= least on the corrections of tractions.
+struct ConesOfCorrections {
+  MatrixXd C;
+  VectorXd least;
+  Index rows = 0;
+
+  explicit ConesOfCorrections(Index unknowns) : C(0, unknowns) {}
+
+  /// @param P  tractions of a facet by t
+  template <int d>
+  void add(const FacetCone<d>& cone, const MatrixXd& P,
+           const MatrixOf<d>& from) {
+    const MatrixXd changes = cone.C * P;
+    const double size = P.norm();
+    C.conservativeResize(rows + changes.rows(), Eigen::NoChange);
+    least.conservativeResize(rows + changes.rows());
+    for (Index row = 0; row < changes.rows(); ++row) {
+      if (changes.row(row).norm() <=
+          least_change * size * cone.C.row(row).norm())
+        continue;
+      C.row(rows) = changes.row(row);
+      least[rows++] = cone.least[row] - cone.C.row(row).dot(from.reshaped());
     }
-  if (rows.rows() == 0)
-    return MatrixXd::Identity(conditions.cols(), conditions.cols());
-  return kernel_basis(rows, dependent_on_others);
-}
+  }
+};
 
 }  // namespace
 
-ContactStar::ContactStar(const Topology<3>& topology, JointEdge joint,
-                         const KnownComponents& known,
-                         const FacetForms<3>& forms,
-                         const std::vector<ContactFace>& contact,
-                         const std::vector<int>& contact_index)
-    : joint_(std::move(joint)) {
-  find_places(topology);
-  find_basis(topology, known, contact, contact_index);
-  if (is_free()) reduce(joint_form(topology, joint_, forms));
+template <int d>
+ContactStar<d>::ContactStar(const FacetTopology<d>& topology, RidgeGroup group,
+                            const FreeContact<d>& contact,
+                            const FacetForms<d>& forms)
+    : group_(std::move(group)),
+      contact_(&contact),
+      outside_(unknowns_on_boundary<d>(topology, group_)) {
+  for (int i = 0; i < group_.unknowns(); ++i)
+    if (!std::binary_search(outside_.begin(), outside_.end(), i))
+      inside_.push_back(i);
+  find_basis(topology);
+  reduce(group_form<d>(topology, group_, forms));
 }
 
-void ContactStar::find_places(const Topology<3>& topology) {
-  Flags is_outside(joint_.size, 0);
-  std::fill_n(is_outside.begin(), 6, 1);
-  for (const auto& [edge, place, sign] : joint_.parts) {
-    const std::vector<int> faces = facets_around<3>(topology.ridges, edge);
-    for (int i = 0; i < count_of(faces); ++i)
-      for (int mode = 0; mode < 3; ++mode)
-        if (topology.facets.on_boundary(faces[i]))
-          is_outside[place[6 + 3 * i + mode]] = 1;
+template <int d>
+void ContactStar<d>::find_basis(const FacetTopology<d>& topology) {
+  std::vector<BoundarySpoke<d>> spokes = boundary_spokes<d>(topology, group_);
+  for (BoundarySpoke<d>& spoke : spokes)
+    spoke.moments = spoke.moments(Eigen::all, outside_).eval();
+  basis_ = contact_->admissible_corrections(spokes);
+  for (const BoundarySpoke<d>& spoke : spokes) {
+    const int index = contact_->index_of(spoke.facet);
+    if (index < 0) continue;
+    index_.push_back(index);
+    P_.push_back(tractions_of_columns<d>(contact_->facets()[index],
+                                         spoke.moments * basis_));
   }
-  for (int i = 0; i < joint_.size; ++i)
-    (is_outside[i] ? outside_ : inside_).push_back(i);
 }
 
-void ContactStar::find_basis(const Topology<3>& topology,
-                             const KnownComponents& known,
-                             const std::vector<ContactFace>& contact,
-                             const std::vector<int>& contact_index) {
-  for (const JointEdge::Part& part : joint_.parts) {
-    const std::vector<int> faces = facets_around<3>(topology.ridges, part.edge);
-    for (int i = 0; i < count_of(faces); ++i) {
-      const int index = contact_index[faces[i]];
-      if (index < 0) continue;
-      faces_.push_back(&contact[index]);
-      index_.push_back(index);
-      P_.push_back(tractions_of_joint(topology, contact[index], part, i,
-                                      outside_, joint_.size));
-    }
-  }
-  const MatrixXd conditions = joint_conditions(topology, joint_, known);
-  basis_ = free_basis(conditions(Eigen::all, outside_), P_, faces_);
-  for (MatrixXd& P : P_) P = (P * basis_).eval();
-}
-
-void ContactStar::reduce(const MatrixXd& A) {
+template <int d>
+void ContactStar<d>::reduce(const MatrixXd& A) {
   A_inside_ = Cholesky(A(inside_, inside_));
   coupling_ = A(inside_, outside_) * basis_;
   S_ = basis_.transpose() * A(outside_, outside_) * basis_ -
        coupling_.transpose() * A_inside_.solve_columns(coupling_);
   S_factor_ = Cholesky(S_);
-  if (!A_inside_.is_positive_definite() || !S_factor_.is_positive_definite())
-    basis_.resize(basis_.rows(), 0);
+  is_free_ = basis_.cols() + count_of(inside_) > 0 &&
+             A_inside_.is_positive_definite() &&
+             S_factor_.is_positive_definite();
 }
 
-VectorXd ContactStar::solve_inside(const VectorXd& b) const {
-  return inside_.empty() ? b : A_inside_.solve(b);
-}
-
-ContactStar::Tractions ContactStar::moved(const Tractions& from,
-                                          const VectorXd& t) const {
+template <int d>
+typename ContactStar<d>::Tractions ContactStar<d>::moved(
+    const Tractions& from, const VectorXd& t) const {
   Tractions to = from;
   for (std::size_t k = 0; k < to.size(); ++k)
-    to[k] += (P_[k] * t).reshaped(3, 3);
+    to[k] += (P_[k] * t).reshaped(d, d);
   return to;
 }
 
-bool ContactStar::in_the_cone(const Tractions& tractions,
-                              double largest) const {
-  for (std::size_t k = 0; k < tractions.size(); ++k)
-    if (cone_violation(*faces_[k], tractions[k]) > cone_rounding * largest)
+template <int d>
+bool ContactStar<d>::in_the_cone(const Tractions& tractions,
+                                 double largest) const {
+  for (int k = 0; k < count_of(tractions); ++k)
+    if (cone_violation<d>(facet(k), tractions[k]) > cone_rounding * largest)
       return false;
   return true;
 }
 
-double ContactStar::term(const Tractions& tractions) const {
+template <int d>
+double ContactStar<d>::term(const Tractions& tractions) const {
   return sum_over(tractions.size(), [&](int k) {
-    return contact_term(*faces_[k], tractions[k]);
+    return contact_term<d>(facet(k), tractions[k]);
   });
 }
 
-/// t with the least t'S t / 2 + slope't in the inner cones.
-std::optional<VectorXd> ContactStar::least_in_cones(const VectorXd& slope,
-                                                    const Tractions& from,
-                                                    double largest) const {
-  const auto vertices = static_cast<Index>(3 * from.size());
-  MatrixXd C(vertices * InnerCone::most_rows, slope.size());
-  VectorXd d(C.rows());
-  Index rows = 0;
-  for (std::size_t k = 0; k < from.size(); ++k)
-    for (int i = 0; i < 3; ++i) {
-      const InnerCone inner = inner_cone(faces_[k]->cone[i], from[k].col(i),
-                                         -faces_[k]->direction.col(i), largest);
-      const Index count = inner.d.size();
-      C.middleRows(rows, count) = inner.C * P_[k].middleRows<3>(3 * i);
-      d.segment(rows, count) = inner.d - inner.C * from[k].col(i);
-      rows += count;
-    }
-  const auto t = quadratic_minimum(S_, slope, C.topRows(rows), d.head(rows));
+/// t with the least t'S t / 2 + slope't in the cones.
+template <int d>
+std::optional<VectorXd> ContactStar<d>::least_in_cones(const VectorXd& slope,
+                                                       const Tractions& from,
+                                                       double largest) const {
+  ConesOfCorrections cones(slope.size());
+  for (int k = 0; k < count_of(from); ++k)
+    cones.add<d>(facet_cone<d>(facet(k), from[k], largest), P_[k], from[k]);
+  const auto t = quadratic_minimum(S_, slope, cones.C.topRows(cones.rows),
+                                   cones.least.head(cones.rows));
   return t && in_the_cone(moved(from, *t), largest) ? t : std::nullopt;
 }
 
-std::optional<VectorXd> ContactStar::least(const VectorXd& slope,
-                                           const Tractions& from,
-                                           const Scales& scales) const {
+template <int d>
+std::optional<VectorXd> ContactStar<d>::least(const VectorXd& slope,
+                                              const Tractions& from,
+                                              const Scales& scales) const {
+  if (slope.size() == 0) return slope;  // modes inside alone
   const VectorXd t = -S_factor_.solve(slope);
   if (-slope.dot(t) <= scales.least_fall) return std::nullopt;
   return in_the_cone(moved(from, t), scales.traction)
@@ -190,30 +151,45 @@ std::optional<VectorXd> ContactStar::least(const VectorXd& slope,
              : least_in_cones(slope, from, scales.traction);
 }
 
-ContactStar::Change ContactStar::change(
-    const VectorXd& g, const Scales& scales,
-    std::vector<Matrix3d>& tractions) const {
-  const VectorXd g_inside = g(inside_), first = -solve_inside(g_inside),
+/// Half the slope of the contact part of e^2 by t.
+template <int d>
+VectorXd ContactStar<d>::slope_of_contact(const Tractions& from) const {
+  VectorXd slope = VectorXd::Zero(basis_.cols());
+  for (int k = 0; k < count_of(from); ++k)
+    slope += P_[k].transpose() * contact_slope<d>(facet(k), from[k]).reshaped();
+  return slope;
+}
+
+/// @param first  modes inside for t = 0
+template <int d>
+VectorXd ContactStar<d>::unknowns(const VectorXd& first,
+                                  const VectorXd& t) const {
+  VectorXd x(group_.unknowns());
+  x(outside_) = basis_ * t;
+  x(inside_) = first - A_inside_.solve(coupling_ * t);
+  return x;
+}
+
+template <int d>
+typename ContactStar<d>::Change ContactStar<d>::change(
+    const VectorXd& g, const Scales& scales, Tractions& tractions) const {
+  if (!is_free_) return {};
+  const VectorXd g_inside = g(inside_), first = -A_inside_.solve(g_inside),
                  elastic = basis_.transpose() * g(outside_) +
                            coupling_.transpose() * first;
   Tractions from;
-  VectorXd slope = elastic;
-  for (std::size_t k = 0; k < faces_.size(); ++k) {
-    from.push_back(tractions[index_[k]]);
-    slope += P_[k].transpose() * contact_slope(*faces_[k], from[k]).reshaped();
-  }
-  const std::optional<VectorXd> t = least(slope, from, scales);
+  for (int m : index_) from.push_back(tractions[m]);
+  const std::optional<VectorXd> t =
+      least(elastic + slope_of_contact(from), from, scales);
   if (!t) return {};
   const Tractions to = moved(from, *t);
-  Change change;
-  change.fall = -g_inside.dot(first) - t->dot(2 * elastic + S_ * *t) -
-                2 * (term(to) - term(from));
-  if (!(change.fall > scales.least_fall)) return {};
-  for (std::size_t k = 0; k < to.size(); ++k) tractions[index_[k]] = to[k];
-  change.x.resize(g.size());
-  change.x(outside_) = basis_ * *t;
-  change.x(inside_) = first - solve_inside(coupling_ * *t);
-  return change;
+  const double fall = -g_inside.dot(first) - t->dot(2 * elastic + S_ * *t) -
+                      2 * (term(to) - term(from));
+  if (!(fall > scales.least_fall)) return {};
+  for (int k = 0; k < count_of(index_); ++k) tractions[index_[k]] = to[k];
+  return {unknowns(first, *t), fall};
 }
+
+template class ContactStar<FFCONTACT_DIMENSION>;
 
 }  // namespace ffcontact

@@ -104,7 +104,7 @@ void FacetDescent<d>::find_steepest() {
 }
 
 template <int d>
-void FacetDescent<d>::turn_direction() {
+bool FacetDescent<d>::turn_direction() {
   if (!find_conjugate()) find_steepest();
   direction_.swap(next_);
 
@@ -117,12 +117,12 @@ void FacetDescent<d>::turn_direction() {
   exchange_.complete(images_);
   gather(image_);
   square_ = dot(direction_, image_);
+  return square_ > 0;
 }
 
 template <int d>
 double FacetDescent<d>::step() {
-  turn_direction();
-  if (!(square_ > 0)) return 0;
+  if (!turn_direction()) return 0;
   const double slope = dot(residual_, direction_), length = slope / square_;
   add(length, direction_, corrections_);
   add(-length, image_, residual_);

@@ -54,7 +54,7 @@ class FacetDescent {
   void add(double factor, const FacetColumns<d>& y, FacetColumns<d>& x) const;
   bool find_conjugate();
   void find_steepest();
-  void turn_direction();
+  bool turn_direction();  ///< false where there is none
 
   const LoadedFacets<d> body_;
   const FacetShare& share_;

@@ -4,16 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ffcontact/base/require.hpp"
-
 namespace ffcontact {
-
-/// By what part a step must lower e for there to be another one.
-/// @throws std::invalid_argument  if it is not one
-inline void require_tightness(double tightness) {
-  if (!(tightness >= 0 && tightness < 1))
-    refuse("tightness must be in [0, 1), got ", tightness);
-}
 
 /// e^2 from step to step of a relaxation.
 class RelaxationProgress {

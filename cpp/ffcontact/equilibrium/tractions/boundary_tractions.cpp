@@ -18,6 +18,17 @@ Vector4d reversed(const Vector4d& moments) {
   return {-moments[2], -moments[3], -moments[0], -moments[1]};
 }
 
+std::vector<int> contact_edge_numbers(const ContactLine& line,
+                                      const Edges& edges) {
+  std::vector<int> numbers(edges.count(), -1);
+  for (int e = 0; e < line.edge_count(); ++e) {
+    numbers[line.edge[e]] = e;
+    const int facing = facing_edge(line, e);
+    if (facing >= 0) numbers[facing] = e;
+  }
+  return numbers;
+}
+
 Matrix2d edge_frame(const ContactLine& line, int contact_edge) {
   Matrix2d frame;
   frame << line.edge_normal(contact_edge).transpose(),

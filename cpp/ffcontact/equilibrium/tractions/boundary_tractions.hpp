@@ -38,6 +38,11 @@ inline int facing_edge(const ContactLine& line, int contact_edge) {
   return line.against_a_body() ? line.opposite_edge[contact_edge] : -1;
 }
 
+/// Number on the contact line of each mesh edge, that of an opposite body which a contact
+/// edge faces included, or -1.
+std::vector<int> contact_edge_numbers(const ContactLine& line,
+                                      const Edges& edges);
+
 /// Rows n and t of a contact edge: (F_n, F_t) from a Cartesian F.
 Matrix2d edge_frame(const ContactLine& line, int contact_edge);
 

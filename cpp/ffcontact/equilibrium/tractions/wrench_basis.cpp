@@ -39,16 +39,6 @@ bool follows_turn(const FacetTopology<d>& topology, int facet, int ridge) {
   }
 }
 
-/// The middle of a ridge.
-template <int d>
-VectorOf<d> middle_of(const FacetTopology<d>& topology, int ridge) {
-  const auto vertices = topology.ridges.vertices.col(ridge);
-  VectorOf<d> sum = topology.mesh.vertices.col(vertices[0]);
-  for (int k = 1; k < d - 1; ++k)
-    sum += topology.mesh.vertices.col(vertices[k]);
-  return sum / (d - 1);
-}
-
 /// The length of an edge, or that of the first one at a vertex.
 template <int d>
 double size_of_ridge(const FacetTopology<d>& topology, int ridge) {
@@ -112,7 +102,8 @@ WrenchShift<d> wrench_shift(const FacetTopology<d>& topology, int facet,
                             int ridge) {
   const MatrixOf<d> corners = topology.facet_corners(facet);
   const VectorOf<d> arm =
-      corners.rowwise().mean() - middle_of<d>(topology, ridge);
+      corners.rowwise().mean() -
+      ridge_middle<d>(topology.mesh, topology.ridges, ridge);
   const double size = size_of_facet<d>(corners);
   return {arm / size, size_of_ridge<d>(topology, ridge) / size,
           follows_turn<d>(topology, facet, ridge) ? 1.0 : -1.0};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/equilibrium/relaxation/star_relaxation.hpp"
+#include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 
 namespace ffcontact {
 
@@ -24,7 +24,8 @@ enum class Construction {
 };
 
 struct EstimateSettings {
-  RelaxationSettings relaxation;
+  RelaxationSettings relaxation{};
+  ProgressReport report{};  ///< of every step of it
   Tractions tractions = Tractions::free;
   Construction construction = Construction::composite;
 };

@@ -2,7 +2,6 @@
 #include "ffcontact/estimate/checks/sound_problem.hpp"
 
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/equilibrium/relaxation/relaxation_progress.hpp"
 #include "ffcontact/estimate/checks/sound_body.hpp"
 
 namespace ffcontact {
@@ -19,9 +18,7 @@ void require_sound(const SolvedProblem& solved,
   require_valid(body.law, line);
   if (body.tool && line.against_a_body())
     refuse("a tool is a rigid foundation, but the contact line faces a body");
-  if (settings.relaxation.sweeps < 0)
-    refuse("sweeps must not be negative, got ", settings.relaxation.sweeps);
-  require_tightness(settings.relaxation.tightness);
+  require_valid(settings.relaxation);
 }
 
 }  // namespace ffcontact

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/checks/sound_solid.hpp"
 
-#include "ffcontact/base/require.hpp"
-#include "ffcontact/equilibrium/relaxation/relaxation_progress.hpp"
 #include "ffcontact/estimate/checks/sound_body.hpp"
 
 namespace ffcontact {
 
 void require_sound(const SolvedSolidProblem& solved,
-                   const SolidRelaxationSettings& settings) {
+                   const RelaxationSettings& settings) {
   const auto& [topology, surface, system, body] = solved;
   require_sound_body(solved, surface.node_count(), "contact force", body.force);
   require_valid(body.initial, topology.mesh.cell_count());
   require_valid(body.law, surface);
-  if (settings.steps && *settings.steps < 0)
-    refuse("steps must not be negative, got ", *settings.steps);
-  require_tightness(settings.tightness);
+  require_valid(settings);
 }
 
 }  // namespace ffcontact

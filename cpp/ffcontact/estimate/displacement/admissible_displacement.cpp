@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/equilibrium/cone/contact_groups.hpp"
+#include "ffcontact/estimate/displacement/contact_groups.hpp"
 #include "ffcontact/linear/minimum/quadratic_minimum.hpp"
 #include "ffcontact/linear/norms.hpp"
 

@@ -54,13 +54,13 @@ SeenMotions seen_motions(const Facets<3>& faces, const ContactSurface& surface,
 /// @param least     |w_t| without direction [mm]
 /// @param rounding  |w_t| that is 0
 void put_motions(const SeenMotions& seen, double least, double rounding,
-                 ContactFace& face) {
+                 ContactFacet<3>& face) {
   for (int i = 0; i < 3; ++i) {
     Matrix3d slip = Matrix3d::Zero();
     for (int k = 0; k < 3; ++k)
       slip(0, k) = slip_beyond(rounding, seen[i].col(k).tail<2>().norm());
-    face.work.col(i) = facet_moments_of<3>(seen[i], face.area).col(i);
-    face.slip[i] = facet_moments_of<3>(slip, face.area)(0, i);
+    face.work.col(i) = facet_moments_of<3>(seen[i], face.measure).col(i);
+    face.slip[i] = facet_moments_of<3>(slip, face.measure)(0, i);
     face.direction.col(i).setZero();
     if (slip(0, i) > least)
       face.direction.col(i) = seen[i].col(i).tail<2>() / slip(0, i);
@@ -69,7 +69,7 @@ void put_motions(const SeenMotions& seen, double least, double rounding,
 
 }  // namespace
 
-std::vector<ContactFace> contact_faces(
+std::vector<ContactFacet<3>> contact_faces(
     const SolidMesh& mesh, const Facets<3>& faces,
     const ContactSurface& surface, const SurfaceLaw& law,
     const Ref<const VectorXd>& displacement) {
@@ -80,17 +80,17 @@ std::vector<ContactFace> contact_faces(
                                   paid = law_cones(law, surface);
   const double least = least_motion * largest_displacement(law, displacement),
                rounding = rounding_of_slip(law, displacement);
-  std::vector<ContactFace> contact;
+  std::vector<ContactFacet<3>> contact;
   for (int m = 0; m < surface.face_count(); ++m) {
     const Vector3i nodes = surface.face_node.col(m);
     if (nodes.minCoeff() < 0 || (between_bodies && matches[m].face < 0))
       continue;
-    ContactFace face;
-    face.face = surface.face[m];
-    face.surface_face = m;
+    ContactFacet<3> face;
+    face.facet = surface.face[m];
+    face.index = m;
     face.opposite = matches[m].face;
     face.opposite_corner = matches[m].corner;
-    face.area = facet_measure(mesh, faces, face.face);
+    face.measure = facet_measure(mesh, faces, face.facet);
     for (int i = 0; i < 3; ++i) {
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
@@ -103,19 +103,18 @@ std::vector<ContactFace> contact_faces(
   return contact;
 }
 
-VectorXi surface_faces(const std::vector<ContactFace>& contact) {
+VectorXi surface_faces(const std::vector<ContactFacet<3>>& contact) {
   VectorXi places(count_of(contact));
-  for (int m = 0; m < places.size(); ++m) places[m] = contact[m].surface_face;
+  for (int m = 0; m < places.size(); ++m) places[m] = contact[m].index;
   return places;
 }
 
-SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
+SurfaceTractions tractions_of(const std::vector<ContactFacet<3>>& contact,
                               const FaceMoments& moments) {
   SurfaceTractions tractions(9, contact.size());
   if (contact.empty()) return tractions;
   for (std::size_t m = 0; m < contact.size(); ++m) {
-    const Matrix3d of_face = moments.col(contact[m].face).reshaped(3, 3);
-    tractions.col(m) = traction_of(contact[m], of_face).reshaped();
+    tractions.col(m) = traction_on<3>(contact[m], moments).reshaped();
   }
   const double rounding = traction_rounding * max_norm(tractions);
   for (std::size_t m = 0; m < contact.size(); ++m)
@@ -127,17 +126,17 @@ SurfaceTractions tractions_of(const std::vector<ContactFace>& contact,
   return tractions;
 }
 
-void put_moments(const std::vector<ContactFace>& contact,
+void put_moments(const std::vector<ContactFacet<3>>& contact,
                  const SurfaceTractions& tractions, FaceMoments& moments) {
   for (std::size_t m = 0; m < contact.size(); ++m) {
-    const ContactFace& face = contact[m];
-    const Matrix3d of_face = tractions.col(m).reshaped(3, 3),
-                   own = moments_of(face, of_face),
-                   change = own - moments.col(face.face).reshaped(3, 3);
-    moments.col(face.face) = own.reshaped();
+    const ContactFacet<3>& face = contact[m];
+    const Vector9d own = moments_of<3>(face, of_face(tractions, m)).reshaped() +
+                         face.beside,
+                   change = own - moments.col(face.facet);
+    moments.col(face.facet) = own;
     for (int k = 0; k < 3 && face.opposite >= 0; ++k)
       moments.col(face.opposite).segment<3>(3 * face.opposite_corner[k]) -=
-          change.col(k);
+          change.segment<3>(3 * k);
   }
 }
 

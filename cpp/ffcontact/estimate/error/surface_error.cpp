@@ -7,6 +7,7 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/equilibrium/cone/facet_cone.hpp"
 #include "ffcontact/estimate/bodies/clearing.hpp"
 #include "ffcontact/estimate/error/face_fields.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
@@ -26,17 +27,17 @@ Vector3d lowering(const ContactSurface& surface, const VectorXd& penetration,
 
 }  // namespace
 
-VectorXd contact_error(const std::vector<ContactFace>& contact,
+VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
                        const SurfaceTractions& tractions) {
   return VectorXd::NullaryExpr(tractions.cols(), [&](Index m) {
-    return 2 * contact_term(contact[m], tractions.col(m).reshaped(3, 3));
+    return 2 * contact_term<3>(contact[m], of_face(tractions, m));
   });
 }
 
-double cone_violation(const std::vector<ContactFace>& contact,
+double cone_violation(const std::vector<ContactFacet<3>>& contact,
                       const SurfaceTractions& tractions) {
   return largest_over(tractions.cols(), [&](int m) {
-    return cone_violation(contact[m], tractions.col(m).reshaped(3, 3));
+    return cone_violation<3>(contact[m], of_face(tractions, m));
   });
 }
 

@@ -16,11 +16,11 @@ namespace ffcontact {
 /// where c at the nodes and |w_t| at the nodes are taken linear between these: |w_t| is
 /// convex, so that this is a bound, without quadrature. Components are those along n, t1
 /// and t2 of the nodes. In the cone and without penetration no value is negative.
-VectorXd contact_error(const std::vector<ContactFace>& contact,
+VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
                        const SurfaceTractions& tractions);
 
 /// Largest of r_n and |r_t| less its bound on any face [MPa]; 0 in the cone.
-double cone_violation(const std::vector<ContactFace>& contact,
+double cone_violation(const std::vector<ContactFacet<3>>& contact,
                       const SurfaceTractions& tractions);
 
 /// u_hat: u_h with u_n - gap lowered to min(u_n - gap, 0) at the nodes by the smallest

@@ -57,13 +57,13 @@ void clamp_rounding(const ContactLine& line, const ContactLaw& law,
   }
 }
 
-bool stays_unloaded(const ContactLine& line, const Compared& compared,
+bool stays_unloaded(const ContactLine& line, const ContactLaw& law,
+                    const Ref<const VectorXd>& displacement,
                     const ContactDensities& densities,
                     const TractionCosts& costs, int e) {
   return end_values(densities, e).isZero(0) &&
-         outweighs_all_gains(least_friction(line, compared.law, e),
-                             mean_slip(line, costs, e),
-                             max_norm(compared.displacement));
+         outweighs_all_gains(least_friction(line, law, e),
+                             mean_slip(line, costs, e), max_norm(displacement));
 }
 
 }  // namespace ffcontact

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "ffcontact/contact/law/contact_densities.hpp"
-#include "ffcontact/estimate/bodies/compared.hpp"
 #include "ffcontact/estimate/error/contact_error.hpp"
 
 /// Tractions in the cones of friction far above 1, where e pays mu times the rounding of
@@ -15,7 +14,9 @@ void clamp_rounding(const ContactLine& line, const ContactLaw& law,
                     ContactDensities& densities);
 
 /// Does an edge without tractions stay without, as outweighs_all_gains says?
-bool stays_unloaded(const ContactLine& line, const Compared& compared,
+/// @param displacement  u_hat on all dofs [mm]
+bool stays_unloaded(const ContactLine& line, const ContactLaw& law,
+                    const Ref<const VectorXd>& displacement,
                     const ContactDensities& densities,
                     const TractionCosts& costs, int e);
 

@@ -7,9 +7,12 @@ Cholesky::Cholesky(const MatrixXd& H) : llt_(H) {}
 
 double Cholesky::reciprocal_condition() const { return llt_.rcond(); }
 
-VectorXd Cholesky::solve(const VectorXd& b) const { return llt_.solve(b); }
-
 // Eigen's triangular solver refers to the first entry, also where there is none.
+VectorXd Cholesky::solve(const VectorXd& b) const {
+  if (b.size() == 0) return b;
+  return llt_.solve(b);
+}
+
 MatrixXd Cholesky::solve_columns(const MatrixXd& B) const {
   if (B.size() == 0) return B;
   return llt_.solve(B);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/equilibrium/relaxation/star_relaxation.hpp"
+#include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 
 #include <gtest/gtest.h>
 
 #include "ffcontact/contact/law/cone_correction.hpp"
+#include "ffcontact/estimate/error/contact_edges.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/smooth_problem.hpp"
@@ -14,26 +15,14 @@ namespace {
 
 using namespace test;
 
-/// r_hat = lambda_h brought into the cone, with its costs: what relaxation with free
-/// tractions starts from.
-FreeTractions free_tractions(const Problem& problem,
-                             const VectorXd& displacement,
-                             const ContactDensities& densities) {
-  const TractionCosts costs =
-      traction_costs(problem.line, problem.law, densities, displacement);
-  return {densities, costs.normal, costs.tangential,
-          contact_edge_numbers(problem.line, problem.edges)};
-}
-
-std::vector<double> relax(Equilibrated& fields, int sweeps,
-                          FreeContact* contact = nullptr,
+std::vector<double> relax(Equilibrated& fields, int steps,
                           double tightness = 0) {
-  return relax_stars(fields.difference(), {sweeps, tightness}, fields.moments,
-                     contact);
+  return relax_facets<2>({fields.difference()}, {steps, tightness},
+                         fields.moments);
 }
 
 /// A problem with tractions in the cone (example 2 with friction enough to stick, after
-/// correction (4.1)).
+/// correction (4.1)), which are free.
 struct InCone {
   Problem problem = example_2(Multiplier::force, 0.6, 8);
   ContactSolution solution = solved(problem);
@@ -42,11 +31,24 @@ struct InCone {
                       edge_densities(problem.line, solution.pressure));
   Equilibrated fields =
       equilibrated(problem, solution.displacement, correction.densities);
-  FreeTractions tractions =
-      free_tractions(problem, solution.displacement, correction.densities);
+  ContactDensities densities = correction.densities;
+
+  std::vector<double> relax(int steps) {
+    const FacetSetting<2> setting{
+        fields.difference(),
+        contact_edges(problem.line, problem.law, solution.displacement,
+                      densities, fields.boundary)};
+    const std::vector<double> falls =
+        relax_facets<2>(setting, {steps}, fields.moments);
+    put_tractions(setting.contact, fields.moments, densities);
+    fields.boundary = boundary_tractions(
+        problem.mesh, problem.edges, prescribed_dofs(problem.A),
+        problem.neumann, problem.line, densities);
+    return falls;
+  }
 };
 
-RC_GTEST_PROP(StarRelaxation, keeps_equilibrium_and_boundary_tractions, ()) {
+RC_GTEST_PROP(FacetRelaxation, keeps_equilibrium_and_boundary_tractions, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   Equilibrated fields = equilibrated(problem, solved(problem));
   relax(fields, 3);
@@ -55,13 +57,13 @@ RC_GTEST_PROP(StarRelaxation, keeps_equilibrium_and_boundary_tractions, ()) {
       1e-10);
 }
 
-RC_GTEST_PROP(StarRelaxation, falls_in_every_sweep_by_what_the_energy_falls,
+RC_GTEST_PROP(FacetRelaxation, falls_in_every_step_by_what_the_energy_falls,
               ()) {
   const Problem problem = problem_of(*random_case(0.5));
   Equilibrated fields = equilibrated(problem, solved(problem));
   double before = elastic_square(problem, fields);
   const double scale = before;
-  for (int sweep = 0; sweep < 3; ++sweep) {
+  for (int step = 0; step < 3; ++step) {
     const std::vector<double> falls = relax(fields, 1);
     const double after = elastic_square(problem, fields);
     RC_ASSERT(falls.size() == 1u);
@@ -71,7 +73,7 @@ RC_GTEST_PROP(StarRelaxation, falls_in_every_sweep_by_what_the_energy_falls,
   }
 }
 
-RC_GTEST_PROP(StarRelaxation, falls_of_several_sweeps_add_up, ()) {
+RC_GTEST_PROP(FacetRelaxation, falls_of_several_steps_add_up, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   Equilibrated fields = equilibrated(problem, solved(problem));
   const double before = elastic_square(problem, fields);
@@ -88,7 +90,7 @@ void with_one_and_two_threads(Fields& one, Fields& two, Relax&& relax) {
   on_threads(1, [&] { relax(one); });
 }
 
-TEST(StarRelaxation, does_not_depend_on_the_number_of_threads) {
+TEST(FacetRelaxation, does_not_depend_on_the_number_of_threads) {
   Random random(31);
   Problem problem = body(irregular(8, 6, 8, 6, random), material(1000, 0.3));
   add_traction(problem, left, {1, -2});
@@ -100,50 +102,41 @@ TEST(StarRelaxation, does_not_depend_on_the_number_of_threads) {
   EXPECT_EQ(one.moments, two.moments);
 }
 
-TEST(StarRelaxation,
+TEST(FacetRelaxation,
      with_free_tractions_does_not_depend_on_the_number_of_threads) {
   InCone one, two;
-  with_one_and_two_threads(one, two, [](InCone& c) {
-    FreeContact contact{c.problem.line, c.problem.law, c.tractions};
-    relax(c.fields, 2, &contact);
-  });
+  with_one_and_two_threads(one, two, [](InCone& c) { c.relax(2); });
   EXPECT_EQ(one.fields.moments, two.fields.moments);
-  EXPECT_EQ(one.tractions.densities.normal, two.tractions.densities.normal);
-  EXPECT_EQ(one.tractions.densities.tangential,
-            two.tractions.densities.tangential);
+  EXPECT_EQ(one.densities.normal, two.densities.normal);
+  EXPECT_EQ(one.densities.tangential, two.densities.tangential);
 }
 
-TEST(StarRelaxation, with_free_tractions_stays_in_the_cone_and_in_equilibrium) {
+TEST(FacetRelaxation,
+     with_free_tractions_stays_in_the_cone_and_in_equilibrium) {
   InCone c;
   ASSERT_TRUE(c.correction.uncorrected.empty());
-  FreeContact contact{c.problem.line, c.problem.law, c.tractions};
-  for (int sweep = 0; sweep < 4; ++sweep) {
-    relax(c.fields, 1, &contact);
-    EXPECT_LE(cone_defect(c.problem.line, c.problem.law, c.tractions.densities),
-              1e-12);
-    Equilibrated moved = c.fields;
-    moved.boundary = boundary_tractions(
-        c.problem.mesh, c.problem.edges, prescribed_dofs(c.problem.A),
-        c.problem.neumann, c.problem.line, c.tractions.densities);
-    EXPECT_LT(defect_of(c.problem, moved, admissible_stress(c.problem, moved))
-                  .largest(),
-              1e-10);
+  for (int step = 0; step < 4; ++step) {
+    c.relax(1);
+    EXPECT_LE(cone_defect(c.problem.line, c.problem.law, c.densities), 1e-12);
+    EXPECT_LT(
+        defect_of(c.problem, c.fields, admissible_stress(c.problem, c.fields))
+            .largest(),
+        1e-10);
   }
 }
 
-TEST(StarRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
+TEST(FacetRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
   InCone c;
-  FreeContact contact{c.problem.line, c.problem.law, c.tractions};
   const auto square = [&] {
     return elastic_square(c.problem, c.fields) +
-           contact_error(c.problem.line, c.problem.law, c.tractions.densities,
+           contact_error(c.problem.line, c.problem.law, c.densities,
                          c.solution.displacement)
                .sum();
   };
   const double scale = square();
   double before = scale;
-  for (int sweep = 0; sweep < 4; ++sweep) {
-    const std::vector<double> falls = relax(c.fields, 1, &contact);
+  for (int step = 0; step < 4; ++step) {
+    const std::vector<double> falls = c.relax(1);
     ASSERT_EQ(falls.size(), 1u);
     EXPECT_GE(falls[0], 0);
     const double after = square();
@@ -155,7 +148,7 @@ TEST(StarRelaxation, with_free_tractions_falls_by_what_the_whole_error_falls) {
 
 /// Two triangles on rollers leave the descent hardly more than one direction, of which
 /// rounding is all that is left from step to step.
-RC_GTEST_PROP(StarRelaxation, keeps_balance_for_hundreds_of_sweeps, ()) {
+RC_GTEST_PROP(FacetRelaxation, keeps_balance_for_hundreds_of_steps, ()) {
   Problem problem =
       body(rectangle(1, 1, *real(1, 2), 1), material(1000, *real(-0.4, 0.4)));
   prescribe(problem, left, 0);
@@ -165,9 +158,9 @@ RC_GTEST_PROP(StarRelaxation, keeps_balance_for_hundreds_of_sweeps, ()) {
   RC_ASSERT(estimate.equilibrium.largest() < 1e-12);
 }
 
-/// |sigma_hat - C eps(u_h)| / |u - u_h| before the first and after every sweep.
+/// |sigma_hat - C eps(u_h)| / |u - u_h| before the first and after every step.
 std::vector<double> effectivities(const Manufactured& exact, int cells,
-                                  int sweeps) {
+                                  int steps) {
   const Problem problem = without_contact(exact, rectangle(cells, cells, 2, 2));
   const VectorXd u = solved_without_contact(problem);
   Equilibrated fields =
@@ -175,13 +168,13 @@ std::vector<double> effectivities(const Manufactured& exact, int cells,
   const double error = error_of(exact, problem, u);
   double square = elastic_square(problem, fields);
   std::vector<double> result{std::sqrt(square) / error};
-  for (double fall : relax(fields, sweeps))
+  for (double fall : relax(fields, steps))
     result.push_back(std::sqrt(square -= fall) / error);
   return result;
 }
 
-TEST(StarRelaxation,
-     makes_the_bound_of_a_smooth_problem_tight_in_three_sweeps_on_every_mesh) {
+TEST(FacetRelaxation,
+     makes_the_bound_of_a_smooth_problem_tight_in_three_steps_on_every_mesh) {
   for (int cells : {8, 16, 24}) {
     const std::vector<double> effectivity =
         effectivities(smooth_solution(0.3), cells, 3);
@@ -192,15 +185,15 @@ TEST(StarRelaxation,
   }
 }
 
-TEST(StarRelaxation, makes_the_bound_of_a_nearly_incompressible_body_tight) {
+TEST(FacetRelaxation, makes_the_bound_of_a_nearly_incompressible_body_tight) {
   const std::vector<double> effectivity =
       effectivities(smooth_solution(0.49), 16, 4);
   EXPECT_LE(effectivity[4], 1.15);
   EXPECT_GE(effectivity[4], 1);
 }
 
-TEST(StarRelaxation,
-     makes_the_bound_tight_in_four_sweeps_on_a_fine_mesh_up_to_nu_0499) {
+TEST(FacetRelaxation,
+     makes_the_bound_tight_in_four_steps_on_a_fine_mesh_up_to_nu_0499) {
   for (const auto& [nu, tightness] :
        {std::make_pair(0.49, 1.15), std::make_pair(0.499, 1.3)}) {
     const std::vector<double> effectivity =
@@ -211,7 +204,8 @@ TEST(StarRelaxation,
   }
 }
 
-TEST(StarRelaxation, on_a_coarse_mesh_of_an_incompressible_body_stays_a_bound) {
+TEST(FacetRelaxation,
+     on_a_coarse_mesh_of_an_incompressible_body_stays_a_bound) {
   for (const auto& [nu, tightness] :
        {std::make_pair(0.49, 1.4), std::make_pair(0.499, 2.5)}) {
     const std::vector<double> effectivity =
@@ -222,8 +216,8 @@ TEST(StarRelaxation, on_a_coarse_mesh_of_an_incompressible_body_stays_a_bound) {
   }
 }
 
-TEST(StarRelaxation,
-     stops_when_a_sweep_lowers_the_error_by_less_than_its_tightness) {
+TEST(FacetRelaxation,
+     stops_when_a_step_lowers_the_error_by_less_than_its_tightness) {
   const Problem problem = example_2(Multiplier::force, 0.6, 8);
   const Equilibrated fields = equilibrated(problem, solved(problem));
   Equilibrated all = fields, some = fields;
@@ -231,17 +225,17 @@ TEST(StarRelaxation,
   ASSERT_EQ(falls.size(), 10u);
   double square = elastic_square(problem, fields);
   std::size_t expected = 0;
-  // the first sweep after which e fell by less than 2 %
+  // the first step after which e fell by less than 2 %
   for (; expected < 10; ++expected) {
     const double next = square - falls[expected];
     const bool enough = std::sqrt(next) > 0.98 * std::sqrt(square);
     square = next;
     if (enough) break;
   }
-  EXPECT_EQ(relax(some, 10, nullptr, 0.02).size(), expected + 1);
+  EXPECT_EQ(relax(some, 10, 0.02).size(), expected + 1);
 }
 
-TEST(StarRelaxation, without_sweeps_changes_nothing) {
+TEST(FacetRelaxation, without_steps_changes_nothing) {
   const Problem problem = example_1(Multiplier::force, 4);
   Equilibrated fields = equilibrated(problem, solved(problem));
   const EdgeMoments before = fields.moments;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/equilibrium/cone/contact_groups.hpp"
+#include "ffcontact/estimate/displacement/contact_groups.hpp"
 
 #include <algorithm>
 #include <map>
