@@ -53,11 +53,17 @@ VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
       });
 }
 
+void put_parts(Stack stack, const NamedArguments& named,
+               const PairError& error) {
+  named.put(stack, "elasticpart", error.elastic);
+  named.put(stack, "contactpart", error.contact);
+  named.put(stack, "springpart", error.springs);
+}
+
 void put_error(Stack stack, const NamedArguments& named,
                const PairError& error) {
   named.put(stack, "e", error.e);
-  named.put(stack, "elasticpart", error.elastic);
-  named.put(stack, "contactpart", error.contact);
+  put_parts(stack, named, error);
   named.put(stack, "history", packed(error.history));
 }
 

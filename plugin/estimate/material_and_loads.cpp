@@ -7,6 +7,7 @@
 #include "ffcontact/base/require.hpp"
 //
 #include "estimate/initial_stress.hpp"
+#include "estimate/springs.hpp"
 
 namespace ffcontact::plugin {
 
@@ -65,65 +66,10 @@ Load load_of(const NamedArguments& named, const char* name, int body,
   return {named.component(own, 0, 2), named.component(own, 1, 2)};
 }
 
-/// Components xx, xy, yy.
-using Stiffness = std::array<Expression, 3>;
-
-/// Of the springs, [kx, ky] or [kxx, kxy, kyy].
-Stiffness stiffness_of(const NamedArguments& named, const std::string& name) {
-  const int size = named.component_count(name);
-  if (size != 2 && size != 3)
-    refuse(name, " must be a list [kx, ky] or [kxx, kxy, kyy]");
-  const Expression first = named.component(name, 0, size),
-                   last = named.component(name, size - 1, size);
-  return {first, size == 3 ? named.component(name, 1, 3) : nullptr, last};
-}
-
-/// Springs of the bodies, joined; empty where none has any.
-class Springs {
- public:
-  explicit Springs(const PlaneBodies& bodies) : bodies_(bodies) {}
-
-  void read(Stack stack, const NamedArguments& named, int k) {
-    const int bodies = bodies_.body_count();
-    const std::string spring = name_of_body("spring", k, bodies);
-    const Load rest = load_of(named, "rest", k, bodies);
-    if (!named.given(spring)) {
-      if (rest.x)
-        refuse(name_of_body("rest", k, bodies), "= is for ", spring, "=");
-      return;
-    }
-    if (joined.empty())
-      joined = BoundarySprings(bodies_.joined.first_boundary.back());
-    put(stack, stiffness_of(named, spring), rest, k);
-  }
-
-  BoundarySprings joined;
-
- private:
-  void put(Stack stack, const Stiffness& K, const Load& rest, int k) {
-    const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[k];
-    const Mesh mesh = mesh_of(&fem_mesh);
-    const auto put_rows = [&](Expression expression, auto& rows, int row,
-                              int step) {
-      const MatrixXd values =
-          at_gauss_points(stack, expression, fem_mesh, mesh);
-      for (int q = 0; q < 3; ++q)
-        rows.row(row + step * q)
-            .segment(bodies_.joined.first_boundary[k], values.cols()) =
-            values.row(q);
-    };
-    for (int c = 0; c < 3; ++c) put_rows(K[c], joined.stiffness, c, 3);
-    put_rows(rest.x, joined.rest, 0, 2);
-    put_rows(rest.y, joined.rest, 1, 2);
-  }
-
-  const PlaneBodies& bodies_;
-};
-
 /// Reads one body into what is there for all of them.
 Oscillation read_body(Stack stack, const NamedArguments& named,
                       const PlaneBodies& bodies, int k, SolvedBody& body,
-                      InitialStresses<2>& initial, Springs& springs) {
+                      InitialStresses<2>& initial, Springs<2>& springs) {
   const JoinedMesh& joined = bodies.joined;
   const int count = bodies.body_count();
   const Fem2D::Mesh& fem_mesh = *bodies.fem_meshes[k];
@@ -137,7 +83,10 @@ Oscillation read_body(Stack stack, const NamedArguments& named,
   const BodyForce force = body_force_loads(stack, f.x, f.y, fem_mesh, mesh);
   body.body_loads.middleCols(joined.first_cell[k], mesh.cells.cols()) =
       force.loads;
-  springs.read(stack, named, k);
+  springs.read(named, k, count, joined.first_boundary[k],
+               [&](Expression expression) {
+                 return at_gauss_points(stack, expression, fem_mesh, mesh);
+               });
   return {force.oscillation, initial.read(stack, named, k, hooke, fem_mesh)};
 }
 
@@ -150,7 +99,7 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
   body.body_loads.resize(6, bodies.joined.first_cell.back());
   Oscillation all;
   InitialStresses<2> initial(bodies.joined.first_cell);
-  Springs springs(bodies);
+  Springs<2> springs(bodies.joined.first_boundary.back());
   for (int k = 0; k < bodies.body_count(); ++k) {
     all.add(read_body(stack, named, bodies, k, body, initial, springs));
   }

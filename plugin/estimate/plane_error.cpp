@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/estimate/bodies/boundary_moments.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
@@ -57,7 +58,7 @@ void put_rates(Stack stack, const NamedArguments& named,
   const Topology<2>& topology = problem.topology();
   const BoundaryTractions boundary =
       boundary_tractions(topology.mesh, topology.facets, system.prescribed,
-                         boundary_moments(topology.mesh, body), problem.line,
+                         boundary_moments<2>(topology.mesh, body), problem.line,
                          edge_densities(problem.line, body.pressure));
   const std::vector<SingularVertex> singular = singular_vertices(
       topology, body.hooke,
@@ -94,7 +95,6 @@ void put(Stack stack, const NamedArguments& named,
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_stress(stack, named, problem, estimate);
   put_error(stack, named, estimate);
-  named.put(stack, "springpart", estimate.springs);
   named.put(stack, "rabscissa", abscissae(problem, estimate));
   put_tractions(stack, named, estimate);
   put_defects(stack, named, estimate);

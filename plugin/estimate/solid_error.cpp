@@ -33,12 +33,9 @@ constexpr int most_sweeps_in_space = 20;
 
 /// What plane bodies have, and a solid has not.
 void require_parameters_of_solids(const NamedArguments& named) {
-  for (const char* parameter :
-       {"multiplier", "tractions", "construction", "rt", "springpart",
-        "rabscissa", "corrected", "unmended"})
+  for (const char* parameter : {"multiplier", "tractions", "construction", "rt",
+                                "rabscissa", "corrected", "unmended"})
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
-  for (const char* of_bodies : {"spring", "rest"})
-    if (named.given_of_bodies(of_bodies)) refuse_of_plane_bodies(of_bodies);
 }
 
 RelaxationSettings solid_settings(Stack stack, const NamedArguments& named) {
@@ -94,10 +91,10 @@ void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
 
 void report_parts(const SolidEstimate& estimate) {
   cout << "contacterror: elastic part " << estimate.elastic
-       << ", contact part of e^2 " << estimate.contact
-       << ", equilibrium defect " << estimate.equilibrium.largest()
-       << ", cone defect " << estimate.cone << ", penetration "
-       << estimate.penetration << endl;
+       << ", contact part of e^2 " << estimate.contact << ", that of springs "
+       << estimate.springs << ", equilibrium defect "
+       << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
+       << ", penetration " << estimate.penetration << endl;
 }
 
 void report(Stack stack, const NamedArguments& named,

@@ -9,6 +9,7 @@
 #include "ffcontact/equilibrium/stress/stress_conditions.hpp"
 //
 #include "estimate/initial_stress.hpp"
+#include "estimate/springs.hpp"
 #include "freefem/solid_point.hpp"
 
 namespace ffcontact::plugin {
@@ -118,6 +119,22 @@ void put_tractions(Stack stack, const SolidLoad& traction,
   }
 }
 
+/// An expression at the points of FacetQuadrature on every boundary element of a solid, 0
+/// where it is null [7 x boundary].
+MatrixXd at_face_points(Stack stack, Expression expression,
+                        const SolidPart& solid) {
+  MatrixXd values =
+      MatrixXd::Zero(FacetQuadrature<3>::points, solid.fem_mesh->nbe);
+  if (!expression) return values;
+  SolidPoint point(stack, solid);
+  for (int b = 0; b < values.cols(); ++b)
+    for (int q = 0; q < values.rows(); ++q) {
+      point.go_to({b, FacetQuadrature<3>::hats(q)});
+      values(q, b) = point.value(expression);
+    }
+  return values;
+}
+
 /// A body force at the points of one tetrahedron.
 struct ForceSamples {
   Matrix3Xd f;
@@ -185,6 +202,7 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
   body.body_loads = BodyLoadsOfCells<3>::Zero(12, mesh.cell_count());
   Oscillation all;
   InitialStresses<3> initial(bodies.joined.first_cell);
+  Springs<3> springs(mesh.boundary.cols());
   for (int k = 0; k < bodies.body_count(); ++k) {
     const NamesOfBody own(k, bodies.body_count());
     const SolidPart solid = bodies.part(k);
@@ -194,8 +212,13 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
     all.add({put_body_loads(stack, {named, own("bodyforce")}, solid,
                             body.body_loads),
              initial.read(stack, named, k, hooke, solid)});
+    springs.read(named, k, bodies.body_count(), solid.first_boundary,
+                 [&](Expression expression) {
+                   return at_face_points(stack, expression, solid);
+                 });
   }
   body.initial = initial.joined();
+  body.springs = std::move(springs.joined);
   return all;
 }
 

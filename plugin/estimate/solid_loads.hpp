@@ -9,8 +9,8 @@
 namespace ffcontact::plugin {
 
 /// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
-/// (initialstrain=, initialstress=) and loads (traction=, bodyforce=) of all solids into what
-/// is judged, by the quadratures that FreeFEM's int2d and int3d use by default, so that they
+/// (initialstrain=, initialstress=), loads (traction=, bodyforce=) and springs (spring=,
+/// rest=) of all solids into what is judged, by the quadratures that FreeFEM's int2d and int3d use by default, so that they
 /// are the loads of the script.
 /// @throws std::invalid_argument  if a solid has not one elastic law
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,

@@ -211,7 +211,8 @@ MatrixXd at_gauss_points(Stack stack, Expression expression,
   for (int e = 0; e < values.cols(); ++e) {
     const bool same = point.first_vertex(e) == mesh.boundary(0, e);
     for (int q = 0; q < 3; ++q) {
-      point.go_to_boundary(e, same ? 1 - gauss_places[q] : gauss_places[q]);
+      const Vector2d hats = FacetQuadrature<2>::hats(q);
+      point.go_to_boundary(e, hats[same ? 0 : 1]);
       values(q, e) = point.value(expression);
     }
   }

@@ -18,11 +18,14 @@ struct ReadColumns {
   std::vector<double> oscillation;
 };
 
+void put(const std::vector<MatrixXd>& kinds, Packet& packet) {
+  packet.put(kinds.size());
+  for (const MatrixXd& of_kind : kinds) packet.put(of_kind);
+}
+
 void put(const ReadColumns& read, Packet& packet) {
-  for (const auto* columns : {&read.cells, &read.boundary}) {
-    packet.put(columns->size());
-    for (const MatrixXd& of_kind : *columns) packet.put(of_kind);
-  }
+  put(read.cells, packet);
+  put(read.boundary, packet);
   packet.put(read.oscillation);
 }
 
@@ -87,36 +90,22 @@ Tensors tensors_of(const MatrixXd& columns) {
   return hooke;
 }
 
-ReadColumns columns_of(const SolvedBody& body, const Oscillation& oscillation) {
+template <class Body>
+ReadColumns columns_of(const Body& body, const Oscillation& oscillation) {
   return {{columns_of(body.hooke), body.body_loads, body.initial.values()},
           {body.neumann, body.springs.stiffness, body.springs.rest},
           {oscillation.force, oscillation.strain}};
 }
 
-Oscillation take(const ReadColumns& whole, SolvedBody& body) {
-  body.hooke = tensors_of<Hooke>(whole.cells[0]);
+template <class Body>
+Oscillation take(const ReadColumns& whole, Body& body) {
+  body.hooke = tensors_of<decltype(body.hooke)>(whole.cells[0]);
   body.body_loads = whole.cells[1];
   if (whole.cells[2].cols() > 0)
-    body.initial = LinearStresses<2>::of_values(whole.cells[2]);
+    body.initial = decltype(body.initial)::of_values(whole.cells[2]);
   body.neumann = whole.boundary[0];
   body.springs.stiffness = whole.boundary[1];
   body.springs.rest = whole.boundary[2];
-  return {whole.oscillation[0], whole.oscillation[1]};
-}
-
-ReadColumns columns_of(const ffcontact::SolvedSolid& body,
-                       const Oscillation& oscillation) {
-  return {{columns_of(body.hooke), body.body_loads, body.initial.values()},
-          {body.neumann},
-          {oscillation.force, oscillation.strain}};
-}
-
-Oscillation take(const ReadColumns& whole, ffcontact::SolvedSolid& body) {
-  body.hooke = tensors_of<HookeTensors<3>>(whole.cells[0]);
-  body.body_loads = whole.cells[1];
-  if (whole.cells[2].cols() > 0)
-    body.initial = LinearStresses<3>::of_values(whole.cells[2]);
-  body.neumann = whole.boundary[0];
   return {whole.oscillation[0], whole.oscillation[1]};
 }
 
@@ -221,6 +210,8 @@ RelaxFaces relax_shared(const SharedContact& contact) {
                     const RelaxationSettings& settings,
                     FaceMoments& moments) -> std::vector<double> {
     if (settings.steps == 0) return {};
+    if (!setting.body.terms.empty())  // springs: by this process alone
+      return relax_facets<3>(setting, settings, moments);
     std::vector<int> owner(setting.body.topology.mesh.cell_count());
     const auto& cells = contact.solid->cell;
     for (int r = 0; r < count_of(cells); ++r)

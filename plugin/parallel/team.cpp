@@ -200,9 +200,12 @@ void Team::discard(long factor) noexcept { discarded_.push_back(factor); }
 /// Each of the others says when it knows; what it said before that is of no use.
 void Team::fail_all(const std::string& sentence) const {
   tell_all(Word::failed, Packet().put(sentence));
-  for (int r = 1; r < count(); ++r)
-    while (Packet(processes_->receive(r)).take<Word>() != Word::done) {
-    }
+  for (int r = 1; r < count(); ++r) wait_for(r);
+}
+
+void Team::wait_for(int rank) const {
+  while (Packet(processes_->receive(rank)).take<Word>() != Word::done) {
+  }
 }
 
 void Team::answer(const Packet& packet) const { tell(0, Word::values, packet); }

@@ -110,6 +110,8 @@ class Team {
   void tell(int rank, Word word, const Packet& packet = {}) const;
   void tell_all(Word word, const Packet& packet = {}) const;
   Packet answer_of(int rank) const;
+  /// Until it has done its part, whatever it still says.
+  void wait_for(int rank) const;
   void make(long number, MatrixPart part, const FactorOrder& order);
   void forget(const std::vector<long>& factors);
   SharedFactor& factor_of(long number) const;

@@ -35,7 +35,7 @@ TEST(Springs, that_press_a_block_uniformly_are_exact) {
     Problem problem = body(irregular(5, 4, 6, height, random), soft);
     prescribe(problem, left, 0);
     problem.law.multiplier = multiplier;
-    BoundarySprings springs;
+    BoundarySprings<2> springs;
     put_springs(
         problem.mesh, top,
         [&](const Vector2d&, const Vector2d& n) {
@@ -72,7 +72,7 @@ RC_GTEST_PROP(Springs, are_exact_for_linear_displacements, (Random random)) {
   const Vector3d sigma = soft.hooke() * strain;
   RC_PRE(sigma[1] < 0);
   Problem problem = body(mesh, soft);
-  BoundarySprings springs;
+  BoundarySprings<2> springs;
   for (const int label : {left, top, right}) {
     const Matrix2d K = random_stiffness(random);
     const Vector2d rest = random_vector(2, random);
@@ -86,14 +86,14 @@ RC_GTEST_PROP(Springs, are_exact_for_linear_displacements, (Random random)) {
   }
   assemble(springs, problem);
   // F = sigma n + K (u - u_0), linear along the edges
-  problem.neumann = -spring_moments(mesh, springs, nodal_values(mesh, u));
+  problem.neumann = -spring_moments<2>(mesh, springs, nodal_values(mesh, u));
   for (int e = 0; e < problem.edges.count(); ++e) {
     const int b = problem.edges.boundary_index[e];
     if (b < 0 || mesh.boundary_label[b] == bottom) continue;
     const Vector2d across = turned_right(edge_vector(mesh, problem.edges, e));
     problem.neumann.col(b) += 0.5 * traction(sigma, across).replicate<2, 1>();
   }
-  problem.b += boundary_forces(mesh, problem.neumann);
+  problem.b += boundary_forces<2>(mesh, problem.neumann);
   const ContactSolution solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
   const Estimate estimate = estimated(problem, solution, springs);
@@ -109,8 +109,8 @@ struct SprungBlock {
   double at_right, slip_bound, nu;
   Multiplier multiplier;
 
-  BoundarySprings springs_on(const Mesh& body_mesh) const {
-    BoundarySprings springs;
+  BoundarySprings<2> springs_on(const Mesh& body_mesh) const {
+    BoundarySprings<2> springs;
     put_springs(
         body_mesh, top,
         [&](const Vector2d&, const Vector2d&) {
@@ -158,7 +158,7 @@ double squared_spring_distance(const SprungBlock& block, const Problem& coarse,
                                const Estimate& estimate,
                                const Matrix4Xd& tractions, const Problem& fine,
                                const VectorXd& reference) {
-  const BoundarySprings springs = block.springs_on(coarse.mesh);
+  const BoundarySprings<2> springs = block.springs_on(coarse.mesh);
   const Index parts = fine.mesh.boundary.cols() / coarse.mesh.boundary.cols();
   double square = 0;
   for (Index b = 0; b < fine.mesh.boundary.cols(); ++b) {
@@ -172,7 +172,7 @@ double squared_spring_distance(const SprungBlock& block, const Problem& coarse,
     const double length = (to - from).norm();
     const Vector4d density = density_of(tractions.col(B), length);
     for (int q = 0; q < 3; ++q) {
-      const double s = gauss_places[q];
+      const double s = FacetQuadrature<2>::hats(q)[1];
       const Vector2d x = (1 - s) * end(fine, 0, b) + s * end(fine, 1, b);
       const double S = (x - from).norm() / length;
       const auto value = [&](const Problem& problem, const VectorXd& u,
@@ -189,7 +189,8 @@ double squared_spring_distance(const SprungBlock& block, const Problem& coarse,
                          (1 - S) * density.head<2>() + S * density.tail<2>();
       const Matrix2d flexibility =
           K.completeOrthogonalDecomposition().pseudoInverse();
-      square += length / static_cast<double>(parts) * gauss_weights[q] *
+      square += length / static_cast<double>(parts) *
+                FacetQuadrature<2>::weights[q] *
                 ((t - t_hat).dot(flexibility * (t - t_hat)) +
                  (u - u_hat).dot(K * (u - u_hat)));
     }
@@ -247,7 +248,7 @@ TEST(Springs, that_are_stiff_are_judged_as_supports) {
   const auto pressed = [&](double k) {
     Problem problem = body(mesh, soft);
     add_traction(problem, left, {1, -0.5});
-    BoundarySprings springs;
+    BoundarySprings<2> springs;
     if (k > 0) {
       put_springs(
           mesh, top,
@@ -275,7 +276,7 @@ TEST(Springs, share_an_edge_with_a_support) {
   const auto judged = [&](const Matrix2d& K) {
     Problem problem = body(mesh, soft);
     add_traction(problem, top, {-1, -2});
-    BoundarySprings springs;
+    BoundarySprings<2> springs;
     put_springs(
         mesh, right,
         [&](const Vector2d&, const Vector2d&) {
@@ -309,7 +310,7 @@ RC_GTEST_PROP(Springs, know_no_direction_and_no_unit, (Random random)) {
     turned.vertices *= unit;
     Problem problem = body(turned, soft);
     add_traction(problem, left, R * on_left);
-    BoundarySprings springs;
+    BoundarySprings<2> springs;
     put_springs(
         turned, top,
         [&](const Vector2d&, const Vector2d& n) {
@@ -334,7 +335,7 @@ TEST(Springs, of_another_stiffness_are_refused_by_name) {
   Problem problem = body(rectangle(4, 3, 6, 4), soft);
   add_traction(problem, left, {1, -1});
   const auto springs_of = [&](double k) {
-    BoundarySprings springs;
+    BoundarySprings<2> springs;
     put_springs(
         problem.mesh, top,
         [&](const Vector2d&, const Vector2d&) {
@@ -354,7 +355,7 @@ TEST(Springs, of_another_stiffness_are_refused_by_name) {
   EXPECT_TRUE(
       says(refusal([&] { estimated(problem, solution, springs_of(-30)); }),
            "must not be negative"));
-  BoundarySprings in_contact = springs_of(30);
+  BoundarySprings<2> in_contact = springs_of(30);
   put_springs(
       problem.mesh, bottom,
       [](const Vector2d&, const Vector2d&) {
@@ -363,7 +364,7 @@ TEST(Springs, of_another_stiffness_are_refused_by_name) {
       in_contact);
   EXPECT_TRUE(says(refusal([&] { estimated(problem, solution, in_contact); }),
                    "springs are on the contact line"));
-  BoundarySprings changing = springs_of(30);
+  BoundarySprings<2> changing = springs_of(30);
   changing.stiffness.col(0).setZero();
   for (Index b = 0; b < problem.mesh.boundary.cols(); ++b)
     if (problem.mesh.boundary_label[b] == top) changing.stiffness(0, b) = 0;

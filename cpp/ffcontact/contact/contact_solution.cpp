@@ -52,10 +52,13 @@ void require_sound(const Mesh& mesh, const ContactLine& line,
 }
 
 /// Is nothing loaded or moved, with a gap somewhere?
+bool has_open_gap(const ContactLaw& law) {
+  return law.gap.size() > 0 && law.gap.minCoeff() >= 0 && max_norm(law.gap) > 0;
+}
+
 bool is_at_rest(const ContactLaw& law, const ElasticSystem& system) {
   return system.load.isZero(0) && system.prescribed_value.isZero(0) &&
-         law.gap.size() > 0 && law.gap.minCoeff() >= 0 &&
-         max_norm(law.gap) > 0 && law.previous.isZero(0);
+         has_open_gap(law) && law.previous.isZero(0);
 }
 
 /// A body at rest stays: nothing moves and no node touches. Newton would look for it

@@ -17,6 +17,7 @@
 #include "ffcontact/estimate/error/contact_edges.hpp"
 #include "ffcontact/estimate/error/error_history.hpp"
 #include "ffcontact/estimate/error/polynomial_norms.hpp"
+#include "ffcontact/estimate/error/spring_parts.hpp"
 #include "ffcontact/estimate/error/wide_cones.hpp"
 #include "ffcontact/estimate/tractions/first_tractions.hpp"
 #include "ffcontact/estimate/tractions/tool_work.hpp"
@@ -41,14 +42,13 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
   const SolvedBody& body = bodies.body();
   const ContactDensities& densities = first.contact.densities;
   const BoundaryTractions boundary = bodies.boundary_with(densities);
-  const std::vector<FreeSpring> springs = free_springs(
-      mesh, edges, body.springs, boundary, contact_edge_numbers(line, edges),
-      u_hat, bodies.spring_tractions());
-  const BoundaryTractions without_springs = released(boundary, springs);
+  const std::vector<FreeSpring<2>> springs = free_springs<2>(
+      mesh, edges, body.springs, boundary, u_hat, bodies.spring_tractions());
+  const BoundaryTractions without_springs = released<2>(boundary, springs);
 
   FacetSetting<2> setting{{bodies.topology(), body.hooke, without_springs,
                            compared.body_loads(body), compared.stress,
-                           terms_of(springs)}};
+                           terms_of<2>(springs)}};
   if (contact_is_free)
     setting.contact = contact_edges(line, compared.law, compared.displacement,
                                     densities, boundary);
@@ -59,8 +59,8 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
   put_tractions(setting.contact, result.moments, result.contact);
   if (settings.tractions != Tractions::published)
     clamp_rounding(line, body.law, result.contact);
-  add_spring_changes(mesh, edges, springs, boundary, result.moments,
-                     bodies.spring_tractions());
+  add_spring_changes<2>(mesh, edges, springs, boundary, result.moments,
+                        bodies.spring_tractions());
   put_known<2>(bodies.boundary_with(result.contact), result.moments);
   return result;
 }
@@ -75,15 +75,6 @@ void share_contact_part(const Edges& edges, const ContactLine& line,
         (facing < 0 ? 1 : 0.5) * contact_part[e];
     if (facing >= 0) local[edges.cells(0, facing)] += 0.5 * contact_part[e];
   }
-}
-
-/// Adds the springs' part of each edge to its triangle.
-void share_spring_part(const Edges& edges, const VectorXd& of_column,
-                       VectorXd& local) {
-  if (of_column.size() == 0) return;
-  for (int e = 0; e < edges.count(); ++e)
-    if (edges.on_boundary(e))
-      local[edges.cells(0, e)] += of_column[edges.boundary_index[e]];
 }
 
 StressNorms<2> norms_by(Construction construction, const MatchedBodies& bodies,
@@ -113,7 +104,7 @@ void put_error(const MatchedBodies& bodies, const StressNorms<2>& norms,
   VectorXd local = norms.difference;
   share_contact_part(bodies.topology().facets, bodies.line(), contact_part,
                      local);
-  share_spring_part(bodies.topology().facets, springs.difference, local);
+  add_spring_parts<2>(bodies.topology().facets, springs.difference, local);
   estimate.local =
       (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
 }
@@ -126,8 +117,8 @@ StressNorms<2> put_error(const MatchedBodies& bodies, const Compared& compared,
       bodies.line(), compared.law, relaxed.contact, compared.displacement);
   estimate.contact = contact_part.sum();
   const SpringNorms springs =
-      spring_norms(bodies.topology().mesh, bodies.body().springs,
-                   estimate.displacement, bodies.spring_tractions());
+      spring_norms<2>(bodies.topology().mesh, bodies.body().springs,
+                      estimate.displacement, bodies.spring_tractions());
   estimate.springs = springs.difference.sum();
   StressNorms<2> norms =
       norms_by(Construction::composite, bodies, compared, relaxed, estimate);
@@ -266,7 +257,7 @@ Estimate estimate_error(const Topology<2>& topology, const ContactLine& line,
                         const EstimateSettings& settings) {
   const SolvedProblem solved{topology, line, system, body};
   require_sound(solved, settings);
-  require_law_of_matrix(topology.mesh, system, body.hooke, body.springs);
+  require_law_of_matrix<2>(topology.mesh, system, body.hooke, body.springs);
   const double stress_terms =
       largest_stress_terms(topology, line, body, body.displacement);
   if (!is_unstressed(topology, line, system.prescribed, body, stress_terms))

@@ -20,7 +20,7 @@ namespace ffcontact {
 /// (sigma_hat, r_hat)) [CHH01, 2.2].
 ///     e^2 = |sigma_hat - C eps(u_hat)|^2 + 2 int (mu |r_n||w_t| + r_t w_t + r_n w_n)                              (2.11)
 ///     eps = e / |sigma_hat + C eps(u_hat)|,   eps^2 = sum of eps_E^2                                        (2.12), (2.13)
-/// Springs on the boundary (BoundarySprings) with the tractions t_hat beside the given ones
+/// Springs on the boundary (BoundarySprings<2>) with the tractions t_hat beside the given ones
 /// add int (t_hat + K (u_hat - u_0))' K^-1 (t_hat + K (u_hat - u_0)) to e^2 and the same
 /// with a minus to the square of the denominator; the bounds hold for norms that contain
 /// their energy.
@@ -31,7 +31,6 @@ namespace ffcontact {
 /// For Tresca's law and without friction e bounds the error of the pair (2.20); for
 /// Coulomb's law (2.14) has one more term, for which there is coulomb_bound.
 struct Estimate : PairError {
-  double springs = 0;  ///< the springs' part of e^2
   /// The bodies cut so that their facing traces match, where they do not; the fields
   /// below are then on its mesh and line.
   std::optional<CommonRefinement> refinement;

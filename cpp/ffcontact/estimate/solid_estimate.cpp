@@ -12,6 +12,8 @@
 #include "ffcontact/contact/law/bounded_friction.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
+#include "ffcontact/equilibrium/tractions/free_springs.hpp"
+#include "ffcontact/estimate/bodies/boundary_moments.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
@@ -20,6 +22,7 @@
 #include "ffcontact/estimate/displacement/sticking_solid.hpp"
 #include "ffcontact/estimate/error/error_history.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
+#include "ffcontact/estimate/error/spring_parts.hpp"
 #include "ffcontact/estimate/error/stress_norms.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
 #include "ffcontact/estimate/error/traction_oscillation.hpp"
@@ -30,17 +33,6 @@
 namespace ffcontact {
 
 namespace {
-
-FaceTractions given_of(const SolvedSolidProblem& solved) {
-  return given_tractions(solved.topology.mesh, solved.topology.facets,
-                         solved.system.prescribed, solved.body.neumann);
-}
-
-/// Loads on supports are felt by nothing.
-bool has_loads(const SolvedSolidProblem& solved) {
-  return !given_of(solved).moments.isZero(0) ||
-         !solved.body.body_loads.isZero(0);
-}
 
 /// Stresses of u_h and the forces beside them, 0 where they are rounding.
 /// @param terms  largest_stress_terms
@@ -59,7 +51,9 @@ struct SolidStresses {
     const double traction = max_norm(solved.body.force) /
                             solved.surface.area.minCoeff(),
                  largest = std::max(total.bound(), traction);
-    unstressed = largest <= rounding_of_terms * terms && !has_loads(solved);
+    unstressed =
+        largest <= rounding_of_terms * terms &&
+        !has_loads(solved.topology, solved.system.prescribed, solved.body);
     computed = total.mean;
     if (unstressed) computed.setZero();
   }
@@ -83,11 +77,11 @@ bool stays_unloaded(const SolvedSolidProblem& solved,
 }
 
 /// The contact faces whose tractions are relaxed.
-/// @param given  tractions beside those of contact
 std::vector<ContactFacet<3>> relaxed_faces(const SolvedSolidProblem& solved,
-                                           const FaceTractions& given,
                                            const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
+  const FaceTractions given =
+      carried_beside_contact(topology, system.prescribed, body);
   std::vector<ContactFacet<3>> relaxed;
   for (ContactFacet<3>& face :
        contact_faces(topology.mesh, topology.facets, surface, body.law,
@@ -125,18 +119,68 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
   return part;
 }
 
-/// (2.11) to (2.13).
-void put_error(const SolvedSolidProblem& solved, const FacetSetting<3>& setting,
-               const StressNorms<3>& norms, const std::vector<double>& falls,
-               SolidEstimate& estimate) {
+/// Body loads of sigma_hat - sigma, where they are not those of sigma_hat.
+BodyLoadsOfCells<3> difference_loads_of(const SolvedSolid& body,
+                                        const SolidMesh& mesh,
+                                        const LinearStresses<3>& stress) {
+  if (!stress.varies()) return {};
+  return difference_body_loads(mesh, body.body_loads, stress);
+}
+
+/// Relaxes the tractions of springs, too, and puts them into what the boundary carries.
+std::vector<double> relaxed_with_springs(const SolvedSolidProblem& solved,
+                                         const RelaxFaces& relax,
+                                         const RelaxationSettings& settings,
+                                         const FacetSetting<3>& fixed,
+                                         FirstSurfaceTractions& first,
+                                         SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
-  const VectorXd contact_part =
-      contact_part_of(solved, setting.contact, estimate);
+  const std::vector<FreeSpring<3>> springs =
+      free_springs<3>(topology.mesh, topology.facets, body.springs,
+                      first.boundary, estimate.displacement, first.springs);
+  const FaceTractions without = released<3>(first.boundary, springs);
+  const LoadedFacets<3>& of = fixed.body;
+  const std::vector<double> falls =
+      relax({{of.topology, of.hooke, without, of.body_loads, of.stress,
+              terms_of<3>(springs)},
+             fixed.contact},
+            settings, estimate.moments);
+  add_spring_changes<3>(topology.mesh, topology.facets, springs, first.boundary,
+                        estimate.moments, first.springs);
+  first.boundary = boundary_with(solved, first.springs, estimate.tractions);
+  return falls;
+}
+
+/// sigma_hat, r_hat and the springs' tractions; returns what e^2 fell by in every step.
+std::vector<double> relaxed(const SolvedSolidProblem& solved,
+                            const RelaxFaces& relax,
+                            const RelaxationSettings& settings,
+                            const FacetSetting<3>& setting,
+                            FirstSurfaceTractions& first,
+                            SolidEstimate& estimate) {
+  const std::vector<double> falls =
+      solved.body.springs.empty()
+          ? relax(setting, settings, estimate.moments)
+          : relaxed_with_springs(solved, relax, settings, setting, first,
+                                 estimate);
+  put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
+  return falls;
+}
+
+/// (2.11) to (2.13).
+void put_error(const SolvedSolidProblem& solved,
+               const std::vector<ContactFacet<3>>& contact,
+               const StressNorms<3>& norms, const SpringNorms& springs,
+               const std::vector<double>& falls, SolidEstimate& estimate) {
+  const auto& [topology, surface, system, body] = solved;
+  const VectorXd contact_part = contact_part_of(solved, contact, estimate);
   const double elastic = parted_sum(topology.mesh.cell_count(),
                                     [&](int t) { return norms.difference[t]; }),
-               scale = norms.sum > 0 ? norms.sum : 1;
+               sum = norms.sum + springs.sum, scale = sum > 0 ? sum : 1;
   estimate.contact = contact_part.sum();
-  const double square = square_of_error(elastic, estimate.contact);
+  estimate.springs = springs.difference.sum();
+  const double square =
+      square_of_error(elastic + estimate.springs, estimate.contact);
   estimate.elastic = std::sqrt(elastic);
   estimate.e = std::sqrt(square);
   estimate.relative = estimate.e / std::sqrt(scale);
@@ -144,6 +188,7 @@ void put_error(const SolvedSolidProblem& solved, const FacetSetting<3>& setting,
   VectorXd local = norms.difference;
   for (int m = 0; m < surface.face_count(); ++m)
     local[topology.facets.cells(0, surface.face[m])] += contact_part[m];
+  add_spring_parts<3>(topology.facets, springs.difference, local);
   estimate.local = (local / scale).cwiseMax(0.0).cwiseSqrt();
 }
 
@@ -242,7 +287,7 @@ SolidEstimate estimate_error(const Topology<3>& topology,
                              const RelaxFaces& relax) {
   const SolvedSolidProblem given{topology, surface, system, body};
   require_sound(given, settings);
-  require_law_of_matrix(topology.mesh, system, body.hooke);
+  require_law_of_matrix<3>(topology.mesh, system, body.hooke, body.springs);
   const SolidStresses stress(given);
   SolvedSolid without_forces;
   if (stress.unstressed) {
@@ -267,22 +312,22 @@ SolidEstimate estimate_error(const Topology<3>& topology,
   estimate.moments = std::move(first.moments);
 
   // 4. Relaxation of sigma_hat - C eps(u_hat), contact tractions in the cone.
-  BodyLoadsOfCells<3> other_loads;
-  if (of_displacement.varies())
-    other_loads =
-        difference_body_loads(topology.mesh, body.body_loads, of_displacement);
+  const BodyLoadsOfCells<3> other_loads =
+      difference_loads_of(body, topology.mesh, of_displacement);
   const FacetSetting<3> setting{
       {topology, body.hooke, first.boundary,
        of_displacement.varies() ? other_loads : body.body_loads,
        of_displacement},
-      relaxed_faces(solved, given_of(solved), estimate)};
-  const std::vector<double> falls = relax(setting, settings, estimate.moments);
-  put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
+      relaxed_faces(solved, estimate)};
+  const std::vector<double> falls =
+      relaxed(solved, relax, settings, setting, first, estimate);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const StressNorms<3> norms =
       stress_norms<3>({setting.body, estimate.moments, body.body_loads});
-  put_error(solved, setting, norms, falls, estimate);
+  const SpringNorms springs = spring_norms<3>(
+      topology.mesh, body.springs, estimate.displacement, first.springs);
+  put_error(solved, setting.contact, norms, springs, falls, estimate);
   estimate.oscillation = traction_oscillation(
       topology.mesh, topology.facets, surface, body.hooke, estimate.tractions);
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -106,9 +107,13 @@ class SheetFinder {
   }
 
   /// Corners of both faces at the vertices that they share.
+  /// Those of a face among all.
+  static std::array<int, 3> corners(int m) {
+    return {3 * m, 3 * m + 1, 3 * m + 2};
+  }
   void join_corners(int m, int other) {
-    for (int a = 3 * m; a < 3 * m + 3; ++a)
-      for (int b = 3 * other; b < 3 * other + 3; ++b)
+    for (int a : corners(m))
+      for (int b : corners(other))
         if (vertex(a) == vertex(b)) nodes_.join(a, b);
   }
 

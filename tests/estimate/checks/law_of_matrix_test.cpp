@@ -169,9 +169,10 @@ TEST(DataDefect, names_the_loads_that_are_not_those_of_u) {
   const std::string traction = sentence_about(
       Multiplier::force, [](Problem&, SolvedBody& body,
                             const ContactSolution&) { body.neumann *= 2; });
-  EXPECT_TRUE(says(traction,
-                   "on the boundary: give the traction=, initialstrain= and "
-                   "initialstress= u was computed with"))
+  EXPECT_TRUE(
+      says(traction,
+           "on the boundary: give the traction=, rest=, initialstrain= and "
+           "initialstress= u was computed with"))
       << traction;
   const std::string inside =
       sentence_about(Multiplier::force,

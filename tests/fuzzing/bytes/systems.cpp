@@ -67,7 +67,7 @@ SolvedBody any_body(fuzz::Bytes& bytes, const Mesh& mesh, const ContactLaw& law,
   if (spoilt % 8 == 4) body.hooke[0].setConstant(bytes.number());
   if (spoilt % 8 == 5) body.pressure.resize(2, bytes.up_to(6));
   if (spoilt % 8 == 6) {
-    body.springs = BoundarySprings(mesh.boundary.cols() - bytes.up_to(1));
+    body.springs = BoundarySprings<2>(mesh.boundary.cols() - bytes.up_to(1));
     body.springs.stiffness.reshaped() =
         bytes.numbers(body.springs.stiffness.size());
   }

@@ -54,9 +54,10 @@ void FreeContact<d>::fix_known(const BoundarySpoke<d>& spoke,
                                Conditions& conditions) const {
   for (int row = 0; row < spoke.moments.rows(); ++row)
     if (known_(row % d, spoke.facet)) conditions.add(spoke.moments.row(row));
-  const auto direction = boundary_.known_direction.find(spoke.facet);
-  for (int j = 0; j < d && direction != boundary_.known_direction.end(); ++j)
-    conditions.add(direction->second.transpose() *
+  const auto own = boundary_.known_direction.find(spoke.facet);
+  if (own == boundary_.known_direction.end()) return;
+  for (int j = 0; j < d; ++j)
+    conditions.add(own->second.transpose() *
                    spoke.moments.template middleRows<d>(d * j));
 }
 

@@ -154,9 +154,11 @@ MatrixXd ridge_conditions(const FacetTopology<d>& topology, int ridge,
     };
     for (int row = 0; row < moments; ++row)
       if (known(row % d, facet)) add(V.row(row));
-    const auto direction = directions.find(facet);
-    for (int j = 0; j < d && direction != directions.end(); ++j)
-      add(direction->second.transpose() * V.template middleRows<d>(d * j));
+    const auto own = directions.find(facet);
+    if (own == directions.end()) continue;
+    for (const auto direction : own->second.colwise())
+      for (int j = 0; j < d; ++j)
+        add(direction.transpose() * V.template middleRows<d>(d * j));
   }
   return rows.topRows(next);
 }

@@ -4,8 +4,6 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
-#include "ffcontact/linear/dense/congruent.hpp"
-#include "ffcontact/linear/dense/products.hpp"
 #include "ffcontact/linear/dense/symmetric_eigen.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -16,112 +14,119 @@ namespace {
 /// Stiffnesses below this part of the largest one at a point are none.
 constexpr double negligible_stiffness = 1e-12;
 
-bool answers(const SymmetricEigen& axes, int k) {
-  return axes.values[k] > negligible_stiffness * axes.values[1];
-}
-
 /// The sum of f(stiffness) n n' over the axes n along which K answers.
-template <class Function>
-Matrix2d over_axes(const Matrix2d& K, Function&& f) {
+template <int d, class Function>
+MatrixOf<d> over_axes(const MatrixOf<d>& K, Function&& f) {
   const SymmetricEigen axes = symmetric_eigen(K);
-  Matrix2d sum = Matrix2d::Zero();
-  for (int k = 0; k < 2; ++k) {
-    const Vector2d n = axes.vectors.col(k);
-    if (answers(axes, k)) sum += f(axes.values[k]) * n * n.transpose();
+  MatrixOf<d> sum = MatrixOf<d>::Zero();
+  for (int k = 0; k < d; ++k) {
+    const VectorOf<d> n = axes.vectors.col(k);
+    if (axes.values[k] > negligible_stiffness * axes.values[d - 1])
+      sum += f(axes.values[k]) * n * n.transpose();
   }
   return sum;
 }
 
-Matrix2d projector(const Matrix2d& K) {
-  return over_axes(K, [](double) { return 1.0; });
+template <int d>
+MatrixOf<d> projector(const MatrixOf<d>& K) {
+  return over_axes<d>(K, [](double) { return 1.0; });
 }
 
 /// K^-1 on its range.
-Matrix2d flexibility(const Matrix2d& K) {
-  return over_axes(K, [](double k) { return 1 / k; });
+template <int d>
+MatrixOf<d> flexibility(const MatrixOf<d>& K) {
+  return over_axes<d>(K, [](double k) { return 1 / k; });
 }
 
-/// A linear vector field at a point from its end values.
-Vector2d between_ends(int point, const Vector4d& ends) {
-  const double s = gauss_places[point];
-  return (1 - s) * ends.head<2>() + s * ends.tail<2>();
+/// At the vertices of a column, one column each.
+template <int d>
+MatrixOf<d> vertex_displacements(const SimplexMesh<d>& mesh,
+                                 const Ref<const VectorXd>& displacement,
+                                 Index column) {
+  MatrixOf<d> u;
+  for (int k = 0; k < d; ++k)
+    u.col(k) = vector_at<d>(displacement, mesh.boundary(k, column));
+  return u;
 }
 
-/// A vector at a point times the hat functions of the ends.
-Vector4d at_ends(int point, const Vector2d& v) {
-  const double s = gauss_places[point];
-  return {(1 - s) * v.x(), (1 - s) * v.y(), s * v.x(), s * v.y()};
-}
-
-Vector4d end_displacements(const Mesh& mesh,
-                           const Ref<const VectorXd>& displacement,
-                           Index column) {
-  const Vector2d first = vector_at<2>(displacement, mesh.boundary(0, column)),
-                 second = vector_at<2>(displacement, mesh.boundary(1, column));
-  return {first.x(), first.y(), second.x(), second.y()};
-}
-
-/// Its end values from its moments.
-Vector4d density_of(const Vector4d& moments, double length) {
-  return facet_density<2>(moments.reshaped(2, 2), length).reshaped();
+template <int d>
+MatrixOf<d> density_of(const FacetVector<d>& moments, double measure) {
+  const MatrixOf<d> at_vertices = moments.reshaped(d, d);
+  return facet_density<d>(at_vertices, measure);
 }
 
 /// The traction at a point from its moments, a column for each.
-Matrix<double, 2, 4> tractions_at(int point, double length) {
-  Matrix<double, 2, 4> tractions;
-  for (int k = 0; k < 4; ++k)
-    tractions.col(k) =
-        between_ends(point, density_of(Vector4d::Unit(k), length));
+template <int d>
+Matrix<double, d, d * d> tractions_at(int point, double measure) {
+  Matrix<double, d, d * d> tractions;
+  for (int k = 0; k < d * d; ++k)
+    tractions.col(k) = density_of<d>(FacetVector<d>::Unit(k), measure) *
+                       FacetQuadrature<d>::hats(point);
   return tractions;
 }
 
 /// @param with_rest  whether u_0 counts
-Matrix4Xd moments_of_answers(const Mesh& mesh, const BoundarySprings& springs,
-                             const Ref<const VectorXd>& displacement,
-                             bool with_rest) {
-  Matrix4Xd moments = Matrix4Xd::Zero(4, springs.stiffness.cols());
+template <int d>
+FacetColumns<d> moments_of_answers(const SimplexMesh<d>& mesh,
+                                   const BoundarySprings<d>& springs,
+                                   const Ref<const VectorXd>& displacement,
+                                   bool with_rest) {
+  using Quadrature = FacetQuadrature<d>;
+  FacetColumns<d> moments =
+      FacetColumns<d>::Zero(d * d, springs.stiffness.cols());
   for (Index b = 0; b < moments.cols(); ++b) {
     if (!springs.on(b)) continue;
-    const Vector4d ends = end_displacements(mesh, displacement, b);
-    const double length = boundary_measure(mesh, b);
-    for (int q = 0; q < 3; ++q) {
-      Vector2d u = between_ends(q, ends);
+    const MatrixOf<d> at_vertices =
+        vertex_displacements<d>(mesh, displacement, b);
+    const double measure = boundary_measure(mesh, b);
+    for (int q = 0; q < Quadrature::points; ++q) {
+      const VectorOf<d> hats = Quadrature::hats(q);
+      VectorOf<d> u = at_vertices * hats;
       if (with_rest) u -= springs.rest_at(q, b);
-      const double weight = length * gauss_weights[q];
-      moments.col(b) -= at_ends(q, weight * (springs.stiffness_at(q, b) * u));
+      const VectorOf<d> answer =
+          measure * Quadrature::weights[q] * springs.stiffness_at(q, b) * u;
+      moments.col(b) -= (answer * hats.transpose()).reshaped();
     }
   }
   return moments;
 }
 
 /// The same with the sign of K (u - u_0).
-SpringError quadratic_form(const Mesh& mesh, const BoundarySprings& springs,
-                           const Ref<const VectorXd>& displacement,
-                           const Vector4d& moments, Index column, double sign) {
-  const double length = boundary_measure(mesh, column);
-  const Vector4d ends = end_displacements(mesh, displacement, column),
-                 density = density_of(moments, length);
-  SpringError error;
-  for (int q = 0; q < 3; ++q) {
-    const Matrix2d K = springs.stiffness_at(q, column);
-    const Matrix<double, 2, 4> t = tractions_at(q, length);
-    const Vector2d u = between_ends(q, ends) - springs.rest_at(q, column),
-                   answer = K * u,
-                   off = between_ends(q, density) + sign * answer;
-    const Matrix2d weight = length * gauss_weights[q] * flexibility(K);
-    const Vector2d weighted = weight * off;
-    error.H += congruent(weight, t);
-    error.g += transposed_product(t, weighted);
+template <int d>
+SpringError<d> quadratic_form(const SimplexMesh<d>& mesh,
+                              const BoundarySprings<d>& springs,
+                              const Ref<const VectorXd>& displacement,
+                              const FacetVector<d>& moments, Index column,
+                              double sign) {
+  using Quadrature = FacetQuadrature<d>;
+  const double measure = boundary_measure(mesh, column);
+  const MatrixOf<d> at_vertices =
+                        vertex_displacements<d>(mesh, displacement, column),
+                    density = density_of<d>(moments, measure);
+  SpringError<d> error;
+  for (int q = 0; q < Quadrature::points; ++q) {
+    const VectorOf<d> hats = Quadrature::hats(q);
+    const MatrixOf<d> K = springs.stiffness_at(q, column),
+                      weight =
+                          measure * Quadrature::weights[q] * flexibility<d>(K);
+    const VectorOf<d> answer =
+        K * (at_vertices * hats - springs.rest_at(q, column));
+    const VectorOf<d> off = density * hats + sign * answer,
+                      weighted = weight * off;
+    const auto t = tractions_at<d>(q, measure);
+    error.H += t.transpose() * weight * t;
+    error.g += t.transpose() * weighted;
     error.before += off.dot(weighted);
   }
   return error;
 }
 
-void require_stiffness(const Matrix2d& K, const Vector2d& rest,
-                       const Vector2d& place) {
+template <int d>
+void require_stiffness(const MatrixOf<d>& K, const VectorOf<d>& rest,
+                       const VectorOf<d>& place) {
   if (!K.allFinite() || !rest.allFinite())
     refuse("the springs at ", in_words(place), " are not finite numbers");
-  const Vector2d k = symmetric_eigen(K).values;
+  const VectorXd k = symmetric_eigen(K).values;
   if (k[0] < -negligible_stiffness * max_norm(k))
     refuse("the stiffness of the springs must not be negative; at ",
            in_words(place), " it is ", k[0], " in one direction");
@@ -129,62 +134,68 @@ void require_stiffness(const Matrix2d& K, const Vector2d& rest,
 
 }  // namespace
 
-Matrix2d BoundarySprings::stiffness_at(int point, Index column) const {
-  const Vector3d k = stiffness.block<3, 1>(3 * point, column);
-  Matrix2d K;
-  K << k[0], k[1], k[1], k[2];
-  return K;
-}
-
-Matrix2d answered_directions(const Mesh& mesh, const BoundarySprings& springs,
-                             Index column) {
+template <int d>
+MatrixOf<d> answered_directions(const SimplexMesh<d>& mesh,
+                                const BoundarySprings<d>& springs,
+                                Index column) {
   constexpr double parallel = 1e-9;
-  const Matrix2d P = projector(springs.stiffness_at(0, column));
-  for (int q = 1; q < 3; ++q)
-    if (!(P - projector(springs.stiffness_at(q, column))).isZero(parallel))
-      refuse("the springs on the boundary edge at ",
+  const MatrixOf<d> P = projector<d>(springs.stiffness_at(0, column));
+  for (int q = 1; q < springs.points; ++q)
+    if (!(P - projector<d>(springs.stiffness_at(q, column))).isZero(parallel))
+      refuse("the springs on the boundary ", d == 2 ? "edge" : "face", " at ",
              in_words(mesh.place(mesh.boundary(0, column))),
              " answer other directions at one end than at the other: along "
-             "each edge a stiffness must be zero or positive all the way");
+             "each ",
+             d == 2 ? "edge" : "face",
+             " a stiffness must be zero or positive all the way");
   return P;
 }
 
-void require_valid(const Mesh& mesh, const BoundarySprings& springs) {
+template <int d>
+void require_valid(const SimplexMesh<d>& mesh,
+                   const BoundarySprings<d>& springs) {
   if (springs.empty()) return;
   require_size("springs", springs.stiffness.cols(), mesh.boundary.cols());
   require_size("springs at rest", springs.rest.cols(), mesh.boundary.cols());
   for (Index b = 0; b < mesh.boundary.cols(); ++b) {
-    for (int q = 0; q < 3; ++q)
-      require_stiffness(springs.stiffness_at(q, b), springs.rest_at(q, b),
-                        mesh.place(mesh.boundary(0, b)));
+    for (int q = 0; q < springs.points; ++q)
+      require_stiffness<d>(springs.stiffness_at(q, b), springs.rest_at(q, b),
+                           mesh.place(mesh.boundary(0, b)));
     answered_directions(mesh, springs, b);
   }
 }
 
-Matrix4Xd spring_moments(const Mesh& mesh, const BoundarySprings& springs,
-                         const Ref<const VectorXd>& displacement) {
-  return moments_of_answers(mesh, springs, displacement, true);
+template <int d>
+FacetColumns<d> spring_moments(const SimplexMesh<d>& mesh,
+                               const BoundarySprings<d>& springs,
+                               const Ref<const VectorXd>& displacement) {
+  return moments_of_answers<d>(mesh, springs, displacement, true);
 }
 
-Matrix4Xd spring_moment_changes(const Mesh& mesh,
-                                const BoundarySprings& springs,
-                                const Ref<const VectorXd>& displacement) {
-  return moments_of_answers(mesh, springs, displacement, false);
+template <int d>
+FacetColumns<d> spring_moment_changes(const SimplexMesh<d>& mesh,
+                                      const BoundarySprings<d>& springs,
+                                      const Ref<const VectorXd>& displacement) {
+  return moments_of_answers<d>(mesh, springs, displacement, false);
 }
 
-SpringError spring_error(const Mesh& mesh, const BoundarySprings& springs,
+template <int d>
+SpringError<d> spring_error(const SimplexMesh<d>& mesh,
+                            const BoundarySprings<d>& springs,
+                            const Ref<const VectorXd>& displacement,
+                            const FacetVector<d>& moments, Index column) {
+  return quadratic_form<d>(mesh, springs, displacement, moments, column, 1);
+}
+
+template <int d>
+SpringNorms spring_norms(const SimplexMesh<d>& mesh,
+                         const BoundarySprings<d>& springs,
                          const Ref<const VectorXd>& displacement,
-                         const Vector4d& moments, Index column) {
-  return quadratic_form(mesh, springs, displacement, moments, column, 1);
-}
-
-SpringNorms spring_norms(const Mesh& mesh, const BoundarySprings& springs,
-                         const Ref<const VectorXd>& displacement,
-                         const Matrix4Xd& tractions) {
+                         const FacetColumns<d>& tractions) {
   SpringNorms norms{VectorXd::Zero(springs.stiffness.cols())};
   const auto square = [&](Index b, double sign) {
-    return quadratic_form(mesh, springs, displacement, tractions.col(b), b,
-                          sign)
+    return quadratic_form<d>(mesh, springs, displacement, tractions.col(b), b,
+                             sign)
         .before;
   };
   for (Index b = 0; b < norms.difference.size(); ++b) {
@@ -195,27 +206,52 @@ SpringNorms spring_norms(const Mesh& mesh, const BoundarySprings& springs,
   return norms;
 }
 
-VectorXd boundary_forces(const Mesh& mesh, const Matrix4Xd& moments) {
-  VectorXd forces = VectorXd::Zero(2 * mesh.vertices.cols());
+template <int d>
+VectorXd boundary_forces(const SimplexMesh<d>& mesh,
+                         const FacetColumns<d>& moments) {
+  VectorXd forces = VectorXd::Zero(mesh.vertices.size());
   for (Index b = 0; b < moments.cols(); ++b)
-    for (int k = 0; k < 2; ++k)
-      forces.segment<2>(2 * mesh.boundary(k, b)) +=
-          moments.block<2, 1>(2 * k, b);
+    for (int k = 0; k < d; ++k)
+      forces.segment<d>(d * mesh.boundary(k, b)) +=
+          moments.template block<d, 1>(d * k, b);
   return forces;
 }
 
-void require_no_springs_in_contact(const Edges& edges, const ContactLine& line,
-                                   const BoundarySprings& springs) {
-  const auto require_none = [&](int edge) {
-    if (springs.on(edges.boundary_index[edge]))
-      refuse(
-          "the springs are on the contact line, at the edge between vertices ",
-          edges.vertices(0, edge), " and ", edges.vertices(1, edge),
-          ": give them on other labels");
-  };
-  for (const int edge : line.edge) require_none(edge);
-  for (const FacingPiece& piece : line.pieces)
-    require_none(piece.opposite_edge);
+template <int d>
+void require_no_springs_on(const Facets<d>& facets,
+                           const std::vector<int>& contact,
+                           const BoundarySprings<d>& springs) {
+  for (int f : contact)
+    if (springs.on(facets.boundary_index[f]))
+      refuse("the springs are on the contact ", d == 2 ? "line" : "surface",
+             ", at the ", d == 2 ? "edge" : "face", " between vertices ",
+             facets.vertices(0, f), " and ", facets.vertices(d - 1, f),
+             ": give them on other labels");
 }
+
+template MatrixOf<FFCONTACT_DIMENSION> answered_directions(
+    const SimplexMesh<FFCONTACT_DIMENSION>&,
+    const BoundarySprings<FFCONTACT_DIMENSION>&, Index);
+template void require_valid(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                            const BoundarySprings<FFCONTACT_DIMENSION>&);
+template FacetColumns<FFCONTACT_DIMENSION> spring_moments(
+    const SimplexMesh<FFCONTACT_DIMENSION>&,
+    const BoundarySprings<FFCONTACT_DIMENSION>&, const Ref<const VectorXd>&);
+template FacetColumns<FFCONTACT_DIMENSION> spring_moment_changes(
+    const SimplexMesh<FFCONTACT_DIMENSION>&,
+    const BoundarySprings<FFCONTACT_DIMENSION>&, const Ref<const VectorXd>&);
+template SpringError<FFCONTACT_DIMENSION> spring_error(
+    const SimplexMesh<FFCONTACT_DIMENSION>&,
+    const BoundarySprings<FFCONTACT_DIMENSION>&, const Ref<const VectorXd>&,
+    const FacetVector<FFCONTACT_DIMENSION>&, Index);
+template SpringNorms spring_norms(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                  const BoundarySprings<FFCONTACT_DIMENSION>&,
+                                  const Ref<const VectorXd>&,
+                                  const FacetColumns<FFCONTACT_DIMENSION>&);
+template VectorXd boundary_forces(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                  const FacetColumns<FFCONTACT_DIMENSION>&);
+template void require_no_springs_on(
+    const Facets<FFCONTACT_DIMENSION>&, const std::vector<int>&,
+    const BoundarySprings<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -13,8 +13,9 @@ namespace ffcontact {
 template <int d>
 using KnownTractions = Eigen::Array<bool, d, Dynamic>;
 using KnownComponents = KnownTractions<3>;
+/// Of some facets those, not axes, that are known alone, one a column.
 template <int d>
-using KnownDirections = std::map<int, VectorOf<d>>;
+using KnownDirections = std::map<int, Matrix<double, d, Dynamic>>;
 
 /// What the boundary of an admissible stress must carry, per facet and Cartesian component.
 ///
@@ -29,7 +30,7 @@ struct FacetTractions {
   /// int F phi at the vertices of the facet of the known components, F = sigma n with the
   /// facet's normal (outward on the boundary), 0 elsewhere [N]
   FacetColumns<d> moments;
-  /// of boundary facets along which one direction, not an axis, is known alone: that one
+  /// of boundary facets along which directions, not axes, are known beside `known`
   KnownDirections<d> known_direction{};
 };
 

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "ffcontact/linear/dense/congruent.hpp"
-#include "ffcontact/linear/dense/products.hpp"
+#include "ffcontact/linear/dense/symmetric_eigen.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -14,112 +13,118 @@ namespace {
 /// Directions closer than this to an axis are that axis.
 constexpr double on_axis = 1e-12;
 
-bool is_diagonal(const Matrix2d& K) {
-  return std::abs(K(0, 1)) <= on_axis * max_norm(K);
+template <int d>
+bool is_diagonal(const MatrixOf<d>& K) {
+  const MatrixOf<d> off = K - MatrixOf<d>(K.diagonal().asDiagonal());
+  return max_norm(off) <= on_axis * max_norm(K);
 }
 
-bool is_diagonal(const BoundarySprings& springs, Index column) {
-  for (int q = 0; q < 3; ++q)
-    if (!is_diagonal(springs.stiffness_at(q, column))) return false;
+template <int d>
+bool is_diagonal(const BoundarySprings<d>& springs, Index column) {
+  for (int q = 0; q < springs.points; ++q)
+    if (!is_diagonal<d>(springs.stiffness_at(q, column))) return false;
   return true;
 }
 
-/// Does an edge run as its column of Mesh::boundary?
-bool runs_as_column(const Mesh& mesh, const Edges& edges, int edge) {
-  return mesh.boundary(0, edges.boundary_index[edge]) ==
-         edges.vertices(0, edge);
-}
-
-/// The same moments with the ends in the other order.
-Vector4d ends_exchanged(const Vector4d& moments) {
-  return {moments[2], moments[3], moments[0], moments[1]};
-}
-
-/// P at either end.
-Matrix4d at_both_ends(const Matrix2d& P) {
-  Matrix4d both = Matrix4d::Zero();
-  both.topLeftCorner<2, 2>() = both.bottomRightCorner<2, 2>() = P;
-  return both;
-}
-
-/// A form in the moments of a column in those of its edge, of which what P keeps.
-SpringError of_edge(const SpringError& of_column, bool same_order,
-                    const Matrix2d& P) {
-  Matrix4d order = Matrix4d::Identity();
-  if (!same_order) order << 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0;
-  const MatrixXd keep = product(order, at_both_ends(P));
-  return {congruent(of_column.H, keep), transposed_product(keep, of_column.g),
-          of_column.before};
+/// Takes moments in the order of a facet's vertices to those of its column of
+/// SimplexMesh::boundary, of which what P keeps.
+template <int d>
+FacetMatrix<d> to_column(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                         int facet, const MatrixOf<d>& P) {
+  FacetMatrix<d> map = FacetMatrix<d>::Zero();
+  for (int k = 0; k < d; ++k) {
+    const int place =
+        facets.place_of(mesh.boundary(k, facets.boundary_index[facet]), facet);
+    map.template block<d, d>(d * k, d * place) = P;
+  }
+  return map;
 }
 
 /// What springs answer and no support does.
-Matrix2d free_directions(const Mesh& mesh, const BoundarySprings& springs,
-                         Index column, bool x_known, bool y_known) {
-  Matrix2d P = answered_directions(mesh, springs, column);
-  if (x_known && y_known) return P;
-  if (!is_diagonal(springs, column)) return Matrix2d::Zero();
-  if (!x_known) P(0, 0) = 0;
-  if (!y_known) P(1, 1) = 0;
+template <int d>
+MatrixOf<d> free_directions(const SimplexMesh<d>& mesh,
+                            const BoundarySprings<d>& springs, Index column,
+                            const Eigen::Array<bool, d, 1>& known) {
+  MatrixOf<d> P = answered_directions(mesh, springs, column);
+  if (known.all()) return P;
+  if (!is_diagonal(springs, column)) return MatrixOf<d>::Zero();
+  for (int c = 0; c < d; ++c)
+    if (!known[c]) P(c, c) = 0;
   return P;
 }
 
-/// Directions of an edge that are known no longer.
-void release(const FreeSpring& spring, BoundaryTractions& boundary) {
-  const auto& [edge, P, error] = spring;
-  auto known = boundary.known.col(edge);
-  for (int c = 0; c < 2; ++c)
+/// Directions of a facet that are known no longer.
+template <int d>
+void release(const FreeSpring<d>& spring, FacetTractions<d>& boundary) {
+  const auto& [facet, P, error] = spring;
+  auto known = boundary.known.col(facet);
+  for (int c = 0; c < d; ++c)
     if (P(c, c) > on_axis) known[c] = false;
-  if (!is_diagonal(P)) {
-    const Vector2d kept(1 - P(0, 0), -P(1, 0));
-    boundary.known_direction[edge] = kept.normalized();
-  }
+  if (is_diagonal<d>(P)) return;
+  const SymmetricEigen axes = symmetric_eigen(P);  // of 0, then of 1
+  boundary.known_direction[facet] =
+      axes.vectors.leftCols((axes.values.array() < 0.5).count());
 }
 
 }  // namespace
 
-std::vector<FreeSpring> free_springs(const Mesh& mesh, const Edges& edges,
-                                     const BoundarySprings& springs,
-                                     const BoundaryTractions& boundary,
-                                     const std::vector<int>& contact_edge,
-                                     const Ref<const VectorXd>& displacement,
-                                     const Matrix4Xd& tractions) {
-  std::vector<FreeSpring> free;
-  for (int e = 0; e < edges.count(); ++e) {
-    const int b = edges.boundary_index[e];
-    if (b < 0 || contact_edge[e] >= 0 || !springs.on(b)) continue;
-    const Matrix2d P = free_directions(mesh, springs, b, boundary.known(0, e),
-                                       boundary.known(1, e));
+template <int d>
+std::vector<FreeSpring<d>> free_springs(const SimplexMesh<d>& mesh,
+                                        const Facets<d>& facets,
+                                        const BoundarySprings<d>& springs,
+                                        const FacetTractions<d>& boundary,
+                                        const Ref<const VectorXd>& displacement,
+                                        const FacetColumns<d>& tractions) {
+  std::vector<FreeSpring<d>> free;
+  for (int f = 0; f < facets.count(); ++f) {
+    const int b = facets.boundary_index[f];
+    if (b < 0 || !springs.on(b)) continue;
+    const MatrixOf<d> P =
+        free_directions<d>(mesh, springs, b, boundary.known.col(f));
     if (P.isZero(0)) continue;
-    const SpringError error =
-        spring_error(mesh, springs, displacement, tractions.col(b), b);
-    free.push_back({e, P, of_edge(error, runs_as_column(mesh, edges, e), P)});
+    const SpringError<d> error =
+        spring_error<d>(mesh, springs, displacement, tractions.col(b), b);
+    const FacetMatrix<d> keep = to_column<d>(mesh, facets, f, P);
+    free.push_back({f,
+                    P,
+                    {keep.transpose() * error.H * keep,
+                     keep.transpose() * error.g, error.before}});
   }
   return free;
 }
 
-BoundaryTractions released(BoundaryTractions boundary,
-                           const std::vector<FreeSpring>& springs) {
-  for (const FreeSpring& spring : springs) release(spring, boundary);
+template <int d>
+FacetTractions<d> released(FacetTractions<d> boundary,
+                           const std::vector<FreeSpring<d>>& springs) {
+  for (const FreeSpring<d>& spring : springs) release<d>(spring, boundary);
   return boundary;
 }
 
-std::vector<FacetTerm<2>> terms_of(const std::vector<FreeSpring>& springs) {
-  std::vector<FacetTerm<2>> terms;
-  for (const auto& [edge, answers, error] : springs)
-    terms.push_back({edge, error.H, error.g, error.before});
-  return terms;
+template <int d>
+void add_spring_changes(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                        const std::vector<FreeSpring<d>>& springs,
+                        const FacetTractions<d>& boundary,
+                        const FacetColumns<d>& moments,
+                        FacetColumns<d>& tractions) {
+  for (const auto& [facet, P, error] : springs)
+    tractions.col(facets.boundary_index[facet]) +=
+        to_column<d>(mesh, facets, facet, P) *
+        (moments.col(facet) - boundary.moments.col(facet));
 }
 
-void add_spring_changes(const Mesh& mesh, const Edges& edges,
-                        const std::vector<FreeSpring>& springs,
-                        const BoundaryTractions& boundary,
-                        const EdgeMoments& moments, Matrix4Xd& tractions) {
-  for (const auto& [edge, P, error] : springs) {
-    const Vector4d change = moments.col(edge) - boundary.moments.col(edge);
-    const Vector4d answered = at_both_ends(P) * change;
-    tractions.col(edges.boundary_index[edge]) +=
-        runs_as_column(mesh, edges, edge) ? answered : ends_exchanged(answered);
-  }
-}
+template std::vector<FreeSpring<FFCONTACT_DIMENSION>> free_springs(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Facets<FFCONTACT_DIMENSION>&,
+    const BoundarySprings<FFCONTACT_DIMENSION>&,
+    const FacetTractions<FFCONTACT_DIMENSION>&, const Ref<const VectorXd>&,
+    const FacetColumns<FFCONTACT_DIMENSION>&);
+template FacetTractions<FFCONTACT_DIMENSION> released(
+    FacetTractions<FFCONTACT_DIMENSION>,
+    const std::vector<FreeSpring<FFCONTACT_DIMENSION>>&);
+template void add_spring_changes(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const Facets<FFCONTACT_DIMENSION>&,
+    const std::vector<FreeSpring<FFCONTACT_DIMENSION>>&,
+    const FacetTractions<FFCONTACT_DIMENSION>&,
+    const FacetColumns<FFCONTACT_DIMENSION>&,
+    FacetColumns<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

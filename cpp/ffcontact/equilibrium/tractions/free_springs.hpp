@@ -4,46 +4,57 @@
 #include <vector>
 
 #include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
-#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/equilibrium/tractions/facet_term.hpp"
+#include "ffcontact/equilibrium/tractions/facet_tractions.hpp"
 
 namespace ffcontact {
 
-/// An edge whose springs answer what star relaxation asks of them.
+/// A facet whose springs answer what relaxation asks of them.
+template <int d>
 struct FreeSpring {
-  int edge;           ///< of the mesh
-  Matrix2d answers;   ///< projector on the directions that are free
-  SpringError error;  ///< by the changes of the edge's moments
+  int facet;             ///< of the mesh
+  MatrixOf<d> answers;   ///< projector on the directions that are free
+  SpringError<d> error;  ///< by the changes of the facet's moments
 };
 
-/// Spring tractions that take part in the relaxation: on edges without contact, in the
+/// Spring tractions that take part in the relaxation: on facets without contact, in the
 /// directions that springs answer and no support does. Where springs are inclined to a
-/// support on the same edge they stay as they are.
+/// support on the same facet they stay as they are.
 /// @param boundary      all given and spring tractions
 /// @param displacement  u_hat
-/// @param tractions     moments of the springs' tractions [4 x Mesh::boundary]
-std::vector<FreeSpring> free_springs(const Mesh& mesh, const Edges& edges,
-                                     const BoundarySprings& springs,
-                                     const BoundaryTractions& boundary,
-                                     const std::vector<int>& contact_edge,
-                                     const Ref<const VectorXd>& displacement,
-                                     const Matrix4Xd& tractions);
+/// @param tractions     moments of the springs' tractions [d^2 x SimplexMesh::boundary]
+template <int d>
+std::vector<FreeSpring<d>> free_springs(const SimplexMesh<d>& mesh,
+                                        const Facets<d>& facets,
+                                        const BoundarySprings<d>& springs,
+                                        const FacetTractions<d>& boundary,
+                                        const Ref<const VectorXd>& displacement,
+                                        const FacetColumns<d>& tractions);
 
 /// The boundary tractions without those that the springs may change.
-BoundaryTractions released(BoundaryTractions boundary,
-                           const std::vector<FreeSpring>& springs);
+template <int d>
+FacetTractions<d> released(FacetTractions<d> boundary,
+                           const std::vector<FreeSpring<d>>& springs);
 
-/// The springs' error by the moments of their edges.
-std::vector<FacetTerm<2>> terms_of(const std::vector<FreeSpring>& springs);
+/// The springs' error by the moments of their facets.
+template <int d>
+std::vector<FacetTerm<d>> terms_of(const std::vector<FreeSpring<d>>& springs) {
+  std::vector<FacetTerm<d>> terms;
+  for (const auto& [facet, answers, error] : springs)
+    terms.push_back({facet, error.H, error.g, error.before});
+  return terms;
+}
 
 /// Adds to the springs' tractions what the relaxation has changed them by, in the
 /// directions that are free.
 /// @param boundary   tractions before
-/// @param moments    of sigma_hat on all edges
-/// @param tractions  [4 x Mesh::boundary]
-void add_spring_changes(const Mesh& mesh, const Edges& edges,
-                        const std::vector<FreeSpring>& springs,
-                        const BoundaryTractions& boundary,
-                        const EdgeMoments& moments, Matrix4Xd& tractions);
+/// @param moments    of sigma_hat on all facets
+/// @param tractions  [d^2 x SimplexMesh::boundary]
+template <int d>
+void add_spring_changes(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                        const std::vector<FreeSpring<d>>& springs,
+                        const FacetTractions<d>& boundary,
+                        const FacetColumns<d>& moments,
+                        FacetColumns<d>& tractions);
 
 }  // namespace ffcontact

@@ -7,19 +7,10 @@
 
 namespace ffcontact {
 
-namespace {
-
-/// Sums, where moments without columns are none.
-Matrix4Xd sum_of(const Matrix4Xd& given, const Matrix4Xd& springs) {
-  return springs.cols() > 0 ? Matrix4Xd(given + springs) : given;
-}
-
-}  // namespace
-
 MatchedBodies::MatchedBodies(const SolvedProblem& solved) : solved_(solved) {
   const auto& [topology, line, system, body] = solved;
   solved_springs_ = springs_ =
-      spring_moments(topology.mesh, body.springs, body.displacement);
+      spring_moments<2>(topology.mesh, body.springs, body.displacement);
   if (line.matches()) return;
   refinement_ = common_refinement(topology.mesh, topology.facets, line);
   cut_ = Cut{
@@ -34,22 +25,19 @@ Matrix4Xd MatchedBodies::matched_moments(const Matrix4Xd& solved) const {
   return refined_boundary_moments(solved_.topology.mesh, *refinement_, solved);
 }
 
-void MatchedBodies::answer(const VectorXd& displacement) {
-  if (solved_springs_.cols() == 0) return;
-  const Matrix4Xd change = spring_moment_changes(
-      solved_.topology.mesh, solved_.body.springs, displacement);
+void MatchedBodies::add_to_springs(const Matrix4Xd& change) {
   solved_springs_ += change;
   springs_ += matched_moments(change);
 }
 
 Matrix4Xd MatchedBodies::solved_moments() const {
-  return sum_of(solved_.body.neumann, solved_springs_);
+  return with_springs<2>(solved_.body.neumann, solved_springs_);
 }
 
 BoundaryTractions MatchedBodies::boundary_with(
     const ContactDensities& densities) const {
   return boundary_tractions(topology().mesh, topology().facets, prescribed(),
-                            sum_of(body().neumann, springs_), line(),
+                            with_springs<2>(body().neumann, springs_), line(),
                             densities);
 }
 

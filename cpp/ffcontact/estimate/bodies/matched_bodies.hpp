@@ -53,8 +53,8 @@ class MatchedBodies {
   /// first.
   Matrix4Xd& spring_tractions() { return springs_; }
   const Matrix4Xd& spring_tractions() const { return springs_; }
-  /// They answer a further displacement of the solved bodies, too.
-  void answer(const VectorXd& displacement);
+  /// They change by so much on the solved bodies.
+  void add_to_springs(const Matrix4Xd& change);
 
   /// What the boundary carries with these contact tractions.
   BoundaryTractions boundary_with(const ContactDensities& densities) const;

@@ -81,10 +81,10 @@ LinearStresses<2> refined_stresses(const Mesh& old_mesh,
 }
 
 /// Springs are on edges that are not cut.
-BoundarySprings refined_springs(const CommonRefinement& refinement,
-                                const BoundarySprings& old) {
+BoundarySprings<2> refined_springs(const CommonRefinement& refinement,
+                                   const BoundarySprings<2>& old) {
   if (old.empty()) return old;
-  BoundarySprings springs(refinement.mesh.boundary.cols());
+  BoundarySprings<2> springs(refinement.mesh.boundary.cols());
   springs.stiffness = old.stiffness(Eigen::all, refinement.parent_boundary);
   springs.rest = old.rest(Eigen::all, refinement.parent_boundary);
   return springs;

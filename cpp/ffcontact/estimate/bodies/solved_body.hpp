@@ -30,14 +30,10 @@ struct SolvedBody {
   /// tau0 = sigma0 - C eps0 of sigma = C eps(u) + tau0; empty: none
   LinearStresses<2> initial{};
   /// of which A has the stiffness, and the loads what K u_0 makes of them
-  BoundarySprings springs{};
+  BoundarySprings<2> springs{};
   /// the foundation, if forces move it: the law is against where they have moved it, and
   /// what pushes it is a part of the data
   std::optional<RigidTool> tool{};
 };
-
-/// Moments of the given tractions and of those that the springs answer u_h with [4 x
-/// Mesh::boundary].
-Matrix4Xd boundary_moments(const Mesh& mesh, const SolvedBody& body);
 
 }  // namespace ffcontact

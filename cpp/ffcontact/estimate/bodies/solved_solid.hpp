@@ -7,6 +7,7 @@
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
+#include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
@@ -25,6 +26,8 @@ struct SolvedSolid {
       stiffness;  ///< of the solution on the surface; null: factorised if needed
   /// tau0 = sigma0 - C eps0 of sigma = C eps(u) + tau0; empty: none
   LinearStresses<3> initial{};
+  /// of which A has the stiffness, and the loads what K u_0 makes of them
+  BoundarySprings<3> springs{};
 };
 
 /// What an estimate of a solid is asked of.

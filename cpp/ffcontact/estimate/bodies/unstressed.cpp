@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
-#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
+#include "ffcontact/estimate/bodies/boundary_moments.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -38,15 +38,6 @@ bool slides(const ContactLine& line, const SolvedBody& body) {
   const double least =
       rounding_of_terms * largest_displacement(body.law, body.displacement);
   return (slip.cwiseProduct(bound).array().abs() > least * bound.array()).any();
-}
-
-/// Loads on supports are felt by nothing.
-bool has_loads(const Topology<2>& topology, const Flags& prescribed,
-               const SolvedBody& body) {
-  const BoundaryTractions given =
-      given_tractions(topology.mesh, topology.facets, prescribed,
-                      boundary_moments(topology.mesh, body));
-  return !given.moments.isZero(0) || !body.body_loads.isZero(0);
 }
 
 }  // namespace

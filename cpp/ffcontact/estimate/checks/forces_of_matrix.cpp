@@ -24,7 +24,8 @@ void require_no_penalty(const SimplexMesh<dim>& mesh,
            vertex_in_words(mesh, dof / dim),
            " than lambda and G (or hooke) give: a penalty in place of a "
            "prescribed displacement, or a spring at a point; prescribe with "
-           "on() and tgv 1e30, -1 or -2, and spread springs over an edge");
+           "on() and tgv 1e30, -1 or -2, and spread springs over ",
+           dim == 2 ? "an edge" : "a face");
 }
 
 /// The dof at which A is off the most, or -1.
@@ -49,8 +50,7 @@ template <int dim>
   refuse("A is not the stiffness of lambda and G (or hooke): its row of ",
          vertex_in_words(mesh, dof / dim), " is off by ", comparison.off[dof],
          " of its terms; give the law of the script's varf in every region, "
-         "and A without springs",
-         dim == 2 ? " that spring= does not name" : "");
+         "and A without springs that spring= does not name");
 }
 
 }  // namespace

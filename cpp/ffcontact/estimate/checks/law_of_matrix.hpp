@@ -14,10 +14,10 @@ namespace ffcontact {
 ///                                penalty that does not prescribe), on the boundary
 ///                                alone (springs), that it is an axisymmetric body's, or
 ///                                where it is off
-void require_law_of_matrix(const Mesh& mesh, const ElasticSystem& system,
-                           const Hooke& hooke,
-                           const BoundarySprings& springs = {});
-void require_law_of_matrix(const SolidMesh& mesh, const ElasticSystem& system,
-                           const HookeTensors<3>& hooke);
+template <int d>
+void require_law_of_matrix(const SimplexMesh<d>& mesh,
+                           const ElasticSystem& system,
+                           const HookeTensors<d>& hooke,
+                           const BoundarySprings<d>& springs = {});
 
 }  // namespace ffcontact

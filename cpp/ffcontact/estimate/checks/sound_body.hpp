@@ -27,6 +27,7 @@ void require_sound_body(const Solved& solved, Index nodes,
   require_finite(name, multiplier.reshaped());
   require_size("body loads", body.body_loads.cols(), mesh.cell_count());
   require_finite("body load", body.body_loads.reshaped());
+  require_valid(body.initial, mesh.cell_count());
 }
 
 }  // namespace ffcontact

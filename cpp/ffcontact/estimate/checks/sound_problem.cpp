@@ -12,9 +12,11 @@ void require_sound(const SolvedProblem& solved,
   const Mesh& mesh = topology.mesh;
   require_sound_body(solved, line.node_count(), "contact pressure",
                      body.pressure);
-  require_valid(body.initial, mesh.cell_count());
-  require_valid(mesh, body.springs);
-  require_no_springs_in_contact(topology.facets, line, body.springs);
+  require_valid<2>(mesh, body.springs);
+  std::vector<int> contact(line.edge.begin(), line.edge.end());
+  for (const FacingPiece& piece : line.pieces)
+    contact.push_back(piece.opposite_edge);
+  require_no_springs_on<2>(topology.facets, contact, body.springs);
   require_valid(body.law, line);
   if (body.tool && line.against_a_body())
     refuse("a tool is a rigid foundation, but the contact line faces a body");

@@ -19,6 +19,7 @@ struct PairError {
   /// the contact part of e^2; negative values are possible only for pairs that are not
   /// admissible, and then e is no less than the elastic part
   double contact = 0;
+  double springs = 0;  ///< the springs' part of e^2
   /// eps_E per cell [-]; 0 where a negative contact part exceeds the elastic one
   VectorXd local;
   /// e before the first and after every sweep or step, with composite stresses

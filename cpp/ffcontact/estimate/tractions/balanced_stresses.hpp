@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
 #include "ffcontact/estimate/tractions/rebalancing.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -17,28 +18,20 @@ constexpr int most_refinements = 3;
 /// edge of a thin triangle that balances it is larger by the ratio of its sides.
 constexpr double balanced = 1e-13;
 
-/// Bodies without springs.
-struct NoSprings {
-  template <int d>
-  NodalResidual<d> answered(NodalResidual<d> residual, const VectorXd&) const {
-    return residual;
-  }
-  void keep(const VectorXd&) {}
-};
-
 /// Stresses in equilibrium with loads and contact tractions: the given ones, and those of
 /// the small displacement that makes up for what they lack; its own rounding once more.
 /// @param residual     what the stresses lack beside all loads and tractions
 /// @param rebalancing  makes a Rebalancing; not called where nothing is missing
-/// @param springs      answer that displacement too: answered(residual, u) takes their
-///                     forces into account, keep(u) what they have answered
-template <int d, class MakeRebalancing, class Springs = NoSprings>
+/// @param springs      answer that displacement, too
+/// @param keep         keep(change of the moments of their tractions)
+template <int d, class MakeRebalancing, class Keep>
 CellStresses<d> balanced_stresses(const Topology<d>& topology,
                                   const HookeTensors<d>& hooke,
                                   NodalResidual<d> residual,
                                   CellStresses<d> stress,
                                   const MakeRebalancing& rebalancing,
-                                  Springs&& springs = {}) {
+                                  const BoundarySprings<d>& springs,
+                                  const Keep& keep) {
   const auto missing = [&] { return max_norm(residual.missing); };
   const auto is_balanced = [&] {
     return missing() <= balanced * residual.scale;
@@ -49,11 +42,13 @@ CellStresses<d> balanced_stresses(const Topology<d>& topology,
     const double before = missing();
     const VectorXd u = solver.displacement(residual.missing.reshaped());
     const CellStresses<d> added = stresses(topology.mesh, hooke, u);
-    residual =
-        springs.answered(less_stress(topology, std::move(residual), added), u);
+    const FacetColumns<d> answers =
+        spring_moment_changes<d>(topology.mesh, springs, u);
+    residual = with_forces(less_stress(topology, std::move(residual), added),
+                           boundary_forces<d>(topology.mesh, answers));
     if (step > 0 && missing() >= before) break;
     stress += added;
-    springs.keep(u);
+    if (!springs.empty()) keep(answers);
   }
   return stress;
 }

@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/elastic/rigid_motions.hpp"
+#include "ffcontact/contact/checks/balance.hpp"
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
@@ -18,14 +18,12 @@ namespace ffcontact {
 
 namespace {
 
-/// The script's tractions; on the contact surface, where all components count as known,
+/// The script's tractions and the springs'; on the contact surface, where all components count as known,
 /// those of contact are left out.
-FaceTractions tractions_without_contact(const SolvedSolidProblem& solved) {
-  const auto& [topology, surface, system, body] = solved;
-  return with_contact(given_tractions(topology.mesh, topology.facets,
-                                      system.prescribed, body.neumann),
-                      topology.mesh, topology.facets, surface,
-                      Matrix3Xd::Zero(3, surface.node_count()));
+FaceTractions tractions_without_contact(const SolvedSolidProblem& solved,
+                                        const FaceMoments& springs) {
+  return boundary_with(solved, springs,
+                       Matrix3Xd::Zero(3, solved.surface.node_count()));
 }
 
 /// Why the stresses of u_h are not in equilibrium with the loads at a vertex.
@@ -108,31 +106,44 @@ Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
 
 }  // namespace
 
+FaceTractions boundary_with(const SolvedSolidProblem& solved,
+                            const FaceMoments& springs,
+                            const Ref<const Matrix3Xd>& contact) {
+  const auto& [topology, surface, system, body] = solved;
+  return with_contact(
+      given_tractions<3>(topology.mesh, topology.facets, system.prescribed,
+                         with_springs<3>(body.neumann, springs)),
+      topology.mesh, topology.facets, surface, contact);
+}
+
 FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
                                       const CellStresses<3>& stress,
                                       double stress_terms) {
-  const Topology<3>& topology = solved.topology;
-  const ContactSurface& surface = solved.surface;
-  const ElasticSystem& system = solved.system;
-  const SolvedSolid& body = solved.body;
-  const FaceTractions without = tractions_without_contact(solved);
+  const auto& [topology, surface, system, body] = solved;
+  FirstSurfaceTractions first;
+  first.springs =
+      spring_moments<3>(topology.mesh, body.springs, body.displacement);
+  const FaceTractions without =
+      tractions_without_contact(solved, first.springs);
   require_loads_of_solution(
       solved, nodal_residual(topology, stress, body.body_loads, without),
       stress_terms);
-  const MatrixXd motions = free_rigid_motions(topology.mesh, system.prescribed);
+  const MatrixXd motions = unheld_motions(topology.mesh, system);
 
-  FirstSurfaceTractions first;
   first.contact = tractions_in_cone(solved, without, motions);
-  first.boundary = with_contact(without, topology.mesh, topology.facets,
-                                surface, first.contact);
+  const auto rebalancing = [&] {
+    return Rebalancing(
+        solved.system,
+        free_dofs_at(contact_vertices(solved.surface), solved.system), motions,
+        solved.body.stiffness);
+  };
   const CellStresses<3> in_balance = balanced_stresses(
       topology, body.hooke,
-      nodal_residual(topology, stress, body.body_loads, first.boundary), stress,
-      [&] {
-        return Rebalancing(system,
-                           free_dofs_at(contact_vertices(surface), system),
-                           motions, body.stiffness);
-      });
+      nodal_residual(topology, stress, body.body_loads,
+                     boundary_with(solved, first.springs, first.contact)),
+      stress, rebalancing, body.springs,
+      [&](const FaceMoments& answers) { first.springs += answers; });
+  first.boundary = boundary_with(solved, first.springs, first.contact);
   first.moments = equilibrated_moments(topology, in_balance, body.body_loads,
                                        first.boundary);
   return first;

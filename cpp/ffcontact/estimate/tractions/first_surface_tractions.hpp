@@ -7,14 +7,20 @@ namespace ffcontact {
 
 /// r_hat, and face tractions in equilibrium with it on every tetrahedron.
 struct FirstSurfaceTractions {
-  Matrix3Xd contact;  ///< r_hat at the nodes [MPa, 3 x p]
+  Matrix3Xd contact;    ///< r_hat at the nodes [MPa, 3 x p]
+  FaceMoments springs;  ///< moments of the springs' tractions [9 x boundary]
   FaceTractions boundary;
   FaceMoments moments;
 };
 
+/// What the boundary carries with these tractions of contact and springs.
+FaceTractions boundary_with(const SolvedSolidProblem& solved,
+                            const FaceMoments& springs,
+                            const Ref<const Matrix3Xd>& contact);
+
 /// Tractions in the cone are not those that u_h was computed with: one back-substitution
 /// gives the small displacement whose stresses make up for the difference, and one or two
-/// more its rounding (Rebalancing).
+/// more its rounding (Rebalancing); springs answer it.
 /// @param stress        of u_h per tetrahedron [MPa]
 /// @param stress_terms  largest_stress_terms of u_h [MPa]
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with

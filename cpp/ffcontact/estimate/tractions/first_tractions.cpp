@@ -13,6 +13,7 @@
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
+#include "ffcontact/estimate/bodies/boundary_moments.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
 #include "ffcontact/estimate/tractions/imbalance_cause.hpp"
@@ -45,7 +46,7 @@ BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
   const auto& [topology, line, system, body] = solved;
   const Matrix2Xd zero = Matrix2Xd::Zero(2, line.edge_count());
   return boundary_tractions(topology.mesh, topology.facets, system.prescribed,
-                            boundary_moments(topology.mesh, body), line,
+                            boundary_moments<2>(topology.mesh, body), line,
                             {zero, zero});
 }
 
@@ -220,23 +221,6 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
           VectorXd::Zero(bodies.line().edge_count())};
 }
 
-/// The springs' answers to the displacement that rebalances the stresses.
-struct SpringAnswers {
-  const SolvedProblem& solved;
-  MatchedBodies& bodies;
-
-  NodalResidual<2> answered(NodalResidual<2> residual,
-                            const VectorXd& u) const {
-    const BoundarySprings& springs = solved.body.springs;
-    if (springs.empty()) return residual;
-    const Mesh& mesh = solved.topology.mesh;
-    return with_forces(
-        std::move(residual),
-        boundary_forces(mesh, spring_moment_changes(mesh, springs, u)));
-  }
-  void keep(const VectorXd& u) { bodies.answer(u); }
-};
-
 }  // namespace
 
 Matrix2Xd nodal_pressures(const SolvedProblem& solved) {
@@ -265,7 +249,8 @@ FirstTractions first_tractions(const SolvedProblem& solved,
                            contact_dofs(solved.line, solved.system), motions,
                            solved.body.stiffness);
       },
-      SpringAnswers{solved, bodies});
+      solved.body.springs,
+      [&](const Matrix4Xd& answers) { bodies.add_to_springs(answers); });
   const BoundaryTractions boundary = bodies.boundary_with(contact.balanced);
   const EdgeMoments on_solved =
       equilibrated_moments(solved.topology, stress, solved.body.body_loads,

@@ -6,6 +6,7 @@
 
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/elastic/inner_forces.hpp"
+#include "ffcontact/estimate/bodies/boundary_moments.hpp"
 #include "ffcontact/estimate/bodies/nodal_forces.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/tractions/missing_loads.hpp"
@@ -52,7 +53,7 @@ VectorXd left_over_with_other_multiplier(const Mesh& mesh,
   VectorXd left = inner_forces_of(mesh, body) -
                   nodal_forces(mesh, line, edge_densities(line, other));
   subtract_loads(mesh.cells, body.body_loads, left);
-  subtract_loads(mesh.boundary, boundary_moments(mesh, body), left);
+  subtract_loads(mesh.boundary, boundary_moments<2>(mesh, body), left);
   return on_free_dofs(system, std::move(left));
 }
 

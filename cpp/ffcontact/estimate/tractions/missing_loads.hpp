@@ -16,7 +16,7 @@ std::string missing_loads(const SimplexMesh<d>& mesh, int vertex,
     return "inside the body: give the bodyforce=, initialstrain= and "
            "initialstress= u was computed with";
   if (!in_contact.empty()) return in_contact;
-  return "on the boundary: give the traction=, initialstrain= and "
+  return "on the boundary: give the traction=, rest=, initialstrain= and "
          "initialstress= u was computed with";
 }
 

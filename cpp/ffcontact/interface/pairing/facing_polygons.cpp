@@ -90,11 +90,8 @@ class FacePairing {
 
   /// The first contact face that touches a target; -1 for none.
   int touching_face() const {
-    for (int m = 0; m < surface_.face_count(); ++m) {
-      const ContactFace own = contact_face(m);
-      for (const SeenPart& part : parts(own))
-        if (std::abs(part.distance) <= own.touching) return own.face;
-    }
+    for (int m = 0; m < surface_.face_count(); ++m)
+      if (touches(contact_face(m))) return surface_.face[m];
     return -1;
   }
 
@@ -106,6 +103,12 @@ class FacePairing {
   }
 
  private:
+  bool touches(const ContactFace& own) const {
+    for (const SeenPart& part : parts(own))
+      if (std::abs(part.distance) <= own.touching) return true;
+    return false;
+  }
+
   static std::vector<int> boundary_faces(const Facets<3>& faces) {
     return numbers_where(faces.count(),
                          [&](int f) { return faces.on_boundary(f); });
