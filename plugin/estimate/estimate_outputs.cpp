@@ -53,12 +53,16 @@ VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
       });
 }
 
+namespace {
+
 void put_parts(Stack stack, const NamedArguments& named,
                const PairError& error) {
   named.put(stack, "elasticpart", error.elastic);
   named.put(stack, "contactpart", error.contact);
   named.put(stack, "springpart", error.springs);
 }
+
+}  // namespace
 
 void put_error(Stack stack, const NamedArguments& named,
                const PairError& error) {
@@ -73,6 +77,14 @@ void put_defects(Stack stack, const NamedArguments& named,
   named.put(stack, "cone", error.cone);
   named.put(stack, "penetration", error.penetration);
   named.put(stack, "admissible", error.admissible);
+}
+
+void report_parts(const PairError& error) {
+  cout << "contacterror: elastic part " << error.elastic
+       << ", contact part of e^2 " << error.contact << ", that of springs "
+       << error.springs << ", equilibrium defect "
+       << error.equilibrium.largest() << ", cone defect " << error.cone
+       << ", penetration " << error.penetration << endl;
 }
 
 void report_reason(Stack stack, const NamedArguments& named,

@@ -26,6 +26,9 @@ void put_error(Stack stack, const NamedArguments& named,
 void put_defects(Stack stack, const NamedArguments& named,
                  const PairError& error);
 
+/// e by its parts, and the defects, in a line.
+void report_parts(const PairError& error);
+
 /// Says of a pair that is not admissible why: at verbosity 0, too, unless the script asks
 /// with admissible=.
 void report_reason(Stack stack, const NamedArguments& named,

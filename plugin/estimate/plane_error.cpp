@@ -100,14 +100,6 @@ void put(Stack stack, const NamedArguments& named,
   put_defects(stack, named, estimate);
 }
 
-void report_parts(const Estimate& estimate) {
-  cout << "contacterror: elastic part " << estimate.elastic
-       << ", contact part of e^2 " << estimate.contact << ", that of springs "
-       << estimate.springs << ", equilibrium defect "
-       << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
-       << ", penetration " << estimate.penetration << endl;
-}
-
 void report(Stack stack, const NamedArguments& named,
             const ContactProblem& problem, const Estimate& estimate,
             const std::optional<CoulombBound>& bound, double seconds) {

@@ -89,14 +89,6 @@ void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
   put_defects(stack, named, estimate);
 }
 
-void report_parts(const SolidEstimate& estimate) {
-  cout << "contacterror: elastic part " << estimate.elastic
-       << ", contact part of e^2 " << estimate.contact << ", that of springs "
-       << estimate.springs << ", equilibrium defect "
-       << estimate.equilibrium.largest() << ", cone defect " << estimate.cone
-       << ", penetration " << estimate.penetration << endl;
-}
-
 void report(Stack stack, const NamedArguments& named,
             const SolidEstimate& estimate, double seconds) {
   const long level = named.verbosity_level(stack);

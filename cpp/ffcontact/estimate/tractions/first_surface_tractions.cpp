@@ -12,6 +12,7 @@
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
 #include "ffcontact/estimate/tractions/missing_loads.hpp"
+#include "ffcontact/estimate/tractions/reaction.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 
 namespace ffcontact {
@@ -30,9 +31,9 @@ FaceTractions tractions_without_contact(const SolvedSolidProblem& solved,
 std::string cause_at(const Imbalance& imbalance,
                      const SolvedSolidProblem& solved) {
   const auto& [topology, surface, system, body] = solved;
-  if (system.prescribed[3 * imbalance.vertex + imbalance.component])
-    return "it is the reaction of a point support, which no admissible stress "
-           "has: prescribe displacements on whole faces";
+  const std::string reaction =
+      reaction_in_words<3>(imbalance, system, topology.facets, surface.face);
+  if (!reaction.empty()) return reaction;
   const std::vector<int> contact = contact_vertices(surface);
   const bool in_contact = std::find(contact.begin(), contact.end(),
                                     imbalance.vertex) != contact.end();

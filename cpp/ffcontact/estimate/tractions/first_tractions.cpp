@@ -73,8 +73,7 @@ NodalResidual<2> residual_without_contact(const SolvedProblem& solved,
         topology.mesh, with_forces(residual, computed_forces(solved)),
         least_part_of_terms * terms.stress * longest_edge(topology));
   } catch (const Imbalance& imbalance) {
-    refuse(imbalance.what(), ", ",
-           cause_of(imbalance, topology.mesh, line, system, body));
+    refuse(imbalance.what(), ", ", cause_of(imbalance, solved));
   }
   return residual;
 }

@@ -10,6 +10,7 @@
 #include "ffcontact/estimate/bodies/nodal_forces.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/tractions/missing_loads.hpp"
+#include "ffcontact/estimate/tractions/reaction.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -79,40 +80,18 @@ std::string other_multiplier_in_words(Multiplier own) {
          ", not with " + name_of(own);
 }
 
-/// Is the component that is out of balance prescribed at both ends of a contact edge?
-bool is_prescribed_along_line(const Imbalance& imbalance,
-                              const ContactLine& line,
-                              const ElasticSystem& system) {
-  const auto has = [&](int node) {
-    return system.prescribed[2 * line.vertex[node] + imbalance.component] != 0;
-  };
-  for (const auto nodes : line.edge_node.colwise()) {
-    const bool ends_here = line.vertex[nodes[0]] == imbalance.vertex ||
-                           line.vertex[nodes[1]] == imbalance.vertex;
-    if (ends_here && line.vertex[nodes[0]] != line.vertex[nodes[1]] &&
-        has(nodes[0]) && has(nodes[1]))
-      return true;
-  }
-  return false;
-}
-
 }  // namespace
 
-std::string cause_of(const Imbalance& imbalance, const Mesh& mesh,
-                     const ContactLine& line, const ElasticSystem& system,
-                     const SolvedBody& body) {
-  if (is_prescribed_along_line(imbalance, line, system))
-    return "it is the reaction of displacements that are prescribed along the "
-           "contact line, which is no friction and is not judged: leave them "
-           "free there and take a large friction= that holds them, or take "
-           "these edges out of label=";
-  if (system.prescribed[2 * imbalance.vertex + imbalance.component])
-    return "it is the reaction of a point support, which no admissible stress "
-           "has: prescribe displacements on whole edges";
+std::string cause_of(const Imbalance& imbalance, const SolvedProblem& solved) {
+  const auto& [topology, line, system, body] = solved;
+  const std::string reaction =
+      reaction_in_words<2>(imbalance, system, topology.facets, line.edge);
+  if (!reaction.empty()) return reaction;
   const bool on_line = (line.vertex.array() == imbalance.vertex).any();
-  if (on_line && fits_other_multiplier(imbalance, mesh, line, system, body))
+  if (on_line &&
+      fits_other_multiplier(imbalance, topology.mesh, line, system, body))
     return other_multiplier_in_words(body.law.multiplier);
-  return missing_loads(mesh, imbalance.vertex,
+  return missing_loads(topology.mesh, imbalance.vertex,
                        on_line ? "on the contact line: give pn and pt of the "
                                  "solution u, and the same label=, normal= and "
                                  "traction="
