@@ -53,9 +53,10 @@ std::vector<int> taken_with(int ridge, RidgeLinks& links) {
 }
 
 /// Sorts groups by their lowest middles, in steps of a length.
-void sort_by_middles(const FacetTopology<3>& topology, double step,
+template <int d>
+void sort_by_middles(const FacetTopology<d>& topology, double step,
                      std::vector<RidgeGroup>& groups) {
-  using RoundedPlace = std::array<double, 3>;
+  using RoundedPlace = std::array<double, d>;
   std::multimap<RoundedPlace, RidgeGroup> in_order;
   for (RidgeGroup& group : groups) {
     RoundedPlace lowest;

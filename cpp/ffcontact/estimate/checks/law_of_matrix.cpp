@@ -42,25 +42,33 @@ void require_springs_of_matrix(const SimplexMesh<d>& mesh,
                  "...), kz*(label == ...)]");
 }
 
+/// Of a cell's centroid, as the script sees it.
+template <int d>
+double coordinate(const SimplexMesh<d>& mesh, int cell, int c) {
+  return mesh.origin[c] + centroid_of(mesh, cell)[c];
+}
+
 /// C times a coordinate at the centroids: r C, whose integrals are exact.
-inline Hooke weighted(const Mesh& mesh, const Hooke& hooke, int radial) {
-  Hooke result = hooke;
+template <int d>
+HookeTensors<d> weighted(const SimplexMesh<d>& mesh, HookeTensors<d> hooke,
+                         int radial) {
   for (int t = 0; t < mesh.cell_count(); ++t)
-    result[t] *= mesh.origin[radial] + centroid_of(mesh, t)[radial];
-  return result;
+    hooke[t] *= coordinate<d>(mesh, t, radial);
+  return hooke;
 }
 
 /// Is A a multiple of the stiffness of a body of revolution, r the given coordinate? On
 /// axial displacements alone, which stretch no hoop, it is int r C eps(z) : eps(phi).
-inline bool is_axisymmetric(const Mesh& mesh, const ElasticSystem& system,
-                            const Hooke& hooke, int radial) {
+template <int d>
+bool is_axisymmetric(const SimplexMesh<d>& mesh, const ElasticSystem& system,
+                     const HookeTensors<d>& hooke, int radial) {
   Flags left_out = system.prescribed;
-  for (std::size_t dof = radial; dof < left_out.size(); dof += 2)
+  for (std::size_t dof = radial; dof < left_out.size(); dof += d)
     left_out[dof] = 1;
-  const Hooke by_radius = weighted(mesh, hooke, radial);
+  const HookeTensors<d> by_radius = weighted<d>(mesh, hooke, radial);
   const Comparison axial(
       system.stiffness,
-      [&](const VectorXd& u) { return forces_of_law<2>(mesh, by_radius, u); },
+      [&](const VectorXd& u) { return forces_of_law<d>(mesh, by_radius, u); },
       left_out);
   return axial.of_matrix.norm() > 0 && axial.is_multiple();
 }
@@ -73,7 +81,7 @@ void require_not_axisymmetric(const SimplexMesh<d>& mesh,
   constexpr const char* axis[] = {"x = 0", "y = 0"};
   if constexpr (d == 2)
     for (int radial = 0; radial < 2; ++radial)
-      if (is_axisymmetric(mesh, system, hooke, radial))
+      if (is_axisymmetric<d>(mesh, system, hooke, radial))
         refuse("A is the stiffness of an axisymmetric body about ",
                axis[radial],
                ": contactsolve solves it, but contacterror judges plane "
