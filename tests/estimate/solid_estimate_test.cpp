@@ -7,6 +7,7 @@
 
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"
@@ -473,6 +474,23 @@ TEST(SolidEstimate, keeps_force_and_moment_where_contact_alone_holds) {
   EXPECT_EQ(found.reason, "");
   EXPECT_LT(found.equilibrium.largest(), 1e-11);
   EXPECT_LT(found.relative, 0.6);
+}
+
+/// A load that draws the surface down adds to the pressure there.
+TEST(SolidEstimate, tells_loads_on_the_contact_surface_from_contact) {
+  for (double down : {2.0, -2.0}) {
+    SolidProblem problem(brick({3, 3, 2}, {1, 1, 1}));
+    problem.load(high_z, {0, 0, -10});
+    problem.load(low_z, {0, 0, -down});
+    problem.guide(low_x, 0);
+    problem.guide(low_y, 1);
+    const SolidEstimate found = estimate(problem);
+    EXPECT_EQ(found.reason, "");
+    EXPECT_LT(found.relative, 1e-9);
+    Vector9d pressed = Vector9d::Zero();
+    for (int corner : {0, 3, 6}) pressed[corner] = -10 - down;
+    EXPECT_LT(max_norm(found.face_tractions.colwise() - pressed), 1e-9);
+  }
 }
 
 TEST(SolidEstimate, relaxation_pays_for_friction_that_tractions_do_not_use) {
