@@ -77,16 +77,16 @@ bool stays_unloaded(const SolvedSolidProblem& solved,
 }
 
 /// The contact faces whose tractions are relaxed.
+/// @param beside  given tractions on the faces of the surface
 std::vector<ContactFacet<3>> relaxed_faces(const SolvedSolidProblem& solved,
+                                           const FaceMoments& beside,
                                            const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
-  const FaceTractions given =
-      carried_beside_contact(topology, system.prescribed, body);
   std::vector<ContactFacet<3>> relaxed;
   for (ContactFacet<3>& face :
        contact_faces(topology.mesh, topology.facets, surface, body.law,
                      estimate.displacement)) {
-    face.beside = given.moments.col(face.facet);
+    face.beside = beside.col(face.index);
     if (!stays_unloaded(solved, face, estimate)) relaxed.push_back(face);
   }
   return relaxed;
@@ -127,14 +127,18 @@ BodyLoadsOfCells<3> difference_loads_of(const SolvedSolid& body,
   return difference_body_loads(mesh, body.body_loads, stress);
 }
 
-/// Relaxes the tractions of springs, too, and puts them into what the boundary carries.
-std::vector<double> relaxed_with_springs(const SolvedSolidProblem& solved,
-                                         const RelaxFaces& relax,
-                                         const RelaxationSettings& settings,
-                                         const FacetSetting<3>& fixed,
-                                         FirstSurfaceTractions& first,
-                                         SolidEstimate& estimate) {
+/// Relaxes sigma_hat, by its moments, contact tractions in the cone and those of springs,
+/// which are put into what the boundary carries.
+/// @param fixed  with springs whose tractions are known
+/// @return what e^2 fell by in every step
+std::vector<double> relaxed(const SolvedSolidProblem& solved,
+                            const RelaxFaces& relax,
+                            const RelaxationSettings& settings,
+                            const FacetSetting<3>& fixed,
+                            FirstSurfaceTractions& first,
+                            SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
+  if (body.springs.empty()) return relax(fixed, settings, estimate.moments);
   const std::vector<FreeSpring<3>> springs =
       free_springs<3>(topology.mesh, topology.facets, body.springs,
                       first.boundary, estimate.displacement, first.springs);
@@ -148,22 +152,6 @@ std::vector<double> relaxed_with_springs(const SolvedSolidProblem& solved,
   add_spring_changes<3>(topology.mesh, topology.facets, springs, first.boundary,
                         estimate.moments, first.springs);
   first.boundary = boundary_with(solved, first.springs, estimate.tractions);
-  return falls;
-}
-
-/// sigma_hat, r_hat and the springs' tractions; returns what e^2 fell by in every step.
-std::vector<double> relaxed(const SolvedSolidProblem& solved,
-                            const RelaxFaces& relax,
-                            const RelaxationSettings& settings,
-                            const FacetSetting<3>& setting,
-                            FirstSurfaceTractions& first,
-                            SolidEstimate& estimate) {
-  const std::vector<double> falls =
-      solved.body.springs.empty()
-          ? relax(setting, settings, estimate.moments)
-          : relaxed_with_springs(solved, relax, settings, setting, first,
-                                 estimate);
-  put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
   return falls;
 }
 
@@ -318,9 +306,10 @@ SolidEstimate estimate_error(const Topology<3>& topology,
       {topology, body.hooke, first.boundary,
        of_displacement.varies() ? other_loads : body.body_loads,
        of_displacement},
-      relaxed_faces(solved, estimate)};
+      relaxed_faces(solved, first.beside, estimate)};
   const std::vector<double> falls =
       relaxed(solved, relax, settings, setting, first, estimate);
+  put_relaxed(solved, setting.contact, first.boundary.moments, estimate);
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
   const StressNorms<3> norms =

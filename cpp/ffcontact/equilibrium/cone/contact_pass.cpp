@@ -14,17 +14,6 @@ namespace ffcontact {
 
 namespace {
 
-/// The cells at the ridges of a group.
-template <int d>
-std::vector<int> cells_of(const FacetTopology<d>& topology,
-                          const RidgeGroup& group) {
-  std::vector<int> cells;
-  for (int ridge : group.ridge)
-    for (const Wedge& wedge : wedges_of<d>(topology, ridge))
-      cells.push_back(wedge.cell);
-  return cells;
-}
-
 /// Has one of these cells taken a colour?
 bool is_taken(const std::map<int, std::vector<int>>& colours_of_cell,
               const std::vector<int>& cells, int colour) {
@@ -57,7 +46,10 @@ template <int d>
 void ContactPass<d>::colour() {
   std::map<int, std::vector<int>> taken;  // of each cell
   for (int s = 0; s < count_of(stars_); ++s) {
-    const std::vector<int> cells = cells_of<d>(topology_, stars_[s].group());
+    std::vector<int> cells;
+    for (int ridge : stars_[s].group().ridge)
+      for (const Wedge& wedge : wedges_of<d>(topology_, ridge))
+        cells.push_back(wedge.cell);
     int colour = 0;
     while (is_taken(taken, cells, colour)) ++colour;
     for (int cell : cells) taken[cell].push_back(colour);

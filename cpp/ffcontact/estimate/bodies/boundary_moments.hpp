@@ -16,21 +16,14 @@ FacetColumns<d> boundary_moments(const SimplexMesh<d>& mesh, const Body& body) {
       body.neumann, spring_moments<d>(mesh, body.springs, body.displacement));
 }
 
-/// What the boundary carries beside contact.
-template <int d, class Body>
-FacetTractions<d> carried_beside_contact(const Topology<d>& topology,
-                                         const Flags& prescribed,
-                                         const Body& body) {
-  return given_tractions<d>(topology.mesh, topology.facets, prescribed,
-                            boundary_moments<d>(topology.mesh, body));
-}
-
 /// Loads on supports are felt by nothing.
 template <int d, class Body>
 bool has_loads(const Topology<d>& topology, const Flags& prescribed,
                const Body& body) {
-  return !body.body_loads.isZero(0) ||
-         !carried_beside_contact(topology, prescribed, body).moments.isZero(0);
+  const FacetTractions<d> carried =
+      given_tractions<d>(topology.mesh, topology.facets, prescribed,
+                         boundary_moments<d>(topology.mesh, body));
+  return !carried.moments.isZero(0) || !body.body_loads.isZero(0);
 }
 
 }  // namespace ffcontact

@@ -35,7 +35,7 @@ std::vector<ContactFacet<2>> contact_edges(
     const BoundaryTractions& boundary) {
   const TractionCosts costs =
       traction_costs(line, law, densities, displacement);
-  std::map<int, ContactFacet<2>> along;  // by the first node
+  std::multimap<int, ContactFacet<2>> along;  // by the first node
   for (int e = 0; e < line.edge_count(); ++e) {
     if (stays_unloaded(line, law, displacement, densities, costs, e)) continue;
     ContactFacet<2> edge = contact_edge(line, law, costs, e);

@@ -129,6 +129,7 @@ FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
   require_loads_of_solution(
       solved, nodal_residual(topology, stress, body.body_loads, without),
       stress_terms);
+  first.beside = without.moments(Eigen::all, surface.face);
   const MatrixXd motions = unheld_motions(topology.mesh, system);
 
   first.contact = tractions_in_cone(solved, without, motions);

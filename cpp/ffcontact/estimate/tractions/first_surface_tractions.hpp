@@ -9,6 +9,8 @@ namespace ffcontact {
 struct FirstSurfaceTractions {
   Matrix3Xd contact;    ///< r_hat at the nodes [MPa, 3 x p]
   FaceMoments springs;  ///< moments of the springs' tractions [9 x boundary]
+  FaceMoments
+      beside;  ///< of given tractions on the faces of the surface [9 x m]
   FaceTractions boundary;
   FaceMoments moments;
 };
