@@ -12,7 +12,7 @@ namespace ffcontact {
 /// of contact facets take what lowers e^2 most (ContactStar). Where facets of two bodies
 /// match (ContactFacet::opposite) a star goes through both.
 ///
-/// The order is that of the middles of the ridges, whatever their numbers.
+/// The order is that of ridge_groups, whatever the numbers of mesh and surface.
 /// Stars that have no cell in common are of one colour and change together: the digits do
 /// not depend on the number of threads.
 template <int d>

@@ -18,7 +18,8 @@ namespace ffcontact {
 /// on the wrenches and the modes of the boundary facets, N the admissible corrections of
 /// FreeContact,
 ///     S = N'(A_oo - A_oi A_ii^-1 A_io) N,   at most 12 x 12 for one or two bodies.
-/// The unconstrained minimum if it is in the cone, or else that in FacetCone.
+/// The change is to the unconstrained minimum if it is in the cone, or else to the minimum in
+/// FacetCone.
 template <int d>
 class ContactStar {
  public:

@@ -79,7 +79,7 @@ MatrixXd frictionless_rows(const ContactFacet<d>& facet,
   return rows.topRows(count);
 }
 
-/// What a contact facet and the one that it faces feel in one.
+/// The sum of the moments that a contact facet and the one that it faces feel, at each corner.
 template <int d>
 MatrixXd opposition_rows(const ContactFacet<d>& facet,
                          const BoundarySpoke<d>& own,
@@ -122,7 +122,7 @@ void FreeContact<d>::keep_work(const std::vector<BoundarySpoke<d>>& spokes,
   if (work.norm() > negligible_change<d> * terms) conditions.add(work);
 }
 
-/// What a contact facet keeps to, and the one that it faces.
+/// The conditions on a contact facet: its law, and opposite tractions on the one it faces.
 template <int d>
 void FreeContact<d>::keep_law(const ContactFacet<d>& facet,
                               const BoundarySpoke<d>& own,

@@ -11,7 +11,7 @@
 
 namespace ffcontact {
 
-/// How a relaxation goes.
+/// The numbers that a relaxation in the plane and in space differ by.
 template <int d>
 struct RelaxationRule {
   /// Steps of the descent in one of the relaxation: two lower e of plane bodies as much as
