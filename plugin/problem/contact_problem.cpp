@@ -4,8 +4,6 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/compliance_ratio.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
-#include "ffcontact/interface/faceted_curves.hpp"
-#include "ffcontact/interface/fitted_line.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
 #include "ffcontact/interface/pairing/facing_line.hpp"
 //
@@ -14,7 +12,7 @@
 #include <utility>
 
 #include "problem/contact_problem.hpp"
-#include "problem/doubtful_curve.hpp"
+#include "problem/curve_report.hpp"
 
 namespace ffcontact::plugin {
 
@@ -45,6 +43,8 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
 }
 
 void ContactProblem::state(Stack stack, const NamedArguments& named) {
+  corner_ = stated_corner(stack, named);
+  curves_ = BoundaryCurves(mesh, edges, corner_);
   for (const StatedPair& pair : stated_pairs(stack, named, joined))
     add_pair(stack, named, pair);
   join_carriers();
@@ -57,18 +57,20 @@ const Topology<2>& ContactProblem::topology() const {
   return topology_;
 }
 
-/// A curve that turns has one contact direction where the gap is the smallest.
+/// A curve has one contact direction where it touches what is flatter.
 ContactLine ContactProblem::own_line(Stack stack, const NamedArguments& named,
                                      const StatedPair& pair) const {
   const BodyPart body = part(pair.body, elsewhere_);
-  ContactLine line = stated_line(stack, named, body, mesh, edges, pair.labels);
+  ContactLine line =
+      stated_line(stack, named, body, mesh, edges, pair.labels, curves_);
   if (named.given("normal") || !turns(line)) return line;
   const Expression gap = named.expression("gap");
   const VectorXd distance =
-      gap || pair.rigid() ? at_nodes(stack, gap, body, edges, line,
-                                     stated_places(line, false), 0)
-                          : facing_traces(mesh, edges, line, pair.opposite).gap;
-  return with_one_direction_a_curve(mesh, edges, std::move(line), distance);
+      gap || pair.rigid()
+          ? at_nodes(stack, gap, body, edges, line, stated_places(line, false),
+                     0)
+          : facing_traces(mesh, edges, line, pair.opposite, curves_).gap;
+  return with_one_direction_a_curve(mesh, std::move(line), distance);
 }
 
 void ContactProblem::require_one_side(const StatedPair& pair,
@@ -81,44 +83,12 @@ void ContactProblem::require_one_side(const StatedPair& pair,
                       in_words(Vector2d(mesh.origin + touching->place)));
 }
 
-/// Once for all pairs.
-void ContactProblem::warn_of_polygon(int body, const ContactLine& own) {
-  if (has_polygonal_curve) return;
-  const auto curves = faceted_curves(mesh, edges, own);
-  if (curves.empty()) return;
-  has_polygonal_curve = true;
-  const int edge = curves.front().edge;
-  warn_of_curve(joined, body, edges.vertices(0, edge),
-                edges.boundary_index[edge],
-                ", but fits what it faces, is hollow, or turns too far from it "
-                "to have one contact direction: its " +
-                    std::to_string(curves.front().edges) +
-                    " edges are taken for a polygon, which locks sliding and "
-                    "makes pressures up to several times too high on any mesh; "
-                    "give the curve's normal=[nx, ny], and the exact gap=");
-}
-
-/// Once for all pairs.
-void ContactProblem::warn_of_gap(int body, const ContactLine& own,
-                                 const std::vector<FacingPiece>& pieces) {
-  if (has_polygonal_curve) return;
-  const auto fitted = edge_of_fitted_line(mesh, edges, own, pieces);
-  if (!fitted) return;
-  has_polygonal_curve = true;
-  warn_of_curve(joined, body, edges.vertices(0, fitted->edge),
-                edges.boundary_index[fitted->edge],
-                " and fits what it faces: its gap is read between straight "
-                "edges, which is wrong by their heights over their chords, " +
-                    in_digits(fitted->sagitta) +
-                    " mm here, and makes pressures too high; give the exact "
-                    "gap= beside normal=");
-}
-
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
                               const StatedPair& pair) {
   const ContactLine own = own_line(stack, named, pair);
   require_one_side(pair, own);
-  if (!named.given("normal")) warn_of_polygon(pair.body, own);
+  report_curves(joined, edges, curves_, corner_, pair, own,
+                {named.given("normal"), named.given("gap")});
   if (!pair.rigid()) {
     add_facing_pair(stack, named, pair, own);
     return;
@@ -132,9 +102,8 @@ void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                      const ContactLine& own) {
   const int wanted = wanted_side(stack, named, count_of(pairs_),
                                  std::max(1, body_count() - 1));
-  const FacingTraces traces = facing_traces(mesh, edges, own, stated.opposite);
-  if (named.given("normal") && !named.given("gap"))
-    warn_of_gap(stated.body, own, traces.pieces);
+  const FacingTraces traces =
+      facing_traces(mesh, edges, own, stated.opposite, curves_);
   const ContactLine facing = facing_line(mesh, edges, own, traces);
   std::optional<ContactLine> exchanged;
   if (wanted != 1)

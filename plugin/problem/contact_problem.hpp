@@ -19,7 +19,7 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 
 /// A contact problem as a script states it: one mesh or several, and label=, friction=,
 /// slipbound=, gap=, normal=[nx, ny] (one contact direction a vertex in place of the
-/// edges' normals), previous= (displacement of the load step before; an empty array is
+/// lines' and smooth curves' normals), corner= (BoundaryCurves), previous= (displacement of the load step before; an empty array is
 /// none), side= (1 or 2: which body of a pair carries the multipliers). All is evaluated
 /// when it is stated.
 ///
@@ -52,8 +52,6 @@ struct ContactProblem : PlaneBodies {
   std::vector<long> first_node;
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
-  /// whether a smooth curve has the normals of its edges, which was said
-  bool has_polygonal_curve = false;
 
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   ContactProblem(Stack stack, const NamedArguments& named,
@@ -96,9 +94,6 @@ struct ContactProblem : PlaneBodies {
   ContactLine own_line(Stack stack, const NamedArguments& named,
                        const StatedPair& pair) const;
   void require_one_side(const StatedPair& pair, const ContactLine& own) const;
-  void warn_of_polygon(int body, const ContactLine& own);
-  void warn_of_gap(int body, const ContactLine& own,
-                   const std::vector<FacingPiece>& pieces);
   void add_pair(Stack stack, const NamedArguments& named,
                 const StatedPair& pair);
   void add_facing_pair(Stack stack, const NamedArguments& named,
@@ -113,6 +108,8 @@ struct ContactProblem : PlaneBodies {
   mutable Topology<2>
       topology_;  ///< ridges and stars are made when an estimate asks
   std::vector<Pair> pairs_;
+  double corner_ = 0;  ///< of curves [degrees]
+  BoundaryCurves curves_;
   /// while it is stated
   const PlacesElsewhere<2>* elsewhere_ = nullptr;
   VectorXd previous_;  ///< displacement of the load step before; empty for none

@@ -112,6 +112,7 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
                              {"slipbound", &typeid(double)},
                              {"gap", &typeid(double)},
                              {"normal", &typeid(E_Array)},
+                             {"corner", &typeid(double)},
                              {"side", &typeid(KN_<long>)},
                              {"comm", &typeid(pcommworld)}});
   return table;
@@ -171,10 +172,19 @@ VectorXd stated_previous(Stack stack, const NamedArguments& named,
   return any ? previous : VectorXd();
 }
 
+double stated_corner(Stack stack, const NamedArguments& named) {
+  const double corner =
+      named.number(stack, "corner", BoundaryCurves::default_corner);
+  if (!(corner >= 0 && corner < 90))
+    refuse("corner must be an angle from 0 to below 90 degrees, got ", corner);
+  return corner;
+}
+
 ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart& part, const Mesh& mesh,
-                        const Edges& edges, const std::vector<int>& labels) {
-  if (!named.given("normal")) return curved_contact_line(mesh, edges, labels);
+                        const Edges& edges, const std::vector<int>& labels,
+                        const BoundaryCurves& curves) {
+  if (!named.given("normal")) return contact_line(mesh, edges, labels, curves);
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Matrix2Xd direction(2, line.node_count());
   for (int c = 0; c < 2; ++c)

@@ -42,10 +42,15 @@ bool must_not_face_itself(const StatedPair& pair);
 /// @param place  where they lie on each other, in words
 [[noreturn]] void refuse_both_sides(int label, const std::string& place);
 
-/// The line by its own normals, or along the directions of normal=.
+/// The turn above which a curve has a corner, by corner= [degrees].
+/// @throws std::invalid_argument  unless it is from 0 to below 90
+double stated_corner(Stack stack, const NamedArguments& named);
+
+/// The line by its own normals and those of curves, or along the directions of normal=.
 ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart& part, const Mesh& mesh,
-                        const Edges& edges, const std::vector<int>& labels);
+                        const Edges& edges, const std::vector<int>& labels,
+                        const BoundaryCurves& curves);
 
 /// The displacement of the load step before on all dofs; empty where no previous= is
 /// given.

@@ -7,9 +7,8 @@
 
 namespace ffcontact::plugin {
 
-template <int dim>
-void warn_of_curve(const JoinedBodies<dim>& joined, int body, int vertex,
-                   int column, const std::string& doubt) {
+void warn_of_curve(const JoinedSolids& joined, int body, int vertex, int column,
+                   const std::string& doubt) {
   if (mpirank != 0) return;
   cout << "contact: label "
        << joined.mesh.boundary_label[column] - joined.label(body, 0)
@@ -18,10 +17,5 @@ void warn_of_curve(const JoinedBodies<dim>& joined, int body, int vertex,
   if (joined.body_count() > 1) cout << " of mesh " << body + 1;
   cout << doubt << endl;
 }
-
-template void warn_of_curve(const JoinedMesh&, int, int, int,
-                            const std::string&);
-template void warn_of_curve(const JoinedSolids&, int, int, int,
-                            const std::string&);
 
 }  // namespace ffcontact::plugin

@@ -7,12 +7,11 @@
 
 namespace ffcontact::plugin {
 
-/// Says at any verbosity, once a statement, that a curved contact has not the directions
-/// of its curve.
+/// Says at any verbosity, once a statement, that the contact of a curved surface has not
+/// its directions or its gap.
 /// @param column  of the joined mesh's boundary, at the vertex
 /// @param doubt   the rest of the sentence
-template <int dim>
-void warn_of_curve(const JoinedBodies<dim>& joined, int body, int vertex,
-                   int column, const std::string& doubt);
+void warn_of_curve(const JoinedSolids& joined, int body, int vertex, int column,
+                   const std::string& doubt);
 
 }  // namespace ffcontact::plugin

@@ -44,6 +44,10 @@ SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
 }
 
 void SolidProblem::state(Stack stack, const NamedArguments& named) {
+  if (named.given("corner"))
+    refuse(
+        "corner= is for plane bodies so far: give the surface's normal=[nx, "
+        "ny, nz]");
   for (const StatedPair& pair : stated_pairs(stack, named, joined))
     add_pair(stack, named, pair);
   join_carriers();

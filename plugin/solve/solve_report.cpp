@@ -170,7 +170,7 @@ void report_solution(const SolveCall& call, const BodyDofs& bodies,
 void report_friction(long level, const ContactProblem& problem,
                      const SolvedContact& solved) {
   constexpr double near = 0.01;
-  if (level < 1 || mpirank != 0 || problem.has_polygonal_curve) return;
+  if (level < 1 || mpirank != 0) return;
   const double mu = largest_friction(nodal_law(solved.law, problem.line));
   if (mu == 0 || solved.solution.status != ContactStatus::converged) return;
   const double critical = critical_friction_of(problem, solved);

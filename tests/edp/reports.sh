@@ -155,8 +155,8 @@ prints_what_it_expects "$1" $script
 printed=$("$1" $script -level 0)
 [ -z "$printed" ] || fails "printed at verbosity 0: $printed"
 
-# What statements warn of at any verbosity, once each: a curve that is taken for a polygon, a solid's surface that fits what it faces,
-# and gaps of polygons along given directions.
+# What statements say at verbosity 1 of the curves of plane bodies, and warn of at any verbosity, once each: a solid's surface that fits
+# what it faces.
 script=doubts.edp
 cat >$script <<'EOF'
 include "ffcontact.idp"
@@ -165,7 +165,7 @@ func int expect(string line) {
   cout << "expect: " << line << endl;
   return 0;
 }
-string polygon = ", but fits what it faces, is hollow, or turns too far from it to have one contact direction: its * edges are taken for a polygon*";
+string curve = " edges that turn by at most * degrees are a smooth curve, up to * mm beside them", kept = "; corner=0 keeps the polygon";
 string hollow = " and fits what it faces: mean normals*";
 
 // A pin in a bore
@@ -177,36 +177,49 @@ border box2(t=-20, 20) { x=20; y=t; label=2; }
 border box3(t=20, -20) { x=t; y=20; label=2; }
 border box4(t=20, -20) { x=-20; y=t; label=2; }
 mesh T1 = buildmesh(pin(40)), T2 = buildmesh(box1(4) + box2(4) + box3(4) + box4(4) + bore(-46));
-expect("contact: label 11 is curved at vertex * (*) of mesh 1" + polygon);
+verbosity = 1;
+expect("contact: label 11 of mesh 1: 40" + curve + ", with its normals and its gap" + kept);
+expect("contact: label 12 of mesh 2: 46" + curve + ", with its gap" + kept);
 contact C1(T1, T2, label1=11, label2=12, friction=0);
-expect("contact: label 12 is curved at vertex * (*) of mesh 1" + polygon);
+expect("contact: label 12 of mesh 1: 46" + curve + ", with its normals" + kept);
 contact C2(T2, T1, label1=12, label2=11, friction=0, gap=R - r);
-string straight = " and fits what it faces: its gap is read between straight edges, which is wrong by their heights over their chords, 0.03* mm here*";
-expect("contact: label 11 is curved at vertex * (*) of mesh 1" + straight);
+expect("contact: label 11 of mesh 1: 40" + curve + ", with its gap" + kept);
+expect("contact: label 12 of mesh 2: 46" + curve + ", with its gap" + kept);
 contact C3(T1, T2, label1=11, label2=12, friction=0, normal=[x/r, y/r]);
-contact C3b(T1, T2, label1=11, label2=12, friction=0, normal=[x/r, y/r], gap=R - r);
-contact C4(T2, T1, label1=12, label2=11, friction=0, normal=[-x/R, -y/R], gap=R - r);
-// Coarse ones: 16 edges are a curve, 12 a polygon
-mesh T5 = buildmesh(pin(16)), T6 = buildmesh(pin(12));
-expect("contact: label 11 is curved at vertex * (*) of mesh 1" + polygon);
-contact C5(T5, T2, label1=11, label2=12, friction=0);
-contact C6(T6, T2, label1=11, label2=12, friction=0);
+contact C3a(T1, T2, label1=11, label2=12, friction=0, corner=0);
+// Coarse ones: 12 edges are a curve, 8 a polygon but with corner=50
+verbosity = 0;
+mesh T5 = buildmesh(pin(12)), T6 = buildmesh(pin(8));
+verbosity = 1;
+expect("contact: label 11: 12" + curve + ", with its normals" + kept);
+contact C5(T5, label=11, friction=0);
+expect("contact: label 11: 8 edges with corners of 45 degrees are a polygon; corner=50 takes them for a curve");
+contact C6(T6, label=11, friction=0);
+expect("contact: label 11: 8" + curve + ", with its normals" + kept);
+contact C7(T6, label=11, friction=0, corner=50);
 
 // A half cylinder on a plane: all of it labelled, and a part
-for (int degrees = 30; degrees <= 90; degrees += 30) {
+for (int degrees = 30; degrees <= 90; degrees += 20) {
   border low(t=-pi/2 - degrees*pi/180, -pi/2 + degrees*pi/180) { x=R*cos(t); y=R*sin(t); label=1; }
   border up(t=-pi/2 + degrees*pi/180, 3*pi/2 - degrees*pi/180) { x=R*cos(t); y=R*sin(t); label=4; }
+  verbosity = 0;
   mesh Th = buildmesh(low(degrees) + up(60));
-  if (degrees > 60) expect("contact: label 1 is curved at vertex * (*)" + polygon);
+  verbosity = 1;
+  string taken = ", with one contact direction";
+  if (degrees > 60) taken = ", with its normals";
+  expect("contact: label 1: " + degrees + curve + taken + kept);
   contact C(Th, label=1, friction=0.3, gap=y + R);
 }
 
-// What is a polygon: a hexagon, a punch with chamfers, a die with two edges
+// What is a polygon and not said: a square nut, a punch with chamfers, a die with two edges
+verbosity = 0;
 border nut(t=0, 2*pi) { x=cos(t); y=sin(t); label=1; }
-mesh Tn = buildmesh(nut(6)), Ts = square(12, 4, [x*12, y*4 + (1 - y)*max(0., abs(12*x - 6) - 4)]),
+mesh Tn = buildmesh(nut(4)), Ts = square(12, 4, [x*12, y*4 + (1 - y)*max(0., abs(12*x - 6) - 4)]),
      Td = square(9, 3, [x*9, y*4 + (1 - y)*0.3*(min(3., max(0., 9*x - 3)) + 2*max(0., 9*x - 6))]);
+verbosity = 1;
 contact Cn(Tn, label=1, friction=0.1, gap=y + 1), Cs(Ts, label=1, friction=0.1, gap=y), Cd(Td, label=1, friction=0.1, gap=y);
 
+verbosity = 0;
 // A part of a solid pin in its bore, and on a plane
 mesh3 P = cube(8, 2, 2, [(r - 2*z)*sin(x - 0.5), 4*y, -(r - 2*z)*cos(x - 0.5)]),
       B = cube(9, 3, 2, [(R + 2*(1 - z))*sin(1.2*x - 0.6), 4*y, -(R + 2*(1 - z))*cos(1.2*x - 0.6)]),

@@ -21,7 +21,8 @@ ContactLine line_of(const Mesh& mesh, const std::vector<int>& labels) {
 }
 
 ContactLine curved_line_of(const Mesh& mesh, const std::vector<int>& labels) {
-  return curved_contact_line(mesh, edges_of(mesh), labels);
+  const Edges edges = edges_of(mesh);
+  return contact_line(mesh, edges, labels, BoundaryCurves(mesh, edges));
 }
 
 std::string refusal_of(const std::vector<int>& labels) {
@@ -203,15 +204,28 @@ TEST(CurvedContactLine,
 }
 
 TEST(CurvedContactLine, few_edges_and_sharp_turns_are_a_polygon) {
-  EXPECT_EQ(
-      curved_line_of(fan_on(arc(5, 0.1), {0.1, 2}), {bottom}).node_count(), 6);
-  EXPECT_EQ(
-      curved_line_of(fan_on(arc(4, 0.1), {0.1, 2}), {bottom}).node_count(), 8);
-  EXPECT_EQ(
-      curved_line_of(fan_on(arc(6, 0.25), {0.2, 2}), {bottom}).node_count(), 7);
-  EXPECT_EQ(
-      curved_line_of(fan_on(arc(6, 0.28), {0.2, 2}), {bottom}).node_count(),
-      12);
+  const auto nodes = [](int edges, double step) {
+    const Vector2d above(0.5 * edges * step, 3);
+    return curved_line_of(fan_on(arc(edges, step), above), {bottom})
+        .node_count();
+  };
+  EXPECT_EQ(nodes(3, 0.1), 4);
+  EXPECT_EQ(nodes(2, 0.1), 4);  // two lines with two nodes where they meet
+  EXPECT_EQ(nodes(5, 0.53), 6);
+  EXPECT_EQ(nodes(5, 0.54), 10);
+}
+
+TEST(CurvedContactLine, has_the_normals_of_the_curve_beyond_its_label) {
+  Mesh mesh = fan_on(arc(10, 0.1), {0.2, 2});
+  for (int k = 0; k < 10; ++k)
+    mesh.boundary_label[k] = k < 3 || k > 4 ? left : bottom;
+  const ContactLine line = curved_line_of(mesh, {bottom});
+  ASSERT_EQ(line.node_count(), 3);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_LT((line.normal.col(i) -
+               Vector2d(std::sin(0.1 * (3 + i)), -std::cos(0.1 * (3 + i))))
+                  .norm(),
+              1e-14);
 }
 
 TEST(CurvedContactLine,
@@ -245,13 +259,6 @@ TEST(CurvedContactLine, around_a_disc_is_closed_without_a_corner) {
   ASSERT_EQ(line.node_count(), n);
   for (int i = 0; i < n; ++i)
     EXPECT_LT((line.normal.col(i) - position(mesh, line, i)).norm(), 1e-13);
-  const ContactLine polygon = line_of(mesh, {bottom});
-  const ContactLine fitting =
-      with_one_direction_a_curve(mesh, edges_of(mesh), line, VectorXd::Zero(n));
-  EXPECT_EQ(fitting.vertex, polygon.vertex);
-  EXPECT_EQ(fitting.edge_node, polygon.edge_node);
-  EXPECT_LT((fitting.normal - polygon.normal).norm(), 1e-14);
-  EXPECT_LT((fitting.abscissa - polygon.abscissa).norm(), 1e-12);
 }
 
 /// The lower half of a regular polygon of 2 n sides around the origin, radius 1.

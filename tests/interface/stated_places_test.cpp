@@ -32,9 +32,12 @@ struct ArcOnFlat {
         edges(edges_of(joined.mesh)) {
     const std::vector<int> arc{joined.label(0, bottom)},
         flat{joined.label(1, top)};
-    stated = curved_contact_line(joined.mesh, edges, arc);
+    stated = contact_line(joined.mesh, edges, arc,
+                          BoundaryCurves(joined.mesh, edges));
     const VectorXd gap = facing_traces(joined.mesh, edges, stated, flat).gap;
-    stated = with_one_direction_a_curve(joined.mesh, edges, stated, gap);
+    stated = with_one_direction_a_curve(joined.mesh, stated, gap);
+    // where directions turn places of a piece do not face each other to the last digit
+    if (turns(stated)) stated = contact_line(joined.mesh, edges, arc);
     own = facing_line(joined.mesh, edges, stated,
                       facing_traces(joined.mesh, edges, stated, flat));
     other = exchanged_line(joined.mesh, edges, own, flat);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "support/chains.hpp"
 #include "support/pi.hpp"
 #include "support/random.hpp"
 
@@ -13,40 +14,14 @@ namespace {
 
 using namespace test;
 
-Matrix2Xd along(const Vector2d& first, const Vector2d& last, int edges) {
-  Matrix2Xd points(2, edges + 1);
-  for (int k = 0; k <= edges; ++k)
-    points.col(k) = first + (last - first) * k / edges;
-  return points;
-}
-
-Matrix2Xd one_after_the_other(const Matrix2Xd& a, const Matrix2Xd& b) {
-  Matrix2Xd both(2, a.cols() + b.cols() - 1);
-  both << a, b.rightCols(b.cols() - 1);
-  return both;
-}
-
 Matrix2Xd rounded(const Matrix2Xd& points, double unit) {
   return (points / unit).array().round().matrix() * unit;
-}
-
-Matrix2Xd arc(double radius, double from, double to, int edges) {
-  Matrix2Xd points(2, edges + 1);
-  for (int k = 0; k <= edges; ++k) {
-    const double angle = from + (to - from) * k / edges;
-    points.col(k) << radius * std::sin(angle), radius * (1 - std::cos(angle));
-  }
-  return points;
 }
 
 std::vector<int> runs_of(const Matrix2Xd& points) {
   const double size = extent(points);
   return straight_runs(
       points, straight_tolerance(coordinate_precision(points, size), size));
-}
-
-std::vector<LinePart> parts_of(const Matrix2Xd& points) {
-  return line_parts(points, 1e-9, pi / 6, 3);
 }
 
 TEST(CoordinatePrecision, is_the_last_decimal_of_coordinates_with_few) {
@@ -94,43 +69,6 @@ TEST(StraightRuns, end_where_the_chain_turns_back) {
   EXPECT_EQ(runs_of(one_after_the_other(along({0, 0}, {1, 0}, 4),
                                         along({1, 0}, {0.5, 0}, 2))),
             (std::vector<int>{0, 4, 6}));
-}
-
-TEST(LineParts, of_an_arc_between_straight_lines_are_three) {
-  const Matrix2Xd curve = arc(5, 0, 0.6, 12);
-  const Vector2d end = curve.col(12), leaving(std::cos(0.6), std::sin(0.6));
-  const Matrix2Xd chain =
-      one_after_the_other(one_after_the_other(along({-4, 0}, {0, 0}, 5), curve),
-                          along(end, end + 3 * leaving, 4));
-  const std::vector<LinePart> parts = parts_of(chain);
-  ASSERT_EQ(parts.size(), 3u);
-  EXPECT_TRUE(parts[0].straight && !parts[1].straight && parts[2].straight);
-  EXPECT_EQ(parts[1].first, 5);
-  EXPECT_EQ(parts[1].last, 17);
-}
-
-TEST(LineParts, of_a_curve_with_a_corner_are_two) {
-  const Matrix2Xd first = arc(5, 0, 0.5, 10);
-  Matrix2Xd second = arc(5, 0.7, 1.2, 10);
-  second.colwise() += first.col(10) - second.col(0).eval();
-  const std::vector<LinePart> parts =
-      parts_of(one_after_the_other(first, second));
-  ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0].last, 10);
-}
-
-TEST(LineParts, of_a_polygon_are_its_sides) {
-  EXPECT_EQ(parts_of(arc(5, 0, 2.4, 4)).size(), 4u)
-      << "34 degrees at each vertex";
-  EXPECT_EQ(parts_of(arc(5, 0, 2.4, 8)).size(), 1u)
-      << "17 degrees at each vertex";
-  EXPECT_EQ(parts_of(arc(5, 0, 0.2, 2)).size(), 2u) << "two edges are no curve";
-  const Matrix2Xd corners = arc(5, 0, 0.6, 4);
-  Matrix2Xd sides = corners.leftCols(1);
-  for (int k = 0; k < 4; ++k)
-    sides = one_after_the_other(sides,
-                                along(corners.col(k), corners.col(k + 1), 3));
-  EXPECT_EQ(parts_of(sides).size(), 4u) << "sides of three edges";
 }
 
 }  // namespace

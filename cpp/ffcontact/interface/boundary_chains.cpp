@@ -7,14 +7,13 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/labelled_facets.hpp"
-#include "ffcontact/mesh/straight_runs.hpp"
+#include "ffcontact/mesh/turns.hpp"
 
 namespace ffcontact {
 
 namespace {
 
 using Chain = std::vector<int>;
-using EdgeByVertex = std::map<int, int>;
 
 /// Angles by which a loop turns at the first vertex of each edge.
 std::vector<double> turns_of(const Mesh& mesh, const Edges& edges,
@@ -39,34 +38,51 @@ void start_at_corner(const Mesh& mesh, const Edges& edges, Chain& loop) {
               loop.end());
 }
 
-/// Takes the chain that begins at a vertex out of the edges that leave vertices.
-Chain taken(const Edges& edges, int vertex, EdgeByVertex& leaving) {
-  Chain chain;
-  for (auto next = leaving.find(vertex); next != leaving.end();
-       next = leaving.find(vertex)) {
-    chain.push_back(next->second);
-    vertex = edges.vertices(1, next->second);
-    leaving.erase(next);
+/// Edges while they are taken into chains.
+class Leaving {
+ public:
+  Leaving(const Edges& edges, const std::vector<int>& boundary)
+      : edges_(edges) {
+    for (int e : boundary) {
+      leaving_.emplace(edges.vertices(0, e), e);
+      ++arriving_[edges.vertices(1, e)];
+    }
+    for (const auto& [vertex, edge] : leaving_)
+      if (leaving_.count(vertex) != 1 || arriving_[vertex] != 1)
+        starts_.insert(vertex);
   }
-  return chain;
-}
 
-std::set<int> second_vertices(const Edges& edges,
-                              const std::vector<int>& boundary) {
-  std::set<int> vertices;
-  for (int e : boundary) vertices.insert(edges.vertices(1, e));
-  return vertices;
-}
+  std::vector<Chain> chains() {
+    std::vector<Chain> chains;
+    for (int vertex : starts_)
+      while (leaving_.count(vertex) > 0) chains.push_back(taken(vertex));
+    return chains;
+  }
+  std::vector<Chain> loops() {
+    std::vector<Chain> loops;
+    while (!leaving_.empty()) loops.push_back(taken(leaving_.begin()->first));
+    return loops;
+  }
 
-/// The vertices that an edge leaves and none arrives at.
-std::vector<int> starts(const Edges& edges, const std::vector<int>& boundary,
-                        const EdgeByVertex& leaving) {
-  const std::set<int> arrived = second_vertices(edges, boundary);
-  std::vector<int> result;
-  for (const auto& [vertex, edge] : leaving)
-    if (!arrived.count(vertex)) result.push_back(vertex);
-  return result;
-}
+ private:
+  /// The chain from a vertex to where the next one starts, or around.
+  Chain taken(int vertex) {
+    Chain chain;
+    auto next = leaving_.find(vertex);
+    do {
+      chain.push_back(next->second);
+      vertex = edges_.vertices(1, next->second);
+      leaving_.erase(next);
+      next = leaving_.find(vertex);
+    } while (next != leaving_.end() && !starts_.count(vertex));
+    return chain;
+  }
+
+  const Edges& edges_;
+  std::multimap<int, int> leaving_;  ///< by first vertex
+  std::map<int, int> arriving_;      ///< their number, by second vertex
+  std::set<int> starts_;             ///< vertices
+};
 
 }  // namespace
 
@@ -78,16 +94,26 @@ std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
 
 std::vector<std::vector<int>> boundary_chains(
     const Mesh& mesh, const Edges& edges, const std::vector<int>& boundary) {
-  EdgeByVertex leaving;
-  for (int e : boundary) leaving[edges.vertices(0, e)] = e;
-  std::vector<Chain> chains;
-  for (int vertex : starts(edges, boundary, leaving))
-    chains.push_back(taken(edges, vertex, leaving));
-  while (!leaving.empty()) {
-    chains.push_back(taken(edges, leaving.begin()->first, leaving));
-    start_at_corner(mesh, edges, chains.back());
+  Leaving leaving(edges, boundary);
+  std::vector<Chain> chains = leaving.chains();
+  for (Chain& loop : leaving.loops()) {
+    start_at_corner(mesh, edges, loop);
+    chains.push_back(std::move(loop));
   }
   return chains;
+}
+
+Matrix2Xd points_of(const Mesh& mesh, const Edges& edges,
+                    const std::vector<int>& chain) {
+  std::vector<int> vertices{edges.vertices(0, chain.front())};
+  for (int edge : chain) vertices.push_back(edges.vertices(1, edge));
+  return mesh.vertices(Eigen::all, vertices);
+}
+
+Matrix2Xd places_of(const Mesh& mesh, const Edges& edges,
+                    const std::vector<int>& boundary) {
+  const Matrix2Xi vertices = edges.vertices(Eigen::all, boundary);
+  return mesh.vertices(Eigen::all, vertices.reshaped()).colwise() + mesh.origin;
 }
 
 }  // namespace ffcontact

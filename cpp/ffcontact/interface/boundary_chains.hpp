@@ -13,10 +13,19 @@ namespace ffcontact {
 std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
                                    const std::vector<int>& labels);
 
-/// Edges ordered into chains: each starts where no edge ends, closed loops at a corner,
-/// the first of their vertices where they turn about as much as anywhere.
+/// Edges ordered into chains: each starts where no edge ends, or where bodies touch
+/// themselves in a vertex, and ends at such a one; closed loops start at a corner, the
+/// first of their vertices where they turn about as much as anywhere.
 std::vector<std::vector<int>> boundary_chains(const Mesh& mesh,
                                               const Edges& edges,
                                               const std::vector<int>& boundary);
+
+/// The vertices along a chain [2 x edges + 1].
+Matrix2Xd points_of(const Mesh& mesh, const Edges& edges,
+                    const std::vector<int>& chain);
+
+/// Both vertices of each edge as who made the mesh knows them [2 x 2 edges].
+Matrix2Xd places_of(const Mesh& mesh, const Edges& edges,
+                    const std::vector<int>& boundary);
 
 }  // namespace ffcontact

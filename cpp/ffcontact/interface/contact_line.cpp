@@ -1,74 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/contact_line.hpp"
 
-#include <set>
+#include <algorithm>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/boundary_chains.hpp"
-#include "ffcontact/mesh/smooth_curve.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
+#include "ffcontact/mesh/turns.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// A curve has at least this many edges and turns by at most this angle between them;
-/// other polygons are meant.
-constexpr int fewest_edges = 5;
-constexpr double largest_turn = 15 * M_PI / 180;
+using Chain = std::vector<int>;
 
-/// What a line takes its edges for: straight lines, straight lines and the chords of
-/// curves, or the chords of one curve.
-enum class Shape { polygon, parts, curve };
-
-Matrix2Xd vertices_of(const Mesh& mesh, const Edges& edges,
-                      const std::vector<int>& chain) {
-  std::vector<int> vertices{edges.vertices(0, chain.front())};
-  for (int edge : chain) vertices.push_back(edges.vertices(1, edge));
-  return mesh.vertices(Eigen::all, vertices);
-}
-
-/// The direction of the chord at every point.
-Matrix2Xd chord_tangents(const Matrix2Xd& points) {
+/// Normals at the points of a straight line, all that of its chord.
+Matrix2Xd straight_normals(const Matrix2Xd& points) {
   const Vector2d chord = points.col(points.cols() - 1) - points.col(0);
-  return chord.normalized().replicate(1, points.cols());
-}
-
-Matrix2Xd curve_tangents(const Matrix2Xd& points) {
-  const bool closed = points.col(0) == points.col(points.cols() - 1);
-  return smooth_curve(points, closed && closes_smoothly(points)).tangents;
-}
-
-/// Normals of a straight line, all that of its chord, or of a smooth curve.
-Matrix2Xd normals_of(const Matrix2Xd& points, bool straight) {
-  const Matrix2Xd tangents =
-      straight ? chord_tangents(points) : curve_tangents(points);
-  Matrix2Xd normals(2, points.cols());
-  normals << tangents.row(1), -tangents.row(0);
-  return normals;
-}
-
-Matrix2Xd places_of(const Mesh& mesh, const Edges& edges,
-                    const std::vector<int>& boundary) {
-  const Matrix2Xi vertices = edges.vertices(Eigen::all, boundary);
-  return mesh.vertices(Eigen::all, vertices.reshaped()).colwise() + mesh.origin;
+  return turned_right(chord.normalized()).replicate(1, points.cols());
 }
 
 /// Appends nodes and edges to a line.
 class LineBuilder {
  public:
-  LineBuilder(const Mesh& mesh, const Edges& edges, Shape shape)
-      : mesh_(mesh), edges_(edges), shape_(shape) {}
+  /// @param curves  nullptr for one node a vertex, whatever the shape
+  LineBuilder(const Mesh& mesh, const Edges& edges,
+              const BoundaryCurves* curves)
+      : mesh_(mesh), edges_(edges), curves_(curves) {}
 
   /// @param tolerance  of straight_runs
-  void add_chain(const std::vector<int>& chain, double tolerance) {
-    const int first_node = count_of(vertex_);
-    if (shape_ == Shape::curve)
-      add_part(chain, 0, Matrix2Xd::Zero(2, count(chain) + 1), false);
-    else
+  void add_chain(const Chain& chain, double tolerance) {
+    const int first_node = start_of_chain_ = count_of(vertex_);
+    if (curves_)
       add_parts(chain, tolerance);
-    if (count(chain) > 1 && is_loop_from(first_node)) join_loop(first_node);
+    else
+      add_part(chain, Matrix2Xd::Zero(2, count_of(chain) + 1), false);
+    if (count_of(chain) > 1 && is_loop_from(first_node)) join_loop(first_node);
   }
 
   ContactLine line() const {
@@ -83,22 +51,57 @@ class LineBuilder {
   }
 
  private:
-  static int count(const std::vector<int>& chain) { return count_of(chain); }
-
   /// Straight lines and smooth curves, each from the node that the one before ends at
   /// where the line goes on.
-  void add_parts(const std::vector<int>& chain, double tolerance) {
-    const Matrix2Xd points = vertices_of(mesh_, edges_, chain);
-    const int fewest =
-        shape_ == Shape::polygon ? count(chain) + 1 : fewest_edges;
-    double turn = 0;  // over the last edge before
-    for (const LinePart& part :
-         line_parts(points, tolerance, largest_turn, fewest)) {
-      const Matrix2Xd normals = normals_of(
-          points.middleCols(part.first, part.edges() + 1), part.straight);
-      const bool shared = part.first > 0 && shares_a_node(normals, turn);
-      add_part(chain, part.first, normals, shared);
-      turn = turn_after(normals, part.edges() - 1);
+  void add_parts(const Chain& chain, double tolerance) {
+    for (auto first = chain.begin(); first != chain.end();) {
+      const Chord<2>* chord = curves_->chord(*first);
+      const auto last = chord ? end_of_curve(first, chain.end())
+                              : std::find_if(first, chain.end(), [&](int e) {
+                                  return curves_->chord(e);
+                                });
+      const Chain part(first, last);
+      if (chord)
+        add_curve(part);
+      else
+        add_straight_runs(part, tolerance);
+      first = last;
+    }
+  }
+
+  Chain::const_iterator end_of_curve(Chain::const_iterator edge,
+                                     Chain::const_iterator end) const {
+    const Chord<2>* chord = curves_->chord(*edge);
+    while (++edge != end) {
+      const Chord<2>* next = curves_->chord(*edge);
+      if (!next || next->first_tangent != chord->last_tangent) break;
+      chord = next;
+    }
+    return edge;
+  }
+
+  void add_curve(const Chain& part) {
+    Matrix2Xd normals(2, count_of(part) + 1);
+    normals.col(0) = turned_right(curves_->chord(part[0])->first_tangent);
+    for (int k = 0; k < count_of(part); ++k)
+      normals.col(k + 1) = turned_right(curves_->chord(part[k])->last_tangent);
+    const bool shared = !after_curve_ && shares_a_node(normals, 0);
+    add_part(part, normals, shared);
+    after_curve_ = true;
+    last_turn_ = turn_after(normals, count_of(part) - 1);
+  }
+
+  void add_straight_runs(const Chain& part, double tolerance) {
+    const Matrix2Xd points = points_of(mesh_, edges_, part);
+    const std::vector<int> runs = straight_runs(points, tolerance);
+    for (std::size_t r = 0; r + 1 < runs.size(); ++r) {
+      const int first = runs[r], count = runs[r + 1] - first;
+      const Matrix2Xd normals =
+          straight_normals(points.middleCols(first, count + 1));
+      const bool shared = after_curve_ && shares_a_node(normals, last_turn_);
+      add_part({part.begin() + first, part.begin() + runs[r + 1]}, normals,
+               shared);
+      after_curve_ = false;
     }
   }
 
@@ -106,18 +109,17 @@ class LineBuilder {
     return angle_between(normals.col(k), normals.col(k + 1));
   }
 
-  /// Whether a part goes on from the one before, one of both a straight line.
+  /// Whether a part goes on from the one before, one of both a curve.
   /// @param turn  of the part before over its last edge
   bool shares_a_node(const Matrix2Xd& normals, double turn) const {
-    const double next_turn = turn_after(normals, 0);
-    const bool one_curve = (turn > 0) != (next_turn > 0);
-    return one_curve && goes_on(normals.col(0), turn + next_turn);
+    return count_of(vertex_) > start_of_chain_ &&
+           goes_on(normals.col(0), turn + turn_after(normals, 0));
   }
 
   /// Whether the chain that began at a node ends there as one line.
   bool is_loop_from(int node) const {
     if (vertex_.back() != vertex_[node]) return false;
-    if (shape_ == Shape::curve) return true;
+    if (!curves_) return true;
     const double turn = angle_between(normal_[node], normal_[node + 1]);
     return goes_on(normal_[node], turn);
   }
@@ -142,19 +144,19 @@ class LineBuilder {
   /// Whether the line goes on from its last node with this normal, as a curve that turns
   /// by `turn` an edge does.
   bool goes_on(const Vector2d& normal, double turn) const {
-    return angle_between(normal_.back(), normal) < 0.5 * turn;
+    constexpr double rounding = 1e-9;
+    return angle_between(normal_.back(), normal) < 0.5 * turn + rounding;
   }
 
-  /// @param normals  at the vertices of the chain's edges from `first` on
+  /// @param normals  at the vertices of the part
   /// @param shared  the last node so far is the first one of the part as well; it has the
   ///                normal of the straight one of both
-  void add_part(const std::vector<int>& chain, int first,
-                const Matrix2Xd& normals, bool shared) {
-    if (!shared) add_node(edges_.vertices(0, chain[first]), normals.col(0));
+  void add_part(const Chain& part, const Matrix2Xd& normals, bool shared) {
+    if (!shared) add_node(edges_.vertices(0, part[0]), normals.col(0));
     int node = count_of(vertex_) - 1;
     if (normals.col(0) == normals.col(1)) normal_[node] = normals.col(0);
     for (Index k = 1; k < normals.cols(); ++k)
-      node = add_edge(chain[first + k - 1], node, normals.col(k));
+      node = add_edge(part[k - 1], node, normals.col(k));
   }
 
   /// A closed curve shares its first node.
@@ -167,21 +169,25 @@ class LineBuilder {
 
   const Mesh& mesh_;
   const Edges& edges_;
-  const Shape shape_;
+  const BoundaryCurves* curves_;
   std::vector<int> vertex_, edge_;
   std::vector<Vector2d> normal_;
   std::vector<Vector2i> edge_node_;
   std::vector<double> abscissa_, length_;
   double arc_ = 0;
+  int start_of_chain_ = 0;  ///< node
+  bool after_curve_ = false;
+  double last_turn_ = 0;  ///< of the curve before over its last edge
 };
 
 ContactLine built_line(const Mesh& mesh, const Edges& edges,
-                       const std::vector<int>& labels, Shape shape) {
+                       const std::vector<int>& labels,
+                       const BoundaryCurves* curves) {
   const std::vector<int> boundary = labelled_boundary(mesh, edges, labels);
   const double size = extent(mesh.vertices);
   const double precision =
       coordinate_precision(places_of(mesh, edges, boundary), size);
-  LineBuilder builder(mesh, edges, shape);
+  LineBuilder builder(mesh, edges, curves);
   for (const std::vector<int>& chain : boundary_chains(mesh, edges, boundary))
     builder.add_chain(chain, straight_tolerance(precision, size));
   ContactLine line = builder.line();
@@ -198,18 +204,14 @@ ContactLine built_line(const Mesh& mesh, const Edges& edges,
 }  // namespace
 
 ContactLine contact_line(const Mesh& mesh, const Edges& edges,
-                         const std::vector<int>& labels) {
-  return built_line(mesh, edges, labels, Shape::polygon);
-}
-
-ContactLine curved_contact_line(const Mesh& mesh, const Edges& edges,
-                                const std::vector<int>& labels) {
-  return built_line(mesh, edges, labels, Shape::parts);
+                         const std::vector<int>& labels,
+                         const BoundaryCurves& curves) {
+  return built_line(mesh, edges, labels, &curves);
 }
 
 ContactLine smooth_contact_line(const Mesh& mesh, const Edges& edges,
                                 const std::vector<int>& labels) {
-  ContactLine line = built_line(mesh, edges, labels, Shape::curve);
+  ContactLine line = built_line(mesh, edges, labels, nullptr);
   line.normal.setZero();
   for (int e = 0; e < line.edge_count(); ++e)
     for (int node : line.edge_node.col(e))

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/interface/boundary_curves.hpp"
 #include "ffcontact/interface/weights_by_node.hpp"
 #include "ffcontact/mesh/edges.hpp"
 
@@ -39,8 +40,8 @@ struct FacingPiece {
 /// The vertex then keeps clear of both lines, with W u as with W u_h on each of them: for
 /// nodal forces both normal components of its displacement are bounded, for pressures
 /// each end row of M is. On a polygon that stands for a smooth curve this would lock
-/// sliding at every vertex; a line of given directions (along_directions) has one node a
-/// vertex instead.
+/// sliding at every vertex; a line with curves, or of given directions (along_directions),
+/// has one node a vertex instead.
 ///
 /// Where the opposite body ends within a mesh edge so does the contact edge
 /// (facing_line), at a node between the vertices.
@@ -100,19 +101,14 @@ struct ContactLine {
   Vector2d edge_tangent(int e) const { return tangent(edge_node(0, e)); }
 };
 
+/// Polygons that stand for smooth curves have one node a vertex, with the curve's normals,
+/// and a node together with the straight line that they go on from, with its normal.
+/// @param curves  of the same boundary; none to take all of it for straight lines
 /// @throws std::invalid_argument  if `labels` is empty or one of them is on no boundary
 ///                                edge of the body
 ContactLine contact_line(const Mesh& mesh, const Edges& edges,
-                         const std::vector<int>& labels);
-
-/// As contact_line, but polygons that stand for smooth curves have one node a vertex,
-/// with the normals of the circles through neighbours (SmoothCurve), and a node together
-/// with the straight line that they go on from, with its normal. Such a polygon is at
-/// least five edges, no two of them on one straight line, that turn by at most 15 degrees
-/// at each vertex.
-/// @throws std::invalid_argument  as contact_line
-ContactLine curved_contact_line(const Mesh& mesh, const Edges& edges,
-                                const std::vector<int>& labels);
+                         const std::vector<int>& labels,
+                         const BoundaryCurves& curves = {});
 
 /// One node a vertex, corners included, with the unit mean of the normals of the edges
 /// beside it. For smooth curves.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
 namespace ffcontact {
@@ -107,41 +106,6 @@ bool stands_for_all(const Mesh& mesh, const ContactLine& line,
   return falls_back;
 }
 
-/// Each edge along which the direction still turns gets two nodes of its own, with its
-/// normal.
-ContactLine polygon_where_it_turns(const Mesh& mesh, const Edges& edges,
-                                   const ContactLine& line) {
-  ContactLine result = line;
-  Nodes origin, kept(line.node_count(), -1);
-  std::vector<Vector2d> normals;
-  std::vector<double> abscissae;
-  for (int e = 0; e < line.edge_count(); ++e)
-    for (int end = 0; end < 2; ++end) {
-      const int node = line.edge_node(end, e);
-      int fresh = -1;
-      int& now = turns(line, e) ? fresh : kept[node];
-      if (now < 0) {
-        now = count_of(origin);
-        origin.push_back(node);
-        normals.push_back(turns(line, e)
-                              ? edge_normal(mesh, edges, line.edge[e])
-                              : line.normal.col(node));
-        // A closed curve ends where it begins, at another abscissa.
-        abscissae.push_back(turns(line, e)
-                                ? line.abscissa[line.edge_node(0, e)] +
-                                      end * line.length[e]
-                                : line.abscissa[node]);
-      }
-      result.edge_node(end, e) = now;
-    }
-  result.vertex = line.vertex(origin);
-  result.normal.resize(2, count_of(normals));
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    result.normal.col(static_cast<Index>(i)) = normals[i];
-  result.abscissa = Map<const VectorXd>(abscissae.data(), result.normal.cols());
-  return result;
-}
-
 }  // namespace
 
 bool turns(const ContactLine& line, int edge) {
@@ -155,8 +119,7 @@ bool turns(const ContactLine& line) {
   return false;
 }
 
-ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges,
-                                       ContactLine line,
+ContactLine with_one_direction_a_curve(const Mesh& mesh, ContactLine line,
                                        const Ref<const VectorXd>& gap) {
   require_size("gap", gap.size(), line.node_count());
   for (const Nodes& curve : curves_of(line)) {
@@ -165,7 +128,7 @@ ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges,
     if (!stands_for_all(mesh, line, curve, spot, gap)) continue;
     for (int node : curve) line.normal.col(node) = spot.direction;
   }
-  return polygon_where_it_turns(mesh, edges, line);
+  return line;
 }
 
 }  // namespace ffcontact

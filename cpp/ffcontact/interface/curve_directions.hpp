@@ -10,7 +10,7 @@ namespace ffcontact {
 bool turns(const ContactLine& line, int edge);
 bool turns(const ContactLine& line);
 
-/// A line of smooth curves (curved_contact_line) with one contact direction for each of
+/// A line of smooth curves (BoundaryCurves) with one contact direction for each of
 /// them, where it touches a foundation that is flatter: tractions are then linear on
 /// edges, and can be judged.
 ///
@@ -21,11 +21,9 @@ bool turns(const ContactLine& line);
 /// stands for the normals n while
 ///     n . d > 1/2   and   g - g_0 >= (x_0 - x) . d / 2   at all nodes of the curve, x_0 the one where g is the smallest:
 /// the gap opens at least half as fast as the curve falls back from its tangent. A curve
-/// that fits its foundation better than that becomes the polygon of contact_line: two
-/// nodes a vertex, each with the normal of its edge.
+/// that fits its foundation better than that keeps its own normals.
 /// @param gap  at the line's nodes [mm]
-ContactLine with_one_direction_a_curve(const Mesh& mesh, const Edges& edges,
-                                       ContactLine line,
+ContactLine with_one_direction_a_curve(const Mesh& mesh, ContactLine line,
                                        const Ref<const VectorXd>& gap);
 
 }  // namespace ffcontact

@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/interface/fitted_surface.hpp"
 
-#include "ffcontact/interface/common_turn.hpp"
-
 namespace ffcontact {
 
 namespace {
+
+/// Do contact directions of a surface and the opposite normals turn together? Sums
+/// over pairs of neighbouring nodes, a = n_j - n_i of the directions and b = m_i - m_j of
+/// the normals: (sum a . b) / (sum a . a) is 1 for a pin in its bore, 0 on a plane,
+/// negative for two balls.
+class CommonTurn {
+ public:
+  /// Directions that turn by less between two nodes are those of a plane.
+  static constexpr double least = 0.01;
+
+  /// @return whether the directions turn there
+  bool add(const Vector3d& a, const Vector3d& b) {
+    if (a.norm() <= least) return false;
+    own_ += a.squaredNorm();
+    common_ += a.dot(b);
+    return true;
+  }
+  /// Is the ratio between 1/2 and 2?
+  bool fits() const { return common_ > 0.5 * own_ && common_ < 2 * own_; }
+
+ private:
+  double own_ = 0, common_ = 0;
+};
 
 /// Sums over opposite faces of m by area at each node [3 x p], zero where nothing faces
 /// it.

@@ -7,7 +7,7 @@
 
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/linear/norms.hpp"
-#include "ffcontact/mesh/straight_runs.hpp"
+#include "ffcontact/mesh/turns.hpp"
 
 namespace ffcontact {
 
@@ -16,40 +16,10 @@ namespace {
 template <int dim>
 using PointsOf = Matrix<double, dim, Dynamic>;
 
-template <int dim>
-double angle_of(const VectorOf<dim>& a, const VectorOf<dim>& b) {
-  if constexpr (dim == 2)
-    return angle_between(a, b);
-  else
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-template <int dim>
-VectorOf<dim> circle_tangent(const Ref<const PointsOf<dim>>& points,
-                             Index before, Index at, Index after) {
-  const VectorOf<dim> a = points.col(at) - points.col(before),
-                      b = points.col(after) - points.col(at);
-  return (a / a.squaredNorm() + b / b.squaredNorm()).normalized();
-}
-
 /// On a circle the tangents at both ends of a chord make the same angle with it.
 template <class Vector>
 Vector mirrored(const Vector& tangent, const Vector& chord) {
   return 2 * chord.dot(tangent) / chord.squaredNorm() * chord - tangent;
-}
-
-/// Between two neighbouring points of a curve.
-template <int dim>
-struct Chord {
-  VectorOf<dim> first, vector;
-  VectorOf<dim> first_tangent, last_tangent;  ///< of the curve at its ends
-};
-
-template <int dim>
-Chord<dim> chord_of(const SmoothCurve<dim>& curve, int piece) {
-  const VectorOf<dim> first = curve.points.col(piece);
-  return {first, curve.points.col(piece + 1) - first, curve.tangents.col(piece),
-          curve.tangents.col(piece + 1)};
 }
 
 /// Where (point - x(s)) . t(s) = 0 on a chord, s in [0, 1] but for rounding.
@@ -74,44 +44,78 @@ VectorOf<dim> nearer_end(const PointsOf<dim>& points,
   return (point - first).norm() < (point - last).norm() ? first : last;
 }
 
+/// The tangents of a curve while they are found.
 template <int dim>
-void put_end_tangents(bool closed, SmoothCurve<dim>& curve) {
-  const PointsOf<dim>& x = curve.points;
-  const Index last = x.cols() - 1;
-  const auto tangent = [&](Index k) -> VectorOf<dim> {
-    return curve.tangents.col(k);
-  };
-  const auto chord = [&](Index k) -> VectorOf<dim> {
-    return x.col(k + 1) - x.col(k);
-  };
-  if (closed)
-    curve.tangents.col(0) = curve.tangents.col(last) =
-        circle_tangent<dim>(x, last - 1, 0, 1);
-  else {
-    curve.tangents.col(0) = mirrored(tangent(1), chord(0));
-    curve.tangents.col(last) = mirrored(tangent(last - 1), chord(last - 1));
-  }
-}
+class Tangents {
+ public:
+  Tangents(const Ref<const PointsOf<dim>>& points, bool closed)
+      : turns_(points), closed_(closed) {}
 
-template <int dim>
-double angle_at(const Ref<const PointsOf<dim>>& points, Index before, Index at,
-                Index after) {
-  const VectorOf<dim> in = points.col(at) - points.col(before),
-                      out = points.col(after) - points.col(at);
-  return angle_of<dim>(in, out);
-}
+  VectorOf<dim> at(Index k) const {
+    if (is_inner(k)) return inner(k);
+    const Index beside = k == 0 ? 1 : k - 1;
+    const VectorOf<dim> chord = turns_.edge(std::min(k, beside));
+    return turned(mirrored(inner(beside), chord), beside, chord.squaredNorm());
+  }
+
+ private:
+  bool is_inner(Index k) const {
+    return closed_ || (k > 0 && k < turns_.edges());
+  }
+
+  VectorOf<dim> inner(Index k) const {
+    const VectorOf<dim> a = turns_.edge(k - 1), b = turns_.edge(k);
+    return turned((a / a.squaredNorm() + b / b.squaredNorm()).normalized(), k,
+                  -a.norm() * b.norm());
+  }
+
+  /// By kappa' / 6 times a square of lengths, in the plane.
+  VectorOf<dim> turned(const VectorOf<dim>& tangent, Index k,
+                       double square) const {
+    if constexpr (dim > 2)
+      return tangent;
+    else
+      return Eigen::Rotation2Dd(slope(k) * square / 6) * tangent;
+  }
+
+  /// kappa' at an inner point.
+  double slope(Index k) const {
+    const Index before = is_inner(k - 1) ? k - 1 : k,
+                after = is_inner(k + 1) ? k + 1 : k;
+    if (before == after) return 0;
+    double way = 0;  // between the means of the points of both circles
+    for (Index j = before; j < after; ++j)
+      way +=
+          (turns_.length(j - 1) + turns_.length(j) + turns_.length(j + 1)) / 3;
+    return (circle_curvature(after) - circle_curvature(before)) / way;
+  }
+
+  /// Of the circle through an inner point and its neighbours; positive to the left.
+  double circle_curvature(Index k) const {
+    const Vector2d a = turns_.edge(k - 1), b = turns_.edge(k);
+    return 2 * cross(a, b) / (a.norm() * b.norm() * (a + b).norm());
+  }
+
+  const Turns<dim> turns_;
+  const bool closed_;
+};
 
 }  // namespace
 
 template <int dim>
-VectorOf<dim> SmoothCurve<dim>::at(int piece, double s) const {
-  const Chord<dim> chord = chord_of(*this, piece);
-  const double theta = angle_of<dim>(chord.first_tangent, chord.last_tangent),
+VectorOf<dim> Chord<dim>::curve_at(double s) const {
+  const double theta = angle_between(first_tangent, last_tangent),
                quarter = std::cos(theta / 4);
-  const double length = chord.vector.norm() / (quarter * quarter);
-  const Point bend = (1 - s) * chord.first_tangent - s * chord.last_tangent;
-  return chord.first + s * s * (3 - 2 * s) * chord.vector +
-         s * (1 - s) * length * bend;
+  const double length = vector.norm() / (quarter * quarter);
+  const VectorOf<dim> bend = (1 - s) * first_tangent - s * last_tangent;
+  return first + s * s * (3 - 2 * s) * vector + s * (1 - s) * length * bend;
+}
+
+template <int dim>
+Chord<dim> SmoothCurve<dim>::chord(int piece) const {
+  const Point first = points.col(piece);
+  return {first, points.col(piece + 1) - first, tangents.col(piece),
+          tangents.col(piece + 1)};
 }
 
 template <int dim>
@@ -119,40 +123,34 @@ VectorOf<dim> SmoothCurve<dim>::beside(const Point& point) const {
   Point best = nearer_end<dim>(points, point);
   double distance = infinity;
   for (int piece = 0; piece < pieces(); ++piece) {
-    const Chord<dim> chord = chord_of(*this, piece);
+    const Chord<dim> chord = this->chord(piece);
     const auto s = foot<dim>(point, chord);
     if (!s) continue;
     const double off = (point - chord.first - *s * chord.vector).norm();
     if (off >= distance) continue;
     distance = off;
-    best = at(piece, *s);
+    best = chord.curve_at(*s);
   }
   return best;
 }
 
 template <int dim>
-bool closes_smoothly(
-    const Ref<const typename SmoothCurve<dim>::Points>& points) {
-  const Index n = points.cols() - 1;
-  const double beside = std::max(angle_at<dim>(points, 0, 1, 2),
-                                 angle_at<dim>(points, n - 2, n - 1, n));
-  return angle_at<dim>(points, n - 1, 0, 1) <= 2 * beside;
-}
-
-template <int dim>
 SmoothCurve<dim> smooth_curve(
-    const Ref<const typename SmoothCurve<dim>::Points>& points, bool closed) {
+    const Ref<const typename SmoothCurve<dim>::Points>& points, bool closed,
+    const EndTangents<dim>& ends) {
   SmoothCurve<dim> curve{points, PointsOf<dim>(dim, points.cols())};
-  for (Index k = 1; k + 1 < points.cols(); ++k)
-    curve.tangents.col(k) = circle_tangent<dim>(points, k - 1, k, k + 1);
-  put_end_tangents(closed, curve);
+  const Tangents<dim> tangents(points, closed);
+  const Index last = points.cols() - 1;
+  for (Index k = 0; k <= last; ++k) curve.tangents.col(k) = tangents.at(k);
+  if (ends.first) curve.tangents.col(0) = *ends.first;
+  if (ends.last) curve.tangents.col(last) = *ends.last;
   return curve;
 }
 
 template struct SmoothCurve<FFCONTACT_DIMENSION>;
-template bool closes_smoothly<FFCONTACT_DIMENSION>(
-    const Ref<const Matrix<double, FFCONTACT_DIMENSION, Dynamic>>&);
+template struct Chord<FFCONTACT_DIMENSION>;
 template SmoothCurve<FFCONTACT_DIMENSION> smooth_curve<FFCONTACT_DIMENSION>(
-    const Ref<const Matrix<double, FFCONTACT_DIMENSION, Dynamic>>&, bool);
+    const Ref<const Matrix<double, FFCONTACT_DIMENSION, Dynamic>>&, bool,
+    const EndTangents<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -88,46 +88,6 @@ int end_of_run(const Ref<const Matrix2Xd>& chain, int start, double tolerance) {
   return end;
 }
 
-/// Angles by which a chain turns at its inner points, and 0 at its ends.
-VectorXd turns_of(const Ref<const Matrix2Xd>& chain) {
-  VectorXd turn = VectorXd::Zero(chain.cols());
-  for (Index k = 1; k + 1 < chain.cols(); ++k)
-    turn[k] = turn_at(chain, k - 1, k, k + 1);
-  return turn;
-}
-
-/// Whether a chain has a corner at a point, seen from the curvature of the neighbours
-/// that it turns at as well.
-bool sticks_out(const Ref<const Matrix2Xd>& chain, const VectorXd& turn,
-                int k) {
-  constexpr double smallest = 2 * M_PI / 180, times = 4;
-  const auto reach = [&](int i) {
-    return 0.5 * ((chain.col(i + 1) - chain.col(i)).norm() +
-                  (chain.col(i) - chain.col(i - 1)).norm());
-  };
-  double curvature = 0;
-  for (const int i : {k - 1, k + 1})
-    if (i > 0 && i + 1 < chain.cols())
-      curvature = std::max(curvature, turn[i] / reach(i));
-  return turn[k] > std::max(smallest, times * curvature * reach(k));
-}
-
-/// The single edges from run r on that turn as one curve does end with the run before
-/// this one.
-std::size_t end_of_curve(const Ref<const Matrix2Xd>& chain,
-                         const VectorXd& turn, const std::vector<int>& runs,
-                         double corner, std::size_t r) {
-  const auto is_single = [&](std::size_t k) {
-    return runs[k + 1] - runs[k] == 1;
-  };
-  std::size_t end = r + 1;
-  if (!is_single(r)) return end;
-  while (end + 1 < runs.size() && is_single(end) && turn[runs[end]] < corner &&
-         !sticks_out(chain, turn, runs[end]))
-    ++end;
-  return end;
-}
-
 }  // namespace
 
 double coordinate_precision(const Ref<const Matrix2Xd>& points, double size) {
@@ -148,31 +108,6 @@ std::vector<int> straight_runs(const Ref<const Matrix2Xd>& chain,
     starts.push_back(start);
   starts.push_back(last);
   return starts;
-}
-
-std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
-                                 double tolerance, double corner, int fewest) {
-  const std::vector<int> runs = straight_runs(chain, tolerance);
-  const VectorXd turn = turns_of(chain);
-  std::vector<LinePart> parts;
-  for (std::size_t r = 0; r + 1 < runs.size();) {
-    const std::size_t end = end_of_curve(chain, turn, runs, corner, r);
-    const bool curve = static_cast<int>(end - r) >= fewest;
-    if (curve) parts.push_back({runs[r], runs[end], false});
-    for (; r < end; ++r)
-      if (!curve) parts.push_back({runs[r], runs[r + 1], true});
-  }
-  return parts;
-}
-
-double angle_between(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(cross(a, b), a.dot(b)));
-}
-
-double turn_at(const Ref<const Matrix2Xd>& points, Index before, Index at,
-               Index after) {
-  return angle_between(points.col(at) - points.col(before),
-                       points.col(after) - points.col(at));
 }
 
 double extent(const Ref<const Matrix2Xd>& points) {

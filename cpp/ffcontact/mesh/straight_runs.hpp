@@ -28,28 +28,6 @@ inline double straight_tolerance(double precision, double size) {
   return std::max(1.5 * precision, 1e-9 * size);
 }
 
-/// A part of a chain between two of its points: a straight line, or a smooth curve that
-/// its edges are chords of.
-struct LinePart {
-  int first, last;
-  bool straight;
-  int edges() const { return last - first; }
-};
-
-/// The straight lines and smooth curves of a chain. A curve has at least `fewest` edges,
-/// no two on one straight line; at each of its points it turns by less than `corner`
-/// [rad], and by less than four times what its neighbours' curvature makes likely, or 2
-/// degrees. All other points between straight runs are corners, whatever their angle.
-std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
-                                 double tolerance, double corner, int fewest);
-
-/// Angle between two vectors [rad].
-double angle_between(const Vector2d& a, const Vector2d& b);
-
-/// Angle by which a chain of points turns at one of them [rad].
-double turn_at(const Ref<const Matrix2Xd>& points, Index before, Index at,
-               Index after);
-
 /// Diagonal of the box around points.
 double extent(const Ref<const Matrix2Xd>& points);
 

@@ -19,7 +19,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     require_valid(mesh);
     const Edges edges = edges_of(mesh);
     fuzz::refused_or_done([&] { topology_of(mesh); });
-    fuzz::refused_or_done([&] { curved_contact_line(mesh, edges, labels); });
+    fuzz::refused_or_done([&] {
+      contact_line(mesh, edges, labels,
+                   BoundaryCurves(mesh, edges, 90 * bytes.up_to(1)));
+    });
     fuzz::refused_or_done([&] {
       const ContactLine line = smooth_contact_line(mesh, edges, labels);
       Matrix2Xd directions(2, line.node_count() + bytes.up_to(1));

@@ -76,8 +76,8 @@ TEST(BoundaryParts, of_a_closed_curve_are_one) {
   mesh.boundary_label.setConstant(1);
   const std::vector<BoundaryPart> parts = boundary_parts(mesh, corner);
   ASSERT_EQ(parts.size(), 1u);
-  EXPECT_TRUE(!parts[0].straight() &&
-              parts[0].curve.front() == parts[0].curve.back());
+  ASSERT_FALSE(parts[0].straight());
+  EXPECT_EQ(parts[0].curve->tangents.col(0), parts[0].curve->tangents.col(48));
   EXPECT_EQ(parts[0].columns.size(), 48u);
 }
 
@@ -103,7 +103,9 @@ TEST(BoundaryParts,
   EXPECT_EQ(count_of(parts, 9, false), 1);
   EXPECT_EQ(count_of(parts, bottom, false), 1);
   for (const BoundaryPart& part : parts)
-    EXPECT_EQ(part.curve.size(), part.straight() ? 0u : 13u);
+    if (!part.straight()) {
+      EXPECT_EQ(part.curve->pieces(), 12);
+    }
 }
 
 TEST(BoundaryParts, labels_are_their_own) {

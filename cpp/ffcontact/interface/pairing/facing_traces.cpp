@@ -112,10 +112,11 @@ struct Met {
 class Pairing {
  public:
   Pairing(const Mesh& mesh, const Edges& edges, const ContactLine& line,
-          const std::vector<int>& opposite_labels)
+          const std::vector<int>& opposite_labels, const BoundaryCurves& curves)
       : mesh_(mesh),
         edges_(edges),
         line_(line),
+        curves_(curves),
         body_(body_of_each_vertex(mesh)),
         boundary_(mesh, edges, boundary_edges(edges)),
         is_target_(edges.count(), 0),
@@ -324,11 +325,16 @@ class Pairing {
                              int facing) const {
     const Hit first = *hit(ray, begin, segment(facing));
     const Hit second = *hit(ray, end, segment(facing));
-    return {
-        {e, begin, end, facing, clamped(first.parameter),
-         clamped(second.parameter), gap_of(first, ray), gap_of(second, ray)},
-        ray.direction(begin),
-        ray.direction(end)};
+    const auto gap = [&](const Hit& hit, double x) {
+      const Vector2d beside = curves_.beside(facing, clamped(hit.parameter)) -
+                              curves_.beside(line_.edge[e], x);
+      return gap_of(hit.distance + beside.dot(ray.direction(x).normalized()),
+                    ray);
+    };
+    return {{e, begin, end, facing, clamped(first.parameter),
+             clamped(second.parameter), gap(first, begin), gap(second, end)},
+            ray.direction(begin),
+            ray.direction(end)};
   }
 
   /// Pieces of the same two edges are one: the break between them was a vertex that no
@@ -347,13 +353,14 @@ class Pairing {
     pieces.back().n_end = next.n_end;
   }
 
-  double gap_of(const Hit& hit, const Rays& ray) const {
-    return std::abs(hit.distance) < touch(ray.edge) ? 0 : hit.distance;
+  double gap_of(double distance, const Rays& ray) const {
+    return std::abs(distance) < touch(ray.edge) ? 0 : distance;
   }
 
   const Mesh& mesh_;
   const Edges& edges_;
   const ContactLine& line_;
+  const BoundaryCurves& curves_;
   const std::vector<int> body_;  ///< of each vertex
   const FacetTree<2> boundary_;
   Flags is_target_;    ///< of each edge
@@ -366,14 +373,15 @@ class Pairing {
 
 FacingTraces facing_traces(const Mesh& mesh, const Edges& edges,
                            const ContactLine& line,
-                           const std::vector<int>& opposite_labels) {
-  return Pairing(mesh, edges, line, opposite_labels).traces();
+                           const std::vector<int>& opposite_labels,
+                           const BoundaryCurves& curves) {
+  return Pairing(mesh, edges, line, opposite_labels, curves).traces();
 }
 
 std::optional<TouchingPlace> touching_place(
     const Mesh& mesh, const Edges& edges, const ContactLine& line,
     const std::vector<int>& opposite_labels) {
-  return Pairing(mesh, edges, line, opposite_labels).touching_place();
+  return Pairing(mesh, edges, line, opposite_labels, {}).touching_place();
 }
 
 }  // namespace ffcontact

@@ -20,6 +20,10 @@ namespace ffcontact {
 /// faces anything through itself. Each piece between rays through opposite vertices is
 /// decided at its middle. Contact edges with a vertex of the opposite trace, as those at
 /// the tips of a crack, face nothing: the jump at that vertex is 0 by itself.
+///
+/// The gap is that of the curves c that the edges are chords of, (c_2 - c_1) . n at the
+/// ends of a piece: between polygons it is off by the edges' heights over their chords,
+/// which on curves that fit is as large as the gap.
 struct FacingTraces {
   std::vector<FacingPiece> pieces;  ///< contact edge by contact edge, ascending
   /// s at each node of the line, infinite where it faces nothing [mm]
@@ -27,11 +31,13 @@ struct FacingTraces {
 };
 
 /// @param opposite_labels  boundary labels of the opposite body
+/// @param curves           of both bodies
 /// @throws std::invalid_argument  if no point of the line faces an opposite edge, or all
 ///                                edges of the line have a vertex of an opposite one
 FacingTraces facing_traces(const Mesh& mesh, const Edges& edges,
                            const ContactLine& line,
-                           const std::vector<int>& opposite_labels);
+                           const std::vector<int>& opposite_labels,
+                           const BoundaryCurves& curves = {});
 
 /// A place on a contact edge.
 struct TouchingPlace {

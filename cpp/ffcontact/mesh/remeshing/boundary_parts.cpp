@@ -8,7 +8,9 @@
 #include <set>
 
 #include "ffcontact/base/entry_of.hpp"
+#include "ffcontact/mesh/line_parts.hpp"
 #include "ffcontact/mesh/straight_runs.hpp"
+#include "ffcontact/mesh/turns.hpp"
 
 namespace ffcontact {
 
@@ -32,7 +34,7 @@ EdgesAtVertex edges_at_vertices(const Mesh& mesh) {
 /// Labelled edges one after the other, from one end or branch to the next, or around.
 struct Chain {
   std::vector<int> vertices, columns;
-  bool closed() const { return vertices.front() == vertices.back(); }
+  bool is_loop = false;  ///< without an end or a branch
 };
 
 /// The other edge at a vertex, nothing where it is an end or a branch.
@@ -45,7 +47,7 @@ std::optional<int> next_column(const EdgesAtVertex& at, int vertex,
 
 Chain chain_from(const Mesh& mesh, const EdgesAtVertex& at, int vertex,
                  std::optional<int> column, std::set<int>& used) {
-  Chain chain{{vertex}, {}};
+  Chain chain{{vertex}, {}, false};
   while (column && used.insert(*column).second) {
     chain.columns.push_back(*column);
     vertex = mesh.boundary.col(*column).sum() - vertex;
@@ -59,26 +61,14 @@ Matrix2Xd points_of(const Mesh& mesh, const std::vector<int>& vertices) {
   return mesh.vertices(Eigen::all, vertices);
 }
 
-/// Where a closed chain of points turns the most.
-Index sharpest_point(const Matrix2Xd& x) {
-  const Index n = x.cols() - 1;
-  VectorXd turn(n);
-  for (Index k = 0; k < n; ++k) turn[k] = turn_at(x, (k + n - 1) % n, k, k + 1);
-  Index sharpest;
-  turn.maxCoeff(&sharpest);
-  return sharpest;
-}
-
 void rotate_to(Index first, std::vector<int>& values) {
   std::rotate(values.begin(), values.begin() + first, values.end());
 }
 
-/// A closed chain starts where it turns the most.
-void start_at_corner(const Mesh& mesh, Chain& chain) {
-  const Index sharpest = sharpest_point(points_of(mesh, chain.vertices));
+void start_at(int first, Chain& chain) {
   chain.vertices.pop_back();
-  rotate_to(sharpest, chain.vertices);
-  rotate_to(sharpest, chain.columns);
+  rotate_to(first, chain.vertices);
+  rotate_to(first, chain.columns);
   chain.vertices.push_back(chain.vertices.front());
 }
 
@@ -102,7 +92,7 @@ std::vector<Chain> chains_of(const Mesh& mesh) {
   for (int b = 0; b < mesh.boundary.cols(); ++b) {
     if (used.count(b)) continue;
     chains.push_back(chain_from(mesh, at, mesh.boundary(0, b), b, used));
-    start_at_corner(mesh, chains.back());
+    chains.back().is_loop = true;
   }
   return chains;
 }
@@ -115,18 +105,19 @@ Vector2d leaving(const Mesh& mesh, const BoundaryPart& part, bool backwards) {
   return mesh.vertices.col(to) - mesh.vertices.col(from);
 }
 
-double largest_turn(const Matrix2Xd& x) {
+double largest_turn(const SmoothCurve<2>& curve) {
+  const Turns<2> turns(curve.points);
   double largest = 0;
-  for (Index k = 1; k + 1 < x.cols(); ++k)
-    largest = std::max(largest, turn_at(x, k - 1, k, k + 1));
+  for (Index k = 1; k < turns.edges(); ++k)
+    largest = std::max(largest, turns.turn(k));
   return largest;
 }
 
 /// Inside curves.
-double largest_turn(const Mesh& mesh, const std::vector<BoundaryPart>& parts) {
+double largest_turn(const std::vector<BoundaryPart>& parts) {
   double largest = 0;
   for (const BoundaryPart& part : parts)
-    largest = std::max(largest, largest_turn(points_of(mesh, part.curve)));
+    if (part.curve) largest = std::max(largest, largest_turn(*part.curve));
   return largest;
 }
 
@@ -137,18 +128,36 @@ std::vector<int> slice(const std::vector<int>& values, int first, int last) {
 
 /// Appends the parts of one label each that a line or curve of a chain has.
 void add_parts(const Mesh& mesh, const Chain& chain, const LinePart& line,
+               const std::optional<SmoothCurve<2>>& curve,
                std::vector<BoundaryPart>& parts) {
   const auto label = [&](int k) {
     return mesh.boundary_label[chain.columns[k]];
   };
-  std::vector<int> curve;
-  if (!line.straight) curve = slice(chain.vertices, line.first, line.last);
   for (int first = line.first, last = first; first < line.last; first = last) {
     while (last < line.last && label(last) == label(first)) ++last;
     parts.push_back({slice(chain.vertices, first, last),
                      slice(chain.columns, first, last - 1), curve,
                      label(first)});
   }
+}
+
+/// Appends the parts of a chain.
+void add_parts(const Mesh& mesh, Chain chain, double corner, double size,
+               std::vector<BoundaryPart>& parts) {
+  Matrix2Xd points = points_of(mesh, chain.vertices);
+  const double tolerance =
+      straight_tolerance(coordinate_precision(points, size), size);
+  if (chain.is_loop) {
+    start_at(loop_start(points, tolerance, corner), chain);
+    points = points_of(mesh, chain.vertices);
+  }
+  const std::vector<LinePart> lines =
+      line_parts(points, tolerance, corner, fewest_edges);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    add_parts(mesh, chain, lines[k],
+              lines[k].straight ? std::nullopt
+                                : std::optional(curve_of(points, lines, k)),
+              parts);
 }
 
 /// How a part leaves one of its ends.
@@ -186,20 +195,14 @@ std::optional<double> angle_of_corner(const std::vector<PartEnd>& at,
 std::vector<BoundaryPart> boundary_parts(const Mesh& mesh, double corner) {
   const double size = extent(mesh.vertices);
   std::vector<BoundaryPart> parts;
-  for (const Chain& chain : chains_of(mesh)) {
-    const Matrix2Xd points = points_of(mesh, chain.vertices);
-    const double tolerance =
-        straight_tolerance(coordinate_precision(points, size), size);
-    for (const LinePart& line :
-         line_parts(points, tolerance, corner, fewest_edges))
-      add_parts(mesh, chain, line, parts);
-  }
+  for (Chain& chain : chains_of(mesh))
+    add_parts(mesh, std::move(chain), corner, size, parts);
   return parts;
 }
 
 double smallest_corner(const Mesh& mesh, const std::vector<BoundaryPart>& parts,
                        double corner) {
-  const double turn = std::max(largest_turn(mesh, parts), shallow / 6);
+  const double turn = std::max(largest_turn(parts), shallow / 6);
   double smallest = corner;
   for (const auto& [vertex, at] : ends_of(mesh, parts))
     if (const auto angle = angle_of_corner(at, turn))

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/mesh/mesh.hpp"
+#include "ffcontact/mesh/smooth_curve.hpp"
 
 namespace ffcontact {
 
@@ -17,11 +19,11 @@ struct BoundaryPart {
   std::vector<int>
       vertices;  ///< in order; the first again at the end of a closed curve
   std::vector<int> columns;  ///< of Mesh::boundary
-  /// vertices of the whole curve that it is a part of; none if it is straight
-  std::vector<int> curve;
+  /// the whole curve that it is a part of; none if it is straight
+  std::optional<SmoothCurve<2>> curve;
   int label;  ///< in the mesh
 
-  bool straight() const { return curve.empty(); }
+  bool straight() const { return !curve; }
 };
 
 /// @param corner  where a curve turns by more it has a corner [rad]; between straight

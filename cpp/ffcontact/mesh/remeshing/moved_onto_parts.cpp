@@ -16,22 +16,13 @@ namespace ffcontact {
 
 namespace {
 
-/// The smooth curve that a part is on, nothing if it is straight.
-std::optional<SmoothCurve<2>> curve_of(const Mesh& mesh,
-                                       const BoundaryPart& part) {
-  if (part.straight()) return std::nullopt;
-  const Matrix2Xd points = mesh.vertices(Eigen::all, part.curve);
-  const bool closed = part.curve.front() == part.curve.back();
-  return smooth_curve(points, closed && closes_smoothly(points));
-}
-
 /// Places of a part for the vertices of a mesh that follows it.
 class Places {
  public:
   Places(const Mesh& mesh, const BoundaryPart& part)
       : first_(mesh.vertices.col(part.vertices.front())),
         last_(mesh.vertices.col(part.vertices.back())),
-        curve_(curve_of(mesh, part)) {}
+        curve_(part.curve) {}
 
   Vector2d beside(const Vector2d& x) const {
     return curve_ ? curve_->beside(x) : on_the_chord(x);

@@ -14,6 +14,7 @@
 #include "ffcontact/linear/norms.hpp"
 #include "ffcontact/mesh/remeshing/smooth_surface.hpp"
 #include "ffcontact/mesh/smooth_curve.hpp"
+#include "ffcontact/mesh/turns.hpp"
 
 namespace ffcontact {
 
@@ -133,7 +134,7 @@ std::optional<SmoothCurve<3>> curve_through(const SolidMesh& mesh,
   if (chain.size() < 3) return std::nullopt;
   const Matrix3Xd points = mesh.vertices(Eigen::all, chain);
   const bool closed = chain.front() == chain.back() && chain.size() > 3;
-  return smooth_curve<3>(points, closed && closes_smoothly<3>(points));
+  return smooth_curve<3>(points, closed && Turns<3>(points).is_smooth(0));
 }
 
 /// Where vertices go, and none where they stay.
