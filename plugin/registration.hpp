@@ -11,7 +11,7 @@ void register_estimate_functions();    ///< contacterror
 void register_uniqueness_functions();  ///< criticalfriction
 void register_picture_functions();     ///< contactpicture
 void register_sizing_functions();      ///< optimalsize
-void register_gmsh_functions();        ///< gmshmesh, gmshlabel
+void register_gmsh_functions();        ///< gmshmesh, gmshmesh3, gmshlabel
 void register_remesh_functions();  ///< contactmeshbodies, -parts, -moved, ...
 void register_mesh_functions();    ///< contactmeshsolid, meshquality
 void register_script_functions();  ///< contactstop, wallclock

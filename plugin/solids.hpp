@@ -9,6 +9,7 @@
 #include "ffcontact/sizing/optimal_size.hpp"
 //
 #include "estimate/plane_error.hpp"
+#include "gmsh/gmsh_reader.hpp"
 #include "parallel/processes.hpp"
 #include "problem/contact_type.hpp"
 #include "solve/solve_call.hpp"
@@ -72,6 +73,9 @@ class Solids {
   virtual pmesh3 remeshed(Stack stack, pmesh3 mesh,
                           const Ref<const VectorXd>& size,
                           double corner) const = 0;
+
+  /// gmshmesh3.
+  virtual GmshMesh<3> gmsh_solid(const std::filesystem::path& file) const = 0;
 
   virtual void use_processes(MakeProcesses make) const = 0;
 };

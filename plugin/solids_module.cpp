@@ -7,6 +7,7 @@
 #include "estimate/solid_error.hpp"
 #include "estimate/solid_loads.hpp"
 #include "freefem/new_mesh.hpp"
+#include "gmsh/gmsh_program.hpp"
 #include "gmsh/solid_remesh.hpp"
 #include "parallel/shared_error.hpp"
 #include "parallel/shared_solve.hpp"
@@ -114,6 +115,10 @@ class SolidsModule : public Solids {
                   double corner) const override {
     const Solid fine = plugin::remeshed(solid_of(mesh), size, corner);
     return fem_mesh_of(stack, fine.mesh, fine.regions);
+  }
+
+  GmshMesh<3> gmsh_solid(const std::filesystem::path& file) const override {
+    return plugin::gmsh_solid(file);
   }
 
   void use_processes(MakeProcesses make) const override {

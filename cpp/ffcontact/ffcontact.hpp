@@ -12,7 +12,7 @@
 ///   base         refusals, lists, sums
 ///   linear       linear algebra, dense and sparse, small quadratic problems
 ///   mesh         triangles and tetrahedra, their facets (edges, faces) and ridges, stars, several bodies as one joined mesh,
-///                boundary parts and curves; the planes, smooth surfaces and curves of a solid; a rectangle
+///                boundary parts and curves; the planes, smooth surfaces and curves of a solid; a rectangle; other cells split
 ///   elastic      numbering of dofs, Hooke's law, the linear system with its prescribed dofs, rigid motions, condensation on a
 ///                few dofs; as meshes and facets for plane bodies and solids
 ///   interface    the contact line, facing traces, their common refinement; the contact surface of a solid

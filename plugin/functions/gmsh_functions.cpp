@@ -6,19 +6,25 @@
 #include "freefem/new_mesh.hpp"
 #include "freefem/views.hpp"
 #include "registration.hpp"
+#include "solids.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
 
-void report(const string& file, const GmshMesh& gmsh) {
-  if (verbosity > 0 && mpirank == 0)
-    cout << "gmshmesh: " << file << ", " << gmsh.mesh.cell_count()
-         << " triangles, " << gmsh.mesh.vertex_count() << " vertices" << endl;
+template <int dim>
+void report(const string& function, const string& file,
+            const GmshMesh<dim>& gmsh) {
+  if (verbosity <= 0 || mpirank != 0) return;
+  cout << function << ": " << file << ", " << gmsh.mesh.cell_count() << " "
+       << MeshWords<dim>::cells << ", " << gmsh.mesh.vertex_count()
+       << " vertices" << endl;
+  if (!gmsh.splitting.empty())
+    cout << function << ": " << gmsh.splitting << endl;
 }
 
-AnyType reported(Stack stack, const string& file, const GmshMesh& gmsh) {
-  report(file, gmsh);
+AnyType reported(Stack stack, const string& file, const GmshMesh<2>& gmsh) {
+  report("gmshmesh", file, gmsh);
   return SetAny<pmesh>(fem_mesh_of(stack, gmsh.mesh, gmsh.regions));
 }
 
@@ -26,6 +32,15 @@ AnyType reported(Stack stack, const string& file, const GmshMesh& gmsh) {
 pmesh gmshmesh(Stack stack, string* const& file) {
   return GetAny<pmesh>(guarded(
       "gmshmesh", [&] { return reported(stack, *file, gmsh_mesh(*file)); }));
+}
+
+/// Ts = gmshmesh3("part.geo"), or gmshmesh3("part.msh")
+pmesh3 gmshmesh3(Stack stack, string* const& file) {
+  return guarded("gmshmesh3", [&] {
+    const GmshMesh<3> gmsh = solids().gmsh_solid(*file);
+    report("gmshmesh3", *file, gmsh);
+    return fem_mesh_of(stack, gmsh.mesh, gmsh.regions);
+  });
 }
 
 /// Th = gmshmesh("part.geo", Th, size): edges of the lengths `size`, one value a vertex
@@ -48,6 +63,7 @@ long gmshlabel(Stack, string* const& file, string* const& name) {
 
 void register_gmsh_functions() {
   Global.Add("gmshmesh", "(", new OneOperator1s_<pmesh, string*>(gmshmesh));
+  Global.Add("gmshmesh3", "(", new OneOperator1s_<pmesh3, string*>(gmshmesh3));
   Global.Add(
       "gmshmesh", "(",
       new OneOperator3s_<pmesh, string*, pmesh, KN<double>*>(gmshmesh_sized));

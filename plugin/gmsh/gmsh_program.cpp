@@ -30,12 +30,12 @@ void require_readable(const path& file) {
 
 bool is_mesh_file(const path& file) { return file.extension() == ".msh"; }
 
-/// What gmsh makes of `input`, read back.
-GmshMesh made_by_gmsh(const char* dimension, const path& input,
-                      const path& what, const TemporaryFolder& folder) {
+/// What gmsh makes of `input`.
+path made_by_gmsh(const std::string& dimension, const path& input,
+                  const path& what, const TemporaryFolder& folder) {
   const path output = folder / "mesh.msh";
   run_gmsh(dimension, input, output, what.string(), folder / "log");
-  return read_gmsh_mesh(output, what.string());
+  return output;
 }
 
 /// Unit outward directions at the vertices of the boundary; 0 elsewhere.
@@ -121,16 +121,21 @@ Mesh.MeshSizeMax = 1e22;
 
 }  // namespace
 
-GmshMesh gmsh_mesh(const path& file) {
+path readable_msh(const path& file, int dim, const TemporaryFolder& folder) {
   require_readable(file);
-  const bool mesh_file = is_mesh_file(file);
-  if (mesh_file && is_readable_format(file))
-    return read_gmsh_mesh(file, file.string());
-  return made_by_gmsh(mesh_file ? "-0" : "-2", file, file, TemporaryFolder());
+  if (!is_mesh_file(file))
+    return made_by_gmsh("-" + std::to_string(dim), file, file, folder);
+  return is_readable_format(file) ? file
+                                  : made_by_gmsh("-0", file, file, folder);
 }
 
-GmshMesh gmsh_mesh(const path& geometry, const Mesh& background,
-                   const Ref<const VectorXd>& size) {
+GmshMesh<2> gmsh_mesh(const path& file) {
+  const TemporaryFolder folder;
+  return read_gmsh_mesh(readable_msh(file, 2, folder), file.string());
+}
+
+GmshMesh<2> gmsh_mesh(const path& geometry, const Mesh& background,
+                      const Ref<const VectorXd>& size) {
   require_readable(geometry);
   if (is_mesh_file(geometry))
     refuse(
@@ -143,7 +148,9 @@ GmshMesh gmsh_mesh(const path& geometry, const Mesh& background,
   const TemporaryFolder folder;
   write_size_view(folder / "size.pos", background, size);
   write_sized_geometry(folder / "sized.geo", geometry, folder / "size.pos");
-  return made_by_gmsh("-2", folder / "sized.geo", geometry, folder);
+  return read_gmsh_mesh(
+      made_by_gmsh("-2", folder / "sized.geo", geometry, folder),
+      geometry.string());
 }
 
 int gmsh_label(const path& file, const std::string& name) {

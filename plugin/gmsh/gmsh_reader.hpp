@@ -9,30 +9,37 @@
 
 namespace ffcontact::plugin {
 
+template <int dim>
 struct GmshMesh {
-  Mesh mesh;  ///< triangles turned counter-clockwise, unused nodes left out
-  VectorXi regions;  ///< one per triangle
+  /// cells turned to positive volumes, unused nodes left out
+  SimplexMesh<dim> mesh;
+  VectorXi regions;  ///< one per cell
+  /// what was split, "120 quadrangles were split into 240 triangles", or nothing
+  std::string splitting;
 };
 
-/// Reads gmsh's format MSH 2.2 in text.
+/// Reads gmsh's format MSH 2.2 in text. Quadrangles are split into triangles, hexahedra,
+/// prisms and pyramids into tetrahedra, as solid_cell_split and
+/// quadrangle_triangles say.
 ///
-/// Labels and regions are the tags of physical curves and surfaces; where a file has no
-/// physical curve (surface), those of its elementary entities. Edges of the boundary
-/// that no line labels get 0; lines that are no edge of a triangle are left out. `shown`
-/// is what the user calls the file.
-/// @throws std::invalid_argument  if the file is spoilt, has no triangles, is not plane,
-///                                has an edge or a triangle of two physical groups, or an
-///                                element that is neither a point, nor a line of two, nor
-///                                a triangle of three nodes
-GmshMesh read_gmsh_mesh(const std::filesystem::path& file,
-                        const std::string& shown);
+/// Labels and regions are the tags of physical curves and surfaces (of a solid: surfaces
+/// and volumes); where a file has no physical curve (surface), those of its elementary
+/// entities. Facets of the boundary that nothing labels get 0; lines (triangles) that are
+/// no facet of a cell are left out. `shown` is what the user calls the file.
+/// @throws std::invalid_argument  if the file is spoilt, has no cells, is not plane, has a
+///                                facet or a cell of two physical groups, a flat or folded
+///                                cell, or an element with curved edges
+GmshMesh<2> read_gmsh_mesh(const std::filesystem::path& file,
+                           const std::string& shown);
+GmshMesh<3> read_gmsh_solid(const std::filesystem::path& file,
+                            const std::string& shown);
 
 /// Whether read_gmsh_mesh understands the format of a .msh file.
 /// @throws std::invalid_argument  if it is no mesh of gmsh at all
 bool is_readable_format(const std::filesystem::path& file);
 
-/// Tag of the physical curve, or else of the physical surface, of that name, in a .msh
-/// file of any version.
+/// The number of a physical name in a .msh file of any version: of a curve, or else of a
+/// surface; where volumes have names, of a surface, or else of a volume.
 /// @throws std::invalid_argument  listing the names there are, if it is not one of them
 int physical_tag(const std::filesystem::path& file, const std::string& name,
                  const std::string& shown);

@@ -8,6 +8,7 @@ cat >$script <<'EOF'
 include "ffcontact.idp"
 include "getARGV.idp"
 load "msh3"
+load "shell"
 int level = getARGV("-level", 2);
 func int expect(string line) {
   if (level > 0) cout << "expect: " << line << endl;
@@ -137,6 +138,28 @@ verbosity = level;
 mesh Tg = gmshmesh("reports.geo");
 verbosity = 0;
 expect("gmshmesh: reports.geo, " + Tg.nt + " triangles, " + Tg.nv + " vertices");
+
+// Quadrangles, hexahedra beside prisms, and one that is twisted
+{
+  ofstream geo("bricks.geo"), file("twisted.msh");
+  geo << "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {0, 0, 0, 12, 10}; Transfinite Curve {1, 3} = 13; Transfinite Curve {2, 4} = 11;"
+      << "Transfinite Surface {1}; Recombine Surface {1}; Rectangle(2) = {0, 0, 9, 1, 1}; Transfinite Surface {2}; Transfinite Curve {5:8} = 2;"
+      << "s() = {}; If (SOLID) s() = Extrude {0, 0, 1} { Surface{1, 2}; Layers{1}; Recombine; }; Else Recursive Delete { Surface{2}; } EndIf" << endl;
+  file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n9 0 0 3\n1 -1 -1 0\n2 1 -1 0\n3 1 1 0\n4 -1 1 0\n5 -0.8 -1.2 2\n6 1.2 -0.8 2\n7 0.8 1.2 2\n"
+       << "8 -1.2 0.8 2\n$EndNodes\n$Elements\n2\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 4 2 1 1 5 6 7 9\n$EndElements" << endl;
+}
+exec("sed s/SOLID/0/ bricks.geo > quadrangles.geo && sed s/SOLID/1/ bricks.geo > hexahedra.geo");
+verbosity = level;
+mesh gq = gmshmesh("quadrangles.geo");
+mesh3 gh = gmshmesh3("hexahedra.geo");
+mesh3 gt = gmshmesh3("twisted.msh");
+verbosity = 0;
+expect("gmshmesh: quadrangles.geo, 240 triangles, 143 vertices");
+expect("gmshmesh: 120 quadrangles were split into 240 triangles");
+expect("gmshmesh3: hexahedra.geo, 726 tetrahedra, 294 vertices");
+expect("gmshmesh3: 120 hexahedra and 2 prisms were split into 726 tetrahedra");
+expect("gmshmesh3: twisted.msh, 13 tetrahedra, 10 vertices");
+expect("gmshmesh3: 1 hexahedron was split into 12 tetrahedra, with a new vertex in the middle of 1");
 EOF
 
 fails() { echo "$*"; exit 1; }
@@ -144,7 +167,7 @@ prints_what_it_expects() {
   local printed said expected
   printed=$("$@")
   echo "$printed"
-  mapfile -t said < <(grep -E '^[a-z]+: ' <<<"$printed" | grep -v '^expect: ')
+  mapfile -t said < <(grep -E '^[a-z0-9]+: ' <<<"$printed" | grep -v '^expect: ')
   mapfile -t expected < <(sed -n 's/^expect: //p' <<<"$printed")
   for k in "${!said[@]}"; do
     [[ ${said[k]} = ${expected[k]-} ]] || fails "printed: ${said[k]}; expected: ${expected[k]-nothing}"
