@@ -67,11 +67,12 @@ class SolidsModule : public Solids {
 
   double error(Stack stack, const NamedArguments& named, Contact& contact,
                const JudgePlane& judge) const override {
-    const ReadPlane plane = [&](const PlaneBodies& bodies, SolvedBody& body) {
+    const ReadPlane plane = [&](const PlaneBodies& bodies,
+                                SolvedBody<2>& body) {
       return read_material_and_loads(stack, named, bodies, body);
     };
     const ReadSolids read = [&](const SolidBodies& bodies,
-                                ffcontact::SolvedSolid& body) {
+                                SolvedBody<3>& body) {
       return read_material_and_loads(stack, named, bodies, body);
     };
     if (!contact.shared) return solid_error(stack, named, *contact.solid, read);

@@ -27,7 +27,7 @@ int main() {
   const ContactSolution solution = solve_contact(mesh, line, law, system);
   const BodyLoadsOfCells<2> no_loads =
       BodyLoadsOfCells<2>::Zero(6, mesh.cell_count());
-  const SolvedBody solved{
+  const SolvedBody<2> solved{
       hooke,    solution.displacement, solution.pressure, law, tractions,
       no_loads, solution.stiffness};
   const Estimate estimate = estimate_error(topology, line, system, solved);

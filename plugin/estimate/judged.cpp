@@ -19,7 +19,7 @@ Judged judged_of(const SolvedContact& solved) {
   Judged judged;
   judged.system = solved.system;
   judged.body.displacement = solution.displacement;
-  judged.body.pressure = solution.pressure;
+  judged.body.multipliers = solution.pressure;
   judged.body.law = solved.law;
   judged.body.stiffness = solution.stiffness;
   judged.body.tool = solved.driven;
@@ -33,19 +33,19 @@ Judged judged_of(const ContactProblem& problem, ElasticSystem system,
                  const Matrix2Xd& pressures) {
   Judged judged;
   judged.system = std::make_shared<const ElasticSystem>(std::move(system));
-  SolvedBody& body = judged.body;
+  SolvedBody<2>& body = judged.body;
   body.displacement = std::move(displacement);
   body.law = problem.law;
   body.law.multiplier = multiplier;
-  body.pressure = multiplier_density(problem.line, multiplier,
-                                     judged.system->prescribed, pressures);
+  body.multipliers = multiplier_density(problem.line, multiplier,
+                                        judged.system->prescribed, pressures);
   judged.forces = contact_forces(problem.line, body.law, pressures);
   return judged;
 }
 
 CoulombConstant coulomb_constant_of(const ContactLine& line,
                                     const Judged& judged, StuckNodes stuck) {
-  const SolvedBody& body = judged.body;
+  const SolvedBody<2>& body = judged.body;
   const auto contact = contact_of_forces(line, body.law, *judged.system,
                                          *body.stiffness, judged.contact);
   return coulomb_constant_of(line, body.law, *contact, body.displacement,

@@ -13,7 +13,7 @@ namespace ffcontact::plugin {
 /// elasticity and its loads are those of the estimate.
 struct Judged {
   std::shared_ptr<const ElasticSystem> system;
-  SolvedBody body;
+  SolvedBody<2> body;
   ContactForces forces;
   /// of body.law, where contactsolve left it
   std::shared_ptr<const CondensedContact> contact;

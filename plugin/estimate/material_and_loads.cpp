@@ -68,7 +68,7 @@ Load load_of(const NamedArguments& named, const char* name, int body,
 
 /// Reads one body into what is there for all of them.
 Oscillation read_body(Stack stack, const NamedArguments& named,
-                      const PlaneBodies& bodies, int k, SolvedBody& body,
+                      const PlaneBodies& bodies, int k, SolvedBody<2>& body,
                       InitialStresses<2>& initial, Springs<2>& springs) {
   const JoinedMesh& joined = bodies.joined;
   const int count = bodies.body_count();
@@ -94,7 +94,7 @@ Oscillation read_body(Stack stack, const NamedArguments& named,
 
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
                                     const PlaneBodies& bodies,
-                                    SolvedBody& body) {
+                                    SolvedBody<2>& body) {
   body.neumann.resize(4, bodies.joined.first_boundary.back());
   body.body_loads.resize(6, bodies.joined.first_cell.back());
   Oscillation all;

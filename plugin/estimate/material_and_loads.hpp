@@ -14,6 +14,6 @@ namespace ffcontact::plugin {
 ///                                and none
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
                                     const PlaneBodies& bodies,
-                                    SolvedBody& body);
+                                    SolvedBody<2>& body);
 
 }  // namespace ffcontact::plugin

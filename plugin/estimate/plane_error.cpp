@@ -53,13 +53,13 @@ EstimateSettings estimate_settings(Stack stack, const NamedArguments& named) {
 
 void put_rates(Stack stack, const NamedArguments& named,
                const ContactProblem& problem, const ElasticSystem& system,
-               const SolvedBody& body) {
+               const SolvedBody<2>& body) {
   if (!named.given_of_bodies("rate")) return;
   const Topology<2>& topology = problem.topology();
   const BoundaryTractions boundary =
       boundary_tractions(topology.mesh, topology.facets, system.prescribed,
                          boundary_moments<2>(topology.mesh, body), problem.line,
-                         edge_densities(problem.line, body.pressure));
+                         edge_densities(problem.line, body.multipliers));
   const std::vector<SingularVertex> singular = singular_vertices(
       topology, body.hooke,
       total_stresses(topology.mesh, body, body.displacement).mean, boundary,

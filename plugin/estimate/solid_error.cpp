@@ -51,8 +51,7 @@ RelaxationSettings solid_settings(Stack stack, const NamedArguments& named) {
 /// rate=, where it is given.
 void put_solid_rates(Stack stack, const NamedArguments& named,
                      const Topology<3>& topology, const SolidProblem& problem,
-                     const SolvedSolid& solved,
-                     const ffcontact::SolvedSolid& body) {
+                     const SolvedSolid& solved, const SolvedBody<3>& body) {
   if (!named.given_of_bodies("rate")) return;
   const Flags& prescribed = solved.system->prescribed;
   KnownComponents known =
@@ -115,7 +114,7 @@ Flags held_nodes(const SurfaceSolution& solution, StuckNodes stuck) {
 /// coulomb= and bound=, where one of them is given.
 void put_bound(Stack stack, const NamedArguments& named,
                const Topology<3>& topology, const SolidProblem& problem,
-               const SolvedSolid& solved, const ffcontact::SolvedSolid& body,
+               const SolvedSolid& solved, const SolvedBody<3>& body,
                const SolidEstimate& estimate, StuckNodes stuck) {
   if (!named.given("coulomb") && !named.given("bound")) return;
   const SolidCoulomb found =
@@ -129,10 +128,10 @@ void put_bound(Stack stack, const NamedArguments& named,
        << stuck_in_words(stuck) << endl;
 }
 
-ffcontact::SolvedSolid judged_body(const SolvedSolid& solved) {
-  ffcontact::SolvedSolid body;
+SolvedBody<3> judged_body(const SolvedSolid& solved) {
+  SolvedBody<3> body;
   body.displacement = solved.solution.displacement;
-  body.force = solved.solution.force;
+  body.multipliers = solved.solution.force;
   body.law = solved.law;
   body.stiffness = solved.solution.stiffness;
   return body;
@@ -150,7 +149,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;
 
-  ffcontact::SolvedSolid body = judged_body(*contact.solved);
+  SolvedBody<3> body = judged_body(*contact.solved);
   const Oscillation oscillation = read(problem, body);
 
   const Topology<3> topology = topology_of(problem.mesh);
@@ -170,7 +169,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   contact.solved->estimate =
       std::make_shared<const SolidEstimate>(std::move(estimate));
   contact.solved->judged =
-      std::make_shared<const ffcontact::SolvedSolid>(std::move(body));
+      std::make_shared<const SolvedBody<3>>(std::move(body));
   return relative;
 }
 

@@ -10,8 +10,8 @@
 namespace ffcontact::plugin {
 
 /// Reads elastic law, initial strains and stresses and loads of solids into what is judged.
-using ReadSolids = std::function<Oscillation(const SolidBodies& bodies,
-                                             ffcontact::SolvedSolid& body)>;
+using ReadSolids =
+    std::function<Oscillation(const SolidBodies& bodies, SolvedBody<3>& body)>;
 
 /// contacterror(C, ...) for the contact of a mesh3 that contactsolve has solved.
 /// The contact keeps what was made of it.

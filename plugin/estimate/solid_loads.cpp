@@ -196,7 +196,7 @@ double put_body_loads(Stack stack, const SolidLoad& force,
 
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
                                     const SolidBodies& bodies,
-                                    ffcontact::SolvedSolid& body) {
+                                    SolvedBody<3>& body) {
   const SolidMesh& mesh = bodies.joined.mesh;
   body.neumann = FaceMoments::Zero(9, mesh.boundary.cols());
   body.body_loads = BodyLoadsOfCells<3>::Zero(12, mesh.cell_count());

@@ -15,6 +15,6 @@ namespace ffcontact::plugin {
 /// @throws std::invalid_argument  if a solid has not one elastic law
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
                                     const SolidBodies& bodies,
-                                    ffcontact::SolvedSolid& body);
+                                    SolvedBody<3>& body);
 
 }  // namespace ffcontact::plugin

@@ -18,7 +18,6 @@ CellStresses<3> p1dc_arrays(const std::vector<SubcellStress<3>>& stress);
 /// sxy= of one solid, sxx1=, ... of several.
 void put_solid_stress(Stack stack, const NamedArguments& named,
                       const SolidProblem& problem, const Topology<3>& topology,
-                      const SolidEstimate& estimate,
-                      const ffcontact::SolvedSolid& body);
+                      const SolidEstimate& estimate, const SolvedBody<3>& body);
 
 }  // namespace ffcontact::plugin

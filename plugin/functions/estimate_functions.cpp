@@ -126,7 +126,7 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   ReadPlane plane_reader(Stack stack) const {
-    return [this, stack](const PlaneBodies& bodies, SolvedBody& body) {
+    return [this, stack](const PlaneBodies& bodies, SolvedBody<2>& body) {
       return read_material_and_loads(stack, named_, bodies, body);
     };
   }

@@ -196,13 +196,13 @@ double sizes(Stack stack, const NamedArguments& named, SharedContact& contact,
 double error_shared(Stack stack, const NamedArguments& named,
                     SharedContact& contact, const ReadPlane& read,
                     const std::function<double(const ReadPlane&)>& judge) {
-  return error<2, SolvedBody>(stack, named, contact, read, judge);
+  return error<2, SolvedBody<2>>(stack, named, contact, read, judge);
 }
 
 double error_shared(Stack stack, const NamedArguments& named,
                     SharedContact& contact, const ReadSolids& read,
                     const std::function<double(const ReadSolids&)>& judge) {
-  return error<3, ffcontact::SolvedSolid>(stack, named, contact, read, judge);
+  return error<3, SolvedBody<3>>(stack, named, contact, read, judge);
 }
 
 RelaxFaces relax_shared(const SharedContact& contact) {

@@ -21,7 +21,7 @@ struct SolvedSolid {
   SolidResults nodes;
   /// what contacterror made of it last, and of what; null before
   std::shared_ptr<const SolidEstimate> estimate;
-  std::shared_ptr<const ffcontact::SolvedSolid> judged;
+  std::shared_ptr<const SolvedBody<3>> judged;
 };
 
 /// States of nodes and where they are.

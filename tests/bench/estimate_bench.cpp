@@ -13,14 +13,14 @@ std::function<void()> linear_solve(int n) {
   return [solve] { solve->run(); };
 }
 
-SolvedBody solved_body(const test::Problem& problem,
-                       const ElasticSystem& system) {
+SolvedBody<2> solved_body(const test::Problem& problem,
+                          const ElasticSystem& system) {
   const ContactSolution solution =
       solve_contact(problem.mesh, problem.line, problem.law, system);
-  SolvedBody body;
+  SolvedBody<2> body;
   body.hooke = problem.hooke;
   body.displacement = solution.displacement;
-  body.pressure = solution.pressure;
+  body.multipliers = solution.pressure;
   body.law = problem.law;
   body.neumann = problem.neumann;
   body.body_loads = BodyLoadsOfCells<2>::Zero(6, problem.mesh.cells.cols());
@@ -29,7 +29,7 @@ SolvedBody solved_body(const test::Problem& problem,
 }
 
 std::function<void()> estimate(int n) {
-  static std::map<int, SolvedBody> bodies;
+  static std::map<int, SolvedBody<2>> bodies;
   static std::map<int, Topology<2>> topologies;
   const test::Problem& body = problem(n);
   const ElasticSystem& system = elastic_system_of(n);

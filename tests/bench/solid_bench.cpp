@@ -58,7 +58,7 @@ Case estimate(test::BlockCase loads) {
     const test::SolidProblem& problem = body->problem;
     const auto topology =
         std::make_shared<const Topology<3>>(topology_of(problem.mesh));
-    const auto solved = std::make_shared<const SolvedSolid>(
+    const auto solved = std::make_shared<const SolvedBody<3>>(
         test::solved_solid(problem, solve_contact(problem.mesh, problem.surface,
                                                   problem.law, body->system)));
     return [body, topology, solved] {

@@ -487,7 +487,7 @@ TEST(Estimate, refuses_what_does_not_fit) {
   const Problem problem = example_1(Multiplier::force, 2);
   const ContactSolution solution = solved(problem);
   const auto refusal_of = [&](auto spoil) {
-    SolvedBody body = solved_body(problem, solution);
+    SolvedBody<2> body = solved_body(problem, solution);
     EstimateSettings settings;
     spoil(body, settings);
     return refusal([&] {
@@ -495,34 +495,34 @@ TEST(Estimate, refuses_what_does_not_fit) {
                      body, settings);
     });
   };
-  EXPECT_EQ(refusal_of([](SolvedBody&, EstimateSettings&) {}), "accepted");
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+  EXPECT_EQ(refusal_of([](SolvedBody<2>&, EstimateSettings&) {}), "accepted");
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
                      b.displacement[3] = std::nan("");
                    }),
                    "u[3] is nan"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
                      b.displacement.resize(7);
                    }),
                    "u has 7 values"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
-                     b.pressure.resize(2, 4);
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
+                     b.multipliers.resize(2, 4);
                    }),
                    "4 values where 5"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
                      b.law.friction[1] = -1;
                    }),
                    "friction must be finite"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody& b, EstimateSettings&) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
                      b.hooke[2].setZero();
                    }),
                    "triangle 2 is not symmetric"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody&, EstimateSettings& s) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>&, EstimateSettings& s) {
                      s.relaxation.steps = -1;
                    }),
                    "sweeps must not be negative"));
-  EXPECT_TRUE(
-      says(refusal_of([](SolvedBody& b, EstimateSettings&) { b.neumann *= 2; }),
-           "do not balance the stresses"));
+  EXPECT_TRUE(says(
+      refusal_of([](SolvedBody<2>& b, EstimateSettings&) { b.neumann *= 2; }),
+      "do not balance the stresses"));
 }
 
 }  // namespace

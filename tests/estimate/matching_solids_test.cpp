@@ -142,7 +142,7 @@ TEST(MatchingSolids, have_their_tractions_relaxed) {
 double least_square(const SolidProblem& problem,
                     const SurfaceSolution& solution) {
   const Topology<3> topology = topology_of(problem.mesh);
-  const SolvedSolid body = solved_solid(problem, solution);
+  const SolvedBody<3> body = solved_solid(problem, solution);
   const ElasticSystem system = problem.system();
   const LinearStresses<3> stress(
       stresses(problem.mesh, body.hooke, body.displacement));

@@ -320,7 +320,7 @@ TEST(SolidEstimate, scales_with_lengths_and_moduli) {
       scaled.guide(low_y, 1);
       scaled.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
       const SurfaceSolution solution = scaled.solve();
-      SolvedSolid body = solved_solid(scaled, solution);
+      SolvedBody<3> body = solved_solid(scaled, solution);
       for (auto& C : body.hooke) C *= modulus;
       const SolidEstimate found = estimate_error(
           topology_of(mesh), scaled.surface, scaled.system(), body);
@@ -511,7 +511,7 @@ TEST(SolidEstimate, stress_has_the_moments) {
   std::mt19937 random(4);
   const SolidProblem problem = any_block(random);
   const SurfaceSolution solution = problem.solve();
-  const SolvedSolid body = solved_solid(problem, solution);
+  const SolvedBody<3> body = solved_solid(problem, solution);
   const Topology<3> topology = topology_of(problem.mesh);
   const SolidEstimate found =
       estimate_error(topology, problem.surface, problem.system(), body);
@@ -527,18 +527,18 @@ TEST(SolidEstimate, names_what_does_not_fit) {
   const SolidProblem problem = block_problem(block(4), BlockCase::press, 0.5);
   const SurfaceSolution solution = problem.solve();
   const Topology<3> topology = topology_of(problem.mesh);
-  const auto said = [&](const SolvedSolid& body) {
+  const auto said = [&](const SolvedBody<3>& body) {
     return refusal([&] {
       estimate_error(topology, problem.surface, problem.system(), body);
     });
   };
-  SolvedSolid body = solved_solid(problem, solution);
+  SolvedBody<3> body = solved_solid(problem, solution);
   EXPECT_EQ(said(body), "accepted");
   body.neumann.setZero();
   EXPECT_TRUE(says(said(body), "the loads do not balance the stresses at"));
   EXPECT_TRUE(says(said(body), "on the boundary: give the traction="));
   body = solved_solid(problem, solution);
-  body.force *= 1.1;
+  body.multipliers *= 1.1;
   EXPECT_TRUE(says(said(body), "on the contact surface: give the forces"));
   body = solved_solid(problem, solution);
   body.body_loads.setConstant(3);

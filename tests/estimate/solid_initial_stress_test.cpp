@@ -41,7 +41,7 @@ LinearStresses<3> stresses_at_vertices(const SolidMesh& mesh,
 /// The solution of a problem whose loads have - int tau0 : eps(phi), and its estimate.
 struct Stressed {
   Topology<3> topology;
-  SolvedSolid body;
+  SolvedBody<3> body;
   SolidEstimate found;
 
   Stressed(SolidProblem problem, LinearStresses<3> tau,
@@ -110,7 +110,7 @@ RC_GTEST_PROP(SolidInitialStress, that_varies_is_in_the_error,
 TEST(SolidInitialStress, refuses_what_is_not_finite_or_does_not_fit) {
   Random random(5);
   const SolidProblem problem = pressed_block(random);
-  SolvedSolid body = solved_solid(problem, problem.solve());
+  SolvedBody<3> body = solved_solid(problem, problem.solve());
   const auto said = [&] {
     return refusal([&] {
       estimate_error(topology_of(problem.mesh), problem.surface,

@@ -268,11 +268,11 @@ RigidTool rigid_tool(const Tool& tool, const Vector2d& origin) {
 
 }  // namespace
 
-SolvedBody Assembled::solved(const ContactSolution& solution) const {
-  SolvedBody body;
+SolvedBody<2> Assembled::solved(const ContactSolution& solution) const {
+  SolvedBody<2> body;
   body.hooke = hooke;
   body.displacement = solution.displacement;
-  body.pressure = solution.pressure;
+  body.multipliers = solution.pressure;
   body.law = law;
   body.tool = tool;
   body.neumann = neumann;

@@ -41,7 +41,7 @@ struct Assembled {
   VectorXd before_tool;  ///< `previous` before it moved
 
   const Mesh& mesh() const { return joined.mesh; }
-  SolvedBody solved(const ContactSolution& solution) const;
+  SolvedBody<2> solved(const ContactSolution& solution) const;
   /// A vertex in the coordinates of a coarser or finer mesh of the same bodies: joined
   /// meshes choose their origin.
   Vector2d point_in(const Assembled& other, int vertex) const;

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "ffcontact/contact/law/surface_law.hpp"
-#include "ffcontact/estimate/bodies/solved_solid.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 
 /// Random solids in contact, assembled by plain loops.

@@ -261,10 +261,10 @@ class StressChecks {
                const SolidEstimate& estimate)
       : problem_(problem), estimate_(estimate) {
     const Topology<3> topology = topology_of(problem.mesh);
-    const SolvedSolid body{problem.hooke,     solution.displacement,
-                           solution.force,    problem.law,
-                           problem.neumann(), problem.body_loads(),
-                           solution.stiffness};
+    const SolvedBody<3> body{problem.hooke,     solution.displacement,
+                             solution.force,    problem.law,
+                             problem.neumann(), problem.body_loads(),
+                             solution.stiffness};
     for (int t = 0; t < problem.mesh.cell_count(); ++t) {
       stress_.emplace_back(problem.mesh, t,
                            stress_of(topology, estimate, body, t));

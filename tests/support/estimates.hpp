@@ -27,8 +27,8 @@ inline BodyLoadsOfCells<2> body_loads(const Problem& problem) {
   return loads;
 }
 
-inline SolvedBody solved_body(const Problem& problem,
-                              const ContactSolution& solution) {
+inline SolvedBody<2> solved_body(const Problem& problem,
+                                 const ContactSolution& solution) {
   return {problem.hooke,     solution.displacement, solution.pressure,
           problem.law,       problem.neumann,       body_loads(problem),
           solution.stiffness};

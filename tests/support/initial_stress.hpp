@@ -31,10 +31,10 @@ inline void add_initial_stress(Problem& problem, const LinearStresses<2>& tau) {
   }
 }
 
-inline SolvedBody solved_body(const Problem& problem,
-                              const ContactSolution& solution,
-                              const LinearStresses<2>& tau) {
-  SolvedBody body = solved_body(problem, solution);
+inline SolvedBody<2> solved_body(const Problem& problem,
+                                 const ContactSolution& solution,
+                                 const LinearStresses<2>& tau) {
+  SolvedBody<2> body = solved_body(problem, solution);
   body.initial = tau;
   return body;
 }

@@ -7,8 +7,8 @@
 /// From a solid in contact to the estimate of its error.
 namespace ffcontact::test {
 
-inline SolvedSolid solved_solid(const SolidProblem& problem,
-                                const SurfaceSolution& solution) {
+inline SolvedBody<3> solved_solid(const SolidProblem& problem,
+                                  const SurfaceSolution& solution) {
   return {HookeTensors<3>(problem.mesh.cell_count(),
                           isotropic<3>(13e3 * 0.2 / 0.72, 13e3 / 2.4)),
           solution.displacement,

@@ -64,7 +64,7 @@ inline SolidEstimate estimate(const SolidProblem& problem,
                               const SurfaceSolution& solution,
                               const BoundarySprings<3>& springs,
                               const RelaxationSettings& settings = {}) {
-  SolvedSolid body = solved_solid(problem, solution);
+  SolvedBody<3> body = solved_solid(problem, solution);
   body.springs = springs;
   return estimate_error(topology_of(problem.mesh), problem.surface,
                         problem.system(), body, settings);

@@ -61,7 +61,7 @@ inline Estimate estimated(const Problem& problem,
                           const ContactSolution& solution,
                           const BoundarySprings<2>& springs,
                           const EstimateSettings& settings = {}) {
-  SolvedBody body = solved_body(problem, solution);
+  SolvedBody<2> body = solved_body(problem, solution);
   body.springs = springs;
   return estimate_error(topology_of(problem.mesh), problem.line,
                         problem.system(), body, settings);

@@ -39,7 +39,7 @@ RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
                          const VectorXd& u_hat, bool contact_is_free) {
   const auto& [mesh, edges, ridges, stars] = bodies.topology();
   const ContactLine& line = bodies.line();
-  const SolvedBody& body = bodies.body();
+  const SolvedBody<2>& body = bodies.body();
   const ContactDensities& densities = first.contact.densities;
   const BoundaryTractions boundary = bodies.boundary_with(densities);
   const std::vector<FreeSpring<2>> springs = free_springs<2>(
@@ -80,7 +80,7 @@ void share_contact_part(const Edges& edges, const ContactLine& line,
 StressNorms<2> norms_by(Construction construction, const MatchedBodies& bodies,
                         const Compared& compared,
                         const RelaxedTractions& relaxed, Estimate& estimate) {
-  const SolvedBody& body = bodies.body();
+  const SolvedBody<2>& body = bodies.body();
   const BoundaryTractions boundary = bodies.boundary_with(relaxed.contact);
   const LoadedFacets<2> difference{bodies.topology(), body.hooke, boundary,
                                    compared.body_loads(body), compared.stress};
@@ -180,7 +180,7 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
            const StressNorms<2>& norms, Construction construction,
            Estimate& estimate) {
   const ContactLine& line = bodies.line();
-  const SolvedBody& body = bodies.body();
+  const SolvedBody<2>& body = bodies.body();
   const VectorXd& u_hat = estimate.displacement;
   const double scale = stress_scale(bodies, compared, norms.largest, estimate),
                moved = max_norm(body.displacement);
@@ -203,7 +203,7 @@ void judge(const MatchedBodies& bodies, const Compared& compared,
 }
 
 /// Steps 1 to 6 of the estimate.
-Estimate estimate_of(const SolvedProblem& solved, const StressTerms& terms,
+Estimate estimate_of(const SolvedProblem<2>& solved, const StressTerms& terms,
                      const EstimateSettings& settings) {
   tell(settings.report, {"admissible fields", 0, "dofs",
                          static_cast<double>(solved.system.dof_count())});
@@ -253,17 +253,17 @@ int Estimate::corrected_count() const {
 }
 
 Estimate estimate_error(const Topology<2>& topology, const ContactLine& line,
-                        const ElasticSystem& system, const SolvedBody& body,
+                        const ElasticSystem& system, const SolvedBody<2>& body,
                         const EstimateSettings& settings) {
-  const SolvedProblem solved{topology, line, system, body};
-  require_sound(solved, settings);
+  const SolvedProblem<2> solved{topology, line, system, body};
+  require_sound(solved, settings.relaxation);
   require_law_of_matrix<2>(topology.mesh, system, body.hooke, body.springs);
   const double stress_terms =
       largest_stress_terms(topology, line, body, body.displacement);
   if (!is_unstressed(topology, line, system.prescribed, body, stress_terms))
     return estimate_of(solved, {stress_terms, false}, settings);
-  SolvedBody unstressed = body;
-  unstressed.pressure.setZero();
+  SolvedBody<2> unstressed = body;
+  unstressed.multipliers.setZero();
   return estimate_of({topology, line, system, unstressed}, {stress_terms, true},
                      settings);
 }

@@ -65,7 +65,7 @@ struct Estimate : PairError {
 ///                                where no tractions in the cone hold the body
 /// @throws std::runtime_error     if a part of the body is held by nothing
 Estimate estimate_error(const Topology<2>& topology, const ContactLine& line,
-                        const ElasticSystem& system, const SolvedBody& body,
+                        const ElasticSystem& system, const SolvedBody<2>& body,
                         const EstimateSettings& settings = {});
 
 }  // namespace ffcontact

@@ -167,7 +167,7 @@ DirectedSlip slip_of(const PairOnSurface& pair, const NodalLaw& law,
 
 DirectedSlip directed_slip(const Topology<3>& topology,
                            const ContactSurface& surface,
-                           const SolvedSolid& body,
+                           const SolvedBody<3>& body,
                            const SolidEstimate& estimate) {
   return slip_of({topology, surface, body.law, estimate},
                  nodal_law(body.law, surface), Flags(surface.node_count(), 0));
@@ -175,7 +175,8 @@ DirectedSlip directed_slip(const Topology<3>& topology,
 
 SolidCoulomb solid_coulomb(const Topology<3>& topology,
                            const ContactSurface& surface,
-                           const ElasticSystem& system, const SolvedSolid& body,
+                           const ElasticSystem& system,
+                           const SolvedBody<3>& body,
                            const SolidEstimate& estimate, const Flags& held) {
   const double e =
       estimate.admissible ? estimate.e + estimate.oscillation : infinity;

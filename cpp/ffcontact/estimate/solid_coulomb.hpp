@@ -26,7 +26,7 @@ struct SolidCoulomb {
 /// between.
 DirectedSlip directed_slip(const Topology<3>& topology,
                            const ContactSurface& surface,
-                           const SolvedSolid& body,
+                           const SolvedBody<3>& body,
                            const SolidEstimate& estimate);
 
 /// kappa, delta and B of a judged solution: 0, 0 and e without friction that depends on
@@ -36,7 +36,8 @@ DirectedSlip directed_slip(const Topology<3>& topology,
 /// @param held    1 at nodes that slip nowhere, neither in the exact solution [p]
 SolidCoulomb solid_coulomb(const Topology<3>& topology,
                            const ContactSurface& surface,
-                           const ElasticSystem& system, const SolvedSolid& body,
+                           const ElasticSystem& system,
+                           const SolvedBody<3>& body,
                            const SolidEstimate& estimate, const Flags& held);
 
 }  // namespace ffcontact

@@ -18,7 +18,7 @@
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
 #include "ffcontact/estimate/checks/reason_against.hpp"
-#include "ffcontact/estimate/checks/sound_solid.hpp"
+#include "ffcontact/estimate/checks/sound_problem.hpp"
 #include "ffcontact/estimate/displacement/sticking_solid.hpp"
 #include "ffcontact/estimate/error/error_history.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
@@ -41,15 +41,15 @@ struct SolidStresses {
   bool unstressed;
   CellStresses<3> computed;
 
-  explicit SolidStresses(const SolvedSolidProblem& solved)
+  explicit SolidStresses(const SolvedProblem<3>& solved)
       : terms(std::max(
             solved.body.initial.bound(),
             largest_stress_terms(solved.topology.mesh, solved.body.hooke,
                                  solved.body.displacement))) {
     const LinearStresses<3> total = total_stresses(
         solved.topology.mesh, solved.body, solved.body.displacement);
-    const double traction = max_norm(solved.body.force) /
-                            solved.surface.area.minCoeff(),
+    const double traction = max_norm(solved.body.multipliers) /
+                            solved.contact.area.minCoeff(),
                  largest = std::max(total.bound(), traction);
     unstressed =
         largest <= rounding_of_terms * terms &&
@@ -65,11 +65,10 @@ double mean_slip(const ContactFacet<3>& face) {
 }
 
 /// Does a face without tractions stay without, as outweighs_all_gains says?
-bool stays_unloaded(const SolvedSolidProblem& solved,
-                    const ContactFacet<3>& face,
+bool stays_unloaded(const SolvedProblem<3>& solved, const ContactFacet<3>& face,
                     const SolidEstimate& estimate) {
   const SurfaceLaw& law = solved.body.law;
-  const Vector3i nodes = solved.surface.face_node.col(face.index);
+  const Vector3i nodes = solved.contact.face_node.col(face.index);
   return law.slip_bound.size() == 0 &&
          estimate.tractions(Eigen::all, nodes).isZero(0) &&
          outweighs_all_gains(law.friction(nodes).minCoeff(), mean_slip(face),
@@ -78,7 +77,7 @@ bool stays_unloaded(const SolvedSolidProblem& solved,
 
 /// The contact faces whose tractions are relaxed.
 /// @param beside  given tractions on the faces of the surface
-std::vector<ContactFacet<3>> relaxed_faces(const SolvedSolidProblem& solved,
+std::vector<ContactFacet<3>> relaxed_faces(const SolvedProblem<3>& solved,
                                            const FaceMoments& beside,
                                            const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
@@ -93,18 +92,18 @@ std::vector<ContactFacet<3>> relaxed_faces(const SolvedSolidProblem& solved,
 }
 
 /// r_hat on all faces of the surface and on the boundary, relaxed where it may be.
-void put_relaxed(const SolvedSolidProblem& solved,
+void put_relaxed(const SolvedProblem<3>& solved,
                  const std::vector<ContactFacet<3>>& contact,
                  FaceMoments& on_boundary, SolidEstimate& estimate) {
   const SurfaceTractions relaxed = tractions_of(contact, estimate.moments);
   estimate.face_tractions =
-      tractions_by_face(solved.surface, estimate.tractions);
+      tractions_by_face(solved.contact, estimate.tractions);
   estimate.face_tractions(Eigen::all, surface_faces(contact)) = relaxed;
   put_moments(contact, relaxed, on_boundary);
 }
 
 /// The contact part of e^2 on each face of the surface.
-VectorXd contact_part_of(const SolvedSolidProblem& solved,
+VectorXd contact_part_of(const SolvedProblem<3>& solved,
                          const std::vector<ContactFacet<3>>& contact,
                          const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
@@ -120,7 +119,7 @@ VectorXd contact_part_of(const SolvedSolidProblem& solved,
 }
 
 /// Body loads of sigma_hat - sigma, where they are not those of sigma_hat.
-BodyLoadsOfCells<3> difference_loads_of(const SolvedSolid& body,
+BodyLoadsOfCells<3> difference_loads_of(const SolvedBody<3>& body,
                                         const SolidMesh& mesh,
                                         const LinearStresses<3>& stress) {
   if (!stress.varies()) return {};
@@ -131,7 +130,7 @@ BodyLoadsOfCells<3> difference_loads_of(const SolvedSolid& body,
 /// which are put into what the boundary carries.
 /// @param fixed  with springs whose tractions are known
 /// @return what e^2 fell by in every step
-std::vector<double> relaxed(const SolvedSolidProblem& solved,
+std::vector<double> relaxed(const SolvedProblem<3>& solved,
                             const RelaxFaces& relax,
                             const RelaxationSettings& settings,
                             const FacetSetting<3>& fixed,
@@ -156,7 +155,7 @@ std::vector<double> relaxed(const SolvedSolidProblem& solved,
 }
 
 /// (2.11) to (2.13).
-void put_error(const SolvedSolidProblem& solved,
+void put_error(const SolvedProblem<3>& solved,
                const std::vector<ContactFacet<3>>& contact,
                const StressNorms<3>& norms, const SpringNorms& springs,
                const std::vector<double>& falls, SolidEstimate& estimate) {
@@ -182,11 +181,11 @@ void put_error(const SolvedSolidProblem& solved,
 
 /// Does e pay for next to nothing but friction without bound on what the displacements of
 /// surfaces that do not match differ by between their nodes? No u_hat sticks there.
-bool pays_for_rough_faces(const SolvedSolidProblem& solved,
+bool pays_for_rough_faces(const SolvedProblem<3>& solved,
                           const std::vector<ContactFacet<3>>& matching,
                           const SolidEstimate& estimate) {
   constexpr double nearly_all = 0.99;
-  const ContactSurface& surface = solved.surface;
+  const ContactSurface& surface = solved.contact;
   const bool match = count_of(matching) == surface.face_count();
   return surface.against_a_body() && !match &&
          solved.body.law.friction.maxCoeff() > most_friction &&
@@ -194,8 +193,8 @@ bool pays_for_rough_faces(const SolvedSolidProblem& solved,
 }
 
 /// What stresses and tractions are large beside [MPa].
-double stress_scale(const SolvedSolidProblem& solved,
-                    const SolidStresses& stress, const StressNorms<3>& norms,
+double stress_scale(const SolvedProblem<3>& solved, const SolidStresses& stress,
+                    const StressNorms<3>& norms,
                     const SolidEstimate& estimate) {
   const double largest =
       std::max({max_norm(stress.computed), norms.largest,
@@ -206,24 +205,24 @@ double stress_scale(const SolvedSolidProblem& solved,
 }
 
 /// Out of the cone, at the nodes and on relaxed faces [MPa].
-double cone_violation(const SolvedSolidProblem& solved,
+double cone_violation(const SolvedProblem<3>& solved,
                       const std::vector<ContactFacet<3>>& contact,
                       const SolidEstimate& estimate) {
   return std::max(
-      cone_violation(solved.body.law, solved.surface, estimate.tractions),
+      cone_violation(solved.body.law, solved.contact, estimate.tractions),
       cone_violation(contact, estimate.face_tractions(Eigen::all,
                                                       surface_faces(contact))));
 }
 
 /// Why the pair is not admissible, or nothing.
-std::string reason_of(const SolvedSolidProblem& solved,
+std::string reason_of(const SolvedProblem<3>& solved,
                       const std::vector<ContactFacet<3>>& contact,
                       const DeepestNode& deepest, const BetweenNodes& found,
                       const SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
   const auto middle = [&solved](int facet) {
     return middle_of(solved.topology.mesh, solved.topology.facets,
-                     solved.surface.face[facet]);
+                     solved.contact.face[facet]);
   };
   const std::string reason = reason_against(
       estimate, {topology.mesh.place(surface.vertex[deepest.node]),
@@ -237,7 +236,7 @@ std::string reason_of(const SolvedSolidProblem& solved,
 }
 
 /// What the theory promises, measured.
-void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
+void judge(const SolvedProblem<3>& solved, const SolidStresses& stress,
            const std::vector<ContactFacet<3>>& contact,
            const StressNorms<3>& norms, SolidEstimate& estimate) {
   const auto& [topology, surface, system, body] = solved;
@@ -257,7 +256,7 @@ void judge(const SolvedSolidProblem& solved, const SolidStresses& stress,
 }
 
 /// sigma, of u_hat.
-LinearStresses<3> stress_beside(const SolvedSolidProblem& solved,
+LinearStresses<3> stress_beside(const SolvedProblem<3>& solved,
                                 const SolidStresses& stress,
                                 const SolidEstimate& estimate) {
   if (stress.unstressed) return LinearStresses<3>(stress.computed);
@@ -270,20 +269,20 @@ LinearStresses<3> stress_beside(const SolvedSolidProblem& solved,
 SolidEstimate estimate_error(const Topology<3>& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
-                             const SolvedSolid& body,
+                             const SolvedBody<3>& body,
                              const RelaxationSettings& settings,
                              const RelaxFaces& relax) {
-  const SolvedSolidProblem given{topology, surface, system, body};
+  const SolvedProblem<3> given{topology, surface, system, body};
   require_sound(given, settings);
   require_law_of_matrix<3>(topology.mesh, system, body.hooke, body.springs);
   const SolidStresses stress(given);
-  SolvedSolid without_forces;
+  SolvedBody<3> without_forces;
   if (stress.unstressed) {
     without_forces = body;
-    without_forces.force.setZero();
+    without_forces.multipliers.setZero();
   }
-  const SolvedSolidProblem solved{topology, surface, system,
-                                  stress.unstressed ? without_forces : body};
+  const SolvedProblem<3> solved{topology, surface, system,
+                                stress.unstressed ? without_forces : body};
   SolidEstimate estimate;
 
   // 1. Admissible displacement [CHH01, 4.1].
@@ -327,7 +326,7 @@ SolidEstimate estimate_error(const Topology<3>& topology,
 
 SubcellStress<3> stress_of(const Topology<3>& topology,
                            const SolidEstimate& estimate,
-                           const SolvedSolid& body, int cell) {
+                           const SolvedBody<3>& body, int cell) {
   return composite_stress(
       corners_of(topology.mesh, cell),
       loads_of(topology.mesh, topology.facets, estimate.moments, cell),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
-#include "ffcontact/estimate/bodies/solved_solid.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/error/pair_error.hpp"
 
@@ -46,13 +46,13 @@ struct SolidEstimate : PairError {
 SolidEstimate estimate_error(const Topology<3>& topology,
                              const ContactSurface& surface,
                              const ElasticSystem& system,
-                             const SolvedSolid& body,
+                             const SolvedBody<3>& body,
                              const RelaxationSettings& settings = {},
                              const RelaxFaces& relax = relax_facets<3>);
 
 /// sigma_hat at the corners of the subtetrahedra of one tetrahedron [MPa].
 SubcellStress<3> stress_of(const Topology<3>& topology,
                            const SolidEstimate& estimate,
-                           const SolvedSolid& body, int cell);
+                           const SolvedBody<3>& body, int cell);
 
 }  // namespace ffcontact

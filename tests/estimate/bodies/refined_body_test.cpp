@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-SolvedBody random_body(const CutBodies& cut, std::mt19937& random) {
+SolvedBody<2> random_body(const CutBodies& cut, std::mt19937& random) {
   const Problem& problem = cut.two.problem;
   const Index nodes = problem.line.node_count();
   return {problem.hooke,
@@ -33,7 +33,7 @@ SolvedBody random_body(const CutBodies& cut, std::mt19937& random) {
           nullptr};
 }
 
-SolvedBody refined(const CutBodies& cut, const SolvedBody& old) {
+SolvedBody<2> refined(const CutBodies& cut, const SolvedBody<2>& old) {
   const Problem& problem = cut.two.problem;
   return refined_body(problem.mesh, problem.edges, problem.line, old,
                       cut.refinement);
@@ -44,7 +44,7 @@ RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges,
               (Random random)) {
   const CutBodies cut(random);
   const ContactLine &line = cut.two.problem.line, &parts = cut.refinement.line;
-  SolvedBody old = random_body(cut, random);
+  SolvedBody<2> old = random_body(cut, random);
   old.law.friction = old.law.friction.cwiseAbs();
   for (Matrix2Xd* bound :
        {&old.law.between_nodes.least, &old.law.between_nodes.most}) {
@@ -70,7 +70,7 @@ RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges,
 RC_GTEST_PROP(RefinedBody, has_the_stresses_of_the_old_triangles,
               (Random random)) {
   const CutBodies cut(random);
-  const SolvedBody old = random_body(cut, random), body = refined(cut, old);
+  const SolvedBody<2> old = random_body(cut, random), body = refined(cut, old);
   const Matrix3Xd before = stresses(cut.mesh(), old.hooke, old.displacement);
   const Matrix3Xd after =
       stresses(cut.refinement.mesh, body.hooke, body.displacement);
@@ -96,7 +96,7 @@ double interpolated(const CutBodies& cut, const VectorXd& values, int node) {
 RC_GTEST_PROP(RefinedBody, has_pressures_and_law_linear_between_the_old_nodes,
               (Random random)) {
   const CutBodies cut(random);
-  const SolvedBody old = random_body(cut, random), body = refined(cut, old);
+  const SolvedBody<2> old = random_body(cut, random), body = refined(cut, old);
   RC_ASSERT(body.law.multiplier == Multiplier::pressure);
   RC_ASSERT(body.law.slip_bound.size() == 0 && body.law.previous.size() == 0);
   for (int node = 0; node < cut.refinement.line.node_count(); ++node) {
@@ -105,15 +105,16 @@ RC_GTEST_PROP(RefinedBody, has_pressures_and_law_linear_between_the_old_nodes,
     RC_ASSERT(std::abs(body.law.gap[node] -
                        interpolated(cut, old.law.gap, node)) < 1e-14);
     for (int c = 0; c < 2; ++c)
-      RC_ASSERT(std::abs(body.pressure(c, node) -
-                         interpolated(cut, old.pressure.row(c), node)) < 1e-14);
+      RC_ASSERT(std::abs(body.multipliers(c, node) -
+                         interpolated(cut, old.multipliers.row(c), node)) <
+                1e-14);
   }
 }
 
 RC_GTEST_PROP(RefinedBody, has_the_initial_stress_of_the_old_triangles,
               (Random random)) {
   const CutBodies cut(random);
-  SolvedBody old = random_body(cut, random);
+  SolvedBody<2> old = random_body(cut, random);
   RC_ASSERT(refined(cut, old).initial.empty());
   const MatrixXd slopes = random_matrix(3, 2, random);
   const Vector3d at_origin = random_vector(3, random);
@@ -131,7 +132,7 @@ RC_GTEST_PROP(RefinedBody, has_the_initial_stress_of_the_old_triangles,
 
 RC_GTEST_PROP(RefinedBody, carries_its_loads_on, (Random random)) {
   const CutBodies cut(random);
-  const SolvedBody old = random_body(cut, random), body = refined(cut, old);
+  const SolvedBody<2> old = random_body(cut, random), body = refined(cut, old);
   for (int c = 0; c < 2; ++c) {
     const auto resultant = [c](const auto& loads) {
       double sum = 0;
@@ -167,7 +168,7 @@ RC_GTEST_PROP(RefinedPrescribed,
 
 RC_GTEST_PROP(UnrefinedForces, do_the_same_work, (Random random)) {
   const CutBodies cut(random);
-  const SolvedBody old = random_body(cut, random);
+  const SolvedBody<2> old = random_body(cut, random);
   const VectorXd fine = refined(cut, old).displacement;
   const VectorXd forces = random_vector(fine.size(), random);
   const double work =

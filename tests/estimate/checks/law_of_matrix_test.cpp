@@ -18,7 +18,7 @@ template <class Spoil>
 std::string sentence_about(Multiplier multiplier, Spoil spoil) {
   Problem problem = example_1(multiplier, 4);
   const ContactSolution solution = solved(problem);
-  SolvedBody body = solved_body(problem, solution);
+  SolvedBody<2> body = solved_body(problem, solution);
   spoil(problem, body, solution);
   return refusal([&] {
     estimate_error(topology_of(problem.mesh), problem.line, problem.system(),
@@ -29,7 +29,7 @@ std::string sentence_about(Multiplier multiplier, Spoil spoil) {
 TEST(DataDefect, names_the_law_and_its_factor) {
   const std::string sentence =
       sentence_about(Multiplier::force,
-                     [](Problem&, SolvedBody& body, const ContactSolution&) {
+                     [](Problem&, SolvedBody<2>& body, const ContactSolution&) {
                        for (Matrix3d& C : body.hooke) C *= 2;
                      });
   EXPECT_TRUE(says(
@@ -45,8 +45,8 @@ TEST(DataDefect, names_the_law_where_equilibrium_cannot) {
   clamp(problem, top, [](const Vector2d& x) -> Vector2d {
     return {0.01 * (1 + x.x()), 0.01};
   });
-  SolvedBody body = solved_body(problem, solved(problem));
-  ASSERT_EQ(body.pressure.cwiseAbs().maxCoeff(), 0);
+  SolvedBody<2> body = solved_body(problem, solved(problem));
+  ASSERT_EQ(body.multipliers.cwiseAbs().maxCoeff(), 0);
   for (Matrix3d& C : body.hooke) C *= 2;
   EXPECT_TRUE(says(refusal([&] {
                      estimate_error(topology_of(problem.mesh), problem.line,
@@ -57,7 +57,7 @@ TEST(DataDefect, names_the_law_where_equilibrium_cannot) {
 
 TEST(DataDefect, names_the_vertex_where_the_law_of_one_region_is_off) {
   const std::string sentence = sentence_about(
-      Multiplier::force, [](Problem&, SolvedBody& body,
+      Multiplier::force, [](Problem&, SolvedBody<2>& body,
                             const ContactSolution&) { body.hooke[9] *= 3; });
   EXPECT_TRUE(says(
       sentence,
@@ -66,11 +66,11 @@ TEST(DataDefect, names_the_vertex_where_the_law_of_one_region_is_off) {
 }
 
 TEST(DataDefect, names_a_penalty_that_does_not_prescribe) {
-  const std::string sentence =
-      sentence_about(Multiplier::force,
-                     [](Problem& problem, SolvedBody&, const ContactSolution&) {
-                       problem.A.coeffRef(20, 20) += 1e10;
-                     });
+  const std::string sentence = sentence_about(
+      Multiplier::force,
+      [](Problem& problem, SolvedBody<2>&, const ContactSolution&) {
+        problem.A.coeffRef(20, 20) += 1e10;
+      });
   EXPECT_TRUE(says(sentence, "A has 1e+10 more on its diagonal at vertex 10 "))
       << sentence;
 }
@@ -142,9 +142,9 @@ TEST(DataDefect, names_a_point_support) {
 
 TEST(DataDefect, names_the_multiplier_that_the_pressures_belong_to) {
   const std::string of_forces = sentence_about(
-      Multiplier::force,
-      [](Problem& problem, SolvedBody& body, const ContactSolution& solution) {
-        body.pressure = lumped_pressures(problem.line, solution.force);
+      Multiplier::force, [](Problem& problem, SolvedBody<2>& body,
+                            const ContactSolution& solution) {
+        body.multipliers = lumped_pressures(problem.line, solution.force);
         body.law.multiplier = Multiplier::pressure;
       });
   EXPECT_TRUE(
@@ -152,10 +152,10 @@ TEST(DataDefect, names_the_multiplier_that_the_pressures_belong_to) {
            "pn and pt fit u with multiplier=\"force\", not with \"pressure\""))
       << of_forces;
   const std::string of_pressures = sentence_about(
-      Multiplier::pressure,
-      [](Problem& problem, SolvedBody& body, const ContactSolution& solution) {
+      Multiplier::pressure, [](Problem& problem, SolvedBody<2>& body,
+                               const ContactSolution& solution) {
         body.law.multiplier = Multiplier::force;
-        body.pressure =
+        body.multipliers =
             multiplier_density(problem.line, Multiplier::force,
                                prescribed_dofs(problem.A), solution.pressure);
       });
@@ -167,7 +167,7 @@ TEST(DataDefect, names_the_multiplier_that_the_pressures_belong_to) {
 
 TEST(DataDefect, names_the_loads_that_are_not_those_of_u) {
   const std::string traction = sentence_about(
-      Multiplier::force, [](Problem&, SolvedBody& body,
+      Multiplier::force, [](Problem&, SolvedBody<2>& body,
                             const ContactSolution&) { body.neumann *= 2; });
   EXPECT_TRUE(
       says(traction,
@@ -176,16 +176,18 @@ TEST(DataDefect, names_the_loads_that_are_not_those_of_u) {
       << traction;
   const std::string inside =
       sentence_about(Multiplier::force,
-                     [](Problem&, SolvedBody& body, const ContactSolution&) {
+                     [](Problem&, SolvedBody<2>& body, const ContactSolution&) {
                        body.body_loads.array() += 1;
                      });
   EXPECT_TRUE(says(inside,
                    "inside the body: give the bodyforce=, initialstrain= and "
                    "initialstress= u was computed with"))
       << inside;
-  const std::string contact = sentence_about(
-      Multiplier::force, [](Problem&, SolvedBody& body,
-                            const ContactSolution&) { body.pressure *= 1.1; });
+  const std::string contact =
+      sentence_about(Multiplier::force,
+                     [](Problem&, SolvedBody<2>& body, const ContactSolution&) {
+                       body.multipliers *= 1.1;
+                     });
   EXPECT_TRUE(
       says(contact, "on the contact line: give pn and pt of the solution u"))
       << contact;

@@ -36,7 +36,7 @@ struct PushedBlock {
 struct Pushed {
   Problem problem;
   ToolSolution found;
-  SolvedBody body;
+  SolvedBody<2> body;
 
   Pushed(Problem stated, const RigidTool& tool)
       : problem(std::move(stated)),
@@ -91,7 +91,7 @@ RC_GTEST_PROP(ToolWork, tractions_pass_on_what_pushes_the_tool,
 TEST(ToolWork, what_is_missed_is_out_of_equilibrium) {
   const Problem problem =
       body(rectangle(6, 4, 6, 4), material(1000, 0.3), {bottom});
-  SolvedBody solved;
+  SolvedBody<2> solved;
   solved.tool = RigidTool{{3, 0}, Matrix3d::Identity(), {0, 12, 6}};
   const ToolWork tool = tool_work(problem.mesh, problem.line, solved);
   ContactDensities r{Matrix2Xd::Constant(2, 6, -2), Matrix2Xd::Zero(2, 6)};

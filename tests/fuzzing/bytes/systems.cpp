@@ -50,22 +50,22 @@ ContactLaw any_law(fuzz::Bytes& bytes, int nodes) {
   return law;
 }
 
-SolvedBody any_body(fuzz::Bytes& bytes, const Mesh& mesh, const ContactLaw& law,
-                    const ContactSolution& solution) {
-  SolvedBody body{Hooke(mesh.cell_count(), isotropic(400, 300)),
-                  solution.displacement,
-                  solution.pressure,
-                  law,
-                  Matrix4Xd::Zero(4, mesh.boundary.cols()),
-                  BodyLoadsOfCells<2>::Zero(6, mesh.cells.cols()),
-                  solution.stiffness};
+SolvedBody<2> any_body(fuzz::Bytes& bytes, const Mesh& mesh,
+                       const ContactLaw& law, const ContactSolution& solution) {
+  SolvedBody<2> body{Hooke(mesh.cell_count(), isotropic(400, 300)),
+                     solution.displacement,
+                     solution.pressure,
+                     law,
+                     Matrix4Xd::Zero(4, mesh.boundary.cols()),
+                     BodyLoadsOfCells<2>::Zero(6, mesh.cells.cols()),
+                     solution.stiffness};
   const int spoilt = bytes.next();
   if (spoilt % 8 == 1)
     body.displacement = any_values(bytes, 2 * mesh.vertex_count());
   if (spoilt % 8 == 2) body.neumann.setConstant(bytes.number());
   if (spoilt % 8 == 3) body.neumann.resize(4, bytes.up_to(20));
   if (spoilt % 8 == 4) body.hooke[0].setConstant(bytes.number());
-  if (spoilt % 8 == 5) body.pressure.resize(2, bytes.up_to(6));
+  if (spoilt % 8 == 5) body.multipliers.resize(2, bytes.up_to(6));
   if (spoilt % 8 == 6) {
     body.springs = BoundarySprings<2>(mesh.boundary.cols() - bytes.up_to(1));
     body.springs.stiffness.reshaped() =

@@ -9,7 +9,7 @@ namespace ffcontact {
 
 /// Moments of the given tractions and of those that the springs answer u_h with [d^2 x
 /// SimplexMesh::boundary].
-/// @param body  SolvedBody or SolvedSolid
+/// @param body  SolvedBody<2> or SolvedBody<3>
 template <int d, class Body>
 FacetColumns<d> boundary_moments(const SimplexMesh<d>& mesh, const Body& body) {
   return with_springs<d>(

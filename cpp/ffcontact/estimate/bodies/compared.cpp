@@ -10,7 +10,7 @@ namespace ffcontact {
 
 Compared compared(const MatchedBodies& bodies, const VectorXd& displacement) {
   const Mesh& mesh = bodies.topology().mesh;
-  const SolvedBody& body = bodies.body();
+  const SolvedBody<2>& body = bodies.body();
   Compared result{displacement, body.law,
                   total_stresses(mesh, body, displacement)};
   if (result.stress.varies())
@@ -21,7 +21,7 @@ Compared compared(const MatchedBodies& bodies, const VectorXd& displacement) {
 
 Compared compared_change(const MatchedBodies& bodies, double stress_terms,
                          const VectorXd& u_hat) {
-  const SolvedBody& body = bodies.body();
+  const SolvedBody<2>& body = bodies.body();
   Compared change{u_hat - body.displacement, body.law, {}};
   change.law.gap.resize(0);
   change.law.previous.resize(0);

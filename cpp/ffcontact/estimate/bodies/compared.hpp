@@ -15,7 +15,7 @@ struct Compared {
   BodyLoadsOfCells<2> other_loads{};
 
   /// Body loads of sigma_hat - sigma.
-  const BodyLoadsOfCells<2>& body_loads(const SolvedBody& body) const {
+  const BodyLoadsOfCells<2>& body_loads(const SolvedBody<2>& body) const {
     return stress.varies() ? other_loads : body.body_loads;
   }
 };

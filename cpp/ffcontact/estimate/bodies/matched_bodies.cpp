@@ -7,7 +7,7 @@
 
 namespace ffcontact {
 
-MatchedBodies::MatchedBodies(const SolvedProblem& solved) : solved_(solved) {
+MatchedBodies::MatchedBodies(const SolvedProblem<2>& solved) : solved_(solved) {
   const auto& [topology, line, system, body] = solved;
   solved_springs_ = springs_ =
       spring_moments<2>(topology.mesh, body.springs, body.displacement);

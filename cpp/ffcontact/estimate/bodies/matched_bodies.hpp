@@ -4,45 +4,36 @@
 #include <optional>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "ffcontact/interface/pairing/common_refinement.hpp"
-#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
-
-/// What an estimate is asked of.
-struct SolvedProblem {
-  const Topology<2>& topology;
-  const ContactLine& line;
-  const ElasticSystem& system;
-  const SolvedBody& body;
-};
 
 /// The solved bodies with facing traces that match, on which admissible fields are built:
 /// as they are where the traces match, and their common refinement where they do not.
 class MatchedBodies {
  public:
   /// @param solved  stays where it is
-  explicit MatchedBodies(const SolvedProblem& solved);
+  explicit MatchedBodies(const SolvedProblem<2>& solved);
 
   const Topology<2>& topology() const {
     return cut_ ? cut_->topology : solved_.topology;
   }
   const ContactLine& line() const {
-    return cut_ ? refinement_->line : solved_.line;
+    return cut_ ? refinement_->line : solved_.contact;
   }
-  const SolvedBody& body() const { return cut_ ? cut_->body : solved_.body; }
+  const SolvedBody<2>& body() const { return cut_ ? cut_->body : solved_.body; }
   const Flags& prescribed() const {
     return cut_ ? cut_->prescribed : solved_.system.prescribed;
   }
 
-  const ContactLine& solved_line() const { return solved_.line; }
+  const ContactLine& solved_line() const { return solved_.contact; }
   const ContactLaw& solved_law() const { return solved_.body.law; }
   /// Length of the solved contact edge that a contact edge is a part of [mm].
   double solved_length(int e) const {
-    return solved_.line.length[cut_ ? refinement_->parent_contact_edge[e] : e];
+    return solved_.contact
+        .length[cut_ ? refinement_->parent_contact_edge[e] : e];
   }
   /// Is it a vertex at which an edge was cut?
   bool is_cut(int vertex) const {
@@ -90,12 +81,12 @@ class MatchedBodies {
   struct Cut {
     Topology<2> topology;
     Flags prescribed;
-    SolvedBody body;
+    SolvedBody<2> body;
   };
   /// Moments on the solved boundary on that of the matched bodies.
   Matrix4Xd matched_moments(const Matrix4Xd& solved) const;
 
-  SolvedProblem solved_;
+  SolvedProblem<2> solved_;
   Matrix4Xd solved_springs_, springs_;
   std::optional<CommonRefinement> refinement_;
   std::optional<Cut> cut_;

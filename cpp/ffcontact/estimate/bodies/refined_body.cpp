@@ -99,14 +99,15 @@ VectorXd refined_field(const CommonRefinement& refinement,
       .reshaped();
 }
 
-SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
-                        const ContactLine& old_line, const SolvedBody& old,
-                        const CommonRefinement& refinement) {
-  SolvedBody body;
+SolvedBody<2> refined_body(const Mesh& old_mesh, const Edges& old_edges,
+                           const ContactLine& old_line,
+                           const SolvedBody<2>& old,
+                           const CommonRefinement& refinement) {
+  SolvedBody<2> body;
   for (int t : refinement.parent) body.hooke.push_back(old.hooke[t]);
   body.displacement = refined_field(refinement, old.displacement);
-  body.pressure =
-      (refinement.node_weights * old.pressure.transpose()).transpose();
+  body.multipliers =
+      (refinement.node_weights * old.multipliers.transpose()).transpose();
   body.law = refined_law(old_edges, old_line, refinement, old.law);
   body.neumann = refined_boundary_moments(old_mesh, refinement, old.neumann);
   body.body_loads = refined_body_loads(old_mesh, refinement, old.body_loads);

@@ -11,9 +11,10 @@
 namespace ffcontact {
 
 /// The same solution, law and loads on the common refinement of the facing traces.
-SolvedBody refined_body(const Mesh& old_mesh, const Edges& old_edges,
-                        const ContactLine& old_line, const SolvedBody& old,
-                        const CommonRefinement& refinement);
+SolvedBody<2> refined_body(const Mesh& old_mesh, const Edges& old_edges,
+                           const ContactLine& old_line,
+                           const SolvedBody<2>& old,
+                           const CommonRefinement& refinement);
 
 /// A vertex field, linear in between, at the vertices of the refinement.
 VectorXd refined_field(const CommonRefinement& refinement,

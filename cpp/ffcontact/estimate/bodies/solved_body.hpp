@@ -3,37 +3,79 @@
 
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <vector>
 
-#include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/law/contact_law.hpp"
+#include "ffcontact/contact/law/surface_law.hpp"
 #include "ffcontact/contact/rigid_tool.hpp"
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
-#include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
+#include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
 
-/// A computed contact solution and what it was computed from.
+/// Where contact may occur, and its law there.
+template <int d>
+using LineOrSurface = std::conditional_t<d == 2, ContactLine, ContactSurface>;
+template <int d>
+using LawOfContact = std::conditional_t<d == 2, ContactLaw, SurfaceLaw>;
+
+/// Mesh facets of the contact facets.
+inline const VectorXi& facets_of(const ContactLine& line) { return line.edge; }
+inline const VectorXi& facets_of(const ContactSurface& surface) {
+  return surface.face;
+}
+
+/// Calls of_facet(mesh facet, contact facet) for the mesh facets of the contact facets, and
+/// for those of other bodies that these face, which may come several times.
+template <class OfFacet>
+void for_touching_facets(const ContactLine& line, const OfFacet& of_facet) {
+  for (int e = 0; e < line.edge_count(); ++e) of_facet(line.edge[e], e);
+  for (const FacingPiece& piece : line.pieces)
+    of_facet(piece.opposite_edge, piece.contact_edge);
+}
+template <class OfFacet>
+void for_touching_facets(const ContactSurface& surface,
+                         const OfFacet& of_facet) {
+  for (int m = 0; m < surface.face_count(); ++m) of_facet(surface.face[m], m);
+  for (const FacingPolygon& polygon : surface.polygons)
+    of_facet(polygon.opposite_face, polygon.contact_face);
+}
+
+/// A computed contact solution and what it was computed from. Units are those of solids; per
+/// unit of thickness, forces of plane bodies are in N/mm.
+template <int d>
 struct SolvedBody {
-  Hooke hooke;            ///< per triangle [MPa]
+  HookeTensors<d> hooke;  ///< per cell [MPa]
   VectorXd displacement;  ///< u_h on all dofs [mm]
-  Matrix2Xd pressure;     ///< (lambda_n, lambda_t) at the contact nodes [MPa]
-  ContactLaw law;
-  /// moments of the given tractions, as for boundary_tractions [4 x Mesh::boundary]
-  Matrix4Xd neumann;
-  BodyLoadsOfCells<2>
-      body_loads;  ///< int f phi_i per triangle [N/mm, 6 x triangles]
+  /// at the contact nodes, in the plane (lambda_n, lambda_t) [MPa], in space the forces
+  /// (F_n, F_t1, F_t2) [N]
+  Matrix<double, d, Dynamic> multipliers;
+  LawOfContact<d> law;
+  /// moments of the given tractions, as for given_tractions [N, d^2 x boundary]
+  FacetColumns<d> neumann;
+  BodyLoadsOfCells<d> body_loads;  ///< int f phi_i per cell [N]
   std::shared_ptr<const CondensedStiffness>
-      stiffness;  ///< of the solution on the contact line; null: factorised if needed
+      stiffness;  ///< of the solution on the contact; null: factorised if needed
   /// tau0 = sigma0 - C eps0 of sigma = C eps(u) + tau0; empty: none
-  LinearStresses<2> initial{};
+  LinearStresses<d> initial{};
   /// of which A has the stiffness, and the loads what K u_0 makes of them
-  BoundarySprings<2> springs{};
-  /// the foundation, if forces move it: the law is against where they have moved it, and
-  /// what pushes it is a part of the data
+  BoundarySprings<d> springs{};
+  /// the foundation of a plane body, if forces move it: the law is against where they have
+  /// moved it, and what pushes it is a part of the data
   std::optional<RigidTool> tool{};
+};
+
+/// What an estimate is asked of.
+template <int d>
+struct SolvedProblem {
+  const Topology<d>& topology;
+  const LineOrSurface<d>& contact;
+  const ElasticSystem& system;
+  const SolvedBody<d>& body;
 };
 
 }  // namespace ffcontact

@@ -6,7 +6,7 @@
 namespace ffcontact {
 
 /// sigma = C eps(u) + tau0.
-/// @param body  SolvedBody or SolvedSolid
+/// @param body  SolvedBody<2> or SolvedBody<3>
 template <int d, class Body>
 LinearStresses<d> total_stresses(const SimplexMesh<d>& mesh, const Body& body,
                                  const Ref<const VectorXd>& displacement) {

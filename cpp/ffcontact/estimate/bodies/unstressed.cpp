@@ -30,7 +30,7 @@ double terms_along_line(const Edges& edges, const ContactLine& line,
 
 /// Does a node slide against Tresca's friction? Then stresses are not rounding, however
 /// small.
-bool slides(const ContactLine& line, const SolvedBody& body) {
+bool slides(const ContactLine& line, const SolvedBody<2>& body) {
   if (!body.law.tresca()) return false;
   const VectorXd& bound = body.law.slip_bound;
   const VectorXd slip =
@@ -43,7 +43,7 @@ bool slides(const ContactLine& line, const SolvedBody& body) {
 }  // namespace
 
 double largest_stress_terms(const Topology<2>& topology,
-                            const ContactLine& line, const SolvedBody& body,
+                            const ContactLine& line, const SolvedBody<2>& body,
                             const VectorXd& displacement) {
   const auto& [mesh, edges, ridges, stars] = topology;
   const double given = std::max(
@@ -53,12 +53,12 @@ double largest_stress_terms(const Topology<2>& topology,
 }
 
 bool is_unstressed(const Topology<2>& topology, const ContactLine& line,
-                   const Flags& prescribed, const SolvedBody& body,
+                   const Flags& prescribed, const SolvedBody<2>& body,
                    double stress_terms) {
   if (has_loads(topology, prescribed, body)) return false;
   const double stress =
       total_stresses(topology.mesh, body, body.displacement).bound();
-  const double traction = max_norm(body.pressure);
+  const double traction = max_norm(body.multipliers);
   return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
          !slides(line, body);
 }

@@ -26,7 +26,7 @@ struct StressTerms {
 /// stress, or what the gap and the displacement of the load step before come to as
 /// strains along the line [MPa].
 double largest_stress_terms(const Topology<2>& topology,
-                            const ContactLine& line, const SolvedBody& body,
+                            const ContactLine& line, const SolvedBody<2>& body,
                             const VectorXd& displacement);
 
 /// Bodies without loads whose stresses and tractions are rounding, and that slide nowhere
@@ -34,7 +34,7 @@ double largest_stress_terms(const Topology<2>& topology,
 /// @param prescribed    1 where the dof is prescribed [2 * vertices]
 /// @param stress_terms  largest_stress_terms of u_h
 bool is_unstressed(const Topology<2>& topology, const ContactLine& line,
-                   const Flags& prescribed, const SolvedBody& body,
+                   const Flags& prescribed, const SolvedBody<2>& body,
                    double stress_terms);
 
 }  // namespace ffcontact

@@ -73,11 +73,12 @@ void take_slip(int vertex, Vector3d slip, const Flags& prescribed,
 
 }  // namespace
 
-VectorXd sticking_displacement(const SolvedSolidProblem& solved,
+VectorXd sticking_displacement(const SolvedProblem<3>& solved,
                                VectorXd displacement) {
   const auto& [topology, surface, system, body] = solved;
   const std::vector<FrictionCone> cones = law_cones(body.law, surface);
-  const Matrix3Xd traction = lumped_tractions(body.law, surface, body.force);
+  const Matrix3Xd traction =
+      lumped_tractions(body.law, surface, body.multipliers);
   const VectorXd worth =
       worth_on_surface(surface, cones, traction, stiffest(body.hooke));
   if (worth.isZero(0)) return displacement;

@@ -21,15 +21,15 @@ namespace {
 
 /// The script's tractions and the springs'; on the contact surface, where all components count as known,
 /// those of contact are left out.
-FaceTractions tractions_without_contact(const SolvedSolidProblem& solved,
+FaceTractions tractions_without_contact(const SolvedProblem<3>& solved,
                                         const FaceMoments& springs) {
   return boundary_with(solved, springs,
-                       Matrix3Xd::Zero(3, solved.surface.node_count()));
+                       Matrix3Xd::Zero(3, solved.contact.node_count()));
 }
 
 /// Why the stresses of u_h are not in equilibrium with the loads at a vertex.
 std::string cause_at(const Imbalance& imbalance,
-                     const SolvedSolidProblem& solved) {
+                     const SolvedProblem<3>& solved) {
   const auto& [topology, surface, system, body] = solved;
   const std::string reaction =
       reaction_in_words<3>(imbalance, system, topology.facets, surface.face);
@@ -52,7 +52,7 @@ double longest_side(const SolidMesh& mesh) {
 
 /// @throws std::invalid_argument  if the stresses of u_h are not in equilibrium with loads
 ///                                and nodal forces, with the cause
-void require_loads_of_solution(const SolvedSolidProblem& solved,
+void require_loads_of_solution(const SolvedProblem<3>& solved,
                                const NodalResidual<3>& without_contact,
                                double stress_terms) {
   const auto& [topology, surface, system, body] = solved;
@@ -61,7 +61,7 @@ void require_loads_of_solution(const SolvedSolidProblem& solved,
     require_balanced(
         topology.mesh,
         with_forces(without_contact,
-                    nodal_load(surface, body.force, system.dof_count())),
+                    nodal_load(surface, body.multipliers, system.dof_count())),
         least_part_of_terms * stress_terms * side * side);
   } catch (const Imbalance& imbalance) {
     refuse(imbalance.what(), ", ", cause_at(imbalance, solved));
@@ -79,11 +79,11 @@ void require_loads_of_solution(const SolvedSolidProblem& solved,
 
 /// r_hat: F_i / A_i, continued to nodes that a support holds on a rigid foundation, moved
 /// inside the cone where contact alone holds rigid motions.
-Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
+Matrix3Xd tractions_in_cone(const SolvedProblem<3>& solved,
                             const FaceTractions& without_contact,
                             const MatrixXd& motions) {
   const auto& [topology, surface, system, body] = solved;
-  Matrix3Xd lumped = lumped_tractions(body.law, surface, body.force);
+  Matrix3Xd lumped = lumped_tractions(body.law, surface, body.multipliers);
   if (!surface.against_a_body())
     lumped = continued_tractions(body.law, surface, body.displacement,
                                  system.prescribed, std::move(lumped));
@@ -95,7 +95,7 @@ Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
   const VectorXd of_loads = -motions.transpose() * loads.missing.reshaped(),
                  of_forces =
                      motions.transpose() *
-                     nodal_load(surface, body.force, system.dof_count());
+                     nodal_load(surface, body.multipliers, system.dof_count());
   for (const VectorXd& resultants : {of_loads, of_forces}) {
     const auto nearest =
         nearest_in_cone(topology.mesh, topology.facets, surface, body.law,
@@ -107,7 +107,7 @@ Matrix3Xd tractions_in_cone(const SolvedSolidProblem& solved,
 
 }  // namespace
 
-FaceTractions boundary_with(const SolvedSolidProblem& solved,
+FaceTractions boundary_with(const SolvedProblem<3>& solved,
                             const FaceMoments& springs,
                             const Ref<const Matrix3Xd>& contact) {
   const auto& [topology, surface, system, body] = solved;
@@ -117,7 +117,7 @@ FaceTractions boundary_with(const SolvedSolidProblem& solved,
       topology.mesh, topology.facets, surface, contact);
 }
 
-FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
+FirstSurfaceTractions first_tractions(const SolvedProblem<3>& solved,
                                       const CellStresses<3>& stress,
                                       double stress_terms) {
   const auto& [topology, surface, system, body] = solved;
@@ -136,7 +136,7 @@ FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
   const auto rebalancing = [&] {
     return Rebalancing(
         solved.system,
-        free_dofs_at(contact_vertices(solved.surface), solved.system), motions,
+        free_dofs_at(contact_vertices(solved.contact), solved.system), motions,
         solved.body.stiffness);
   };
   const CellStresses<3> in_balance = balanced_stresses(

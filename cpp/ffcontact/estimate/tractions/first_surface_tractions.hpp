@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/estimate/bodies/solved_solid.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
 
 namespace ffcontact {
 
@@ -16,7 +17,7 @@ struct FirstSurfaceTractions {
 };
 
 /// What the boundary carries with these tractions of contact and springs.
-FaceTractions boundary_with(const SolvedSolidProblem& solved,
+FaceTractions boundary_with(const SolvedProblem<3>& solved,
                             const FaceMoments& springs,
                             const Ref<const Matrix3Xd>& contact);
 
@@ -28,7 +29,7 @@ FaceTractions boundary_with(const SolvedSolidProblem& solved,
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with
 ///                                the cause, or where no tractions in the cone hold the
 ///                                body
-FirstSurfaceTractions first_tractions(const SolvedSolidProblem& solved,
+FirstSurfaceTractions first_tractions(const SolvedProblem<3>& solved,
                                       const CellStresses<3>& stress,
                                       double stress_terms);
 

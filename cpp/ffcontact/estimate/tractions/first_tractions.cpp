@@ -27,7 +27,7 @@ namespace ffcontact {
 
 namespace {
 
-Matrix3Xd computed_stresses(const SolvedProblem& solved,
+Matrix3Xd computed_stresses(const SolvedProblem<2>& solved,
                             const StressTerms& terms) {
   const Mesh& mesh = solved.topology.mesh;
   if (terms.unstressed) return Matrix3Xd::Zero(3, mesh.cell_count());
@@ -42,7 +42,7 @@ double longest_edge(const Topology<2>& topology) {
 
 /// The script's tractions and those of the springs; on the contact line, where all components count as known, those
 /// of contact are left out.
-BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
+BoundaryTractions tractions_without_contact(const SolvedProblem<2>& solved) {
   const auto& [topology, line, system, body] = solved;
   const Matrix2Xd zero = Matrix2Xd::Zero(2, line.edge_count());
   return boundary_tractions(topology.mesh, topology.facets, system.prescribed,
@@ -51,18 +51,18 @@ BoundaryTractions tractions_without_contact(const SolvedProblem& solved) {
 }
 
 /// Forces of lambda_h on all dofs.
-VectorXd computed_forces(const SolvedProblem& solved) {
+VectorXd computed_forces(const SolvedProblem<2>& solved) {
   const auto& [topology, line, system, body] = solved;
   return nodal_load(line,
                     without<Matrix2Xd>(held_rows(line, system.prescribed),
-                                       forces_of(line, body.pressure)),
+                                       forces_of(line, body.multipliers)),
                     system.dof_count());
 }
 
 /// What the stresses of u_h lack beside the given loads; contact tractions are not among
 /// these.
 /// @throws std::invalid_argument  if lambda_h does not make up for it, with the cause
-NodalResidual<2> residual_without_contact(const SolvedProblem& solved,
+NodalResidual<2> residual_without_contact(const SolvedProblem<2>& solved,
                                           const StressTerms& terms,
                                           const Matrix3Xd& stress) {
   const auto& [topology, line, system, body] = solved;
@@ -79,11 +79,11 @@ NodalResidual<2> residual_without_contact(const SolvedProblem& solved,
 }
 
 /// The node on which most of the contact force stands.
-[[noreturn]] void refuse_unheld(const SolvedProblem& solved) {
+[[noreturn]] void refuse_unheld(const SolvedProblem<2>& solved) {
   Index node;
-  const Matrix2Xd forces = forces_of(solved.line, solved.body.pressure);
+  const Matrix2Xd forces = forces_of(solved.contact, solved.body.multipliers);
   forces.colwise().norm().maxCoeff(&node);
-  const int v = solved.line.vertex[node];
+  const int v = solved.contact.vertex[node];
   refuse(
       "no tractions in the cone have the resultant and the moment of the "
       "loads; most of the contact force acts at vertex ",
@@ -95,9 +95,9 @@ NodalResidual<2> residual_without_contact(const SolvedProblem& solved,
 /// (4.1) alone: the shift of an edge has neither resultant nor moment, so that stresses
 /// that balance lambda_h balance r_hat.
 ContactTractions tractions_as_published(const MatchedBodies& bodies) {
-  const SolvedBody& body = bodies.body();
+  const SolvedBody<2>& body = bodies.body();
   const ContactDensities computed =
-      edge_densities(bodies.line(), body.pressure);
+      edge_densities(bodies.line(), body.multipliers);
   const ConeCorrection correction = published_tractions(
       bodies.topology().mesh, bodies.line(), body.law, computed);
   return {correction.densities, computed, correction.shift,
@@ -105,7 +105,7 @@ ContactTractions tractions_as_published(const MatchedBodies& bodies) {
 }
 
 /// What contact forces must do along rigid motions to balance the loads [k].
-VectorXd resultants_of_loads(const SolvedProblem& solved,
+VectorXd resultants_of_loads(const SolvedProblem<2>& solved,
                              const MatrixXd& motions) {
   const auto& [topology, line, system, body] = solved;
   const Matrix3Xd no_stress = Matrix3Xd::Zero(3, topology.mesh.cell_count());
@@ -128,14 +128,14 @@ struct HeldMotions {
   }
 };
 
-HeldMotions motions_of_tool(const SolvedProblem& solved) {
+HeldMotions motions_of_tool(const SolvedProblem<2>& solved) {
   const ToolWork tool =
-      tool_work(solved.topology.mesh, solved.line, solved.body);
+      tool_work(solved.topology.mesh, solved.contact, solved.body);
   return {tool.fields, tool.work,
           tool.fields.transpose() * computed_forces(solved)};
 }
 
-HeldMotions held_motions(const SolvedProblem& solved,
+HeldMotions held_motions(const SolvedProblem<2>& solved,
                          const MatchedBodies& bodies, const MatrixXd& motions) {
   if (motions.cols() == 0)
     return {bodies.fields(motions), VectorXd(0), VectorXd(0)};
@@ -192,11 +192,11 @@ VectorXd stiffness_at_edges(const MatchedBodies& bodies) {
 /// (nearest_in_cone). On the boundary of what the cone allows there may be but one, which
 /// is found from lambda_h rather than from p. Edges carry what does not cost far more than
 /// it gains (carrying_edges), all of the cone where no such tractions hold the body.
-ContactTractions tractions_in_cone(const SolvedProblem& solved,
+ContactTractions tractions_in_cone(const SolvedProblem<2>& solved,
                                    const MatchedBodies& bodies,
                                    const MatrixXd& motions,
                                    const Ref<const VectorXd>& u_hat) {
-  const SolvedBody& body = solved.body;
+  const SolvedBody<2>& body = solved.body;
   const Matrix2Xd p = nodal_pressures(solved);
   HeldMotions held = held_motions(solved, bodies, motions);
   if (body.tool) held.add(motions_of_tool(solved));
@@ -210,7 +210,7 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
                      edges);
   };
   auto best = near(p, carrying);
-  for (const Matrix2Xd& nodal : {p, body.pressure}) {
+  for (const Matrix2Xd& nodal : {p, body.multipliers}) {
     if (best && best->off <= rounding_of_terms) break;
     const auto other = near(nodal, {});
     if (other && (!best || other->off < best->off)) best = other;
@@ -222,12 +222,12 @@ ContactTractions tractions_in_cone(const SolvedProblem& solved,
 
 }  // namespace
 
-Matrix2Xd nodal_pressures(const SolvedProblem& solved) {
-  return lumped_pressures(solved.line, solved.system.prescribed,
-                          forces_of(solved.line, solved.body.pressure));
+Matrix2Xd nodal_pressures(const SolvedProblem<2>& solved) {
+  return lumped_pressures(solved.contact, solved.system.prescribed,
+                          forces_of(solved.contact, solved.body.multipliers));
 }
 
-FirstTractions first_tractions(const SolvedProblem& solved,
+FirstTractions first_tractions(const SolvedProblem<2>& solved,
                                MatchedBodies& bodies, const StressTerms& terms,
                                Tractions kind,
                                const Ref<const VectorXd>& u_hat) {
@@ -245,7 +245,7 @@ FirstTractions first_tractions(const SolvedProblem& solved,
       with_forces(without, bodies.solved_forces(contact.balanced)), computed,
       [&] {
         return Rebalancing(solved.system,
-                           contact_dofs(solved.line, solved.system), motions,
+                           contact_dofs(solved.contact, solved.system), motions,
                            solved.body.stiffness);
       },
       solved.body.springs,

@@ -24,7 +24,7 @@ struct FirstTractions {
 };
 
 /// p_i = F_i / len_i of lambda_h [2 x p].
-Matrix2Xd nodal_pressures(const SolvedProblem& solved);
+Matrix2Xd nodal_pressures(const SolvedProblem<2>& solved);
 
 /// Tractions of the kind that is asked for. Those in the cone are not those that u_h was
 /// computed with: one back-substitution gives the small displacement whose stresses make
@@ -34,7 +34,7 @@ Matrix2Xd nodal_pressures(const SolvedProblem& solved);
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with
 ///                                the cause, or where no tractions in the cone hold the
 ///                                body
-FirstTractions first_tractions(const SolvedProblem& solved,
+FirstTractions first_tractions(const SolvedProblem<2>& solved,
                                MatchedBodies& bodies, const StressTerms& terms,
                                Tractions kind,
                                const Ref<const VectorXd>& u_hat);

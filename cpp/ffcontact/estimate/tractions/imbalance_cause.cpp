@@ -18,7 +18,7 @@ namespace ffcontact {
 namespace {
 
 /// int (C eps(u_h) + tau0) : eps(phi).
-VectorXd inner_forces_of(const Mesh& mesh, const SolvedBody& body) {
+VectorXd inner_forces_of(const Mesh& mesh, const SolvedBody<2>& body) {
   return inner_forces<2>(mesh,
                          total_stresses(mesh, body, body.displacement).mean);
 }
@@ -26,11 +26,11 @@ VectorXd inner_forces_of(const Mesh& mesh, const SolvedBody& body) {
 /// Nodal pressures [2 x p] of the other multiplier.
 Matrix2Xd pressures_of_other_multiplier(const ContactLine& line,
                                         const ElasticSystem& system,
-                                        const SolvedBody& body) {
+                                        const SolvedBody<2>& body) {
   if (body.law.multiplier == Multiplier::force)
-    return lumped_pressures(line, forces_of(line, body.pressure));
+    return lumped_pressures(line, forces_of(line, body.multipliers));
   return multiplier_density(line, Multiplier::force, system.prescribed,
-                            body.pressure);
+                            body.multipliers);
 }
 
 /// Takes the given loads off.
@@ -49,7 +49,7 @@ void subtract_loads(const Vertices& vertices, const Loads& loads,
 VectorXd left_over_with_other_multiplier(const Mesh& mesh,
                                          const ContactLine& line,
                                          const ElasticSystem& system,
-                                         const SolvedBody& body) {
+                                         const SolvedBody<2>& body) {
   const Matrix2Xd other = pressures_of_other_multiplier(line, system, body);
   VectorXd left = inner_forces_of(mesh, body) -
                   nodal_forces(mesh, line, edge_densities(line, other));
@@ -65,7 +65,7 @@ const char* name_of(Multiplier multiplier) {
 /// Are the given pressures those of the other multiplier?
 bool fits_other_multiplier(const Imbalance& imbalance, const Mesh& mesh,
                            const ContactLine& line, const ElasticSystem& system,
-                           const SolvedBody& body) {
+                           const SolvedBody<2>& body) {
   const VectorXd left =
       left_over_with_other_multiplier(mesh, line, system, body);
   const double scale = max_norm(inner_forces_of(mesh, body));
@@ -82,7 +82,8 @@ std::string other_multiplier_in_words(Multiplier own) {
 
 }  // namespace
 
-std::string cause_of(const Imbalance& imbalance, const SolvedProblem& solved) {
+std::string cause_of(const Imbalance& imbalance,
+                     const SolvedProblem<2>& solved) {
   const auto& [topology, line, system, body] = solved;
   const std::string reaction =
       reaction_in_words<2>(imbalance, system, topology.facets, line.edge);

@@ -20,7 +20,7 @@ double largest_on(const ContactLine& line, const Ref<const VectorXd>& field) {
 }  // namespace
 
 ToolWork tool_work(const Mesh& mesh, const ContactLine& line,
-                   const SolvedBody& body) {
+                   const SolvedBody<2>& body) {
   if (!body.tool) return {MatrixXd(2 * mesh.vertices.cols(), 0), VectorXd(0)};
   ToolWork tool{tool_fields(mesh, *body.tool),
                 body.tool->free.transpose() * body.tool->push};

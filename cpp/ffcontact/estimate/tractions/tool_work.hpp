@@ -19,7 +19,7 @@ struct ToolWork {
 
 /// Nothing (k = 0) for a body without a tool.
 ToolWork tool_work(const Mesh& mesh, const ContactLine& line,
-                   const SolvedBody& body);
+                   const SolvedBody<2>& body);
 
 /// What tractions miss of that work, over the length of the line [MPa].
 double tool_defect(const ContactLine& line, const ToolWork& tool,
