@@ -30,7 +30,7 @@ int main() {
   const SolvedBody<2> solved{
       hooke,    solution.displacement, solution.pressure, law, tractions,
       no_loads, solution.stiffness};
-  const Estimate estimate = estimate_error(topology, line, system, solved);
+  const Estimate<2> estimate = estimate_error(topology, line, system, solved);
 
   const double force = solution.force.row(0).sum();
   std::cout << "normal force " << force << " N/mm, eps "

@@ -45,7 +45,7 @@ VectorXd stress_component(const std::vector<SubcellStress<2>>& stress,
   return values;
 }
 
-VectorXd abscissae(const ContactProblem& problem, const Estimate& estimate) {
+VectorXd abscissae(const ContactProblem& problem, const Estimate<2>& estimate) {
   if (!estimate.refinement) return problem.edge_abscissa.reshaped();
   return VectorXd::NullaryExpr(
       2 * estimate.refinement->line.edge_count(), [&](int k) {

@@ -53,7 +53,7 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
 }
 
 CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
-                              const Estimate& estimate, StuckNodes stuck) {
+                              const Estimate<2>& estimate, StuckNodes stuck) {
   const CoulombConstant constant = coulomb_constant_of(line, judged, stuck);
   return {constant,
           estimate.admissible

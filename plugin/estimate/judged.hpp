@@ -41,6 +41,6 @@ struct CoulombBound {
 
 /// @param judged  factorised
 CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
-                              const Estimate& estimate, StuckNodes stuck);
+                              const Estimate<2>& estimate, StuckNodes stuck);
 
 }  // namespace ffcontact::plugin

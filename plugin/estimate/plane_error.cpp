@@ -31,8 +31,9 @@ void require_parameters_of_plane_bodies(const NamedArguments& named) {
     if (named.given_of_bodies(of_bodies)) refuse(of_bodies, "= is for a mesh3");
 }
 
-EstimateSettings estimate_settings(Stack stack, const NamedArguments& named) {
-  EstimateSettings settings;
+EstimateSettings<2> estimate_settings(Stack stack,
+                                      const NamedArguments& named) {
+  EstimateSettings<2> settings;
   settings.tractions = named.choice(stack, "tractions", Tractions::free,
                                     {{"free", Tractions::free},
                                      {"fixed", Tractions::fixed},
@@ -69,7 +70,7 @@ void put_rates(Stack stack, const NamedArguments& named,
 }
 
 void put_stress(Stack stack, const NamedArguments& named,
-                const ContactProblem& problem, const Estimate& estimate) {
+                const ContactProblem& problem, const Estimate<2>& estimate) {
   constexpr std::array parameter = {"sxx", "syy", "sxy"};
   const auto wanted = [&](const char* name) {
     return named.given_of_bodies(name);
@@ -83,7 +84,7 @@ void put_stress(Stack stack, const NamedArguments& named,
 }
 
 void put_tractions(Stack stack, const NamedArguments& named,
-                   const Estimate& estimate) {
+                   const Estimate<2>& estimate) {
   named.put(stack, "rn", estimate.tractions.normal.reshaped());
   named.put(stack, "rt", estimate.tractions.tangential.reshaped());
   named.put(stack, "corrected", static_cast<long>(estimate.corrected_count()));
@@ -91,7 +92,7 @@ void put_tractions(Stack stack, const NamedArguments& named,
 }
 
 void put(Stack stack, const NamedArguments& named,
-         const ContactProblem& problem, const Estimate& estimate) {
+         const ContactProblem& problem, const Estimate<2>& estimate) {
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_stress(stack, named, problem, estimate);
   put_error(stack, named, estimate);
@@ -101,7 +102,7 @@ void put(Stack stack, const NamedArguments& named,
 }
 
 void report(Stack stack, const NamedArguments& named,
-            const ContactProblem& problem, const Estimate& estimate,
+            const ContactProblem& problem, const Estimate<2>& estimate,
             const std::optional<CoulombBound>& bound, double seconds) {
   const long level = named.verbosity_level(stack);
   if (level < 1 || mpirank != 0) return;
@@ -122,18 +123,18 @@ bool wants_bound(const NamedArguments& named) {
   return named.given("coulomb") || named.given("bound");
 }
 
-Estimate plane_error(Stack stack, const NamedArguments& named,
-                     const ContactProblem& problem, const JudgedOf& judged_of,
-                     const ReadPlane& read) {
+Estimate<2> plane_error(Stack stack, const NamedArguments& named,
+                        const ContactProblem& problem,
+                        const JudgedOf& judged_of, const ReadPlane& read) {
   const Stopwatch watch;
   require_parameters_of_plane_bodies(named);
-  const EstimateSettings settings = estimate_settings(stack, named);
+  const EstimateSettings<2> settings = estimate_settings(stack, named);
   const StuckNodes stuck = stuck_nodes_of(stack, named);
   Judged judged = judged_of();
   const Oscillation oscillation = read(problem, judged.body);
   const ElasticSystem& system = *judged.system;
-  Estimate estimate = estimate_error(problem.topology(), problem.line, system,
-                                     judged.body, settings);
+  Estimate<2> estimate = estimate_error(problem.topology(), problem.line,
+                                        system, judged.body, settings);
   put(stack, named, problem, estimate);
   put_rates(stack, named, problem, system, judged.body);
   named.put(stack, "oscillation", oscillation.force);

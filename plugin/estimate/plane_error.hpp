@@ -20,8 +20,8 @@ using JudgedOf = std::function<Judged()>;
 bool wants_bound(const NamedArguments& named);
 
 /// contacterror(C, ...) of plane bodies.
-Estimate plane_error(Stack stack, const NamedArguments& named,
-                     const ContactProblem& problem, const JudgedOf& judged_of,
-                     const ReadPlane& read);
+Estimate<2> plane_error(Stack stack, const NamedArguments& named,
+                        const ContactProblem& problem,
+                        const JudgedOf& judged_of, const ReadPlane& read);
 
 }  // namespace ffcontact::plugin

@@ -38,7 +38,7 @@ void require_parameters_of_solids(const NamedArguments& named) {
     if (named.given(parameter)) refuse_of_plane_bodies(parameter);
 }
 
-RelaxationSettings solid_settings(Stack stack, const NamedArguments& named) {
+RelaxationSettings relaxation_of(Stack stack, const NamedArguments& named) {
   RelaxationSettings settings;
   settings.tightness = named.number(stack, "tightness", settings.tightness);
   if (!named.given("sweeps") && settings.tightness == 0) return settings;
@@ -71,7 +71,7 @@ void put_solid_rates(Stack stack, const NamedArguments& named,
 }
 
 void put_tractions(Stack stack, const NamedArguments& named,
-                   const SolidEstimate& estimate) {
+                   const Estimate<3>& estimate) {
   constexpr std::array parameter = {"rn", "rt1", "rt2"};
   const auto tractions =
       estimate.face_tractions.reshaped(3, 3 * estimate.face_tractions.cols());
@@ -80,7 +80,7 @@ void put_tractions(Stack stack, const NamedArguments& named,
 }
 
 void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
-         const SolidEstimate& estimate) {
+         const Estimate<3>& estimate) {
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_error(stack, named, estimate);
   named.put(stack, "tractionoscillation", estimate.oscillation);
@@ -89,7 +89,7 @@ void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
 }
 
 void report(Stack stack, const NamedArguments& named,
-            const SolidEstimate& estimate, double seconds) {
+            const Estimate<3>& estimate, double seconds) {
   const long level = named.verbosity_level(stack);
   if (level < 1 || mpirank != 0) return;
   cout << "contacterror: " << estimate.local.size() << " tetrahedra, eps "
@@ -115,7 +115,7 @@ Flags held_nodes(const SurfaceSolution& solution, StuckNodes stuck) {
 void put_bound(Stack stack, const NamedArguments& named,
                const Topology<3>& topology, const SolidProblem& problem,
                const SolvedSolid& solved, const SolvedBody<3>& body,
-               const SolidEstimate& estimate, StuckNodes stuck) {
+               const Estimate<3>& estimate, StuckNodes stuck) {
   if (!named.given("coulomb") && !named.given("bound")) return;
   const SolidCoulomb found =
       solid_coulomb(topology, problem.surface, *solved.system, body, estimate,
@@ -141,10 +141,10 @@ SolvedBody<3> judged_body(const SolvedSolid& solved) {
 
 double solid_error(Stack stack, const NamedArguments& named,
                    SolidContact& contact, const ReadSolids& read,
-                   const RelaxFaces& relax) {
+                   const RelaxFacets<3>& relax) {
   const Stopwatch watch;
   require_parameters_of_solids(named);
-  const RelaxationSettings settings = solid_settings(stack, named);
+  const EstimateSettings<3> settings{relaxation_of(stack, named), {}, relax};
   const StuckNodes stuck = stuck_nodes_of(stack, named);
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;
@@ -153,9 +153,8 @@ double solid_error(Stack stack, const NamedArguments& named,
   const Oscillation oscillation = read(problem, body);
 
   const Topology<3> topology = topology_of(problem.mesh);
-  SolidEstimate estimate =
-      estimate_error(topology, problem.surface, *contact.solved->system, body,
-                     settings, relax);
+  Estimate<3> estimate = estimate_error(
+      topology, problem.surface, *contact.solved->system, body, settings);
   put(stack, named, problem, estimate);
   put_solid_stress(stack, named, problem, topology, estimate, body);
   put_solid_rates(stack, named, topology, problem, *contact.solved, body);
@@ -167,7 +166,7 @@ double solid_error(Stack stack, const NamedArguments& named,
             stuck);
   const double relative = estimate.relative;
   contact.solved->estimate =
-      std::make_shared<const SolidEstimate>(std::move(estimate));
+      std::make_shared<const Estimate<3>>(std::move(estimate));
   contact.solved->judged =
       std::make_shared<const SolvedBody<3>>(std::move(body));
   return relative;

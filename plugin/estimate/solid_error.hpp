@@ -18,6 +18,6 @@ using ReadSolids =
 /// @return eps
 double solid_error(Stack stack, const NamedArguments& named,
                    SolidContact& contact, const ReadSolids& read,
-                   const RelaxFaces& relax = relax_facets<3>);
+                   const RelaxFacets<3>& relax = relax_facets<3>);
 
 }  // namespace ffcontact::plugin

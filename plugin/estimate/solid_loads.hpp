@@ -2,7 +2,7 @@
 #pragma once
 
 #include "estimate/oscillation.hpp"
-#include "ffcontact/estimate/solid_estimate.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 #include "freefem/arguments.hpp"
 #include "problem/solid_bodies.hpp"
 

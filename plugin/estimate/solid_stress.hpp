@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/estimate/solid_estimate.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 #include "freefem/arguments.hpp"
 #include "problem/solid_problem.hpp"
 
@@ -18,6 +18,6 @@ CellStresses<3> p1dc_arrays(const std::vector<SubcellStress<3>>& stress);
 /// sxy= of one solid, sxx1=, ... of several.
 void put_solid_stress(Stack stack, const NamedArguments& named,
                       const SolidProblem& problem, const Topology<3>& topology,
-                      const SolidEstimate& estimate, const SolvedBody<3>& body);
+                      const Estimate<3>& estimate, const SolvedBody<3>& body);
 
 }  // namespace ffcontact::plugin

@@ -132,7 +132,7 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   double plane_run(Stack stack, Contact& contact, const ReadPlane& read) const {
-    Estimate estimate = plane_error(
+    Estimate<2> estimate = plane_error(
         stack, named_, *contact.problem,
         [&] {
           return matrix_.empty() ? own_solution(contact)
@@ -142,7 +142,7 @@ class ContactErrorFunction : public E_F0mps {
     const double relative = estimate.relative;
     if (matrix_.empty())
       contact.solved->estimate =
-          std::make_shared<const Estimate>(std::move(estimate));
+          std::make_shared<const Estimate<2>>(std::move(estimate));
     return relative;
   }
 

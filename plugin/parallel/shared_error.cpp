@@ -205,7 +205,7 @@ double error_shared(Stack stack, const NamedArguments& named,
   return error<3, SolvedBody<3>>(stack, named, contact, read, judge);
 }
 
-RelaxFaces relax_shared(const SharedContact& contact) {
+RelaxFacets<3> relax_shared(const SharedContact& contact) {
   return [&contact](const FacetSetting<3>& setting,
                     const RelaxationSettings& settings,
                     FaceMoments& moments) -> std::vector<double> {

@@ -27,7 +27,7 @@ double error_shared(
     const std::function<double(const ReadSolids& read_whole)>& judge);
 
 /// The relaxation of a solid by the processes that have its parts, on process 0.
-RelaxFaces relax_shared(const SharedContact& contact);
+RelaxFacets<3> relax_shared(const SharedContact& contact);
 
 /// optimalsize: what it makes of arrays over all cells, from those of each process.
 /// @param arrays   of this process's cells, one below the other

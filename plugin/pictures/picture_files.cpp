@@ -155,7 +155,7 @@ void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
 }
 
 void write_tractions(const fs::path& file, const ContactProblem& problem,
-                     const Estimate& estimate) {
+                     const Estimate<2>& estimate) {
   const ContactDensities& r = estimate.tractions;
   const VectorXd abscissa = abscissae(problem, estimate);
   const std::vector<int> lines = lines_of_nodes(problem);

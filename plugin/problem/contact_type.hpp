@@ -23,7 +23,7 @@ struct SolvedContact {
   std::optional<RigidTool> driven{};  ///< it, as it was pushed
   NodalResults nodes;
   /// what contacterror made of it last; null before
-  std::shared_ptr<const Estimate> estimate;
+  std::shared_ptr<const Estimate<2>> estimate;
 };
 
 struct SharedContact;

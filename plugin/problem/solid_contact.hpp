@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ffcontact/contact/surface_solution.hpp"
-#include "ffcontact/estimate/solid_estimate.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 //
 #include "problem/nodal_results.hpp"
 #include "problem/solid_problem.hpp"
@@ -20,7 +20,7 @@ struct SolvedSolid {
   SurfaceSolution solution;
   SolidResults nodes;
   /// what contacterror made of it last, and of what; null before
-  std::shared_ptr<const SolidEstimate> estimate;
+  std::shared_ptr<const Estimate<3>> estimate;
   std::shared_ptr<const SolvedBody<3>> judged;
 };
 

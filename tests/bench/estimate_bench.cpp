@@ -39,9 +39,9 @@ std::function<void()> estimate(int n) {
   }
   return
       [&body, &system, &solved = bodies.at(n), &topology = topologies.at(n)] {
-        EstimateSettings settings;
+        EstimateSettings<2> settings;
         settings.relaxation.steps = 2;
-        const Estimate result =
+        const Estimate<2> result =
             estimate_error(topology, body.line, system, solved, settings);
         benchmark::DoNotOptimize(result.e);
       };

@@ -62,7 +62,7 @@ Case estimate(test::BlockCase loads) {
         test::solved_solid(problem, solve_contact(problem.mesh, problem.surface,
                                                   problem.law, body->system)));
     return [body, topology, solved] {
-      const SolidEstimate result = estimate_error(
+      const Estimate<3> result = estimate_error(
           *topology, body->problem.surface, body->system, *solved);
       if (!result.admissible) throw std::runtime_error(result.reason);
     };

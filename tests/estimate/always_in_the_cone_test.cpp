@@ -78,7 +78,7 @@ void is_admissible(const std::string& law) {
   RC_PRE((solution.pressure.row(0).array() < 0).count() > 1);
   const Tractions tractions =
       *rc::gen::element(Tractions::free, Tractions::fixed);
-  const Estimate estimate =
+  const Estimate<2> estimate =
       estimated(problem, solution, sweeps(*rc::gen::inRange(0, 5), tractions));
   RC_LOG() << "cone " << estimate.cone << ", equilibrium "
            << estimate.equilibrium.largest();

@@ -18,7 +18,7 @@ using namespace test;
 constexpr Tractions all_tractions[] = {Tractions::free, Tractions::fixed,
                                        Tractions::published};
 
-double norm_of_sum(const Estimate& estimate) {
+double norm_of_sum(const Estimate<2>& estimate) {
   return estimate.e / estimate.relative;
 }
 
@@ -30,7 +30,7 @@ TEST(Estimate, of_uniform_compression_is_zero_to_rounding) {
   add_traction(problem, top, {0, -5});
   prescribe(problem, right, 0);
   for (Tractions tractions : all_tractions) {
-    const Estimate estimate =
+    const Estimate<2> estimate =
         estimated(problem, solved(problem), sweeps(1, tractions));
     EXPECT_LT(estimate.elastic, 1e-10 * norm_of_sum(estimate));
     EXPECT_LT(std::abs(estimate.contact),
@@ -49,7 +49,7 @@ TEST(Estimate, of_a_sticking_patch_is_zero_to_rounding) {
   clamp(problem, top,
         [=](const Vector2d& x) { return Vector2d(g * x.y(), -h * x.y()); });
   set_friction(problem, 0.5);
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(2));
+  const Estimate<2> estimate = estimated(problem, solved(problem), sweeps(2));
   EXPECT_LT(estimate.elastic, 1e-10 * norm_of_sum(estimate));
   EXPECT_LT(std::abs(estimate.contact),
             1e-14 * std::pow(norm_of_sum(estimate), 2));
@@ -64,7 +64,8 @@ RC_GTEST_PROP(Estimate, is_admissible_with_tractions_in_the_cone, ()) {
       0));  // the next test is about bodies without contact
   const Tractions tractions =
       *rc::gen::element(Tractions::free, Tractions::fixed);
-  const Estimate estimate = estimated(problem, solution, sweeps(2, tractions));
+  const Estimate<2> estimate =
+      estimated(problem, solution, sweeps(2, tractions));
   RC_ASSERT(estimate.equilibrium.largest() <= 1e-10);
   RC_ASSERT(estimate.cone <= 1e-12);
   RC_ASSERT(estimate.admissible);
@@ -79,7 +80,7 @@ TEST(Estimate, of_a_body_that_the_loads_lift_off_is_admissible) {
   const ContactSolution solution = solved(problem);
   ASSERT_TRUE(solution.pressure.isZero(0));
   for (Tractions tractions : all_tractions) {
-    const Estimate estimate =
+    const Estimate<2> estimate =
         estimated(problem, solution, sweeps(2, tractions));
     EXPECT_TRUE(estimate.admissible) << estimate.reason;
   }
@@ -87,7 +88,7 @@ TEST(Estimate, of_a_body_that_the_loads_lift_off_is_admissible) {
 
 RC_GTEST_PROP(Estimate, local_errors_add_up_to_the_whole, ()) {
   const Problem problem = problem_of(*random_case(0.5));
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(1));
+  const Estimate<2> estimate = estimated(problem, solved(problem), sweeps(1));
   RC_ASSERT(
       std::abs(estimate.local.squaredNorm() - std::pow(estimate.relative, 2)) <
       1e-12 * std::pow(estimate.relative, 2));
@@ -98,7 +99,7 @@ RC_GTEST_PROP(Estimate, local_errors_add_up_to_the_whole, ()) {
 
 RC_GTEST_PROP(Estimate, parts_are_those_of_its_fields, ()) {
   const Problem problem = problem_of(*random_case(0.5));
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(1));
+  const Estimate<2> estimate = estimated(problem, solved(problem), sweeps(1));
   const Matrix3Xd sigma =
       stresses(problem.mesh, problem.hooke, estimate.displacement);
   double elastic = 0, sum = 0;
@@ -123,7 +124,7 @@ RC_GTEST_PROP(Estimate, parts_are_those_of_its_fields, ()) {
 RC_GTEST_PROP(Estimate, history_never_rises_and_ends_at_the_error, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const ContactSolution solution = solved(problem);
-  const Estimate estimate = estimated(problem, solution, sweeps(4));
+  const Estimate<2> estimate = estimated(problem, solution, sweeps(4));
   RC_ASSERT(estimate.history.size() == 5u);
   for (int k = 0; k < 4; ++k) {
     RC_ASSERT(estimate.history[k + 1] <= estimate.history[k] * (1 + 1e-13));
@@ -145,7 +146,7 @@ TEST(Estimate, keeps_equilibrium_however_many_sweeps_are_asked_for) {
     const ContactSolution solution = solved(problem);
     const double enough = estimated(problem, solution, sweeps(40)).e;
     for (const int count : {2, 20, 202, 1000}) {
-      const Estimate estimate = estimated(problem, solution, sweeps(count));
+      const Estimate<2> estimate = estimated(problem, solution, sweeps(count));
       EXPECT_TRUE(estimate.admissible)
           << cells << " cells, " << count << " sweeps: " << estimate.reason;
       EXPECT_LT(estimate.history.size(), 400u);
@@ -189,7 +190,7 @@ RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same_with_little_friction,
 RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
   const Problem problem = problem_of(*random_case(0.5));
   const ContactSolution solution = solved(problem);
-  const Estimate estimate = estimated(problem, solution, sweeps(0));
+  const Estimate<2> estimate = estimated(problem, solution, sweeps(0));
   const double scale = solution.displacement.cwiseAbs().maxCoeff();
   RC_ASSERT(contact_components(problem.line, estimate.displacement)
                 .row(0)
@@ -220,7 +221,7 @@ TEST(Estimate, of_a_rigid_motion_is_zero) {
       // of a solver's rounding
       solution.pressure =
           Matrix2Xd::Constant(2, problem.line.node_count(), -1e-12);
-      const Estimate estimate = estimated(problem, solution);
+      const Estimate<2> estimate = estimated(problem, solution);
       EXPECT_EQ(estimate.e, 0);
       EXPECT_EQ(estimate.relative, 0);
       EXPECT_EQ(estimate.local.maxCoeff(), 0);
@@ -241,7 +242,7 @@ TEST(Estimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
   for (const double slip_bound : {0.0, 1.0}) {
     if (slip_bound > 0)
       problem.law.slip_bound = everywhere(problem.line, slip_bound);
-    const Estimate estimate = estimated(problem, solution);
+    const Estimate<2> estimate = estimated(problem, solution);
     EXPECT_GT(estimate.e, 1);
     EXPECT_NEAR(estimate.relative, 1, 1e-12);  // sigma_hat = 0
     EXPECT_TRUE(estimate.admissible) << estimate.reason;
@@ -262,9 +263,9 @@ TEST(Estimate, of_small_stresses_beside_a_large_motion) {
     problem.law.previous = everywhere(problem.line, motion);
     return estimated(problem, solved(problem));
   };
-  const Estimate still = estimate_of(0);
+  const Estimate<2> still = estimate_of(0);
   for (const double motion : {1.0, 1e3, 1e5}) {
-    const Estimate estimate = estimate_of(motion);
+    const Estimate<2> estimate = estimate_of(motion);
     EXPECT_TRUE(estimate.admissible) << motion << ": " << estimate.reason;
     EXPECT_NEAR(estimate.relative, still.relative, 1e-3 * still.relative);
   }
@@ -309,7 +310,7 @@ TEST(Estimate, says_where_u_penetrates) {
     problem.law.gap = everywhere(problem.line, 0);
     // the foundation now reaches into a clamped corner
     problem.law.gap[problem.line.node_count() - 1] = -1e-6;
-    const Estimate estimate = estimated(problem, solution);
+    const Estimate<2> estimate = estimated(problem, solution);
     EXPECT_FALSE(estimate.admissible);
     EXPECT_GT(estimate.penetration, 1e-7);
     EXPECT_TRUE(says(estimate.reason, "u penetrates by ") &&
@@ -355,7 +356,7 @@ RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction,
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const ContactSolution solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
-  const Estimate estimate =
+  const Estimate<2> estimate =
       estimated(problem, solution, sweeps(*rc::gen::inRange(0, 4)));
   RC_ASSERT(estimate.admissible);
   const double of_stress = distance(exact, problem.mesh, estimate.stress);
@@ -368,7 +369,7 @@ RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction,
 // ---- the published meshes -------------------------------------------------
 
 double published_percentage(const Problem& problem, int count) {
-  const Estimate estimate =
+  const Estimate<2> estimate =
       estimated(problem, solved(problem), sweeps(count, Tractions::published));
   EXPECT_LT(estimate.equilibrium.largest(), 1e-10);
   return 100 * estimate.relative;
@@ -433,10 +434,10 @@ TEST(Estimate, of_example_2_falls_with_the_mesh_for_both_methods) {
 TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   const Problem problem = example_1(Multiplier::force);
   const ContactSolution solution = solved(problem);
-  EstimateSettings settings = sweeps(2);
-  const Estimate composite = estimated(problem, solution, settings);
+  EstimateSettings<2> settings = sweeps(2);
+  const Estimate<2> composite = estimated(problem, solution, settings);
   settings.construction = Construction::polynomial;
-  const Estimate polynomial = estimated(problem, solution, settings);
+  const Estimate<2> polynomial = estimated(problem, solution, settings);
   EXPECT_LT(polynomial.e, composite.e);
   EXPECT_GT(polynomial.e, 0.8 * composite.e);
   EXPECT_EQ(polynomial.history, composite.history);
@@ -454,9 +455,9 @@ TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
 TEST(Estimate, tells_of_every_sweep) {
   const Problem problem = example_1(Multiplier::force, 8);
   std::vector<Progress> told;
-  EstimateSettings settings = sweeps(3);
+  EstimateSettings<2> settings = sweeps(3);
   settings.report = [&](const Progress& p) { told.push_back(p); };
-  const Estimate estimate = estimated(problem, solved(problem), settings);
+  const Estimate<2> estimate = estimated(problem, solved(problem), settings);
   ASSERT_EQ(told.size(), 4u);
   EXPECT_STREQ(told[0].phase, "admissible fields");
   for (int k = 1; k <= 3; ++k) {
@@ -470,7 +471,7 @@ TEST(Estimate, tells_of_every_sweep) {
 
 TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {
   const Problem problem = example_2(Multiplier::force, 0.2);
-  const Estimate estimate =
+  const Estimate<2> estimate =
       estimated(problem, solved(problem), sweeps(1, Tractions::published));
   if (estimate.cone <= 1e-12)
     GTEST_SKIP() << "every edge could be mended by (4.1)";
@@ -488,41 +489,43 @@ TEST(Estimate, refuses_what_does_not_fit) {
   const ContactSolution solution = solved(problem);
   const auto refusal_of = [&](auto spoil) {
     SolvedBody<2> body = solved_body(problem, solution);
-    EstimateSettings settings;
+    EstimateSettings<2> settings;
     spoil(body, settings);
     return refusal([&] {
       estimate_error(topology_of(problem.mesh), problem.line, problem.system(),
                      body, settings);
     });
   };
-  EXPECT_EQ(refusal_of([](SolvedBody<2>&, EstimateSettings&) {}), "accepted");
-  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
+  EXPECT_EQ(refusal_of([](SolvedBody<2>&, EstimateSettings<2>&) {}),
+            "accepted");
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings<2>&) {
                      b.displacement[3] = std::nan("");
                    }),
                    "u[3] is nan"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings<2>&) {
                      b.displacement.resize(7);
                    }),
                    "u has 7 values"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings<2>&) {
                      b.multipliers.resize(2, 4);
                    }),
                    "4 values where 5"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings<2>&) {
                      b.law.friction[1] = -1;
                    }),
                    "friction must be finite"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings&) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings<2>&) {
                      b.hooke[2].setZero();
                    }),
                    "triangle 2 is not symmetric"));
-  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>&, EstimateSettings& s) {
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>&, EstimateSettings<2>& s) {
                      s.relaxation.steps = -1;
                    }),
                    "sweeps must not be negative"));
-  EXPECT_TRUE(says(
-      refusal_of([](SolvedBody<2>& b, EstimateSettings&) { b.neumann *= 2; }),
-      "do not balance the stresses"));
+  EXPECT_TRUE(says(refusal_of([](SolvedBody<2>& b, EstimateSettings<2>&) {
+                     b.neumann *= 2;
+                   }),
+                   "do not balance the stresses"));
 }
 
 }  // namespace

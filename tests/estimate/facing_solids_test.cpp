@@ -18,7 +18,7 @@ namespace {
 using namespace test;
 
 /// |sigma_hat - C eps(u_hat)| as a part of |2 sigma|.
-double elastic_share(const SolidEstimate& found) {
+double elastic_share(const Estimate<3>& found) {
   return found.elastic * found.relative / found.e;
 }
 
@@ -26,7 +26,7 @@ RC_GTEST_PROP(FacingSolids, a_uniform_pressure_has_no_error, (Random random)) {
   SolidStack stack = random_stack(*rc::gen::inRange(2, 4), *real(0, 1), random);
   put_between_walls(stack);
   stack.problem.load(stack.label(0, high_z), {0, 0, -10});
-  const SolidEstimate found = estimate(stack.problem);
+  const Estimate<3> found = estimate(stack.problem);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(elastic_share(found) < 1e-11);
   RC_ASSERT(found.relative < 1e-6);
@@ -35,7 +35,7 @@ RC_GTEST_PROP(FacingSolids, a_uniform_pressure_has_no_error, (Random random)) {
 
 RC_GTEST_PROP(FacingSolids, are_admissible, (Random random)) {
   const SolidStack stack = random_solids(*real(0, 2), random);
-  const SolidEstimate found = estimate(stack.problem);
+  const Estimate<3> found = estimate(stack.problem);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
   RC_ASSERT(found.cone < 1e-13);
@@ -64,8 +64,8 @@ RC_GTEST_PROP(FacingSolids, mirror_images_have_twice_the_square,
     SolidStack two({upper, lower}, steps == 0 ? 0.5 : 0);
     press(two.problem, two.label(0, high_z), 1);
     press(two.problem, two.label(1, low_z), -1);
-    const SolidEstimate alone = estimate(one, {steps, 0}),
-                        both = estimate(two.problem, {steps, 0});
+    const Estimate<3> alone = estimate(one, {steps, 0}),
+                      both = estimate(two.problem, {steps, 0});
     RC_ASSERT(both.reason == "");
     RC_ASSERT(both.oscillation < 1e-9 * both.e);
     RC_ASSERT(std::abs(both.e / (std::sqrt(2) * alone.e) - 1) < 1e-6);
@@ -174,14 +174,14 @@ struct LoadedPair {
   }
 };
 
-/// As many pairs as --cases asks for, and as many single bodies (SolidEstimate).
+/// As many pairs as --cases asks for, and as many single bodies (Estimate<3>).
 RC_GTEST_PROP(FacingSolids, bounds_the_error_without_friction_and_with_trescas,
               (Random random)) {
   const LoadedPair loads(random);
   const SolidStack coarse = loads.on(1), fine = loads.on(2);
   const SurfaceSolution solution = coarse.problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
-  const SolidEstimate found = estimate(coarse.problem, solution);
+  const Estimate<3> found = estimate(coarse.problem, solution);
   RC_ASSERT(found.reason == "");
   const double both = both_errors_square(
       coarse.problem, found, fine.problem, fine.problem.solve().displacement,
@@ -207,7 +207,7 @@ RC_GTEST_PROP(FacingSolids, bounds_the_error_with_coulombs, (Random random)) {
                        loads.refined(coarse, solution.displacement);
   const RowMatrix K =
       stiffness(fine.problem.mesh, solved_solid(fine.problem, {}).hooke);
-  const SolidEstimate found = estimate(coarse.problem, solution);
+  const Estimate<3> found = estimate(coarse.problem, solution);
   RC_ASSERT(found.reason == "");
   const SolidCoulomb coulomb = coulomb_of(coarse.problem, solution, found);
   RC_CLASSIFY(std::isfinite(coulomb.bound), "bound");
@@ -233,7 +233,7 @@ RC_GTEST_PROP(FacingSolids, that_hold_each_other_keep_force_and_moment,
     RC_ASSERT(
         (face_hats(problem.surface, m).hat.rowwise().sum() - Vector3d::Ones())
             .norm() < 1e-15);
-  const SolidEstimate found = estimate(problem);
+  const Estimate<3> found = estimate(problem);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
   RC_ASSERT(found.relative < 0.7);

@@ -39,7 +39,7 @@ TEST(InitialStrain, of_a_free_body_leaves_no_stress) {
   Problem problem = on_rollers(2 * free_strain * height);
   const LinearStresses<2> tau = heated(problem.mesh);
   add_initial_stress(problem, tau);
-  const Estimate estimate = estimated(problem, solved(problem), tau);
+  const Estimate<2> estimate = estimated(problem, solved(problem), tau);
   EXPECT_TRUE(estimate.admissible) << estimate.reason;
   EXPECT_EQ(estimate.e, 0);
   for (const SubcellStress<2>& stress : estimate.stress)
@@ -59,7 +59,7 @@ TEST(InitialStrain, of_a_confined_body_presses_it) {
     problem.law.multiplier = multiplier;
     const LinearStresses<2> tau = heated(problem.mesh);
     add_initial_stress(problem, tau);
-    const Estimate estimate = estimated(problem, solved(problem), tau);
+    const Estimate<2> estimate = estimated(problem, solved(problem), tau);
     EXPECT_TRUE(estimate.admissible) << estimate.reason;
     const double scale = estimate.e / estimate.relative;
     EXPECT_LT(estimate.elastic, 1e-10 * scale);
@@ -83,7 +83,7 @@ TEST(InitialStress, in_balance_with_tractions_is_exact) {
       at_vertices(problem.mesh, [=](const Vector2d&) { return sigma; });
   add_initial_stress(problem, tau);
   const ContactSolution solution = solved(problem);
-  const Estimate estimate = estimated(problem, solution, tau);
+  const Estimate<2> estimate = estimated(problem, solution, tau);
   EXPECT_TRUE(estimate.admissible) << estimate.reason;
   EXPECT_LT(estimate.relative, 1e-11);
   EXPECT_LT((solution.pressure.colwise() - Vector2d(sigma[1], -sigma[2]))
@@ -129,7 +129,7 @@ RC_GTEST_PROP(InitialStress, that_varies_is_bounded_and_tight,
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
   const ContactSolution solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
-  const Estimate estimate = estimated(problem, solution, tau, sweeps(4));
+  const Estimate<2> estimate = estimated(problem, solution, tau, sweeps(4));
   RC_ASSERT(estimate.admissible);
   std::vector<SubcellStress<2>> of_u_hat;
   const LinearStresses<2> total = total_stresses(
@@ -157,7 +157,7 @@ TEST(InitialStress, is_in_the_error_and_in_its_scale) {
   const LinearStresses<2> total = total_stresses(
       problem.mesh, solved_body(problem, solution, tau), solution.displacement);
   double difference = 0, sum = 0;
-  const Estimate composite = estimated(problem, solution, tau);
+  const Estimate<2> composite = estimated(problem, solution, tau);
   for (int t = 0; t < problem.mesh.cell_count(); ++t) {
     const CellCorners<2> corners = corners_of(problem.mesh, t);
     const Matrix3d compliance = problem.hooke[t].inverse();
@@ -169,9 +169,9 @@ TEST(InitialStress, is_in_the_error_and_in_its_scale) {
   EXPECT_NEAR(composite.relative * std::sqrt(sum) / composite.e, 1, 1e-10);
   EXPECT_NEAR(composite.local.norm() / composite.relative, 1, 1e-10);
 
-  EstimateSettings settings;
+  EstimateSettings<2> settings;
   settings.construction = Construction::polynomial;
-  const Estimate polynomial = estimated(problem, solution, tau, settings);
+  const Estimate<2> polynomial = estimated(problem, solution, tau, settings);
   EXPECT_LT(polynomial.e, composite.e);
   EXPECT_GT(polynomial.e, 0.8 * composite.e);
   const double scale = polynomial.e / polynomial.relative;

@@ -9,7 +9,7 @@
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
-#include "ffcontact/estimate/tractions/first_surface_tractions.hpp"
+#include "ffcontact/estimate/tractions/first_tractions.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/interface/pairing/matching_faces.hpp"
 #include "support/cut_solids.hpp"
@@ -86,7 +86,7 @@ bool all_match(const SolidProblem& problem) {
                      [](const MatchingFace& match) { return match.face >= 0; });
 }
 
-void require_sound(const SolidEstimate& found) {
+void require_sound(const Estimate<3>& found) {
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
   RC_ASSERT(found.cone < 1e-13);
@@ -104,8 +104,8 @@ RC_GTEST_PROP(MatchingSolids, are_admissible_and_nearer_with_every_step,
   const SolidProblem problem = random_halves(*real(0, 2), random).problem;
   RC_ASSERT(all_match(problem));
   const SurfaceSolution solution = problem.solve();
-  const SolidEstimate first = estimate(problem, solution, {0, 0}),
-                      found = estimate(problem, solution, {7, 0});
+  const Estimate<3> first = estimate(problem, solution, {0, 0}),
+                    found = estimate(problem, solution, {7, 0});
   require_sound(found);
   RC_ASSERT(found.history.size() == 8u);
   RC_ASSERT(std::abs(found.history[0] - first.e) < 1e-6 * first.e);
@@ -119,7 +119,7 @@ RC_GTEST_PROP(MatchingSolids, three_around_an_edge_are_admissible,
   RC_ASSERT(all_match(problem));
   const SurfaceSolution solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
-  const SolidEstimate found = estimate(problem, solution, {4, 0});
+  const Estimate<3> found = estimate(problem, solution, {4, 0});
   // where faces of one sheet meet at an angle directions turn within them
   RC_ASSERT(found.admissible == (found.turn == 0));
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
@@ -131,7 +131,7 @@ TEST(MatchingSolids, have_their_tractions_relaxed) {
   Random random(1);
   const SolidProblem problem =
       halves({2, 2, 2}, 0.7, 0, {4e-4, 2e-4, -1.5e-3}, random).problem;
-  const SolidEstimate found = estimate(problem);
+  const Estimate<3> found = estimate(problem);
   const SurfaceTractions first =
       tractions_by_face(problem.surface, found.tractions);
   EXPECT_GT((found.face_tractions - first).cwiseAbs().maxCoeff(),
@@ -146,11 +146,13 @@ double least_square(const SolidProblem& problem,
   const ElasticSystem system = problem.system();
   const LinearStresses<3> stress(
       stresses(problem.mesh, body.hooke, body.displacement));
-  const FirstSurfaceTractions first = first_tractions(
-      {topology, problem.surface, system, body}, stress.mean,
-      largest_stress_terms(problem.mesh, body.hooke, body.displacement));
+  const SolvedProblem<3> solved{topology, problem.surface, system, body};
+  MatchedBodies<3> bodies(solved);
+  FirstTractions<3> first = first_tractions<3>(
+      solved, bodies, stress_terms_of(solved), {}, body.displacement);
+  const FaceTractions boundary = bodies.boundary_with(first.contact.densities);
   const FacetSetting<3> setting{
-      {topology, body.hooke, first.boundary, body.body_loads, stress},
+      {topology, body.hooke, boundary, body.body_loads, stress},
       contact_faces(problem.mesh, problem.faces, problem.surface, body.law,
                     body.displacement)};
   const FacetShare whole = whole_share<3>(topology);
@@ -190,8 +192,8 @@ TEST(MatchingSolids, that_stick_have_the_error_of_one_body) {
 
   const SurfaceSolution together = two.solve(), glued = one.solve();
   EXPECT_LT(together.force.row(0).maxCoeff(), 0);
-  const SolidEstimate of_two = estimate(two, together),
-                      of_one = estimate(one, glued);
+  const Estimate<3> of_two = estimate(two, together),
+                    of_one = estimate(one, glued);
   EXPECT_NEAR(of_two.e / of_one.e, 1, 0.02);  // 16 steps from other tractions
   EXPECT_NEAR(least_square(two, together) / least_square(one, glued), 1, 1e-3);
 }
@@ -238,7 +240,7 @@ RC_GTEST_PROP(MatchingSolids, beside_others_are_admissible, (Random random)) {
   if (random() % 2) stack.problem.load(stack.label(0, low_z), {0.5, 0, -1});
   if (random() % 2) stack.problem.load(stack.label(1, high_z), {0, 0.3, 0.2});
   const SurfaceSolution solution = stack.problem.solve();
-  const SolidEstimate found = estimate(stack.problem, solution);
+  const Estimate<3> found = estimate(stack.problem, solution);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
   RC_ASSERT(found.cone < 1e-13);

@@ -60,7 +60,7 @@ double smallest_angle(const Mesh& mesh) {
   return smallest;
 }
 
-std::string in_figures(const Estimate& estimate) {
+std::string in_figures(const Estimate<2>& estimate) {
   std::ostringstream text;
   text << "equilibrium " << estimate.equilibrium.largest() << ", cone "
        << estimate.cone;
@@ -76,7 +76,7 @@ void keeps_what_is_promised(const std::string& name, const Mesh& mesh,
         << name << ": " << in_words(solution.status) << ", violation "
         << solution.complementarity << ", residual " << solution.residual;
     ASSERT_GT((solution.pressure.row(0).array() < 0).count(), 1) << name;
-    const Estimate estimate = estimated(problem, solution, sweeps(3));
+    const Estimate<2> estimate = estimated(problem, solution, sweeps(3));
     testing::Test::RecordProperty(
         name + (multiplier == Multiplier::force ? "_force" : "_pressure"),
         in_figures(estimate));

@@ -30,7 +30,7 @@ TEST(SeveralBodiesEstimate, example_3_as_published) {
     }
     for (const Tractions tractions :
          {Tractions::published, Tractions::fixed, Tractions::free}) {
-      const Estimate estimate =
+      const Estimate<2> estimate =
           estimated(two.problem, solution, sweeps(2, tractions));
       EXPECT_TRUE(estimate.admissible) << estimate.reason;
       const bool shifted =
@@ -45,7 +45,7 @@ TEST(SeveralBodiesEstimate, example_3_as_published) {
 
 /// Parts of edges that a vertex of the other body all but meets make triangles as thin,
 /// whose equilibrium suffers from rounding with the square of their thinness.
-bool has_slivers(const Estimate& estimate) {
+bool has_slivers(const Estimate<2>& estimate) {
   if (!estimate.refinement) return false;
   const Mesh& mesh = estimate.refinement->mesh;
   double shortest = mesh.vertices.maxCoeff();
@@ -57,7 +57,7 @@ bool has_slivers(const Estimate& estimate) {
 
 /// Whether vertices that all but meet face each other: forces on the opposite body are
 /// then off by up to 1e-4 of an edge.
-bool is_exact(const Estimate& estimate) {
+bool is_exact(const Estimate<2>& estimate) {
   return !estimate.refinement || estimate.refinement->exact;
 }
 
@@ -76,7 +76,7 @@ RC_GTEST_PROP(SeveralBodiesEstimate, uniform_pressure_has_no_error,
   for (int k = 0; k < 2; ++k) prescribe(problem, two.label(k, left), 0);
   problem.law.multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(0));
+  const Estimate<2> estimate = estimated(problem, solved(problem), sweeps(0));
   RC_ASSERT(estimate.relative < (is_exact(estimate) ? 1e-7 : 1e-4));
   RC_ASSERT(estimate.admissible || has_slivers(estimate));
 }
@@ -111,7 +111,7 @@ RC_GTEST_PROP(SeveralBodiesEstimate,
   const ContactSolution solution = solved(problem);
   RC_PRE(solution.accepted({}));
   for (const Tractions tractions : {Tractions::fixed, Tractions::free}) {
-    const Estimate estimate =
+    const Estimate<2> estimate =
         estimated(problem, solution, sweeps(2, tractions));
     RC_ASSERT(estimate.cone < 1e-12);
     RC_ASSERT(estimate.equilibrium.largest() < 1e-10 || has_slivers(estimate));
@@ -143,7 +143,7 @@ RC_GTEST_PROP(SeveralBodiesEstimate,
   const ContactSolution solution = solved(two.problem);
   RC_PRE(solution.accepted({}));
   RC_ASSERT(std::abs(solution.force.row(0).sum() + 50) < 1e-5);
-  const Estimate estimate = estimated(two.problem, solution, sweeps(1));
+  const Estimate<2> estimate = estimated(two.problem, solution, sweeps(1));
   RC_ASSERT(estimate.cone < 1e-12);
   RC_ASSERT(estimate.equilibrium.largest() < 1e-9 || has_slivers(estimate));
   RC_ASSERT(estimate.penetration < 1e-12);
@@ -160,7 +160,7 @@ TEST(SeveralBodiesEstimate,
     add_traction(two.problem, two.label(0, top), {0.2, -7});
     clamp(two.problem, two.label(1, bottom));
     two.problem.law.slip_bound = everywhere(two.problem.line, slip_bound);
-    const Estimate estimate =
+    const Estimate<2> estimate =
         estimated(two.problem, solved(two.problem), sweeps(2));
     EXPECT_TRUE(estimate.admissible) << slip_bound << ": " << estimate.reason;
     EXPECT_LT(estimate.relative, 0.12);
@@ -189,7 +189,7 @@ TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
     const double matching = estimate_of(0).relative;
     for (const double distance :
          {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
-      const Estimate estimate = estimate_of(distance);
+      const Estimate<2> estimate = estimate_of(distance);
       EXPECT_NEAR(estimate.relative, matching, 0.02 * matching) << distance;
       EXPECT_TRUE(estimate.admissible) << distance << ": " << estimate.reason;
     }
@@ -199,7 +199,7 @@ TEST(SeveralBodiesEstimate, is_continuous_where_vertices_nearly_meet) {
 /// eps_E^2 of facing triangles has half of the contact part of their edge each, that of a
 /// triangle on a foundation all of it.
 void shares_add_up(const Problem& problem) {
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(0));
+  const Estimate<2> estimate = estimated(problem, solved(problem), sweeps(0));
   ASSERT_FALSE(estimate.refinement.has_value());
   const Matrix3Xd stress =
       stresses(problem.mesh, problem.hooke, estimate.displacement);

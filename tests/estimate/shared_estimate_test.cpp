@@ -36,7 +36,7 @@ SolidProblem any_halves(std::mt19937& random) {
 }
 
 /// The largest difference, relative to what differs.
-double difference(const SolidEstimate& a, const SolidEstimate& b) {
+double difference(const Estimate<3>& a, const Estimate<3>& b) {
   double largest = std::max(
       (a.local - b.local).norm() / a.relative,
       (a.face_tractions - b.face_tractions).norm() / a.face_tractions.norm());
@@ -55,10 +55,10 @@ TEST(SharedEstimate, is_that_of_one_process) {
     const SolidProblem problem =
         seed % 2 ? block_on_ground(random) : any_halves(random);
     const SurfaceSolution solution = problem.solve();
-    const SolidEstimate alone = estimate(problem, solution, {8, 0}),
-                        shared = estimate(
-                            problem, solution, {8, 0},
-                            relaxed_by(2 + seed % 3, seed % 5 > 0, seed));
+    const Estimate<3> alone = estimate(problem, solution, {8, 0}),
+                      shared = estimate(
+                          problem, solution, {8, 0},
+                          relaxed_by(2 + seed % 3, seed % 5 > 0, seed));
     EXPECT_EQ(shared.reason, "");
     ASSERT_EQ(shared.history.size(), alone.history.size());
     const double differs = difference(alone, shared);

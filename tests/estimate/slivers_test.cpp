@@ -39,7 +39,7 @@ RC_GTEST_PROP(Slivers, keep_equilibrium_and_cone, (Random random)) {
                     *rc::gen::element(BlockCase::press, BlockCase::press_x,
                                       BlockCase::shear, BlockCase::lift),
                     *rc::gen::element(0.0, 0.3, 1.0));
-  const SolidEstimate found = estimate(problem);
+  const Estimate<3> found = estimate(problem);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
   RC_ASSERT(found.cone < 1e-12);
@@ -51,11 +51,11 @@ RC_GTEST_PROP(Slivers, keep_equilibrium_and_cone, (Random random)) {
 RC_GTEST_PROP(Slivers, do_not_depend_on_numbers, (Random random)) {
   const SolidMesh mesh = slivers(random);
   const RelaxationSettings many{64};
-  const SolidEstimate first = estimate(
-                          block_problem(mesh, BlockCase::shear, 0.5), many),
-                      second = estimate(block_problem(shuffled(mesh, random),
-                                                      BlockCase::shear, 0.5),
-                                        many);
+  const Estimate<3> first = estimate(block_problem(mesh, BlockCase::shear, 0.5),
+                                     many),
+                    second = estimate(block_problem(shuffled(mesh, random),
+                                                    BlockCase::shear, 0.5),
+                                      many);
   RC_ASSERT(std::abs(first.history[0] / second.history[0] - 1) < 1e-4);
   RC_ASSERT(std::abs(first.e / second.e - 1) < 0.05);
 }
@@ -76,7 +76,7 @@ RC_GTEST_PROP(Slivers, keep_force_and_moment_where_contact_alone_holds,
                *rc::gen::arbitrary<bool>());
   const SurfaceSolution solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
-  const SolidEstimate found = estimate(problem, solution);
+  const Estimate<3> found = estimate(problem, solution);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
   RC_ASSERT(found.cone < 1e-12);

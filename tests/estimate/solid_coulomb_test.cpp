@@ -26,7 +26,7 @@ struct Nested {
 /// A solution with what is said of it.
 struct JudgedSolid {
   SurfaceSolution solution;
-  SolidEstimate estimate;
+  Estimate<3> estimate;
   SolidCoulomb coulomb, held;
 
   explicit JudgedSolid(const SolidProblem& problem)
@@ -37,7 +37,7 @@ struct JudgedSolid {
 };
 
 /// r_hat of a coarse face at a point of it.
-Vector3d traction_at(const SolidProblem& coarse, const SolidEstimate& estimate,
+Vector3d traction_at(const SolidProblem& coarse, const Estimate<3>& estimate,
                      const Vector3d& x, const Vector3d& inside) {
   for (int m = 0; m < coarse.surface.face_count(); ++m) {
     const Matrix3d corners = coarse.mesh.vertices(
@@ -57,8 +57,8 @@ Vector3d traction_at(const SolidProblem& coarse, const SolidEstimate& estimate,
 
 /// int over the contact surface of r_hat . field
 double work_on_finer_mesh(const SolidProblem& coarse,
-                          const SolidEstimate& estimate,
-                          const SolidProblem& fine, const VectorXd& field) {
+                          const Estimate<3>& estimate, const SolidProblem& fine,
+                          const VectorXd& field) {
   double work = 0;
   for (int f : fine.surface.face) {
     const Matrix3d x =
@@ -77,7 +77,7 @@ double work_on_finer_mesh(const SolidProblem& coarse,
 
 /// (|sigma_ref - sigma_hat|^2 + |u_ref - u_hat|^2)^(1/2): with d = u_ref - u_hat
 ///     |sigma_ref - sigma_hat|^2 = |sigma_hat - C eps(u_hat)|^2 + |d|^2 - 2 int (sigma_hat - C eps(u_hat)) : eps(d).
-double true_error(const SolidProblem& coarse, const SolidEstimate& estimate,
+double true_error(const SolidProblem& coarse, const Estimate<3>& estimate,
                   const SolidProblem& fine, const Nested& nested) {
   const VectorXd u_hat = on_finer_brick(estimate.displacement, nested.cells,
                                         nested.ratio),
@@ -175,7 +175,7 @@ RC_GTEST_PROP(SolidCoulomb, directions_and_moments_are_those_of_the_pair,
   const SolidProblem problem = AnyLoads(random).on({3, 2, 2});
   const SurfaceSolution solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
-  const SolidEstimate found = estimate(problem, solution);
+  const Estimate<3> found = estimate(problem, solution);
   const DirectedSlip slip =
       directed_slip(topology_of(problem.mesh), problem.surface,
                     solved_solid(problem, solution), found);
@@ -264,7 +264,7 @@ TEST(SolidCoulomb, is_infinite_at_the_shear_limit_and_where_not_admissible) {
   EXPECT_TRUE(std::isfinite(JudgedSolid(limited).coulomb.bound));
 
   const SurfaceSolution solution = limited.solve();
-  SolidEstimate found = estimate(limited, solution);
+  Estimate<3> found = estimate(limited, solution);
   found.admissible = false;
   EXPECT_TRUE(std::isinf(coulomb_of(limited, solution, found).bound));
 }
@@ -277,7 +277,7 @@ TEST(SolidCoulomb, weighs_a_coefficient_that_varies) {
     problem.law.friction[i] =
         0.2 + 0.004 * problem.mesh.vertices(0, problem.surface.vertex[i]);
   const SurfaceSolution solution = problem.solve();
-  const SolidEstimate found = estimate(problem, solution);
+  const Estimate<3> found = estimate(problem, solution);
   const DirectedSlip slip =
       directed_slip(topology_of(problem.mesh), problem.surface,
                     solved_solid(problem, solution), found);

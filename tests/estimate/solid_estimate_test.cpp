@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/estimate/solid_estimate.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/both_errors.hpp"
 #include "support/nested_solids.hpp"
@@ -37,7 +36,7 @@ SolidProblem any_block(std::mt19937& random) {
 }
 
 RC_GTEST_PROP(SolidEstimate, is_admissible, (Random random)) {
-  const SolidEstimate found = estimate(any_block(random));
+  const Estimate<3> found = estimate(any_block(random));
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.admissible);
   RC_ASSERT(found.equilibrium.largest() < 1e-11);
@@ -51,8 +50,8 @@ RC_GTEST_PROP(SolidEstimate, falls_by_what_steps_and_passes_say,
   const SolidProblem problem = any_block(random);
   const SurfaceSolution solution = problem.solve();
   const int steps = 1 + static_cast<int>(random() % 16);
-  const SolidEstimate first = estimate(problem, solution, {0, 0}),
-                      last = estimate(problem, solution, {steps, 0});
+  const Estimate<3> first = estimate(problem, solution, {0, 0}),
+                    last = estimate(problem, solution, {steps, 0});
   RC_ASSERT(std::abs(last.history[0] - first.e) < 1e-6 * first.e);
   RC_ASSERT(std::abs(first.history[0] - first.e) < 1e-15 * first.e);
   for (int k = 1; k <= steps; ++k)
@@ -80,8 +79,8 @@ RC_GTEST_PROP(SolidEstimate, is_admissible_for_every_law, (Random random)) {
   const SolidProblem problem = with_any_law(any_block(random), random);
   const SurfaceSolution solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
-  const SolidEstimate first = estimate(problem, solution, {0, 0}),
-                      last = estimate(problem, solution);
+  const Estimate<3> first = estimate(problem, solution, {0, 0}),
+                    last = estimate(problem, solution);
   RC_ASSERT(last.reason == "");
   RC_ASSERT(last.equilibrium.largest() < 1e-11);
   RC_ASSERT(last.cone < 1e-15);
@@ -112,8 +111,8 @@ TEST(SolidEstimate, of_a_side_that_sticks_is_that_of_a_clamped_one) {
 TEST(SolidEstimate, relaxes_contact_tractions_inside_the_cone) {
   const SolidProblem problem = block_problem(block(8), BlockCase::shear, 0.5);
   const SurfaceSolution solution = problem.solve();
-  const SolidEstimate before = estimate(problem, solution, {0, 0}),
-                      after = estimate(problem, solution);
+  const Estimate<3> before = estimate(problem, solution, {0, 0}),
+                    after = estimate(problem, solution);
   EXPECT_LT(after.contact, 0.01 * after.e * after.e);
   EXPECT_EQ(after.tractions, before.tractions);
   double change = 0;
@@ -128,7 +127,7 @@ TEST(SolidEstimate, relaxes_contact_tractions_inside_the_cone) {
 }
 
 RC_GTEST_PROP(SolidEstimate, parts_fit_together, (Random random)) {
-  const SolidEstimate found = estimate(any_block(random), {5, 0});
+  const Estimate<3> found = estimate(any_block(random), {5, 0});
   const double e = found.e;
   RC_ASSERT(std::abs(found.elastic * found.elastic + found.contact - e * e) <
             1e-12 * e * e);
@@ -240,7 +239,7 @@ RC_GTEST_PROP(SolidEstimate, bounds_the_error_without_friction_and_with_trescas,
   const SolidProblem coarse = loads.on(cells), fine = loads.on(3 * cells);
   const SurfaceSolution solution = coarse.solve();
   RC_PRE(solution.status == ContactStatus::converged);
-  const SolidEstimate found = estimate(coarse, solution);
+  const Estimate<3> found = estimate(coarse, solution);
   RC_ASSERT(found.reason == "");
   const double both =
       both_errors_square(coarse, found, fine, fine.solve().displacement,
@@ -274,7 +273,7 @@ TEST(SolidEstimate, is_admissible_on_flat_and_on_graded_tetrahedra) {
                       random);
   for (const SolidMesh& mesh : {flat, graded})
     for (BlockCase loads : all_cases) {
-      const SolidEstimate found = estimate(block_problem(mesh, loads, 0.5));
+      const Estimate<3> found = estimate(block_problem(mesh, loads, 0.5));
       EXPECT_EQ(found.reason, "");
       EXPECT_LT(found.equilibrium.largest(), 5e-11);
     }
@@ -289,7 +288,7 @@ TEST(SolidEstimate, is_balanced_where_oblique_guided_faces_meet) {
         7 * std::sin(x.x() / 13) * std::cos(x.z() / 17) * (1 - x.y() / 40);
   }
   for (BlockCase loads : {BlockCase::press, BlockCase::press_x}) {
-    const SolidEstimate found = estimate(block_problem(mesh, loads, 0.5));
+    const Estimate<3> found = estimate(block_problem(mesh, loads, 0.5));
     EXPECT_EQ(found.reason, "");
     EXPECT_LT(found.equilibrium.largest(), 1e-12);
   }
@@ -306,7 +305,7 @@ TEST(SolidEstimate, falls_with_the_size_of_the_mesh) {
 
 TEST(SolidEstimate, scales_with_lengths_and_moduli) {
   const SolidProblem unit = block_problem(block(4), BlockCase::press, 0.5);
-  const SolidEstimate expected = estimate(unit);
+  const Estimate<3> expected = estimate(unit);
   for (double length : {1e-9, 1.0, 1e9})
     for (double modulus : {1e-9, 1.0, 1e9}) {
       if (length * modulus > 1e10) continue;  // beside a tgv of 1e30
@@ -322,7 +321,7 @@ TEST(SolidEstimate, scales_with_lengths_and_moduli) {
       const SurfaceSolution solution = scaled.solve();
       SolvedBody<3> body = solved_solid(scaled, solution);
       for (auto& C : body.hooke) C *= modulus;
-      const SolidEstimate found = estimate_error(
+      const Estimate<3> found = estimate_error(
           topology_of(mesh), scaled.surface, scaled.system(), body);
       // which of two equal corrections is taken is rounding: 5e-5 over kernels
       EXPECT_NEAR(found.relative / expected.relative, 1, 1e-3);
@@ -375,7 +374,7 @@ RC_GTEST_PROP(SolidEstimate, does_not_depend_on_numbers, (Random random)) {
 
 /// |sigma_hat - C eps(u_hat)| as a part of |2 sigma|. The contact part of e^2 is
 /// some roundings of |r| |w| beside it, of which e has the root.
-double elastic_part(const SolidEstimate& found) {
+double elastic_part(const Estimate<3>& found) {
   return found.elastic * found.relative / found.e;
 }
 
@@ -410,7 +409,7 @@ SolidProblem pressed(const SolidMesh& mesh, double pressure) {
 }
 
 RC_GTEST_PROP(SolidEstimate, constant_pressure_has_no_error, (Random random)) {
-  const SolidEstimate found = estimate(pressed(irregular_solid(random), 10));
+  const Estimate<3> found = estimate(pressed(irregular_solid(random), 10));
   RC_ASSERT(elastic_part(found) < 1e-12);
   RC_ASSERT(found.relative < 1e-7);
   RC_ASSERT(found.reason == "");
@@ -428,7 +427,7 @@ RC_GTEST_PROP(SolidEstimate, tractions_go_on_to_clamped_edges,
   for (const int side : {low_x, high_x, low_y, high_y, high_z})
     problem.move(
         side, [](const Vector3d& x) { return Vector3d(0, 0, -1e-3 * x.z()); });
-  const SolidEstimate found = estimate(problem);
+  const Estimate<3> found = estimate(problem);
   RC_ASSERT(elastic_part(found) < 1e-12);
   RC_ASSERT(found.reason == "");
   const double pressure = 1e-3 * 13e3 * 0.8 / 0.72;
@@ -450,7 +449,7 @@ RC_GTEST_PROP(SolidEstimate, homogeneous_slip_has_no_error, (Random random)) {
   problem.load(low_y, on_y);
   problem.load(high_y, -on_y);
   problem.move(high_z, u);
-  const SolidEstimate found = estimate(problem);
+  const Estimate<3> found = estimate(problem);
   RC_ASSERT(elastic_part(found) < 1e-12);
   RC_ASSERT(found.relative < 1e-6);
 }
@@ -470,7 +469,7 @@ TEST(SolidEstimate, keeps_force_and_moment_where_contact_alone_holds) {
       problem.neumann.col(f).segment<3>(3 * k) += force;
     }
   }
-  const SolidEstimate found = estimate(problem);
+  const Estimate<3> found = estimate(problem);
   EXPECT_EQ(found.reason, "");
   EXPECT_LT(found.equilibrium.largest(), 1e-11);
   EXPECT_LT(found.relative, 0.6);
@@ -484,7 +483,7 @@ TEST(SolidEstimate, tells_loads_on_the_contact_surface_from_contact) {
     problem.load(low_z, {0, 0, -down});
     problem.guide(low_x, 0);
     problem.guide(low_y, 1);
-    const SolidEstimate found = estimate(problem);
+    const Estimate<3> found = estimate(problem);
     EXPECT_EQ(found.reason, "");
     EXPECT_LT(found.relative, 1e-9);
     Vector9d pressed = Vector9d::Zero();
@@ -513,7 +512,7 @@ TEST(SolidEstimate, stress_has_the_moments) {
   const SurfaceSolution solution = problem.solve();
   const SolvedBody<3> body = solved_solid(problem, solution);
   const Topology<3> topology = topology_of(problem.mesh);
-  const SolidEstimate found =
+  const Estimate<3> found =
       estimate_error(topology, problem.surface, problem.system(), body);
   const FacetLoads<3> on_faces =
       loads_of(problem.mesh, topology.facets, found.moments, 7);
@@ -546,14 +545,52 @@ TEST(SolidEstimate, names_what_does_not_fit) {
   body = solved_solid(problem, solution);
   for (auto& C : body.hooke) C *= 2;
   EXPECT_TRUE(says(said(body), "lambda and G (or hooke) are not those of A"));
+  body = solved_solid(problem, solution);
+  body.tool = RigidTool();
+  EXPECT_TRUE(says(said(body), "a tool is a foundation of plane bodies"));
 }
 
 TEST(SolidEstimate, of_a_rigid_motion_is_nothing) {
   SolidProblem problem(block(4), 0.5);
   problem.move(high_z, [](const Vector3d&) { return Vector3d(1, 2, 3); });
-  const SolidEstimate found = estimate(problem);
+  const Estimate<3> found = estimate(problem);
   EXPECT_EQ(found.e, 0);
   EXPECT_EQ(found.reason, "");
+}
+
+/// u has no stress, but u_hat, which is lifted where u penetrates, has.
+TEST(SolidEstimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
+  SolidProblem problem(block(4), 0.5);
+  problem.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
+  const int nodes = problem.surface.node_count();
+  problem.law.gap = VectorXd::Ones(nodes);
+  problem.law.gap[2] = -0.1;
+  SurfaceSolution solution;
+  solution.displacement = VectorXd::Zero(problem.b.size());
+  solution.force = Matrix3Xd::Zero(3, nodes);
+  for (const double slip_bound : {0.0, 1.0}) {
+    if (slip_bound > 0)
+      problem.law.slip_bound = VectorXd::Constant(nodes, slip_bound);
+    const Estimate<3> found = estimate(problem, solution);
+    EXPECT_GT(found.e, 1);
+    EXPECT_NEAR(found.relative, 1, 1e-12);  // sigma_hat = 0
+    EXPECT_EQ(found.reason, "");
+    EXPECT_TRUE(found.face_tractions.isZero(0));
+  }
+}
+
+/// Tresca's friction pays for what slides, with or without stress.
+TEST(SolidEstimate, of_a_body_that_slides_without_stress_has_friction) {
+  SolidProblem problem(block(4));
+  const int nodes = problem.surface.node_count();
+  problem.move(high_z, [](const Vector3d&) { return Vector3d(0.1, 0, 0); });
+  problem.law.slip_bound = VectorXd::Constant(nodes, 1e-30);
+  SurfaceSolution solution;
+  solution.displacement = VectorXd::Zero(problem.b.size());
+  for (int v = 0; v < problem.mesh.vertex_count(); ++v)
+    solution.displacement[3 * v] = 0.1;
+  solution.force = Matrix3Xd::Zero(3, nodes);
+  EXPECT_GT(estimate(problem, solution).contact, 0);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ LinearStresses<3> stresses_at_vertices(const SolidMesh& mesh,
 struct Stressed {
   Topology<3> topology;
   SolvedBody<3> body;
-  SolidEstimate found;
+  Estimate<3> found;
 
   Stressed(SolidProblem problem, LinearStresses<3> tau,
            const RelaxationSettings& settings = {})
@@ -58,7 +58,7 @@ struct Stressed {
     body = solved_solid(problem, problem.solve());
     body.initial = std::move(tau);
     found = estimate_error(topology, problem.surface, problem.system(), body,
-                           settings);
+                           {settings});
   }
 };
 
@@ -66,7 +66,7 @@ struct Stressed {
 RC_GTEST_PROP(SolidInitialStrain, of_a_displacement_inside_changes_nothing,
               (Random random)) {
   const SolidProblem problem = pressed_block(random);
-  const SolidEstimate without = estimate(problem);
+  const Estimate<3> without = estimate(problem);
   VectorXd w = 0.02 * random_vector(problem.b.size(), random);
   for (int v : problem.mesh.boundary.reshaped()) w.segment<3>(3 * v).setZero();
   const HookeTensors<3> hooke = solved_solid(problem, problem.solve()).hooke;

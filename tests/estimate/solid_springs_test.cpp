@@ -57,7 +57,7 @@ RC_GTEST_PROP(SolidSprings, are_exact_for_linear_displacements,
   }
   assemble(springs, problem);
   const SurfaceSolution solution = problem.solve();
-  const SolidEstimate found = estimate(problem, solution, springs);
+  const Estimate<3> found = estimate(problem, solution, springs);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.relative < 1e-9);
 }
@@ -107,7 +107,7 @@ RC_GTEST_PROP(SolidSprings, are_a_part_of_the_error, (Random random)) {
   const SolidProblem problem = brick.on(1);
   const SurfaceSolution solution = problem.solve();
   const BoundarySprings<3> springs = brick.springs_on(problem.mesh);
-  const SolidEstimate found = estimate(problem, solution, springs);
+  const Estimate<3> found = estimate(problem, solution, springs);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.springs > 0);
   const double square =
@@ -115,7 +115,7 @@ RC_GTEST_PROP(SolidSprings, are_a_part_of_the_error, (Random random)) {
   RC_ASSERT(std::abs(square - found.e * found.e) <= 1e-12 * square);
   RC_ASSERT(std::abs(found.local.norm() - found.relative) <=
             1e-9 * found.relative);
-  const SolidEstimate before = estimate(problem, solution, springs, {0});
+  const Estimate<3> before = estimate(problem, solution, springs, {0});
   RC_ASSERT(before.reason == "");
   RC_ASSERT(std::abs(before.e - found.history.front()) <= 1e-6 * before.e);
   RC_ASSERT(found.e < before.e);
@@ -127,7 +127,7 @@ struct Bounded {
 
   explicit Bounded(const SprungBrick& brick) {
     const SolidProblem coarse = brick.on(1), fine = brick.on(2);
-    const SolidEstimate found =
+    const Estimate<3> found =
         estimate(coarse, coarse.solve(), brick.springs_on(coarse.mesh));
     const VectorXd difference =
         fine.solve().displacement -
@@ -178,7 +178,7 @@ TEST(SolidSprings, that_are_stiff_are_judged_as_supports) {
     assemble(springs, problem);
     return estimate(problem, problem.solve(), springs, RelaxationSettings{100});
   };
-  const SolidEstimate held = judged(0), sprung = judged(1e9);
+  const Estimate<3> held = judged(0), sprung = judged(1e9);
   EXPECT_TRUE(sprung.admissible) << sprung.reason;
   EXPECT_NEAR(sprung.e, held.e, 2e-3 * held.e);
   EXPECT_NEAR(sprung.relative, held.relative, 2e-3 * held.relative);
@@ -202,13 +202,13 @@ TEST(SolidSprings, share_a_face_with_a_support) {
     problem.guide(high_x, 0);
     return estimate(problem, problem.solve(), springs);
   };
-  const SolidEstimate all = judged(Vector3d(300, 40, 50).asDiagonal()),
-                      some = judged(Vector3d(0, 40, 50).asDiagonal());
+  const Estimate<3> all = judged(Vector3d(300, 40, 50).asDiagonal()),
+                    some = judged(Vector3d(0, 40, 50).asDiagonal());
   EXPECT_TRUE(all.admissible && some.admissible);
   EXPECT_NEAR(all.e, some.e, 1e-6 * some.e);
   Matrix3d inclined = Vector3d(300, 40, 50).asDiagonal();
   inclined(0, 1) = inclined(1, 0) = 20;
-  const SolidEstimate fixed = judged(inclined);
+  const Estimate<3> fixed = judged(inclined);
   EXPECT_TRUE(fixed.admissible) << fixed.reason;
   EXPECT_NEAR(fixed.e, some.e, 0.05 * some.e);  // nearly the same problem
 }

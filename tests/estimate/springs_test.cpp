@@ -46,7 +46,7 @@ TEST(Springs, that_press_a_block_uniformly_are_exact) {
     const ContactSolution solution = solved(problem);
     EXPECT_LT((solution.pressure.row(0).array() + pressure).abs().maxCoeff(),
               1e-9 * pressure);
-    const Estimate estimate = estimated(problem, solution, springs);
+    const Estimate<2> estimate = estimated(problem, solution, springs);
     EXPECT_TRUE(estimate.admissible) << estimate.reason;
     EXPECT_LT(estimate.relative, 1e-11);
     // |sigma_hat + C eps|^2 is four times the body's, the springs' sum likewise
@@ -96,7 +96,7 @@ RC_GTEST_PROP(Springs, are_exact_for_linear_displacements, (Random random)) {
   problem.b += boundary_forces<2>(mesh, problem.neumann);
   const ContactSolution solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
-  const Estimate estimate = estimated(problem, solution, springs);
+  const Estimate<2> estimate = estimated(problem, solution, springs);
   RC_ASSERT(estimate.admissible);
   RC_ASSERT(estimate.relative < 1e-10);
 }
@@ -155,7 +155,7 @@ SprungBlock random_sprung_block(Random& random, double stiffest = 3) {
 /// int (t - t')' K^-1 (t - t') + (u - u')' K (u - u') over the springs, of a solution on a
 /// mesh whose edges are parts of those of the estimate's.
 double squared_spring_distance(const SprungBlock& block, const Problem& coarse,
-                               const Estimate& estimate,
+                               const Estimate<2>& estimate,
                                const Matrix4Xd& tractions, const Problem& fine,
                                const VectorXd& reference) {
   const BoundarySprings<2> springs = block.springs_on(coarse.mesh);
@@ -205,7 +205,7 @@ RC_GTEST_PROP(Springs, error_is_bounded_with_their_energy, (Random random)) {
                 fine = block.on(subdivided(block.mesh, 3));
   const ContactSolution solution = solved(coarse), reference = solved(fine);
   RC_ASSERT(solution.status == ContactStatus::converged);
-  const Estimate estimate =
+  const Estimate<2> estimate =
       estimated(coarse, solution, block.springs_on(coarse.mesh),
                 sweeps(*rc::gen::inRange(0, 4)));
   RC_ASSERT(estimate.admissible);
@@ -223,7 +223,7 @@ RC_GTEST_PROP(Springs, error_is_bounded_with_their_energy, (Random random)) {
 RC_GTEST_PROP(Springs, are_a_part_of_the_error, (Random random)) {
   const SprungBlock block = random_sprung_block(random, 6);
   const Problem problem = block.on(block.mesh);
-  const Estimate estimate =
+  const Estimate<2> estimate =
       estimated(problem, solved(problem), block.springs_on(block.mesh));
   RC_ASSERT(estimate.admissible);
   RC_ASSERT(estimate.springs >= 0);
@@ -235,8 +235,8 @@ RC_GTEST_PROP(Springs, are_a_part_of_the_error, (Random random)) {
   // every sweep lowers it, by what is left at its end
   for (std::size_t k = 1; k < estimate.history.size(); ++k)
     RC_ASSERT(estimate.history[k] <= estimate.history[k - 1]);
-  const Estimate before = estimated(problem, solved(problem),
-                                    block.springs_on(block.mesh), sweeps(0));
+  const Estimate<2> before = estimated(problem, solved(problem),
+                                       block.springs_on(block.mesh), sweeps(0));
   RC_ASSERT(std::abs(before.e - estimate.history.front()) <= 1e-7 * before.e);
 }
 
@@ -263,7 +263,7 @@ TEST(Springs, that_are_stiff_are_judged_as_supports) {
     }
     return estimated(problem, solved(problem), springs, sweeps(20));
   };
-  const Estimate clamped = pressed(0), sprung = pressed(1e8);
+  const Estimate<2> clamped = pressed(0), sprung = pressed(1e8);
   EXPECT_NEAR(sprung.e, clamped.e, 1e-3 * clamped.e);
   EXPECT_NEAR(sprung.relative, clamped.relative, 1e-3 * clamped.relative);
 }
@@ -287,13 +287,13 @@ TEST(Springs, share_an_edge_with_a_support) {
     prescribe(problem, right, 0);
     return estimated(problem, solved(problem), springs);
   };
-  const Estimate both = judged(Vector2d(300, 40).asDiagonal()),
-                 one = judged(Vector2d(0, 40).asDiagonal());
+  const Estimate<2> both = judged(Vector2d(300, 40).asDiagonal()),
+                    one = judged(Vector2d(0, 40).asDiagonal());
   EXPECT_TRUE(both.admissible && one.admissible);
   EXPECT_NEAR(both.e, one.e, 1e-9 * one.e);
   Matrix2d inclined;
   inclined << 300, 50, 50, 40;
-  const Estimate fixed = judged(inclined);
+  const Estimate<2> fixed = judged(inclined);
   EXPECT_TRUE(fixed.admissible) << fixed.reason;
   EXPECT_NEAR(fixed.e, one.e, 0.05 * one.e);  // nearly the same problem
 }
@@ -326,7 +326,7 @@ RC_GTEST_PROP(Springs, know_no_direction_and_no_unit, (Random random)) {
     assemble(springs, problem);
     return estimated(problem, solved(problem), springs);
   };
-  const Estimate as_is = judged(0, 1), other = judged(angle, units);
+  const Estimate<2> as_is = judged(0, 1), other = judged(angle, units);
   RC_ASSERT(as_is.admissible && other.admissible);
   RC_ASSERT(std::abs(other.relative - as_is.relative) <= 1e-6 * as_is.relative);
 }

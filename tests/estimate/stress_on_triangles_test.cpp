@@ -49,7 +49,7 @@ Matrix<double, 2, 3> subtriangle(const CellCorners<2>& corners, int k) {
 void expect_numbers_of_places(const Vector2d& corner) {
   const Bodies two = blocks(corner);
   const Mesh& mesh = two.problem.mesh;
-  Estimate estimate = estimated(two.problem, solved(two.problem), sweeps(0));
+  Estimate<2> estimate = estimated(two.problem, solved(two.problem), sweeps(0));
   ASSERT_TRUE(estimate.refinement.has_value());
   const CommonRefinement& refinement = *estimate.refinement;
   for (int t = 0; t < refinement.mesh.cell_count(); ++t)

@@ -60,7 +60,7 @@ double square_on(const Corners& fine, const Corners& sub,
 
 /// |sigma - sigma_hat|^2 + |u - u_hat|^2, sigma constant on the fine triangles, of which
 /// `ratio` cut each coarse one.
-double squared_distance(const Assembled& coarse, const Estimate& estimate,
+double squared_distance(const Assembled& coarse, const Estimate<2>& estimate,
                         const Assembled& fine, const VectorXd& reference,
                         int ratio) {
   double sum = 0;
@@ -182,7 +182,7 @@ bool holds_elsewhere(const Case& problem) {
 }  // namespace
 
 Finds bound_finds(const Case& problem, const Assembled& parts,
-                  const Estimate& estimate, int times) {
+                  const Estimate<2>& estimate, int times) {
   if (problem.law == Law::coulomb || estimate.refinement ||
       !reads_the_same(problem, parts) || holds_elsewhere(problem))
     return {};

@@ -47,13 +47,13 @@ bool no_density_holds(const Assembled& parts, const ContactSolution& solution);
 /// its parts, eps and eps_E against our own integrals (1e-8); admissible: the estimate
 /// says so itself.
 Finds estimate_finds(const Case& problem, const Assembled& parts,
-                     const Estimate& estimate);
+                     const Estimate<2>& estimate);
 
 /// bound: |sigma - sigma_hat|^2 + |u - u_hat|^2 <= e^2 (2.20) for the nodal-force
 /// solution (u, sigma) on the mesh cut `times` times into four. For it the inequality is
 /// exact up to 2 (sum (M k)_i |w_i| - int k |w|) of u_hat on the fine line and what the
 /// rounding left of its residual works on u - u_hat, which are added. For matching traces, Tresca's law and none.
 Finds bound_finds(const Case& problem, const Assembled& parts,
-                  const Estimate& estimate, int times);
+                  const Estimate<2>& estimate, int times);
 
 }  // namespace ffcontact::fuzz

@@ -17,7 +17,7 @@ struct Answer {
   Case problem;
   Assembled parts;
   ContactSolution solution;
-  Estimate estimate;
+  Estimate<2> estimate;
 };
 
 Finds finds_of(const Answer& answer) {
@@ -239,7 +239,7 @@ TEST(spoilt, bound) {
       continue;
     EXPECT_TRUE(
         bound_finds(answer.problem, answer.parts, answer.estimate, 1).empty());
-    Estimate spoilt = answer.estimate;
+    Estimate<2> spoilt = answer.estimate;
     spoilt.e *= 0.01;
     spoilt.relative *= 0.01;
     EXPECT_TRUE(

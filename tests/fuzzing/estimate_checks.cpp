@@ -57,7 +57,7 @@ void check_refinement(const Assembled& parts, const Ground& ground, bool exact,
 }
 
 void check_displacement(const Assembled& parts, const Ground& ground,
-                        const Estimate& estimate, Finds& finds) {
+                        const Estimate<2>& estimate, Finds& finds) {
   const VectorXd& u = estimate.displacement;
   const Matrix2Xd w = against_foundation(ground.line, ground.gap, {}, u);
   const double scale = displacement_scale(parts, u);
@@ -147,7 +147,8 @@ std::map<int, std::array<bool, 2>> held_labels(
 /// edges of the refinement are not of the same length (vertices that all but meet) their
 /// forces are opposite, not their tractions: check_refinement says by how much.
 GivenTractions given_tractions(const Case& problem, const Assembled& parts,
-                               const Ground& ground, const Estimate& estimate) {
+                               const Ground& ground,
+                               const Estimate<2>& estimate) {
   GivenTractions given;
   const auto held = held_labels(ground.mesh, ground.prescribed);
   for (int e = 0; e < ground.mesh.boundary.cols(); ++e) {
@@ -196,8 +197,8 @@ struct StressDefects {
 };
 
 /// Both ends of the side k of triangle t, from its counter-clockwise first vertex.
-Matrix2d side_tractions(const Ground& ground, const Estimate& estimate, int t,
-                        int k) {
+Matrix2d side_tractions(const Ground& ground, const Estimate<2>& estimate,
+                        int t, int k) {
   const Corners corners = corners_at(ground.mesh, t);
   const Vector2d n =
       outward(corners.col((k + 1) % 3), corners.col((k + 2) % 3));
@@ -208,7 +209,8 @@ Matrix2d side_tractions(const Ground& ground, const Estimate& estimate, int t,
 }
 
 StressDefects stress_defects(const Case& problem, const Assembled& parts,
-                             const Ground& ground, const Estimate& estimate) {
+                             const Ground& ground,
+                             const Estimate<2>& estimate) {
   StressDefects defects;
   std::map<std::pair<int, int>, Matrix2d> sides;
   for (int t = 0; t < ground.mesh.cell_count(); ++t) {
@@ -244,8 +246,8 @@ StressDefects stress_defects(const Case& problem, const Assembled& parts,
 }
 
 void check_stress(const Case& problem, const Assembled& parts,
-                  const Ground& ground, const Estimate& estimate, double scale,
-                  Finds& finds) {
+                  const Ground& ground, const Estimate<2>& estimate,
+                  double scale, Finds& finds) {
   const StressDefects defects =
       stress_defects(problem, parts, ground, estimate);
   // known to its own last place, however far from that of u
@@ -286,7 +288,7 @@ struct AlongEdge {
 };
 
 AlongEdge along_edge(const Case& problem, const Ground& ground,
-                     const Estimate& estimate, const Matrix2Xd& w, int e) {
+                     const Estimate<2>& estimate, const Matrix2Xd& w, int e) {
   AlongEdge edge{};
   edge.tresca = problem.law == Law::tresca;
   for (int end = 0; end < 2; ++end) {
@@ -317,7 +319,7 @@ double integral(const AlongEdge& edge, Function&& f) {
 }
 
 void check_cone(const Case& problem, const Ground& ground,
-                const Estimate& estimate, double scale, Finds& finds) {
+                const Estimate<2>& estimate, double scale, Finds& finds) {
   const Matrix2Xd w = Matrix2Xd::Zero(2, ground.line.node_count());
   Largest outside;
   for (int e = 0; e < ground.line.edge_count(); ++e) {
@@ -358,7 +360,7 @@ struct OwnError {
 };
 
 OwnError own_error(const Case& problem, const Assembled& parts,
-                   const Ground& ground, const Estimate& estimate) {
+                   const Ground& ground, const Estimate<2>& estimate) {
   OwnError own;
   for (int t = 0; t < ground.mesh.cell_count(); ++t) {
     const Matrix3d& C = parts.elasticity[ground.region[t]];
@@ -395,8 +397,8 @@ OwnError own_error(const Case& problem, const Assembled& parts,
 /// one. Where e is exactly 0 stresses and slips are called so that are below 1e-12 of
 /// what they are summed from.
 void check_error(const Case& problem, const Assembled& parts,
-                 const Ground& ground, const Estimate& estimate, double stress,
-                 Finds& finds) {
+                 const Ground& ground, const Estimate<2>& estimate,
+                 double stress, Finds& finds) {
   const OwnError own = own_error(problem, parts, ground, estimate);
   const double displacement = (estimate.e == 0 ? 1e-12 : 1e-15) *
                               displacement_scale(parts, estimate.displacement);
@@ -431,7 +433,7 @@ void check_error(const Case& problem, const Assembled& parts,
 }
 
 /// Contact tractions push the tool as it is pushed.
-void check_push(const Assembled& parts, const Estimate& estimate,
+void check_push(const Assembled& parts, const Estimate<2>& estimate,
                 Finds& finds) {
   if (!parts.tool) return;
   const ContactLine& line = parts.line;
@@ -460,7 +462,7 @@ void check_push(const Assembled& parts, const Estimate& estimate,
 }  // namespace
 
 Finds estimate_finds(const Case& problem, const Assembled& parts,
-                     const Estimate& estimate) {
+                     const Estimate<2>& estimate) {
   Finds finds;
   const Ground ground = ground_of(parts, estimate);
   if (estimate.refinement)

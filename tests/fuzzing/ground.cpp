@@ -55,7 +55,7 @@ Corners subtriangle(const Corners& corners, int k) {
   return sub;
 }
 
-Ground ground_of(const Assembled& parts, const Estimate& estimate) {
+Ground ground_of(const Assembled& parts, const Estimate<2>& estimate) {
   if (!estimate.refinement) {
     std::vector<int> parent(parts.mesh().cells.cols());
     for (std::size_t t = 0; t < parent.size(); ++t)
@@ -188,7 +188,7 @@ double stress_scale(const Assembled& parts, const Ground& ground,
 }
 
 double square_called_zero(const Assembled& parts, const Ground& ground,
-                          const Estimate& estimate) {
+                          const Estimate<2>& estimate) {
   if (estimate.e != 0) return 0;
   double compliance = 0;
   for (int t = 0; t < ground.mesh.cell_count(); ++t)

@@ -80,7 +80,7 @@ struct Ground {
   VectorXd friction, slip_bound, gap, previous;
   std::vector<char> prescribed;
 };
-Ground ground_of(const Assembled& parts, const Estimate& estimate);
+Ground ground_of(const Assembled& parts, const Estimate<2>& estimate);
 
 /// int psi_i psi_j over edges of given nodes and vertices.
 Dense mass_of(const Mesh& mesh, const ContactLine& line);
@@ -105,7 +105,7 @@ double stress_scale(const Assembled& parts, const Ground& ground,
 /// What e^2 may be off by where e is exactly 0: that says that stresses are below 1e-12
 /// of the terms they are summed from.
 double square_called_zero(const Assembled& parts, const Ground& ground,
-                          const Estimate& estimate);
+                          const Estimate<2>& estimate);
 
 Corners corners_at(const Mesh& mesh, int triangle);
 /// Corners of subtriangle k: k+1, k+2, centroid.

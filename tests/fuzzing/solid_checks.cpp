@@ -258,7 +258,7 @@ Side side_of(const Subdivided& stress, int cell, int k, const FaceKey& key) {
 class StressChecks {
  public:
   StressChecks(const SolidCase& problem, const SurfaceSolution& solution,
-               const SolidEstimate& estimate)
+               const Estimate<3>& estimate)
       : problem_(problem), estimate_(estimate) {
     const Topology<3> topology = topology_of(problem.mesh);
     const SolvedBody<3> body{problem.hooke,     solution.displacement,
@@ -455,7 +455,7 @@ class StressChecks {
   }
 
   const SolidCase& problem_;
-  const SolidEstimate& estimate_;
+  const Estimate<3>& estimate_;
   std::vector<Subdivided> stress_;
   std::vector<VoigtVector<3>> displacement_stress_;
   std::map<FaceKey, std::vector<Side>> sides_;
@@ -464,7 +464,7 @@ class StressChecks {
 };
 
 /// Tractions at places of each contact face between the nodes' values.
-void check_cone(const SolidCase& problem, const SolidEstimate& estimate,
+void check_cone(const SolidCase& problem, const Estimate<3>& estimate,
                 Finds& finds) {
   const ContactSurface& surface = problem.surface;
   const double largest =
@@ -494,7 +494,7 @@ void check_cone(const SolidCase& problem, const SolidEstimate& estimate,
 
 /// Is u_hat clear of what it faces? On a rigid foundation at the nodes, of another body at
 /// the corners of what faces what, whose places must lie on each other along n.
-void check_clear(const SolidCase& problem, const SolidEstimate& estimate,
+void check_clear(const SolidCase& problem, const Estimate<3>& estimate,
                  Finds& finds) {
   const SolidMesh& mesh = problem.mesh;
   const ContactSurface& surface = problem.surface;
@@ -555,7 +555,7 @@ Finds solid_solution_finds(const SolidCase& problem,
 
 Finds solid_estimate_finds(const SolidCase& problem,
                            const SurfaceSolution& solution,
-                           const SolidEstimate& estimate) {
+                           const Estimate<3>& estimate) {
   Finds finds;
   if (!estimate.admissible) {
     // what no estimate can do is said
@@ -571,8 +571,7 @@ Finds solid_estimate_finds(const SolidCase& problem,
   return finds;
 }
 
-Finds solid_bound_finds(const SolidCase& problem,
-                        const SolidEstimate& estimate) {
+Finds solid_bound_finds(const SolidCase& problem, const Estimate<3>& estimate) {
   const SolidCase fine = refined_once(problem, contact_labels(problem));
   const SurfaceSolution solution = solve_contact(
       fine.mesh, fine.surface, fine.law, elastic_system(fine.A(), fine.b(), 3));
@@ -609,11 +608,11 @@ Outcome outcome_of(const SolidCase& problem) {
     step = "estimate";
     RelaxationSettings settings;
     settings.steps = problem.steps;
-    const SolidEstimate estimate = estimate_error(
+    const Estimate<3> estimate = estimate_error(
         topology_of(problem.mesh), problem.surface, system,
         {problem.hooke, solution.displacement, solution.force, problem.law,
          problem.neumann(), problem.body_loads(), solution.stiffness},
-        settings);
+        {settings});
     const Finds of_pair = solid_estimate_finds(problem, solution, estimate);
     outcome.finds.insert(outcome.finds.end(), of_pair.begin(), of_pair.end());
     const bool is_rigid_plane =

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/contact/surface_solution.hpp"
-#include "ffcontact/estimate/solid_estimate.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 #include "solid_case.hpp"
 #include "trial.hpp"
 
@@ -21,12 +21,11 @@ Finds solid_solution_finds(const SolidCase& problem,
 /// face; error: e^2 summed anew.
 Finds solid_estimate_finds(const SolidCase& problem,
                            const SurfaceSolution& solution,
-                           const SolidEstimate& estimate);
+                           const Estimate<3>& estimate);
 
 /// bound: without friction, on a rigid plane, |u - u_hat| <= e for the solution u on
 /// tetrahedra cut into eight.
-Finds solid_bound_finds(const SolidCase& problem,
-                        const SolidEstimate& estimate);
+Finds solid_bound_finds(const SolidCase& problem, const Estimate<3>& estimate);
 
 /// States, solves, estimates and judges a random solid.
 Outcome outcome_of(const SolidCase& problem);

@@ -62,9 +62,9 @@ bool ended(const char* step, const Case& problem,
 void judge_estimate(const Case& problem, const Assembled& parts,
                     const ElasticSystem& system,
                     const ContactSolution& solution, Outcome& outcome) {
-  EstimateSettings settings;
+  EstimateSettings<2> settings;
   settings.relaxation.steps = problem.sweeps;
-  Estimate estimate;
+  Estimate<2> estimate;
   // What is solved has an estimate, whatever the problem promised, where there is an
   // admissible pair.
   Case promised = problem;

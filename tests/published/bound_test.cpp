@@ -15,7 +15,7 @@ constexpr int nx = 8, ny = 4, finer = 16;
 
 /// 2 mu int (r_n - r_hat_n)(|w_hat_t| - |w_t|) with r, w of the reference: the term of
 /// (2.14) without a sign.
-double coulomb_term(const Problem& coarse, const Estimate& estimate,
+double coulomb_term(const Problem& coarse, const Estimate<2>& estimate,
                     const Problem& fine, const ContactSolution& reference) {
   const Matrix2Xd w = contact_components(fine.line, reference.displacement);
   const Matrix2Xd w_hat =
@@ -72,7 +72,7 @@ Bound bound(const Law& law, unsigned seed) {
   const ContactSolution solution = solved(coarse), reference = solved(fine);
   EXPECT_EQ(solution.status, ContactStatus::converged);
   EXPECT_EQ(reference.status, ContactStatus::converged);
-  const Estimate estimate = estimated(coarse, solution, sweeps(2));
+  const Estimate<2> estimate = estimated(coarse, solution, sweeps(2));
   EXPECT_TRUE(estimate.admissible) << estimate.reason;
   const SquaredDistances squares =
       squared_distances(coarse, estimate, fine, reference.displacement);
@@ -109,7 +109,7 @@ RC_GTEST_PROP(bound, holds_on_random_meshes_under_random_loads,
   fine.law.multiplier = Multiplier::force;
   const ContactSolution solution = solved(coarse), reference = solved(fine);
   RC_ASSERT(solution.accepted({}) && reference.accepted({}));
-  const Estimate estimate = estimated(coarse, solution, sweeps(2));
+  const Estimate<2> estimate = estimated(coarse, solution, sweeps(2));
   RC_ASSERT(estimate.admissible);
   const BoundByReference found =
       bound_by_reference(coarse, estimate, fine, reference.displacement);

@@ -56,7 +56,7 @@ TEST_P(Table1, true_error_as_printed_and_effectivity_below_1_20) {
   const Row row = GetParam();
   const Problem problem = example_2(Multiplier::force, row.friction, cells);
   const ContactSolution solution = solved(problem);
-  const Estimate estimate = estimated(problem, solution, sweeps(3));
+  const Estimate<2> estimate = estimated(problem, solution, sweeps(3));
   const True exact = true_error(problem, solution, row.friction);
   const double effectivity = estimate.e / exact.error;
   std::printf("| %.1f | %.2f | %.2f | %.2f | %.2f | %.2f |\n", row.friction,

@@ -35,7 +35,7 @@ TEST(two_bodies, bound_holds_for_tresca_and_without_friction) {
                     fine = sheared(12, slip_bound, multiplier);
       const ContactSolution solution = solved(coarse), reference = solved(fine);
       ASSERT_TRUE(solution.accepted({}) && reference.accepted({}));
-      const Estimate estimate = estimated(coarse, solution, sweeps(2));
+      const Estimate<2> estimate = estimated(coarse, solution, sweeps(2));
       ASSERT_TRUE(estimate.admissible) << estimate.reason;
       ASSERT_TRUE(estimate.refinement.has_value());
       const SquaredDistances squares =

@@ -66,7 +66,7 @@ inline double boundary_work(const SolidProblem& coarse,
 /// that match: (2.20) holds in it term by term.
 /// @param u_hat  that of the estimate on the fine mesh
 inline double both_errors_square(const SolidProblem& coarse,
-                                 const SolidEstimate& found,
+                                 const Estimate<3>& found,
                                  const SolidProblem& fine, const VectorXd& u,
                                  const VectorXd& u_hat) {
   const RowMatrix K = stiffness(fine.mesh, solved_solid(fine, {}).hooke);

@@ -34,17 +34,17 @@ inline SolvedBody<2> solved_body(const Problem& problem,
           solution.stiffness};
 }
 
-inline EstimateSettings sweeps(int count,
-                               Tractions tractions = Tractions::free) {
-  EstimateSettings settings;
+inline EstimateSettings<2> sweeps(int count,
+                                  Tractions tractions = Tractions::free) {
+  EstimateSettings<2> settings;
   settings.relaxation.steps = count;
   settings.tractions = tractions;
   return settings;
 }
 
-inline Estimate estimated(const Problem& problem,
-                          const ContactSolution& solution,
-                          const EstimateSettings& settings = {}) {
+inline Estimate<2> estimated(const Problem& problem,
+                             const ContactSolution& solution,
+                             const EstimateSettings<2>& settings = {}) {
   return estimate_error(topology_of(problem.mesh), problem.line,
                         problem.system(), solved_body(problem, solution),
                         settings);

@@ -39,10 +39,10 @@ inline SolvedBody<2> solved_body(const Problem& problem,
   return body;
 }
 
-inline Estimate estimated(const Problem& problem,
-                          const ContactSolution& solution,
-                          const LinearStresses<2>& tau,
-                          const EstimateSettings& settings = {}) {
+inline Estimate<2> estimated(const Problem& problem,
+                             const ContactSolution& solution,
+                             const LinearStresses<2>& tau,
+                             const EstimateSettings<2>& settings = {}) {
   return estimate_error(topology_of(problem.mesh), problem.line,
                         problem.system(), solved_body(problem, solution, tau),
                         settings);

@@ -143,7 +143,7 @@ inline Vector3d barycentric(const CellCorners<2>& corners, const Vector2d& x) {
 /// constant on the fine triangles. The pair is on the bodies or on their common
 /// refinement.
 inline SquaredDistances squared_distances(const Problem& coarse,
-                                          const Estimate& estimate,
+                                          const Estimate<2>& estimate,
                                           const Problem& fine,
                                           const VectorXd& reference) {
   const Mesh& mesh =
@@ -219,7 +219,7 @@ struct BoundByReference {
 };
 
 inline BoundByReference bound_by_reference(const Problem& coarse,
-                                           const Estimate& estimate,
+                                           const Estimate<2>& estimate,
                                            const Problem& fine,
                                            const VectorXd& reference) {
   const SquaredDistances squares =

@@ -14,7 +14,7 @@ inline void expect_same_digits_on_two_threads(const SolidProblem& problem) {
   const auto on = [&](int threads) {
     return on_threads(threads, [&] { return estimate(problem, solution); });
   };
-  const SolidEstimate one = on(1), two = on(2);
+  const Estimate<3> one = on(1), two = on(2);
   EXPECT_EQ(one.e, two.e);
   EXPECT_EQ(one.history, two.history);
   EXPECT_EQ(one.moments, two.moments);

@@ -12,7 +12,7 @@ namespace ffcontact::test {
 
 inline SolidCoulomb coulomb_of(const SolidProblem& problem,
                                const SurfaceSolution& solution,
-                               const SolidEstimate& estimate,
+                               const Estimate<3>& estimate,
                                StuckNodes stuck = StuckNodes::may_slip) {
   std::vector<char> held(solution.state.size(), 0);
   for (std::size_t i = 0; i < held.size(); ++i)

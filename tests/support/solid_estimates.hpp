@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/estimate/solid_estimate.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 #include "support/solid_problems.hpp"
 
 /// From a solid in contact to the estimate of its error.
@@ -19,17 +19,17 @@ inline SolvedBody<3> solved_solid(const SolidProblem& problem,
           solution.stiffness};
 }
 
-inline SolidEstimate estimate(const SolidProblem& problem,
-                              const SurfaceSolution& solution,
-                              const RelaxationSettings& settings = {},
-                              const RelaxFaces& relax = relax_facets<3>) {
+inline Estimate<3> estimate(const SolidProblem& problem,
+                            const SurfaceSolution& solution,
+                            const RelaxationSettings& settings = {},
+                            const RelaxFacets<3>& relax = relax_facets<3>) {
   return estimate_error(topology_of(problem.mesh), problem.surface,
                         problem.system(), solved_solid(problem, solution),
-                        settings, relax);
+                        {settings, {}, relax});
 }
 
-inline SolidEstimate estimate(const SolidProblem& problem,
-                              const RelaxationSettings& settings = {}) {
+inline Estimate<3> estimate(const SolidProblem& problem,
+                            const RelaxationSettings& settings = {}) {
   return estimate(problem, problem.solve(), settings);
 }
 

@@ -60,14 +60,14 @@ inline void assemble(const BoundarySprings<3>& springs, SolidProblem& problem) {
   problem.A += RowMatrix(added.sparseView());
 }
 
-inline SolidEstimate estimate(const SolidProblem& problem,
-                              const SurfaceSolution& solution,
-                              const BoundarySprings<3>& springs,
-                              const RelaxationSettings& settings = {}) {
+inline Estimate<3> estimate(const SolidProblem& problem,
+                            const SurfaceSolution& solution,
+                            const BoundarySprings<3>& springs,
+                            const RelaxationSettings& settings = {}) {
   SolvedBody<3> body = solved_solid(problem, solution);
   body.springs = springs;
   return estimate_error(topology_of(problem.mesh), problem.surface,
-                        problem.system(), body, settings);
+                        problem.system(), body, {settings});
 }
 
 }  // namespace ffcontact::test

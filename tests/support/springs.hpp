@@ -57,10 +57,10 @@ inline void assemble(const BoundarySprings<2>& springs, Problem& problem) {
   }
 }
 
-inline Estimate estimated(const Problem& problem,
-                          const ContactSolution& solution,
-                          const BoundarySprings<2>& springs,
-                          const EstimateSettings& settings = {}) {
+inline Estimate<2> estimated(const Problem& problem,
+                             const ContactSolution& solution,
+                             const BoundarySprings<2>& springs,
+                             const EstimateSettings<2>& settings = {}) {
   SolvedBody<2> body = solved_body(problem, solution);
   body.springs = springs;
   return estimate_error(topology_of(problem.mesh), problem.line,

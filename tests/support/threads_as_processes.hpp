@@ -72,7 +72,7 @@ inline std::vector<int> owners(int cells, int processes, bool bands,
 }
 
 /// relax_facets<3> by so many.
-inline RelaxFaces relaxed_by(int processes, bool bands, unsigned seed) {
+inline RelaxFacets<3> relaxed_by(int processes, bool bands, unsigned seed) {
   return [=](const FacetSetting<3>& setting, const RelaxationSettings& settings,
              FaceMoments& moments) {
     std::mt19937 random(seed);

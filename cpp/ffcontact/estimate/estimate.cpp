@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/estimate.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/law/friction_cone.hpp"
-#include "ffcontact/equilibrium/tractions/facet_loads.hpp"
+#include "ffcontact/base/parted_sum.hpp"
 #include "ffcontact/equilibrium/tractions/free_springs.hpp"
-#include "ffcontact/estimate/bodies/compared.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
-#include "ffcontact/estimate/checks/reason_against.hpp"
 #include "ffcontact/estimate/checks/sound_problem.hpp"
-#include "ffcontact/estimate/displacement/sticking_displacement.hpp"
-#include "ffcontact/estimate/error/contact_edges.hpp"
+#include "ffcontact/estimate/contact_steps.hpp"
 #include "ffcontact/estimate/error/error_history.hpp"
 #include "ffcontact/estimate/error/polynomial_norms.hpp"
 #include "ffcontact/estimate/error/spring_parts.hpp"
-#include "ffcontact/estimate/error/wide_cones.hpp"
-#include "ffcontact/estimate/tractions/first_tractions.hpp"
 #include "ffcontact/estimate/tractions/tool_work.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -27,245 +20,244 @@ namespace ffcontact {
 
 namespace {
 
-/// sigma_hat, by its moments on the edges, and r_hat.
-struct RelaxedTractions {
-  EdgeMoments moments;
-  ContactDensities contact;
-  std::vector<double> falls;  ///< of e^2, sweep by sweep
-};
+/// May r_hat be relaxed?
+template <int d>
+bool contact_is_free(const EstimateSettings<d>& settings,
+                     const StressTerms& terms) {
+  if constexpr (d == 2)
+    if (settings.tractions != Tractions::free) return false;
+  return !terms.unstressed;
+}
 
-RelaxedTractions relaxed(MatchedBodies& bodies, const Compared& compared,
-                         FirstTractions first, const EstimateSettings& settings,
-                         const VectorXd& u_hat, bool contact_is_free) {
-  const auto& [mesh, edges, ridges, stars] = bodies.topology();
-  const ContactLine& line = bodies.line();
-  const SolvedBody<2>& body = bodies.body();
-  const ContactDensities& densities = first.contact.densities;
-  const BoundaryTractions boundary = bodies.boundary_with(densities);
-  const std::vector<FreeSpring<2>> springs = free_springs<2>(
-      mesh, edges, body.springs, boundary, u_hat, bodies.spring_tractions());
-  const BoundaryTractions without_springs = released<2>(boundary, springs);
+/// The boundary tractions that stay as they are.
+template <int d>
+FacetTractions<d> without_free_springs(
+    const FacetTractions<d>& boundary,
+    const std::vector<FreeSpring<d>>& springs) {
+  return springs.empty() ? FacetTractions<d>() : released<d>(boundary, springs);
+}
 
-  FacetSetting<2> setting{{bodies.topology(), body.hooke, without_springs,
-                           compared.body_loads(body), compared.stress,
-                           terms_of<2>(springs)}};
-  if (contact_is_free)
-    setting.contact = contact_edges(line, compared.law, compared.displacement,
-                                    densities, boundary);
-  setting.kept_work = tool_work(mesh, line, body).fields;
+template <int d>
+RelaxedTractions<d> relaxed(MatchedBodies<d>& bodies,
+                            const Compared<d>& compared,
+                            FirstTractions<d> first,
+                            const EstimateSettings<d>& settings,
+                            const VectorXd& u_hat, bool contact_is_free) {
+  const auto& [mesh, facets, ridges, stars] = bodies.topology();
+  const SolvedBody<d>& body = bodies.body();
+  RelaxedTractions<d> result{std::move(first.contact),
+                             std::move(first.moments)};
+  const FacetTractions<d> boundary =
+      bodies.boundary_with(result.contact.densities);
+  const std::vector<FreeSpring<d>> springs = free_springs<d>(
+      mesh, facets, body.springs, boundary, u_hat, bodies.spring_tractions());
+  const FacetTractions<d> without = without_free_springs(boundary, springs);
+
+  FacetSetting<d> setting{
+      {bodies.topology(), body.hooke, springs.empty() ? boundary : without,
+       compared.body_loads(body), compared.stress, terms_of<d>(springs)}};
+  result.facets = contact_facets(bodies, compared, result.contact, boundary);
+  if (contact_is_free) setting.contact = result.facets;
+  if constexpr (d == 2)
+    setting.kept_work = tool_work(mesh, bodies.contact(), body).fields;
   setting.report = settings.report;
-  RelaxedTractions result{std::move(first.moments), densities, {}};
-  result.falls = relax_facets<2>(setting, settings.relaxation, result.moments);
-  put_tractions(setting.contact, result.moments, result.contact);
-  if (settings.tractions != Tractions::published)
-    clamp_rounding(line, body.law, result.contact);
-  add_spring_changes<2>(mesh, edges, springs, boundary, result.moments,
+  result.falls = settings.relax(setting, settings.relaxation, result.moments);
+  add_spring_changes<d>(mesh, facets, springs, boundary, result.moments,
                         bodies.spring_tractions());
-  put_known<2>(bodies.boundary_with(result.contact), result.moments);
+  put_relaxed(bodies, settings, setting.contact, result);
   return result;
 }
 
-/// Adds the contact part of each edge to its triangle, or half of it to each of the two
-/// that face each other there.
-void share_contact_part(const Edges& edges, const ContactLine& line,
-                        const VectorXd& contact_part, VectorXd& local) {
-  for (int e = 0; e < line.edge_count(); ++e) {
-    const int facing = facing_edge(line, e);
-    local[edges.cells(0, line.edge[e])] +=
-        (facing < 0 ? 1 : 0.5) * contact_part[e];
-    if (facing >= 0) local[edges.cells(0, facing)] += 0.5 * contact_part[e];
-  }
+/// sigma_hat and its norms; it is kept for plane bodies, whose constructions differ.
+template <int d>
+StressNorms<d> norms_by(NormsOfCell<d> norms, const MatchedBodies<d>& bodies,
+                        const Compared<d>& compared,
+                        const RelaxedTractions<d>& tractions,
+                        Estimate<d>& estimate) {
+  const SolvedBody<d>& body = bodies.body();
+  const LoadedFacets<d> difference{bodies.topology(), body.hooke,
+                                   tractions.boundary,
+                                   compared.body_loads(body), compared.stress};
+  std::vector<SubcellStress<d>>* stress = nullptr;
+  if constexpr (d == 2) stress = &estimate.stress;
+  return stress_norms<d>({difference, tractions.moments, body.body_loads},
+                         norms, stress);
 }
 
-StressNorms<2> norms_by(Construction construction, const MatchedBodies& bodies,
-                        const Compared& compared,
-                        const RelaxedTractions& relaxed, Estimate& estimate) {
-  const SolvedBody<2>& body = bodies.body();
-  const BoundaryTractions boundary = bodies.boundary_with(relaxed.contact);
-  const LoadedFacets<2> difference{bodies.topology(), body.hooke, boundary,
-                                   compared.body_loads(body), compared.stress};
-  return stress_norms<2>({difference, relaxed.moments, body.body_loads},
-                         construction == Construction::composite
-                             ? composite_norms<2>
-                             : polynomial_norms,
-                         &estimate.stress);
+double sum_of(const VectorXd& squares) {
+  return parted_sum(static_cast<int>(squares.size()),
+                    [&](int t) { return squares[t]; });
 }
 
 /// (2.11) to (2.13).
-void put_error(const MatchedBodies& bodies, const StressNorms<2>& norms,
+template <int d>
+void put_error(const MatchedBodies<d>& bodies, const StressNorms<d>& norms,
                const SpringNorms& springs, const VectorXd& contact_part,
-               Estimate& estimate) {
-  const double elastic = norms.difference.sum(), sum = norms.sum + springs.sum,
-               scale = sum > 0 ? sum : 1;
+               Estimate<d>& estimate) {
+  const double elastic = sum_of(norms.difference),
+               sum = norms.sum + springs.sum, scale = sum > 0 ? sum : 1;
   estimate.elastic = std::sqrt(elastic);
   estimate.e =
       std::sqrt(square_of_error(elastic + estimate.springs, estimate.contact));
   estimate.relative = estimate.e / std::sqrt(scale);
   VectorXd local = norms.difference;
-  share_contact_part(bodies.topology().facets, bodies.line(), contact_part,
-                     local);
-  add_spring_parts<2>(bodies.topology().facets, springs.difference, local);
-  estimate.local =
-      (bodies.sums_of_parts(local) / scale).cwiseMax(0.0).cwiseSqrt();
+  add_contact_part(bodies, contact_part, local);
+  add_spring_parts<d>(bodies.topology().facets, springs.difference, local);
+  estimate.local = (bodies.sums_of_parts(std::move(local)) / scale)
+                       .cwiseMax(0.0)
+                       .cwiseSqrt();
 }
 
 /// e and its parts, and sigma_hat.
-StressNorms<2> put_error(const MatchedBodies& bodies, const Compared& compared,
-                         const RelaxedTractions& relaxed,
-                         Construction construction, Estimate& estimate) {
-  const VectorXd contact_part = contact_error(
-      bodies.line(), compared.law, relaxed.contact, compared.displacement);
+template <int d>
+StressNorms<d> put_error(const MatchedBodies<d>& bodies,
+                         const Compared<d>& compared,
+                         const RelaxedTractions<d>& tractions,
+                         const EstimateSettings<d>& settings,
+                         Estimate<d>& estimate) {
+  const VectorXd contact_part = contact_part_of(bodies, compared, tractions);
   estimate.contact = contact_part.sum();
   const SpringNorms springs =
-      spring_norms<2>(bodies.topology().mesh, bodies.body().springs,
+      spring_norms<d>(bodies.topology().mesh, bodies.body().springs,
                       estimate.displacement, bodies.spring_tractions());
   estimate.springs = springs.difference.sum();
-  StressNorms<2> norms =
-      norms_by(Construction::composite, bodies, compared, relaxed, estimate);
+  StressNorms<d> norms =
+      norms_by(composite_norms<d>, bodies, compared, tractions, estimate);
   estimate.history =
-      error_history(square_of_error(norms.difference.sum() + estimate.springs,
+      error_history(square_of_error(sum_of(norms.difference) + estimate.springs,
                                     estimate.contact),
-                    relaxed.falls);
-  if (construction != Construction::composite)
-    norms = norms_by(construction, bodies, compared, relaxed, estimate);
+                    tractions.falls);
+  if constexpr (d == 2)
+    if (settings.construction == Construction::polynomial)
+      norms = norms_by(polynomial_norms, bodies, compared, tractions, estimate);
   put_error(bodies, norms, springs, contact_part, estimate);
   return norms;
 }
 
-/// Contact tractions beside the largest stress: makes what is relative to the former
-/// relative to the latter, where an open contact line carries nothing but rounding.
-double share_of_contact(const ContactDensities& densities,
-                        const LinearStresses<2>& stress) {
-  const double contact = largest_traction(densities);
-  return relative(contact, std::max(contact, max_norm(stress.mean)));
-}
-
-/// What equilibrium is judged against at least [MPa].
-double stress_scale(const MatchedBodies& bodies, const Compared& compared,
-                    double largest, const Estimate& estimate) {
+/// What equilibrium is judged against [MPa].
+template <int d>
+double stress_scale(const MatchedBodies<d>& bodies, const Compared<d>& compared,
+                    const StressNorms<d>& norms, const VectorXd& u_hat) {
   return std::max(
-      {max_norm(compared.stress.mean), largest,
-       least_part_of_terms * largest_stress_terms(bodies.topology(),
-                                                  bodies.line(), bodies.body(),
-                                                  estimate.displacement)});
+      {max_norm(compared.stress.mean), norms.largest,
+       least_part_of_terms * largest_stress_terms<d>(bodies.topology(),
+                                                     bodies.contact(),
+                                                     bodies.body(), u_hat)});
 }
 
-/// Beside the largest stress; what tractions miss of the work along a tool counts as missing
-/// on the boundary.
-EquilibriumDefect relative_defect(const MatchedBodies& bodies,
-                                  EquilibriumDefect defect, double scale,
-                                  const ContactDensities& tractions) {
-  const ToolWork work =
-      tool_work(bodies.topology().mesh, bodies.line(), bodies.body());
-  defect.boundary =
-      std::max(defect.boundary, tool_defect(bodies.line(), work, tractions));
-  return defect.relative_to(scale > 0 ? scale : 1);
+/// What tractions miss of the work along a tool counts as missing on the boundary.
+template <int d>
+EquilibriumDefect with_tool(const MatchedBodies<d>& bodies,
+                            const ContactTractions<d>& contact,
+                            EquilibriumDefect defect) {
+  if constexpr (d == 2) {
+    const ContactLine& line = bodies.contact();
+    const ToolWork work =
+        tool_work(bodies.topology().mesh, line, bodies.body());
+    defect.boundary =
+        std::max(defect.boundary, tool_defect(line, work, contact.densities));
+  }
+  return defect;
 }
 
-std::string reason_of(const MatchedBodies& bodies, int deepest_node,
-                      const BetweenNodes& found, Construction construction,
-                      const Estimate& estimate) {
-  const auto& [mesh, edges, ridges, stars] = bodies.topology();
-  const ContactLine& line = bodies.line();
-  return reason_against(
-      estimate,
-      {mesh.place(line.vertex[deepest_node]),
-       middle_of(mesh, edges, line.edge[found.turned_facet]),
-       middle_of(mesh, edges, line.edge[found.negative_facet])},
-      construction, estimate.unmended.size());
+template <int d>
+WorstPlaces places_of(const MatchedBodies<d>& bodies, int deepest_node,
+                      const BetweenNodes& found) {
+  const auto& [mesh, facets, ridges, stars] = bodies.topology();
+  const auto& contact = bodies.contact();
+  const VectorXi& of_contact = facets_of(contact);
+  return {mesh.place(contact.vertex[deepest_node]),
+          middle_of(mesh, facets, of_contact[found.turned_facet]),
+          middle_of(mesh, facets, of_contact[found.negative_facet])};
 }
 
 /// What the theory promises, measured.
-void judge(const MatchedBodies& bodies, const Compared& compared,
-           const StressNorms<2>& norms, Construction construction,
-           Estimate& estimate) {
-  const ContactLine& line = bodies.line();
-  const SolvedBody<2>& body = bodies.body();
+template <int d>
+void judge(const MatchedBodies<d>& bodies, const Compared<d>& compared,
+           const RelaxedTractions<d>& tractions, const StressNorms<d>& norms,
+           const EstimateSettings<d>& settings, Estimate<d>& estimate) {
+  const SolvedBody<d>& body = bodies.body();
   const VectorXd& u_hat = estimate.displacement;
-  const double scale = stress_scale(bodies, compared, norms.largest, estimate),
-               moved = max_norm(body.displacement);
-  estimate.equilibrium =
-      relative_defect(bodies, norms.defect, scale, estimate.tractions);
-  estimate.cone = cone_defect(line, body.law, estimate.tractions) *
-                  share_of_contact(estimate.tractions, compared.stress);
-  const PenetrationDefect penetration =
-      penetration_defect(line, body.law, u_hat, moved);
-  estimate.penetration = penetration.value;
-  const BetweenNodes found =
-      between_nodes(line, body.law, estimate.tractions, u_hat);
-  put_between_nodes(found,
-                    std::max(scale, largest_traction(estimate.tractions)) *
-                        std::max(moved, largest_displacement(body.law, u_hat)),
-                    estimate);
+  const double scale = stress_scale(bodies, compared, norms, u_hat),
+               largest = largest_traction(tractions.contact),
+               moved = std::max(max_norm(body.displacement),
+                                largest_displacement(body.law, u_hat));
+  estimate.equilibrium = with_tool(bodies, tractions.contact, norms.defect)
+                             .relative_to(scale > 0 ? scale : 1);
+  // an open contact carries nothing but rounding: beside the largest stress
+  estimate.cone = relative(cone_violation(bodies, tractions),
+                           std::max(largest, max_norm(compared.stress.mean)));
+  const DeepestNode deepest = deepest_node(bodies, u_hat);
+  estimate.penetration = relative(deepest.depth, moved);
+  const BetweenNodes found = between_nodes(bodies, tractions.contact, u_hat);
+  put_between_nodes(found, std::max(scale, largest) * moved, estimate);
   estimate.reason =
-      reason_of(bodies, penetration.node, found, construction, estimate);
+      reason_of(bodies, tractions, places_of(bodies, deepest.node, found),
+                settings, estimate);
   estimate.admissible = estimate.reason.empty();
 }
 
 /// Steps 1 to 6 of the estimate.
-Estimate estimate_of(const SolvedProblem<2>& solved, const StressTerms& terms,
-                     const EstimateSettings& settings) {
+template <int d>
+Estimate<d> estimate_of(const SolvedProblem<d>& solved,
+                        const StressTerms& terms,
+                        const EstimateSettings<d>& settings) {
   tell(settings.report, {"admissible fields", 0, "dofs",
                          static_cast<double>(solved.system.dof_count())});
   // Facing traces that match, by cutting where they do not.
-  MatchedBodies bodies(solved);
-  Estimate estimate;
+  MatchedBodies<d> bodies(solved);
+  Estimate<d> estimate;
 
   // 1. Admissible displacement [CHH01, 4.1].
-  estimate.displacement = sticking_displacement(
-      bodies, nodal_pressures(solved),
-      admissible_displacement(bodies.line(), bodies.body().law,
-                              bodies.body().displacement, bodies.prescribed()));
-  const Compared u_hat =
-      terms.unstressed
-          ? compared_change(bodies, terms.stress, estimate.displacement)
-          : compared(bodies, estimate.displacement);
+  estimate.displacement = displacement_of_pair(solved, bodies);
+  const Compared<d> u_hat = compared(bodies, terms, estimate.displacement);
 
-  // 2., 3. Contact tractions in the cone, edge tractions in equilibrium with them.
-  FirstTractions first = first_tractions(
-      solved, bodies, terms, settings.tractions, estimate.displacement);
-  estimate.shift = first.contact.shift;
-  estimate.unmended = first.contact.unmended;
+  // 2., 3. Contact tractions in the cone, facet tractions in equilibrium with them.
+  FirstTractions<d> first =
+      first_tractions(solved, bodies, terms, settings, estimate.displacement);
 
-  // 4. Star relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
-  RelaxedTractions tractions =
+  // 4. Relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
+  RelaxedTractions<d> tractions =
       relaxed(bodies, u_hat, std::move(first), settings, estimate.displacement,
-              settings.tractions == Tractions::free && !terms.unstressed);
+              contact_is_free(settings, terms));
 
   // 5. The error and its parts [CHH01, (2.11)-(2.13)].
-  const StressNorms<2> norms =
-      put_error(bodies, u_hat, tractions, settings.construction, estimate);
-  estimate.tractions = std::move(tractions.contact);
-  estimate.spring_tractions = bodies.spring_tractions();
-  if (terms.unstressed)  // to the last digit: above it is what u_hat - u leaves
-    for (SubcellStress<2>& zero : estimate.stress) zero.setZero();
+  const StressNorms<d> norms =
+      put_error(bodies, u_hat, tractions, settings, estimate);
+  if constexpr (d == 2)
+    if (terms
+            .unstressed)  // to the last digit: above it is what u_hat - u leaves
+      for (SubcellStress<2>& zero : estimate.stress) zero.setZero();
 
   // 6. What the theory promises, measured.
-  judge(bodies, u_hat, norms, settings.construction, estimate);
-  estimate.refinement = bodies.take_refinement();
+  judge(bodies, u_hat, tractions, norms, settings, estimate);
+  put_fields(bodies, std::move(tractions), estimate);
   return estimate;
 }
 
 }  // namespace
 
-int Estimate::corrected_count() const {
-  return static_cast<int>((shift.array() != 0).count());
+template <int d>
+Estimate<d> estimate_error(const Topology<d>& topology,
+                           const LineOrSurface<d>& contact,
+                           const ElasticSystem& system,
+                           const SolvedBody<d>& body,
+                           const EstimateSettings<d>& settings) {
+  const SolvedProblem<d> solved{topology, contact, system, body};
+  require_sound(solved, settings.relaxation);
+  require_law_of_matrix<d>(topology.mesh, system, body.hooke, body.springs);
+  const StressTerms terms = stress_terms_of(solved);
+  if (!terms.unstressed) return estimate_of(solved, terms, settings);
+  SolvedBody<d> unstressed = body;
+  unstressed.multipliers.setZero();
+  return estimate_of<d>({topology, contact, system, unstressed}, terms,
+                        settings);
 }
 
-Estimate estimate_error(const Topology<2>& topology, const ContactLine& line,
-                        const ElasticSystem& system, const SolvedBody<2>& body,
-                        const EstimateSettings& settings) {
-  const SolvedProblem<2> solved{topology, line, system, body};
-  require_sound(solved, settings.relaxation);
-  require_law_of_matrix<2>(topology.mesh, system, body.hooke, body.springs);
-  const double stress_terms =
-      largest_stress_terms(topology, line, body, body.displacement);
-  if (!is_unstressed(topology, line, system.prescribed, body, stress_terms))
-    return estimate_of(solved, {stress_terms, false}, settings);
-  SolvedBody<2> unstressed = body;
-  unstressed.multipliers.setZero();
-  return estimate_of({topology, line, system, unstressed}, {stress_terms, true},
-                     settings);
-}
+template Estimate<FFCONTACT_DIMENSION> estimate_error(
+    const Topology<FFCONTACT_DIMENSION>&,
+    const LineOrSurface<FFCONTACT_DIMENSION>&, const ElasticSystem&,
+    const SolvedBody<FFCONTACT_DIMENSION>&,
+    const EstimateSettings<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -53,7 +53,7 @@ struct NodalFriction {
 class PairOnSurface {
  public:
   PairOnSurface(const Topology<3>& topology, const ContactSurface& surface,
-                const SurfaceLaw& law, const SolidEstimate& estimate)
+                const SurfaceLaw& law, const Estimate<3>& estimate)
       : surface_(surface),
         cones_(traction_cones(law, surface)),
         nodal_(estimate.tractions),
@@ -168,7 +168,7 @@ DirectedSlip slip_of(const PairOnSurface& pair, const NodalLaw& law,
 DirectedSlip directed_slip(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const SolvedBody<3>& body,
-                           const SolidEstimate& estimate) {
+                           const Estimate<3>& estimate) {
   return slip_of({topology, surface, body.law, estimate},
                  nodal_law(body.law, surface), Flags(surface.node_count(), 0));
 }
@@ -177,7 +177,7 @@ SolidCoulomb solid_coulomb(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const ElasticSystem& system,
                            const SolvedBody<3>& body,
-                           const SolidEstimate& estimate, const Flags& held) {
+                           const Estimate<3>& estimate, const Flags& held) {
   const double e =
       estimate.admissible ? estimate.e + estimate.oscillation : infinity;
   const NodalLaw law = nodal_law(body.law, surface);

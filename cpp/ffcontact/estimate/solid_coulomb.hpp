@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/uniqueness/directed_slip.hpp"
-#include "ffcontact/estimate/solid_estimate.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 
 namespace ffcontact {
 
@@ -27,7 +27,7 @@ struct SolidCoulomb {
 DirectedSlip directed_slip(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const SolvedBody<3>& body,
-                           const SolidEstimate& estimate);
+                           const Estimate<3>& estimate);
 
 /// kappa, delta and B of a judged solution: 0, 0 and e without friction that depends on
 /// r_n. Infinite where a traction is at the shear limit; elsewhere the exact solution's are
@@ -38,6 +38,6 @@ SolidCoulomb solid_coulomb(const Topology<3>& topology,
                            const ContactSurface& surface,
                            const ElasticSystem& system,
                            const SolvedBody<3>& body,
-                           const SolidEstimate& estimate, const Flags& held);
+                           const Estimate<3>& estimate, const Flags& held);
 
 }  // namespace ffcontact

@@ -68,7 +68,7 @@ SubcellStress<2> stress_on_parent(const CellCorners<2>& parent,
 }  // namespace
 
 std::vector<SubcellStress<2>> stress_on_triangles(const Mesh& mesh,
-                                                  const Estimate& estimate) {
+                                                  const Estimate<2>& estimate) {
   if (!estimate.refinement) return estimate.stress;
   const CommonRefinement& refinement = *estimate.refinement;
   std::vector<SubcellStress<2>> stress(

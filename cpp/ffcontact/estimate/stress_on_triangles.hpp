@@ -11,6 +11,6 @@ namespace ffcontact {
 /// estimate.stress, and on a triangle that was cut for a common refinement the values of
 /// the cut stress there, as seen from the subtriangle's centroid.
 std::vector<SubcellStress<2>> stress_on_triangles(const Mesh& mesh,
-                                                  const Estimate& estimate);
+                                                  const Estimate<2>& estimate);
 
 }  // namespace ffcontact

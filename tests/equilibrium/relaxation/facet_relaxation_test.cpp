@@ -5,6 +5,7 @@
 
 #include "ffcontact/contact/law/cone_correction.hpp"
 #include "ffcontact/estimate/error/contact_edges.hpp"
+#include "ffcontact/estimate/error/contact_error.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/smooth_problem.hpp"
@@ -154,7 +155,7 @@ RC_GTEST_PROP(FacetRelaxation, keeps_balance_for_hundreds_of_steps, ()) {
   prescribe(problem, left, 0);
   prescribe(problem, top, 1);
   add_body_force(problem, {*real(-1, 1), *real(-1, 1)});
-  const Estimate estimate = estimated(problem, solved(problem), sweeps(200));
+  const Estimate<2> estimate = estimated(problem, solved(problem), sweeps(200));
   RC_ASSERT(estimate.equilibrium.largest() < 1e-12);
 }
 

@@ -22,7 +22,7 @@ std::string sentence_about(Multiplier multiplier, Spoil spoil) {
   spoil(problem, body, solution);
   return refusal([&] {
     estimate_error(topology_of(problem.mesh), problem.line, problem.system(),
-                   body, EstimateSettings{});
+                   body, EstimateSettings<2>{});
   });
 }
 

@@ -46,7 +46,7 @@ struct Pushed {
     body = solved_body(problem, found.solution);
     body.tool = tool;
   }
-  Estimate estimate(const EstimateSettings& settings = {}) const {
+  Estimate<2> estimate(const EstimateSettings<2>& settings = {}) const {
     return estimate_error(topology_of(problem.mesh), problem.line,
                           problem.system(), body, settings);
   }
@@ -82,7 +82,7 @@ RC_GTEST_PROP(ToolWork, tractions_pass_on_what_pushes_the_tool,
   const Pushed pushed(block.on(block.mesh), block.tool);
   RC_ASSERT(pushed.found.solution.accepted({}));
   for (const Tractions kind : {Tractions::fixed, Tractions::free}) {
-    const Estimate found = pushed.estimate(sweeps(3, kind));
+    const Estimate<2> found = pushed.estimate(sweeps(3, kind));
     RC_ASSERT(found.reason == "");
     RC_ASSERT(pushed.missed(found.tractions) < 1e-11);
   }
@@ -114,7 +114,7 @@ double part_of_bound(const PushedBlock& block, int finer) {
       fine(std::move(on_finer_mesh), block.tool);
   EXPECT_EQ(coarse.found.solution.status, ContactStatus::converged);
   EXPECT_EQ(fine.found.solution.status, ContactStatus::converged);
-  const Estimate estimate = coarse.estimate(sweeps(2));
+  const Estimate<2> estimate = coarse.estimate(sweeps(2));
   EXPECT_EQ(estimate.reason, "");
   const BoundByReference found = bound_by_reference(
       coarse.problem, estimate, fine.problem, fine.found.solution.displacement);

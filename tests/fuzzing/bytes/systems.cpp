@@ -93,7 +93,7 @@ void solve_and_judge(fuzz::Bytes& bytes, const Mesh& mesh) {
   }
   const ContactSolution solution =
       solve_contact(mesh, line, law, system, settings);
-  EstimateSettings sweeps;
+  EstimateSettings<2> sweeps;
   sweeps.relaxation.steps = bytes.up_to(2) - (bytes.next() >= 248 ? 1 : 0);
   estimate_error(topology, line, system, any_body(bytes, mesh, law, solution),
                  sweeps);

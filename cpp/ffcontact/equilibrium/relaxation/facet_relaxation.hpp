@@ -55,7 +55,8 @@ std::vector<double> relax_facets(const FacetSetting<d>& setting,
                                  FacetColumns<d>& moments);
 
 /// relax_facets, or several processes that do the same.
-using RelaxFaces = std::function<std::vector<double>(
-    const FacetSetting<3>&, const RelaxationSettings&, FacetColumns<3>&)>;
+template <int d>
+using RelaxFacets = std::function<std::vector<double>(
+    const FacetSetting<d>&, const RelaxationSettings&, FacetColumns<d>&)>;
 
 }  // namespace ffcontact

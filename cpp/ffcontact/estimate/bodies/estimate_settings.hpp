@@ -23,9 +23,18 @@ enum class Construction {
   polynomial,
 };
 
+template <int d>
 struct EstimateSettings {
   RelaxationSettings relaxation{};
-  ProgressReport report{};  ///< of every step of it
+  ProgressReport report{};                 ///< of every step of it
+  RelaxFacets<d> relax = relax_facets<d>;  ///< by one process or several
+};
+
+template <>
+struct EstimateSettings<2> {
+  RelaxationSettings relaxation{};
+  ProgressReport report{};
+  RelaxFacets<2> relax = relax_facets<2>;
   Tractions tractions = Tractions::free;
   Construction construction = Construction::composite;
 };

@@ -7,7 +7,8 @@
 
 namespace ffcontact {
 
-MatchedBodies::MatchedBodies(const SolvedProblem<2>& solved) : solved_(solved) {
+MatchedBodies<2>::MatchedBodies(const SolvedProblem<2>& solved)
+    : solved_(solved) {
   const auto& [topology, line, system, body] = solved;
   solved_springs_ = springs_ =
       spring_moments<2>(topology.mesh, body.springs, body.displacement);
@@ -20,28 +21,28 @@ MatchedBodies::MatchedBodies(const SolvedProblem<2>& solved) : solved_(solved) {
   springs_ = matched_moments(solved_springs_);
 }
 
-Matrix4Xd MatchedBodies::matched_moments(const Matrix4Xd& solved) const {
+Matrix4Xd MatchedBodies<2>::matched_moments(const Matrix4Xd& solved) const {
   if (!cut_ || solved.cols() == 0) return solved;
   return refined_boundary_moments(solved_.topology.mesh, *refinement_, solved);
 }
 
-void MatchedBodies::add_to_springs(const Matrix4Xd& change) {
+void MatchedBodies<2>::add_to_springs(const Matrix4Xd& change) {
   solved_springs_ += change;
   springs_ += matched_moments(change);
 }
 
-Matrix4Xd MatchedBodies::solved_moments() const {
+Matrix4Xd MatchedBodies<2>::solved_moments() const {
   return with_springs<2>(solved_.body.neumann, solved_springs_);
 }
 
-BoundaryTractions MatchedBodies::boundary_with(
+BoundaryTractions MatchedBodies<2>::boundary_with(
     const ContactDensities& densities) const {
   return boundary_tractions(topology().mesh, topology().facets, prescribed(),
-                            with_springs<2>(body().neumann, springs_), line(),
-                            densities);
+                            with_springs<2>(body().neumann, springs_),
+                            contact(), densities);
 }
 
-BoundaryTractions MatchedBodies::solved_boundary(
+BoundaryTractions MatchedBodies<2>::solved_boundary(
     const BoundaryTractions& boundary) const {
   if (!cut_) return boundary;
   const Edges& edges = solved_.topology.facets;
@@ -51,17 +52,25 @@ BoundaryTractions MatchedBodies::solved_boundary(
                       solved_moments()));
 }
 
-VectorXd MatchedBodies::solved_forces(const ContactDensities& densities) const {
-  const VectorXd forces = nodal_forces(topology().mesh, line(), densities);
+BoundaryTractions MatchedBodies<2>::solved_boundary_without_contact() const {
+  const auto& [topology, line, system, body] = solved_;
+  const Matrix2Xd zero = Matrix2Xd::Zero(2, line.edge_count());
+  return boundary_tractions(topology.mesh, topology.facets, system.prescribed,
+                            solved_moments(), line, {zero, zero});
+}
+
+VectorXd MatchedBodies<2>::solved_forces(
+    const ContactDensities& densities) const {
+  const VectorXd forces = nodal_forces(topology().mesh, contact(), densities);
   return cut_ ? unrefined_forces(*refinement_, forces) : forces;
 }
 
-Matrix2Xd MatchedBodies::nodal_values(const Matrix2Xd& solved) const {
+Matrix2Xd MatchedBodies<2>::nodal_values(const Matrix2Xd& solved) const {
   if (!cut_) return solved;
   return (refinement_->node_weights * solved.transpose()).transpose();
 }
 
-MatrixXd MatchedBodies::fields(const MatrixXd& solved) const {
+MatrixXd MatchedBodies<2>::fields(const MatrixXd& solved) const {
   if (!cut_) return solved;
   MatrixXd cut(2 * cut_->topology.mesh.vertices.cols(), solved.cols());
   for (Index k = 0; k < solved.cols(); ++k)
@@ -69,15 +78,15 @@ MatrixXd MatchedBodies::fields(const MatrixXd& solved) const {
   return cut;
 }
 
-EdgeMoments MatchedBodies::moments(const EdgeMoments& solved,
-                                   const Matrix3Xd& stress,
-                                   const BoundaryTractions& boundary) const {
+EdgeMoments MatchedBodies<2>::moments(const EdgeMoments& solved,
+                                      const Matrix3Xd& stress,
+                                      const BoundaryTractions& boundary) const {
   if (!cut_) return solved;
   return refined_moments(solved_.topology.facets, *refinement_, solved, stress,
                          cut_->body.body_loads, boundary);
 }
 
-VectorXd MatchedBodies::sums_of_parts(const VectorXd& values) const {
+VectorXd MatchedBodies<2>::sums_of_parts(const VectorXd& values) const {
   if (!cut_) return values;
   VectorXd sums = VectorXd::Zero(solved_.topology.mesh.cell_count());
   for (Index t = 0; t < values.size(); ++t)

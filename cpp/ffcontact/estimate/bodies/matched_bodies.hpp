@@ -5,14 +5,20 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
+#include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "ffcontact/interface/pairing/common_refinement.hpp"
 
 namespace ffcontact {
 
-/// The solved bodies with facing traces that match, on which admissible fields are built:
-/// as they are where the traces match, and their common refinement where they do not.
-class MatchedBodies {
+/// The bodies on which admissible fields are built.
+template <int d>
+class MatchedBodies;
+
+/// Plane bodies with facing traces that match: as they are solved where the traces match, and
+/// their common refinement where they do not.
+template <>
+class MatchedBodies<2> {
  public:
   /// @param solved  stays where it is
   explicit MatchedBodies(const SolvedProblem<2>& solved);
@@ -20,7 +26,7 @@ class MatchedBodies {
   const Topology<2>& topology() const {
     return cut_ ? cut_->topology : solved_.topology;
   }
-  const ContactLine& line() const {
+  const ContactLine& contact() const {
     return cut_ ? refinement_->line : solved_.contact;
   }
   const SolvedBody<2>& body() const { return cut_ ? cut_->body : solved_.body; }
@@ -50,11 +56,10 @@ class MatchedBodies {
   /// What the boundary carries with these contact tractions.
   BoundaryTractions boundary_with(const ContactDensities& densities) const;
 
-  /// Moments of the given and the springs' tractions on the solved mesh.
-  Matrix4Xd solved_moments() const;
-
-  /// The same on the solved mesh.
+  /// The same on the solved mesh, and without those of contact, with which all components of
+  /// contact edges are known.
   BoundaryTractions solved_boundary(const BoundaryTractions& boundary) const;
+  BoundaryTractions solved_boundary_without_contact() const;
 
   /// Nodal forces of contact tractions on the dofs of the solved mesh [N/mm].
   VectorXd solved_forces(const ContactDensities& densities) const;
@@ -85,11 +90,53 @@ class MatchedBodies {
   };
   /// Moments on the solved boundary on that of the matched bodies.
   Matrix4Xd matched_moments(const Matrix4Xd& solved) const;
+  /// Of the given and the springs' tractions.
+  Matrix4Xd solved_moments() const;
 
   SolvedProblem<2> solved_;
   Matrix4Xd solved_springs_, springs_;
   std::optional<CommonRefinement> refinement_;
   std::optional<Cut> cut_;
+};
+
+/// Solids as they are solved: where surfaces do not match there is no common refinement, and
+/// tractions have an oscillation (traction_oscillation).
+template <>
+class MatchedBodies<3> {
+ public:
+  /// @param solved  stays where it is
+  explicit MatchedBodies(const SolvedProblem<3>& solved)
+      : solved_(solved),
+        springs_(spring_moments<3>(solved.topology.mesh, solved.body.springs,
+                                   solved.body.displacement)) {}
+
+  const Topology<3>& topology() const { return solved_.topology; }
+  const ContactSurface& contact() const { return solved_.contact; }
+  const SolvedBody<3>& body() const { return solved_.body; }
+  const Flags& prescribed() const { return solved_.system.prescribed; }
+
+  /// Moments of the springs' tractions [9 x boundary].
+  FaceMoments& spring_tractions() { return springs_; }
+  const FaceMoments& spring_tractions() const { return springs_; }
+  void add_to_springs(const FaceMoments& change) { springs_ += change; }
+
+  /// What the boundary carries with contact tractions at the nodes [MPa, 3 x p].
+  FaceTractions boundary_with(const Ref<const Matrix3Xd>& nodal) const;
+  const FaceTractions& solved_boundary(const FaceTractions& boundary) const {
+    return boundary;
+  }
+  FaceTractions solved_boundary_without_contact() const {
+    return boundary_with(Matrix3Xd::Zero(3, contact().node_count()));
+  }
+  FaceMoments moments(FaceMoments solved, const CellStresses<3>&,
+                      const FaceTractions&) const {
+    return solved;
+  }
+  VectorXd sums_of_parts(VectorXd values) const { return values; }
+
+ private:
+  SolvedProblem<3> solved_;
+  FaceMoments springs_;
 };
 
 }  // namespace ffcontact

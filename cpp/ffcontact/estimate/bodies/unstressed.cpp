@@ -2,8 +2,8 @@
 #include "ffcontact/estimate/bodies/unstressed.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/stress_terms.hpp"
 #include "ffcontact/estimate/bodies/boundary_moments.hpp"
 #include "ffcontact/estimate/bodies/total_stresses.hpp"
@@ -13,54 +13,83 @@ namespace ffcontact {
 
 namespace {
 
-/// What a displacement of the length `given` along each contact edge would stress on
-/// either side.
-double terms_along_line(const Edges& edges, const ContactLine& line,
-                        const Hooke& hooke, double given) {
+/// What a displacement as large as the gap or that of the load step before would stress along
+/// each contact facet on either side.
+template <int d>
+double terms_along_contact(const Topology<d>& topology,
+                           const LineOrSurface<d>& contact,
+                           const SolvedBody<d>& body) {
+  const double given =
+      std::max(max_norm(body.law.gap), max_norm(body.law.previous));
   double largest = 0;
-  const auto count = [&](int edge, int e) {
-    const double stiffness = max_norm(hooke[edges.cells(0, edge)]);
-    largest = std::max(largest, stiffness * given / line.length[e]);
-  };
-  for (int e = 0; e < line.edge_count(); ++e) count(line.edge[e], e);
-  for (const FacingPiece& piece : line.pieces)
-    count(piece.opposite_edge, piece.contact_edge);
+  if (given == 0) return largest;
+  for_touching_facets(contact, [&](int facet, int place) {
+    const double stiffness =
+                     max_norm(body.hooke[topology.facets.cells(0, facet)]),
+                 measure = facet_measure(topology.mesh, topology.facets,
+                                         facets_of(contact)[place]),
+                 length = std::pow(measure, 1.0 / (d - 1));
+    largest = std::max(largest, stiffness * given / length);
+  });
   return largest;
 }
 
 /// Does a node slide against Tresca's friction? Then stresses are not rounding, however
 /// small.
-bool slides(const ContactLine& line, const SolvedBody<2>& body) {
-  if (!body.law.tresca()) return false;
+template <int d>
+bool slides(const SolvedProblem<d>& solved) {
+  const auto& [topology, contact, system, body] = solved;
   const VectorXd& bound = body.law.slip_bound;
+  if (bound.size() == 0) return false;
   const VectorXd slip =
-      displacement_against_foundation(line, body.law, body.displacement).row(1);
+      displacement_against_foundation(contact, body.law, body.displacement)
+          .bottomRows(d - 1)
+          .colwise()
+          .norm();
   const double least =
       rounding_of_terms * largest_displacement(body.law, body.displacement);
-  return (slip.cwiseProduct(bound).array().abs() > least * bound.array()).any();
+  return (slip.cwiseProduct(bound).array() > least * bound.array()).any();
+}
+
+/// Of u_h [MPa].
+template <int d>
+double largest_contact_traction(const SolvedProblem<d>& solved) {
+  const double largest = max_norm(solved.body.multipliers);
+  if constexpr (d == 3) return largest / solved.contact.area.minCoeff();
+  return largest;
 }
 
 }  // namespace
 
-double largest_stress_terms(const Topology<2>& topology,
-                            const ContactLine& line, const SolvedBody<2>& body,
+template <int d>
+double largest_stress_terms(const Topology<d>& topology,
+                            const LineOrSurface<d>& contact,
+                            const SolvedBody<d>& body,
                             const VectorXd& displacement) {
-  const auto& [mesh, edges, ridges, stars] = topology;
-  const double given = std::max(
-      terms_along_line(edges, line, body.hooke, largest_given(body.law)),
-      body.initial.bound());
-  return std::max(given, largest_stress_terms(mesh, body.hooke, displacement));
+  return std::max(
+      {terms_along_contact(topology, contact, body), body.initial.bound(),
+       largest_stress_terms(topology.mesh, body.hooke, displacement)});
 }
 
-bool is_unstressed(const Topology<2>& topology, const ContactLine& line,
-                   const Flags& prescribed, const SolvedBody<2>& body,
-                   double stress_terms) {
-  if (has_loads(topology, prescribed, body)) return false;
-  const double stress =
-      total_stresses(topology.mesh, body, body.displacement).bound();
-  const double traction = max_norm(body.multipliers);
-  return std::max(stress, traction) <= rounding_of_terms * stress_terms &&
-         !slides(line, body);
+template <int d>
+StressTerms stress_terms_of(const SolvedProblem<d>& solved) {
+  const auto& [topology, contact, system, body] = solved;
+  const double terms = largest_stress_terms<d>(topology, contact, body,
+                                               body.displacement),
+               stress = total_stresses(topology.mesh, body, body.displacement)
+                            .bound();
+  const bool are_rounding =
+      std::max(stress, largest_contact_traction(solved)) <=
+      rounding_of_terms * terms;
+  return {terms, are_rounding &&
+                     !has_loads(topology, system.prescribed, body) &&
+                     !slides(solved)};
 }
+
+template double largest_stress_terms(const Topology<FFCONTACT_DIMENSION>&,
+                                     const LineOrSurface<FFCONTACT_DIMENSION>&,
+                                     const SolvedBody<FFCONTACT_DIMENSION>&,
+                                     const VectorXd&);
+template StressTerms stress_terms_of(const SolvedProblem<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -144,17 +144,12 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
   return lowered.u;
 }
 
-PenetrationDefect penetration_defect(const ContactLine& line,
-                                     const ContactLaw& law,
-                                     const Ref<const VectorXd>& displacement,
-                                     double least) {
+DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
+                         const Ref<const VectorXd>& displacement) {
   const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-  PenetrationDefect defect;
-  const double deepest = w.row(0).maxCoeff(&defect.node);
-  if (deepest > 0)
-    defect.value =
-        deepest / std::max(least, largest_displacement(law, displacement));
-  return defect;
+  DeepestNode deepest;
+  deepest.depth = std::max(0.0, w.row(0).maxCoeff(&deepest.node));
+  return deepest;
 }
 
 }  // namespace ffcontact

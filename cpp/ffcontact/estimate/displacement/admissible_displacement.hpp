@@ -6,6 +6,7 @@
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/law/contact_law.hpp"
+#include "ffcontact/estimate/error/deepest_node.hpp"
 
 namespace ffcontact {
 
@@ -16,25 +17,16 @@ namespace ffcontact {
 /// vertex cannot move so, the vertices that face it on another body move with it. Where
 /// there is no such change, as where prescribed components push a vertex into the
 /// foundation, or only one of 1000 times the largest displacement or gap, nothing is
-/// changed (see penetration_defect).
+/// changed (see deepest_node).
 /// @param displacement  u_h on all dofs [mm]
 /// @param prescribed    1 where the dof is prescribed and stays; empty for none
 VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
                                  const Ref<const VectorXd>& displacement,
                                  const Flags& prescribed = {});
 
-/// How far a displacement penetrates: the largest u_n - gap at the nodes, relative to
-/// largest_displacement; 0 where it keeps clear. Between the nodes all of it is
-/// linear.
-struct PenetrationDefect {
-  double value = 0;
-  int node = 0;  ///< where
-};
-/// @param least  what it is relative to at least [mm]: of u_hat that of u, whose rounding
-///               is all that is left of it where all nodes stick
-PenetrationDefect penetration_defect(const ContactLine& line,
-                                     const ContactLaw& law,
-                                     const Ref<const VectorXd>& displacement,
-                                     double least = 0);
+/// Where u_n - gap is the largest, and by how much it is above 0. Between the nodes all of it
+/// is linear.
+DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
+                         const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

@@ -44,9 +44,9 @@ VectorXi nodes_at_vertices(const ContactLine& line, Index vertices) {
 
 class Sticking {
  public:
-  Sticking(const MatchedBodies& bodies, const Ref<const Matrix2Xd>& pressure)
+  Sticking(const MatchedBodies<2>& bodies, const Ref<const Matrix2Xd>& pressure)
       : bodies_(bodies),
-        line_(bodies.line()),
+        line_(bodies.contact()),
         pressure_(bodies.nodal_values(pressure)),
         nodes_at_(
             nodes_at_vertices(line_, bodies.topology().mesh.vertex_count())) {
@@ -126,7 +126,7 @@ class Sticking {
       u.segment<2>(2 * other) += slip * t;
   }
 
-  const MatchedBodies& bodies_;
+  const MatchedBodies<2>& bodies_;
   const ContactLine& line_;
   Matrix2Xd pressure_;
   VectorXd slips_;  ///< not 0 at nodes that slip, or lie beside such
@@ -135,7 +135,7 @@ class Sticking {
 
 }  // namespace
 
-VectorXd sticking_displacement(const MatchedBodies& bodies,
+VectorXd sticking_displacement(const MatchedBodies<2>& bodies,
                                const Ref<const Matrix2Xd>& pressure,
                                VectorXd displacement) {
   return Sticking(bodies, pressure).displacement(std::move(displacement));

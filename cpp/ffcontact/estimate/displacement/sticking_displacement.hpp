@@ -21,8 +21,13 @@ namespace ffcontact {
 /// far larger than the strain times l (slip_worth_sticking). Vertices with
 /// several nodes, or with a support along t, stay.
 /// @param pressure  nodal pressures F_i / len_i of the solved line [2 x p]
-VectorXd sticking_displacement(const MatchedBodies& bodies,
+VectorXd sticking_displacement(const MatchedBodies<2>& bodies,
                                const Ref<const Matrix2Xd>& pressure,
+                               VectorXd displacement);
+
+/// The same on a surface, at nodes that face one vertex or a rigid foundation: surfaces that do
+/// not match have no common refinement to follow each other on.
+VectorXd sticking_displacement(const SolvedProblem<3>& solved,
                                VectorXd displacement);
 
 }  // namespace ffcontact

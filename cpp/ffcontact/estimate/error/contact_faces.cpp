@@ -8,7 +8,6 @@
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/estimate/error/between_nodes.hpp"
 #include "ffcontact/estimate/tractions/cone_projection.hpp"
-#include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/interface/pairing/matching_faces.hpp"
 #include "ffcontact/linear/norms.hpp"
 

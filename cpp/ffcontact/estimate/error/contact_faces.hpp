@@ -6,16 +6,9 @@
 #include "ffcontact/contact/law/surface_law.hpp"
 #include "ffcontact/equilibrium/tractions/contact_facet.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/estimate/tractions/surface_tractions.hpp"
 
 namespace ffcontact {
-
-/// (r_n, r_t1, r_t2) at the three vertices of each contact face, one column a face [MPa].
-using SurfaceTractions = Matrix<double, 9, Dynamic>;
-
-/// At the three vertices of one contact face, one column each.
-inline Matrix3d of_face(const SurfaceTractions& tractions, Index m) {
-  return tractions.col(m).reshaped(3, 3);
-}
 
 /// Motions below this part of the largest displacement have no direction.
 constexpr double least_motion = 1e-9;

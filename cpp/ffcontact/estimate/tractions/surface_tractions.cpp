@@ -173,9 +173,9 @@ Matrix3Xd continued_tractions(const SurfaceLaw& law,
   return traction;
 }
 
-Matrix<double, 9, Dynamic> tractions_by_face(
-    const ContactSurface& surface, const Ref<const Matrix3Xd>& traction) {
-  Matrix<double, 9, Dynamic> by_face(9, surface.face_count());
+SurfaceTractions tractions_by_face(const ContactSurface& surface,
+                                   const Ref<const Matrix3Xd>& traction) {
+  SurfaceTractions by_face(9, surface.face_count());
   for (int m = 0; m < surface.face_count(); ++m) {
     const FaceHats hats = face_hats(surface, m);
     const Matrix3d at_vertices =

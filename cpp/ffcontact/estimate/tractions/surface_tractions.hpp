@@ -13,6 +13,14 @@ namespace ffcontact {
 /// nodes [MPa, 3 x p]. A law linear between the nodes holds all along a face if it holds
 /// at its nodes: the cones are convex.
 
+/// (r_n, r_t1, r_t2) at the three vertices of each contact face, one column a face [MPa].
+using SurfaceTractions = Matrix<double, 9, Dynamic>;
+
+/// At the three vertices of one contact face, one column each.
+inline Matrix3d of_face(const SurfaceTractions& tractions, Index m) {
+  return tractions.col(m).reshaped(3, 3);
+}
+
 /// The cones of tractions at the nodes [MPa] that r_hat keeps to (bounded_friction); e pays
 /// for law_cones.
 std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
@@ -34,9 +42,9 @@ Matrix3Xd continued_tractions(const SurfaceLaw& law,
                               const VectorXd& displacement,
                               const Flags& prescribed, Matrix3Xd traction);
 
-/// The same at the three vertices of each face, one column a face [MPa, 9 x faces].
-Matrix<double, 9, Dynamic> tractions_by_face(
-    const ContactSurface& surface, const Ref<const Matrix3Xd>& traction);
+/// Tractions of the nodes at the vertices of each face.
+SurfaceTractions tractions_by_face(const ContactSurface& surface,
+                                   const Ref<const Matrix3Xd>& traction);
 
 /// int [z_k] . r over what the surface faces, r linear between the nodes (FaceHats) [k].
 /// @param motions  vertex fields z_k, linear on the faces [3 * vertices x k]

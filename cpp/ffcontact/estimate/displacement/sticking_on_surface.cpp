@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/estimate/displacement/sticking_solid.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/displacement/rough_contact.hpp"
+#include "ffcontact/estimate/displacement/sticking_displacement.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/linear/norms.hpp"
 

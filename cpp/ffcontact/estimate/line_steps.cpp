@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/estimate/contact_steps.hpp"
+#include "ffcontact/estimate/displacement/admissible_displacement.hpp"
+#include "ffcontact/estimate/displacement/sticking_displacement.hpp"
+#include "ffcontact/estimate/error/contact_edges.hpp"
+#include "ffcontact/estimate/error/contact_error.hpp"
+#include "ffcontact/estimate/error/wide_cones.hpp"
+
+namespace ffcontact {
+
+template <>
+VectorXd displacement_of_pair(const SolvedProblem<2>& solved,
+                              const MatchedBodies<2>& bodies) {
+  return sticking_displacement(
+      bodies, nodal_pressures(solved),
+      admissible_displacement(bodies.contact(), bodies.body().law,
+                              bodies.body().displacement, bodies.prescribed()));
+}
+
+template <>
+std::vector<ContactFacet<2>> contact_facets(
+    const MatchedBodies<2>& bodies, const Compared<2>& compared,
+    const ContactTractions<2>& tractions, const BoundaryTractions& boundary) {
+  return contact_edges(bodies.contact(), compared.law, compared.displacement,
+                       tractions.densities, boundary);
+}
+
+template <>
+void put_relaxed(const MatchedBodies<2>& bodies,
+                 const EstimateSettings<2>& settings,
+                 const std::vector<ContactFacet<2>>& relaxed,
+                 RelaxedTractions<2>& tractions) {
+  ContactDensities& densities = tractions.contact.densities;
+  put_tractions(relaxed, tractions.moments, densities);
+  if (settings.tractions != Tractions::published)
+    clamp_rounding(bodies.contact(), bodies.body().law, densities);
+  tractions.boundary = bodies.boundary_with(densities);
+  put_known(tractions.boundary, tractions.moments);
+}
+
+template <>
+VectorXd contact_part_of(const MatchedBodies<2>& bodies,
+                         const Compared<2>& compared,
+                         const RelaxedTractions<2>& tractions) {
+  return contact_error(bodies.contact(), compared.law,
+                       tractions.contact.densities, compared.displacement);
+}
+
+template <>
+void add_contact_part(const MatchedBodies<2>& bodies, const VectorXd& part,
+                      VectorXd& local) {
+  const Edges& edges = bodies.topology().facets;
+  const ContactLine& line = bodies.contact();
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int facing = facing_edge(line, e);
+    local[edges.cells(0, line.edge[e])] += (facing < 0 ? 1 : 0.5) * part[e];
+    if (facing >= 0) local[edges.cells(0, facing)] += 0.5 * part[e];
+  }
+}
+
+template <>
+double largest_traction(const ContactTractions<2>& contact) {
+  return largest_traction(contact.densities);
+}
+
+template <>
+double cone_violation(const MatchedBodies<2>& bodies,
+                      const RelaxedTractions<2>& tractions) {
+  const ContactDensities& densities = tractions.contact.densities;
+  return cone_defect(bodies.contact(), bodies.body().law, densities) *
+         largest_traction(densities);
+}
+
+template <>
+DeepestNode deepest_node(const MatchedBodies<2>& bodies,
+                         const VectorXd& u_hat) {
+  return deepest_node(bodies.contact(), bodies.body().law, u_hat);
+}
+
+template <>
+BetweenNodes between_nodes(const MatchedBodies<2>& bodies,
+                           const ContactTractions<2>& contact,
+                           const VectorXd& u_hat) {
+  return between_nodes(bodies.contact(), bodies.body().law, contact.densities,
+                       u_hat);
+}
+
+template <>
+std::string reason_of(const MatchedBodies<2>&,
+                      const RelaxedTractions<2>& tractions,
+                      const WorstPlaces& worst,
+                      const EstimateSettings<2>& settings,
+                      const Estimate<2>& estimate) {
+  return reason_against(estimate, worst, settings.construction,
+                        tractions.contact.unmended.size());
+}
+
+template <>
+void put_fields(MatchedBodies<2>& bodies, RelaxedTractions<2> tractions,
+                Estimate<2>& estimate) {
+  estimate.tractions = std::move(tractions.contact.densities);
+  estimate.shift = std::move(tractions.contact.shift);
+  estimate.unmended = std::move(tractions.contact.unmended);
+  estimate.spring_tractions = bodies.spring_tractions();
+  estimate.refinement = bodies.take_refinement();
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/law/bounded_friction.hpp"
+#include "ffcontact/estimate/contact_steps.hpp"
+#include "ffcontact/estimate/displacement/sticking_displacement.hpp"
+#include "ffcontact/estimate/error/contact_faces.hpp"
+#include "ffcontact/estimate/error/facing_error.hpp"
+#include "ffcontact/estimate/error/surface_error.hpp"
+#include "ffcontact/estimate/error/traction_oscillation.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// |w_t| on a face, where it has one direction.
+double mean_slip(const ContactFacet<3>& face) {
+  return 3 * max_norm(face.slip) / face.measure;
+}
+
+/// Does a face without tractions stay without, as outweighs_all_gains says?
+bool stays_unloaded(const ContactSurface& surface, const Compared<3>& compared,
+                    const Matrix3Xd& nodal, const ContactFacet<3>& face) {
+  const SurfaceLaw& law = compared.law;
+  const Vector3i nodes = surface.face_node.col(face.index);
+  return law.slip_bound.size() == 0 && nodal(Eigen::all, nodes).isZero(0) &&
+         outweighs_all_gains(law.friction(nodes).minCoeff(), mean_slip(face),
+                             max_norm(compared.displacement));
+}
+
+/// r_hat on some contact faces.
+SurfaceTractions tractions_on(const std::vector<ContactFacet<3>>& faces,
+                              const RelaxedTractions<3>& tractions) {
+  return tractions.contact.on_faces(Eigen::all, surface_faces(faces));
+}
+
+/// Does e pay for next to nothing but friction without bound on what the displacements of
+/// surfaces that do not match differ by between their nodes? No u_hat sticks there.
+bool pays_for_rough_faces(const MatchedBodies<3>& bodies,
+                          const std::vector<ContactFacet<3>>& matching,
+                          const PairError& error) {
+  constexpr double nearly_all = 0.99;
+  const ContactSurface& surface = bodies.contact();
+  const bool match = count_of(matching) == surface.face_count();
+  return surface.against_a_body() && !match &&
+         bodies.body().law.friction.maxCoeff() > most_friction &&
+         error.contact > nearly_all * error.e * error.e;
+}
+
+}  // namespace
+
+template <>
+VectorXd displacement_of_pair(const SolvedProblem<3>& solved,
+                              const MatchedBodies<3>&) {
+  const auto& [topology, surface, system, body] = solved;
+  return sticking_displacement(
+      solved, admissible_displacement(topology.facets, surface, body.law,
+                                      body.displacement, system.prescribed));
+}
+
+template <>
+std::vector<ContactFacet<3>> contact_facets(
+    const MatchedBodies<3>& bodies, const Compared<3>& compared,
+    const ContactTractions<3>& tractions, const FaceTractions&) {
+  const auto& [mesh, faces, ridges, stars] = bodies.topology();
+  const ContactSurface& surface = bodies.contact();
+  std::vector<ContactFacet<3>> contact;
+  for (ContactFacet<3>& face : contact_faces(mesh, faces, surface, compared.law,
+                                             compared.displacement)) {
+    if (stays_unloaded(surface, compared, tractions.densities, face)) continue;
+    face.beside = tractions.beside.col(face.index);
+    contact.push_back(face);
+  }
+  return contact;
+}
+
+template <>
+void put_relaxed(const MatchedBodies<3>& bodies, const EstimateSettings<3>&,
+                 const std::vector<ContactFacet<3>>& relaxed,
+                 RelaxedTractions<3>& tractions) {
+  auto& [nodal, on_faces, beside] = tractions.contact;
+  on_faces = tractions_by_face(bodies.contact(), nodal);
+  tractions.boundary = bodies.boundary_with(nodal);
+  const SurfaceTractions on_relaxed = tractions_of(relaxed, tractions.moments);
+  on_faces(Eigen::all, surface_faces(relaxed)) = on_relaxed;
+  put_moments(relaxed, on_relaxed, tractions.boundary.moments);
+}
+
+template <>
+VectorXd contact_part_of(const MatchedBodies<3>& bodies,
+                         const Compared<3>& compared,
+                         const RelaxedTractions<3>& tractions) {
+  const auto& [mesh, faces, ridges, stars] = bodies.topology();
+  const ContactSurface& surface = bodies.contact();
+  VectorXd part = surface.against_a_body()
+                      ? facing_contact_error(mesh, faces, surface, compared.law,
+                                             tractions.contact.densities,
+                                             compared.displacement)
+                      : VectorXd::Zero(surface.face_count());
+  part(surface_faces(tractions.facets)) = contact_error(
+      tractions.facets, tractions_on(tractions.facets, tractions));
+  return part;
+}
+
+template <>
+void add_contact_part(const MatchedBodies<3>& bodies, const VectorXd& part,
+                      VectorXd& local) {
+  const Facets<3>& faces = bodies.topology().facets;
+  for (int m = 0; m < part.size(); ++m)
+    local[faces.cells(0, bodies.contact().face[m])] += part[m];
+}
+
+template <>
+double largest_traction(const ContactTractions<3>& contact) {
+  return max_norm(contact.on_faces);
+}
+
+template <>
+double cone_violation(const MatchedBodies<3>& bodies,
+                      const RelaxedTractions<3>& tractions) {
+  return std::max(cone_violation(bodies.body().law, bodies.contact(),
+                                 tractions.contact.densities),
+                  cone_violation(tractions.facets,
+                                 tractions_on(tractions.facets, tractions)));
+}
+
+template <>
+DeepestNode deepest_node(const MatchedBodies<3>& bodies,
+                         const VectorXd& u_hat) {
+  return deepest_node(bodies.topology().facets, bodies.contact(),
+                      bodies.body().law, u_hat);
+}
+
+template <>
+BetweenNodes between_nodes(const MatchedBodies<3>& bodies,
+                           const ContactTractions<3>& contact,
+                           const VectorXd& u_hat) {
+  return between_nodes(bodies.topology().facets, bodies.contact(),
+                       bodies.body().law, contact.on_faces, u_hat);
+}
+
+template <>
+std::string reason_of(const MatchedBodies<3>& bodies,
+                      const RelaxedTractions<3>& tractions,
+                      const WorstPlaces& worst, const EstimateSettings<3>&,
+                      const Estimate<3>& estimate) {
+  const std::string reason = reason_against(estimate, worst);
+  if (reason.empty() &&
+      pays_for_rough_faces(bodies, tractions.facets, estimate))
+    return "e pays friction= times what the displacements of surfaces whose "
+           "meshes do not match differ by between their nodes: where nothing "
+           "slips make the meshes match, or give friction= no larger than the "
+           "contact needs";
+  return reason;
+}
+
+template <>
+void put_fields(MatchedBodies<3>& bodies, RelaxedTractions<3> tractions,
+                Estimate<3>& estimate) {
+  const auto& [mesh, faces, ridges, stars] = bodies.topology();
+  estimate.moments = std::move(tractions.moments);
+  estimate.tractions = std::move(tractions.contact.densities);
+  estimate.face_tractions = std::move(tractions.contact.on_faces);
+  estimate.oscillation = traction_oscillation(
+      mesh, faces, bodies.contact(), bodies.body().hooke, estimate.tractions);
+}
+
+}  // namespace ffcontact
