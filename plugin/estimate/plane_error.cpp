@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/estimate/bodies/boundary_moments.hpp"
-#include "ffcontact/estimate/bodies/total_stresses.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
 #include "ffcontact/sizing/local_rates.hpp"
 //

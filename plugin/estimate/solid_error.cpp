@@ -7,7 +7,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/estimate/bodies/total_stresses.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "ffcontact/estimate/solid_coulomb.hpp"
 #include "ffcontact/sizing/edge_rates.hpp"
 //

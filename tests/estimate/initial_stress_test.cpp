@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "ffcontact/estimate/bodies/total_stresses.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 #include "support/smooth_problem.hpp"

@@ -7,7 +7,7 @@
 
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
-#include "ffcontact/estimate/bodies/total_stresses.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
 #include "support/solid_estimates.hpp"

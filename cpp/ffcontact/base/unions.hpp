@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <set>
 #include <vector>
 
 namespace ffcontact {
@@ -28,6 +30,12 @@ class Unions {
     for (int k = 0; k < static_cast<int>(above_.size()); ++k)
       number[k] = root(k) == k ? next++ : number[root(k)];
     return number;
+  }
+  /// The sets that some members are of, without others, each by its root.
+  std::map<int, std::set<int>> sets_of(const std::vector<int>& members) {
+    std::map<int, std::set<int>> sets;
+    for (int k : members) sets[root(k)].insert(k);
+    return sets;
   }
 
  private:

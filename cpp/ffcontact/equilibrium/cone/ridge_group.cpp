@@ -9,6 +9,7 @@
 #include <set>
 
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/unions.hpp"
 #include "ffcontact/equilibrium/energy/ridge_form.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -19,37 +20,24 @@ namespace {
 /// Places nearer to each other than this part of the body's size are the same.
 constexpr double same_place = 1e-9;
 
-/// The ridges that each ridge of a contact facet lies on.
-using RidgeLinks = std::map<int, std::vector<int>>;
-
+/// The ridges of contact facets and those that they lie on, in sets that hang together, each
+/// by its root.
 template <int d>
-RidgeLinks linked_ridges(const FacetTopology<d>& topology,
-                         const std::vector<ContactFacet<d>>& contact) {
+std::map<int, std::set<int>> joined_ridges(
+    const FacetTopology<d>& topology,
+    const std::vector<ContactFacet<d>>& contact, Unions& joined) {
   const auto& of_facet = topology.ridges.of_facet;
-  RidgeLinks links;
+  std::vector<int> ridges;
   for (const ContactFacet<d>& facet : contact)
     for (int k = 0; k < d; ++k) {
       const int own = of_facet(k, facet.facet);
-      std::vector<int>& of_own = links[own];
+      ridges.push_back(own);
       if (facet.opposite < 0) continue;
       const int other = of_facet(facet.opposite_corner[k], facet.opposite);
-      of_own.push_back(other);
-      links[other].push_back(own);
+      ridges.push_back(other);
+      joined.join(own, other);
     }
-  return links;
-}
-
-/// All ridges that hang together with one, ascending; they are taken from `links`.
-std::vector<int> taken_with(int ridge, RidgeLinks& links) {
-  std::set<int> found{ridge};
-  std::vector<int> next{ridge};
-  while (!next.empty()) {
-    const auto of_ridge = links.extract(next.back());
-    next.pop_back();
-    for (int other : of_ridge.mapped())
-      if (found.insert(other).second) next.push_back(other);
-  }
-  return {found.begin(), found.end()};
+  return joined.sets_of(ridges);
 }
 
 /// Sorts groups by their lowest middles, in steps of a length.
@@ -74,8 +62,9 @@ void sort_by_middles(const FacetTopology<d>& topology, double step,
 }
 
 template <int d>
-RidgeGroup group_of(const FacetTopology<d>& topology, std::vector<int> ridges) {
-  RidgeGroup group{std::move(ridges), {0}};
+RidgeGroup group_of(const FacetTopology<d>& topology,
+                    const std::set<int>& ridges) {
+  RidgeGroup group{{ridges.begin(), ridges.end()}, {0}};
   for (int ridge : group.ridge)
     group.first.push_back(group.first.back() +
                           unknowns_around<d>(topology.ridges, ridge));
@@ -106,14 +95,15 @@ template <int d>
 std::vector<RidgeGroup> ridge_groups(
     const FacetTopology<d>& topology,
     const std::vector<ContactFacet<d>>& contact) {
-  RidgeLinks links = linked_ridges<d>(topology, contact);
+  Unions joined(topology.ridges.count());
+  auto sets = joined_ridges<d>(topology, contact, joined);
   std::vector<RidgeGroup> groups;
   for (const ContactFacet<d>& facet : contact)
     for (int k = d - 1; k >= 0;
          --k) {  // opposite to the last vertex: the first
       const int ridge = topology.ridges.of_facet(k, facet.facet);
-      if (links.count(ridge) > 0)
-        groups.push_back(group_of<d>(topology, taken_with(ridge, links)));
+      const auto set = sets.extract(joined.root(ridge));
+      if (!set.empty()) groups.push_back(group_of<d>(topology, set.mapped()));
     }
   if constexpr (d == 3)
     if (!groups.empty())

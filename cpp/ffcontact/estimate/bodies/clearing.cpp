@@ -5,21 +5,16 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/elastic/dofs.hpp"
-#include "ffcontact/linear/minimum/quadratic_minimum.hpp"
-#include "ffcontact/linear/norms.hpp"
+#include "ffcontact/estimate/bodies/smallest_change.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// As for a line: what a free component has of a normal at least, and how far vertices
-/// move against the largest displacement or gap.
-constexpr double along_the_surface = 1e-9, farthest_on_surface = 1e3;
-
 bool is_free(int vertex, int component, double of_normal,
              const Flags& prescribed) {
   return !prescribed[dof_of<3>(vertex, component)] &&
-         std::abs(of_normal) > along_the_surface;
+         std::abs(of_normal) > least_component;
 }
 
 }  // namespace
@@ -33,21 +28,17 @@ bool is_free_along(int vertex, const Vector3d& normal,
 
 double largest_clearing(const SurfaceLaw& law,
                         const Ref<const VectorXd>& displacement) {
-  return farthest_on_surface * largest_displacement(law, displacement);
+  return farthest * largest_displacement(law, displacement);
 }
 
 Vector3d clearing(int vertex, const Ref<const Matrix3Xd>& away,
                   const VectorXd& deep, const Flags& prescribed,
                   double largest) {
-  if (deep.maxCoeff() <= 0) return Vector3d::Zero();
   MatrixXd free = away.transpose();
   for (Index k = 0; k < free.rows(); ++k)
     for (int c = 0; c < 3; ++c)
       if (!is_free(vertex, c, free(k, c), prescribed)) free(k, c) = 0;
-  const auto change = quadratic_minimum(MatrixXd::Identity(3, 3),
-                                        VectorXd::Zero(3), free, deep);
-  if (!change || max_norm(*change) > largest) return Vector3d::Zero();
-  return *change;
+  return smallest_change(free, deep, largest).value_or(Vector3d::Zero());
 }
 
 }  // namespace ffcontact

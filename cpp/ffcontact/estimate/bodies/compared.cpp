@@ -2,7 +2,6 @@
 #include "ffcontact/estimate/bodies/compared.hpp"
 
 #include "ffcontact/equilibrium/tractions/facet_loads.hpp"
-#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {

@@ -121,7 +121,13 @@ class MatchedBodies<3> {
   void add_to_springs(const FaceMoments& change) { springs_ += change; }
 
   /// What the boundary carries with contact tractions at the nodes [MPa, 3 x p].
-  FaceTractions boundary_with(const Ref<const Matrix3Xd>& nodal) const;
+  FaceTractions boundary_with(const Ref<const Matrix3Xd>& nodal) const {
+    const auto& [mesh, faces, ridges, stars] = topology();
+    return with_contact(
+        given_tractions<3>(mesh, faces, prescribed(),
+                           with_springs<3>(body().neumann, springs_)),
+        mesh, faces, contact(), nodal);
+  }
   const FaceTractions& solved_boundary(const FaceTractions& boundary) const {
     return boundary;
   }

@@ -69,6 +69,24 @@ struct SolvedBody {
   std::optional<RigidTool> tool{};
 };
 
+/// sigma = C eps(u) + tau0.
+template <int d>
+LinearStresses<d> total_stresses(const SimplexMesh<d>& mesh,
+                                 const SolvedBody<d>& body,
+                                 const Ref<const VectorXd>& displacement) {
+  return LinearStresses<d>(stresses(mesh, body.hooke, displacement)) +
+         body.initial;
+}
+
+/// Moments of the given tractions and of those that the springs answer u_h with [d^2 x
+/// SimplexMesh::boundary].
+template <int d>
+FacetColumns<d> boundary_moments(const SimplexMesh<d>& mesh,
+                                 const SolvedBody<d>& body) {
+  return with_springs<d>(
+      body.neumann, spring_moments<d>(mesh, body.springs, body.displacement));
+}
+
 /// What an estimate is asked of.
 template <int d>
 struct SolvedProblem {

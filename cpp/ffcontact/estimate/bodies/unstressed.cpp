@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "ffcontact/elastic/stress_terms.hpp"
-#include "ffcontact/estimate/bodies/boundary_moments.hpp"
-#include "ffcontact/estimate/bodies/total_stresses.hpp"
+#include "ffcontact/equilibrium/tractions/facet_tractions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -32,6 +31,16 @@ double terms_along_contact(const Topology<d>& topology,
     largest = std::max(largest, stiffness * given / length);
   });
   return largest;
+}
+
+/// Loads on supports are felt by nothing.
+template <int d>
+bool has_loads(const SolvedProblem<d>& solved) {
+  const auto& [topology, contact, system, body] = solved;
+  const FacetTractions<d> carried =
+      given_tractions<d>(topology.mesh, topology.facets, system.prescribed,
+                         boundary_moments<d>(topology.mesh, body));
+  return !carried.moments.isZero(0) || !body.body_loads.isZero(0);
 }
 
 /// Does a node slide against Tresca's friction? Then stresses are not rounding, however
@@ -81,9 +90,7 @@ StressTerms stress_terms_of(const SolvedProblem<d>& solved) {
   const bool are_rounding =
       std::max(stress, largest_contact_traction(solved)) <=
       rounding_of_terms * terms;
-  return {terms, are_rounding &&
-                     !has_loads(topology, system.prescribed, body) &&
-                     !slides(solved)};
+  return {terms, are_rounding && !has_loads(solved) && !slides(solved)};
 }
 
 template double largest_stress_terms(const Topology<FFCONTACT_DIMENSION>&,

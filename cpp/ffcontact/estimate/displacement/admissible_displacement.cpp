@@ -6,22 +6,14 @@
 #include <optional>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/estimate/displacement/contact_groups.hpp"
-#include "ffcontact/linear/minimum/quadratic_minimum.hpp"
-#include "ffcontact/linear/norms.hpp"
+#include "ffcontact/base/unions.hpp"
+#include "ffcontact/estimate/bodies/smallest_change.hpp"
 
 namespace ffcontact {
 
 namespace {
 
 using NodesOfVertices = std::map<int, std::vector<int>>;
-
-/// A free component lowers no node whose normal has less of it than this: it would be
-/// rounding of the normal.
-constexpr double along_the_line = 1e-9;
-/// No vertex moves farther than this, against the largest displacement or gap, to lower a
-/// node.
-constexpr double farthest = 1e3;
 
 /// Some vertices that move together, and the nodes on them.
 class MovingVertices {
@@ -43,14 +35,10 @@ class MovingVertices {
   std::optional<Matrix2Xd> lowering(const VectorXd& penetration,
                                     const Flags& prescribed,
                                     double largest) const {
-    const auto size = 2 * static_cast<Index>(vertices_.size());
-    const VectorXd deep = penetration(nodes_);
-    if (deep.maxCoeff() <= 0) return Matrix2Xd(Matrix2Xd::Zero(2, size / 2));
     const auto change =
-        quadratic_minimum(MatrixXd::Identity(size, size), VectorXd::Zero(size),
-                          away(prescribed), deep);
-    if (!change || max_norm(*change) > largest) return std::nullopt;
-    return Matrix2Xd(change->reshaped(2, size / 2));
+        smallest_change(away(prescribed), penetration(nodes_), largest);
+    if (!change) return std::nullopt;
+    return Matrix2Xd(change->reshaped(2, change->size() / 2));
   }
 
  private:
@@ -64,7 +52,7 @@ class MovingVertices {
       });
     }
     if (!prescribed.empty()) hold(prescribed, rows);
-    return (rows.array().abs() < along_the_line).select(0, rows);
+    return (rows.array().abs() < least_component).select(0, rows);
   }
 
   void hold(const Flags& prescribed, MatrixXd& rows) const {
@@ -90,6 +78,21 @@ NodesOfVertices nodes_of_vertices(const ContactLine& line) {
   for (int i = 0; i < line.node_count(); ++i)
     nodes[line.vertex[i]].push_back(i);
   return nodes;
+}
+
+/// The vertices that depend on each other on a line: that of each node and what it faces,
+/// joined where nodes share a vertex.
+std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
+  const std::vector<int> vertices = contact_vertices(line);
+  Unions joined(1 + *std::max_element(vertices.begin(), vertices.end()));
+  for (int i = 0; i < line.node_count(); ++i)
+    visit_opposite(line, i, [&](int vertex, double) {
+      joined.join(line.vertex[i], vertex);
+    });
+  std::vector<std::vector<int>> groups;
+  for (const auto& [root, set] : joined.sets_of(vertices))
+    groups.emplace_back(set.begin(), set.end());
+  return groups;
 }
 
 bool meet(const std::vector<int>& some, const std::vector<int>& others) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/tractions/first_tractions.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "ffcontact/base/over.hpp"
@@ -12,11 +10,8 @@
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
-#include "ffcontact/estimate/bodies/total_stresses.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
-#include "ffcontact/estimate/tractions/missing_loads.hpp"
-#include "ffcontact/estimate/tractions/other_multiplier.hpp"
-#include "ffcontact/estimate/tractions/reaction.hpp"
+#include "ffcontact/estimate/tractions/imbalance_cause.hpp"
 
 namespace ffcontact {
 
@@ -37,37 +32,6 @@ double longest_side(const SimplexMesh<d>& mesh) {
   return largest_over(mesh.cell_count(), [&](int t) {
     return piola_matrix<d>(corners_of(mesh, t)).colwise().norm().maxCoeff();
   });
-}
-
-/// Which data may not be those of the solution at a vertex of the contact.
-template <int d>
-const char* data_of_contact() {
-  return d == 2 ? "on the contact line: give pn and pt of the solution u, and "
-                  "the same label=, normal= and traction="
-                : "on the contact surface: give the forces of the solution u, "
-                  "and the same label= and traction=";
-}
-
-/// Why the stresses of u_h are not in equilibrium with the loads at a vertex, as the end
-/// of a sentence: a reaction, pressures of the other multiplier, or loads that are not
-/// those of u_h.
-template <int d>
-std::string cause_of(const Imbalance& imbalance, const SolvedProblem<d>& solved,
-                     const NodalResidual<d>& without_contact) {
-  const auto& [topology, contact, system, body] = solved;
-  const std::string reaction = reaction_in_words<d>(
-      imbalance, system, topology.facets, facets_of(contact));
-  if (!reaction.empty()) return reaction;
-  const std::vector<int> vertices = contact_vertices(contact);
-  if (std::find(vertices.begin(), vertices.end(), imbalance.vertex) ==
-      vertices.end())
-    return missing_loads(topology.mesh, imbalance.vertex, "");
-  if constexpr (d == 2) {
-    const std::string other =
-        other_multiplier_in_words(imbalance, solved, without_contact);
-    if (!other.empty()) return other;
-  }
-  return missing_loads(topology.mesh, imbalance.vertex, data_of_contact<d>());
 }
 
 /// @param without_contact  what the stresses of u_h lack beside the given loads
