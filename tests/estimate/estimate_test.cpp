@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ffcontact/estimate/error/contact_error.hpp"
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/refusals.hpp"

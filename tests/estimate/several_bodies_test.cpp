@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "ffcontact/estimate/error/contact_error.hpp"
 #include "support/bodies.hpp"
 #include "support/estimates.hpp"
 #include "support/random.hpp"

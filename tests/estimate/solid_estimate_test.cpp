@@ -5,6 +5,7 @@
 
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrium_defect.hpp"
+#include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/both_errors.hpp"
