@@ -18,7 +18,7 @@ using namespace test;
 constexpr double corner = 30.5 * pi / 180;
 
 std::vector<LinePart> parts_of(const Matrix2Xd& points) {
-  return line_parts(points, 1e-9, corner, 3);
+  return line_parts(points, 1e-9, corner);
 }
 
 /// Edges that curves have.

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/interface/labelled_facets.hpp"
 #include "ffcontact/mesh/turns.hpp"
@@ -90,6 +91,11 @@ std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
                                    const std::vector<int>& labels) {
   if (labels.empty()) refuse("no contact label is given");
   return labelled_facets(mesh, edges, labels);
+}
+
+std::vector<int> boundary_edges(const Edges& edges) {
+  return numbers_where(edges.count(),
+                       [&](int e) { return edges.on_boundary(e); });
 }
 
 std::vector<std::vector<int>> boundary_chains(

@@ -13,6 +13,9 @@ namespace ffcontact {
 std::vector<int> labelled_boundary(const Mesh& mesh, const Edges& edges,
                                    const std::vector<int>& labels);
 
+/// All of the boundary, whatever its labels, in the order of their numbers.
+std::vector<int> boundary_edges(const Edges& edges);
+
 /// Edges ordered into chains: each starts where no edge ends, or where bodies touch
 /// themselves in a vertex, and ends at such a one; closed loops start at a corner, the
 /// first of their vertices where they turn about as much as anywhere.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ffcontact/base/over.hpp"
 #include "ffcontact/interface/boundary_chains.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "ffcontact/mesh/line_parts.hpp"
@@ -13,21 +12,10 @@
 
 namespace ffcontact {
 
-namespace {
-
-constexpr int fewest_edges = 3;  ///< of a curve
-
-std::vector<int> edges_on_boundary(const Edges& edges) {
-  return numbers_where(edges.count(),
-                       [&](int e) { return edges.on_boundary(e); });
-}
-
-}  // namespace
-
 BoundaryCurves::BoundaryCurves(const Mesh& mesh, const Edges& edges,
                                double corner) {
   if (!(corner > 0)) return;
-  const std::vector<int> boundary = edges_on_boundary(edges);
+  const std::vector<int> boundary = boundary_edges(edges);
   const double size = extent(mesh.vertices),
                precision =
                    coordinate_precision(places_of(mesh, edges, boundary), size);
@@ -45,8 +33,7 @@ void BoundaryCurves::add_chain(const Mesh& mesh, const Edges& edges,
     std::rotate(chain.begin(), chain.begin() + start, chain.end());
     points = points_of(mesh, edges, chain);
   }
-  const std::vector<LinePart> parts =
-      line_parts(points, tolerance, corner, fewest_edges);
+  const std::vector<LinePart> parts = line_parts(points, tolerance, corner);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (parts[k].straight) continue;
     const SmoothCurve<2> curve = curve_of(points, parts, k);

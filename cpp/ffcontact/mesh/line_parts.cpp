@@ -98,7 +98,8 @@ std::size_t end_of_curve(const Curving& curving, std::size_t r) {
 }  // namespace
 
 std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
-                                 double tolerance, double corner, int fewest) {
+                                 double tolerance, double corner) {
+  constexpr int fewest = 3;  // edges of a curve
   const Curving curving(chain, tolerance, corner);
   const std::vector<int>& runs = curving.runs();
   std::vector<LinePart> parts;

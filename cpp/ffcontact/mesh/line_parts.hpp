@@ -21,7 +21,7 @@ struct LinePart {
 
 /// The straight lines and smooth curves of a chain.
 ///
-/// A curve has at least `fewest` edges; at each point inside it turns by at most `corner`
+/// A curve has at least three edges; at each point inside it turns by at most `corner`
 /// [rad] and as its neighbours do (Turns::is_smooth); no two of its edges are on one
 /// straight line, except those beside a point where it bends the other way. An edge of
 /// more than twice the length of its neighbour is a straight line where the chain turns
@@ -33,7 +33,7 @@ struct LinePart {
 /// @param chain      a loop (its last point is the first) starts at loop_start
 /// @param tolerance  of straight_runs
 std::vector<LinePart> line_parts(const Ref<const Matrix2Xd>& chain,
-                                 double tolerance, double corner, int fewest);
+                                 double tolerance, double corner);
 
 /// The curve of a part that is one, with the tangents of the straight lines that it goes
 /// on along.

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/over.hpp"
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/interface/boundary_chains.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 #include "ffcontact/interface/pairing/directed_pieces.hpp"
 #include "ffcontact/interface/pairing/line_of_sight.hpp"
@@ -161,11 +161,6 @@ class Pairing {
   }
 
  private:
-  static std::vector<int> boundary_edges(const Edges& edges) {
-    return numbers_where(edges.count(),
-                         [&](int e) { return edges.on_boundary(e); });
-  }
-
   Segment segment(int edge) const { return segment_of(mesh_, edges_, edge); }
 
   int body(int edge) const { return body_[edges_.vertices(0, edge)]; }

@@ -17,7 +17,6 @@ namespace ffcontact {
 namespace {
 
 constexpr double degree = M_PI / 180;
-constexpr int fewest_edges = 3;  ///< of a curve
 /// What bends at less is straightened afterwards without harm.
 constexpr double shallow = 3 * degree;
 
@@ -151,8 +150,7 @@ void add_parts(const Mesh& mesh, Chain chain, double corner, double size,
     start_at(loop_start(points, tolerance, corner), chain);
     points = points_of(mesh, chain.vertices);
   }
-  const std::vector<LinePart> lines =
-      line_parts(points, tolerance, corner, fewest_edges);
+  const std::vector<LinePart> lines = line_parts(points, tolerance, corner);
   for (std::size_t k = 0; k < lines.size(); ++k)
     add_parts(mesh, chain, lines[k],
               lines[k].straight ? std::nullopt
