@@ -328,7 +328,7 @@ def draw(folder):
         panels["error"] = lambda axes: draw_error(axes, first)
     panels["deformed"] = lambda axes: draw_deformed(axes, first)
     if is_adapted:
-        panels["mesh_last"] = lambda axes: draw_mesh(axes, last, "Optimised mesh" if first.is_judged else "Last mesh")
+        panels["mesh_last"] = lambda axes: draw_mesh(axes, last, "Last mesh")
     title, bar, gap = 0.32, 0.62, 0.1  # inches
 
     width = min(WIDTH - bar - gap, 4.2 / aspect)

@@ -68,6 +68,7 @@ void put_error(Stack stack, const NamedArguments& named,
                const PairError& error) {
   named.put(stack, "e", error.e);
   put_parts(stack, named, error);
+  named.put(stack, "tractionoscillation", error.oscillation);
   named.put(stack, "history", packed(error.history));
 }
 
@@ -77,6 +78,13 @@ void put_defects(Stack stack, const NamedArguments& named,
   named.put(stack, "cone", error.cone);
   named.put(stack, "penetration", error.penetration);
   named.put(stack, "admissible", error.admissible);
+}
+
+void report_oscillation(const PairError& error) {
+  if (error.oscillation > 0)
+    cout << "contacterror: what contact tractions have beyond linear ones is "
+            "at most "
+         << error.oscillation << " beside e" << endl;
 }
 
 void report_parts(const PairError& error) {

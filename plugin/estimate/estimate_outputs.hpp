@@ -19,13 +19,15 @@ VectorXd stress_component(const std::vector<SubcellStress<2>>& stress,
 /// that coefficients are stated on.
 VectorXd abscissae(const ContactProblem& problem, const Estimate<2>& estimate);
 
-/// e, its parts and its history.
+/// e, its parts, what is said beside it, and its history.
 void put_error(Stack stack, const NamedArguments& named,
                const PairError& error);
 /// How far the pair is from what is asked of it.
 void put_defects(Stack stack, const NamedArguments& named,
                  const PairError& error);
 
+/// What is to be added to e where contact tractions are not linear on the facets.
+void report_oscillation(const PairError& error);
 /// e by its parts, and the defects, in a line.
 void report_parts(const PairError& error);
 

@@ -55,9 +55,10 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
 CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
                               const Estimate<2>& estimate, StuckNodes stuck) {
   const CoulombConstant constant = coulomb_constant_of(line, judged, stuck);
+  const double e = estimate.e + estimate.oscillation;
   return {constant,
           estimate.admissible
-              ? coulomb_bound(estimate.e, constant.friction, constant.kappa)
+              ? coulomb_bound(e, constant.friction, constant.kappa)
               : infinity,
           stuck};
 }

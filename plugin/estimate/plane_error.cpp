@@ -26,7 +26,7 @@ void require_parameters_of_plane_bodies(const NamedArguments& named) {
   for (const char* parameter : {"rt1", "rt2"})
     if (named.given(parameter))
       refuse(parameter, "= is for a mesh3; plane bodies have rt=");
-  for (const char* of_bodies : {"szz", "syz", "sxz", "tractionoscillation"})
+  for (const char* of_bodies : {"szz", "syz", "sxz"})
     if (named.given_of_bodies(of_bodies)) refuse(of_bodies, "= is for a mesh3");
 }
 
@@ -109,6 +109,7 @@ void report(Stack stack, const NamedArguments& named,
        << 100 * estimate.relative << " %, e " << estimate.e << ", "
        << estimate.corrected_count() << " edges corrected, " << seconds << " s"
        << endl;
+  report_oscillation(estimate);
   if (bound)
     cout << "contacterror: mu kappa "
          << bound->constant.friction * bound->constant.kappa << ", bound "

@@ -83,7 +83,6 @@ void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
          const Estimate<3>& estimate) {
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_error(stack, named, estimate);
-  named.put(stack, "tractionoscillation", estimate.oscillation);
   put_tractions(stack, named, estimate);
   put_defects(stack, named, estimate);
 }
@@ -95,10 +94,7 @@ void report(Stack stack, const NamedArguments& named,
   cout << "contacterror: " << estimate.local.size() << " tetrahedra, eps "
        << 100 * estimate.relative << " %, e " << estimate.e << ", "
        << estimate.history.size() - 1 << " steps, " << seconds << " s" << endl;
-  if (estimate.oscillation > 0)
-    cout << "contacterror: what tractions between the bodies have beyond "
-            "linear ones is at most "
-         << estimate.oscillation << " beside e" << endl;
+  report_oscillation(estimate);
   if (level > 1) report_parts(estimate);
 }
 

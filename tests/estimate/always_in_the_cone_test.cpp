@@ -4,6 +4,7 @@
 #include "support/cases.hpp"
 #include "support/estimates.hpp"
 #include "support/refusals.hpp"
+#include "support/turning.hpp"
 
 namespace ffcontact {
 namespace {
@@ -22,12 +23,14 @@ Mesh bent(Random& random) {
   return mesh;
 }
 
-/// The bottom with one given direction, up to 17 degrees away from the vertical, or with
-/// its edges' normals.
-ContactLine random_line(const Mesh& mesh) {
+/// The bottom with one given direction, up to 17 degrees away from the vertical, with its
+/// edges' normals, or with directions at random that turn along the edges.
+ContactLine random_line(const Mesh& mesh, Random& random) {
   const Edges edges = edges_of(mesh);
-  if (*rc::gen::inRange(0, 4) == 0) return contact_line(mesh, edges, {bottom});
+  const int kind = *rc::gen::inRange(0, 5);
+  if (kind == 0) return contact_line(mesh, edges, {bottom});
   const ContactLine line = smooth_contact_line(mesh, edges, {bottom});
+  if (kind < 3) return turned_at_random(line, *real(0, 0.4), random);
   const double angle = *real(-0.3, 0.3);
   return along_directions(mesh, edges, line,
                           Vector2d(std::sin(angle), -std::cos(angle))
@@ -49,7 +52,7 @@ Problem random_problem(const std::string& law) {
   Random random = *rc::gen::arbitrary<Random>();
   const Mesh mesh = bent(random);
   Problem problem = body(mesh, material(1000, *real(0, 0.45)));
-  problem.line = random_line(mesh);
+  problem.line = random_line(mesh, random);
   add_traction(problem, left, *vector_in(1, 1));
   add_traction(problem, right, *vector_in(1, 1));
   if (*rc::gen::arbitrary<bool>()) {
@@ -71,6 +74,32 @@ Problem random_problem(const std::string& law) {
   return problem;
 }
 
+/// r_hat is in the cone about n(s), and u_hat is clear of the foundation, at 100 points an
+/// edge.
+void obeys_the_law_between_the_nodes(const Problem& problem,
+                                     const Estimate<2>& estimate) {
+  const auto& [line, law] = std::tie(problem.line, problem.law);
+  const double most = largest_traction(estimate.tractions),
+               deepest = 1e-13 * estimate.displacement.cwiseAbs().maxCoeff();
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int k = 0; k <= 100; ++k) {
+      const double s = k / 100.0;
+      const Vector2d n = frame_at(line, e, s).col(0).normalized(),
+                     r = traction_at(line, estimate.tractions, e, s);
+      const auto along = [&](const VectorXd& values) {
+        return between(values[line.edge_node(0, e)],
+                       values[line.edge_node(1, e)], s);
+      };
+      const double bound = law.tresca() ? along(law.slip_bound)
+                                        : along(law.friction) * -r.dot(n);
+      RC_ASSERT(r.dot(n) <= 1e-12 * most);
+      RC_ASSERT(std::abs(n.x() * r.y() - n.y() * r.x()) <=
+                bound + 1e-12 * most);
+      RC_ASSERT(motion_at(line, law.gap, estimate.displacement, e, s)[0] <=
+                deepest);
+    }
+}
+
 void is_admissible(const std::string& law) {
   const Problem problem = random_problem(law);
   const ContactSolution solution = solved(problem);
@@ -87,6 +116,7 @@ void is_admissible(const std::string& law) {
   RC_ASSERT(estimate.equilibrium.largest() <= 1e-10);
   RC_ASSERT(estimate.unmended.empty());
   RC_ASSERT(estimate.admissible);
+  obeys_the_law_between_the_nodes(problem, estimate);
 }
 
 RC_GTEST_PROP(AlwaysInTheCone, without_friction, ()) {

@@ -59,9 +59,6 @@ struct Estimate<3> : PairError {
   Matrix3Xd tractions;
   /// r_hat at the vertices of the contact faces, linear on each [MPa]
   SurfaceTractions face_tractions;
-  /// traction_oscillation, same unit as e: where surfaces of two bodies do not match, e +
-  /// this is what is said of e; 0 elsewhere
-  double oscillation = 0;
 };
 
 /// sigma_hat at the corners of the subtetrahedra of one tetrahedron [MPa].

@@ -7,6 +7,7 @@
 #include "ffcontact/estimate/displacement/sticking_displacement.hpp"
 #include "ffcontact/estimate/error/contact_edges.hpp"
 #include "ffcontact/estimate/error/contact_error.hpp"
+#include "ffcontact/estimate/error/line_oscillation.hpp"
 #include "ffcontact/estimate/error/wide_cones.hpp"
 
 namespace ffcontact {
@@ -14,10 +15,13 @@ namespace ffcontact {
 template <>
 VectorXd displacement_of_pair(const SolvedProblem<2>& solved,
                               const MatchedBodies<2>& bodies) {
-  return sticking_displacement(
+  const ContactLine& line = bodies.contact();
+  const ContactLaw& law = bodies.body().law;
+  const VectorXd clear = sticking_displacement(
       bodies, nodal_pressures(solved),
-      admissible_displacement(bodies.contact(), bodies.body().law,
-                              bodies.body().displacement, bodies.prescribed()));
+      admissible_displacement(line, law, bodies.body().displacement,
+                              bodies.prescribed()));
+  return cleared_between_nodes(line, law, clear, bodies.prescribed());
 }
 
 template <>
@@ -101,6 +105,10 @@ std::string reason_of(const MatchedBodies<2>&,
 template <>
 void put_fields(MatchedBodies<2>& bodies, RelaxedTractions<2> tractions,
                 Estimate<2>& estimate) {
+  const auto& [mesh, edges, ridges, stars] = bodies.topology();
+  estimate.oscillation =
+      line_oscillation(mesh, edges, bodies.contact(), bodies.body().hooke,
+                       tractions.contact.densities);
   estimate.tractions = std::move(tractions.contact.densities);
   estimate.shift = std::move(tractions.contact.shift);
   estimate.unmended = std::move(tractions.contact.unmended);

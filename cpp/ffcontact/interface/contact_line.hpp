@@ -101,6 +101,12 @@ struct ContactLine {
   Vector2d edge_tangent(int e) const { return tangent(edge_node(0, e)); }
 };
 
+/// Whether contact directions turn along an edge, as on a smooth curve.
+inline bool turns(const ContactLine& line, int edge) {
+  return line.normal.col(line.edge_node(0, edge)) !=
+         line.normal.col(line.edge_node(1, edge));
+}
+
 /// Polygons that stand for smooth curves have one node a vertex, with the curve's normals,
 /// and a node together with the straight line that they go on from, with its normal.
 /// @param curves  of the same boundary; none to take all of it for straight lines

@@ -108,11 +108,6 @@ bool stands_for_all(const Mesh& mesh, const ContactLine& line,
 
 }  // namespace
 
-bool turns(const ContactLine& line, int edge) {
-  return line.normal.col(line.edge_node(0, edge)) !=
-         line.normal.col(line.edge_node(1, edge));
-}
-
 bool turns(const ContactLine& line) {
   for (int e = 0; e < line.edge_count(); ++e)
     if (turns(line, e)) return true;

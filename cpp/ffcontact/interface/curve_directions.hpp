@@ -6,8 +6,7 @@
 
 namespace ffcontact {
 
-/// Whether contact directions turn along an edge, as on a smooth curve.
-bool turns(const ContactLine& line, int edge);
+/// Whether contact directions turn along any edge.
 bool turns(const ContactLine& line);
 
 /// A line of smooth curves (BoundaryCurves) with one contact direction for each of

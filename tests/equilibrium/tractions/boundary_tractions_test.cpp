@@ -9,6 +9,7 @@
 #include "support/bodies.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
+#include "support/turning.hpp"
 
 namespace ffcontact {
 namespace {
@@ -105,6 +106,26 @@ RC_GTEST_PROP(BoundaryTractions, are_the_contact_densities_on_the_line,
       RC_ASSERT(std::abs(r.dot(problem.line.edge_tangent(k)) -
                          densities.tangential(end, k)) < 1e-11);
     }
+  }
+}
+
+/// int r phi by Simpson's rule, which is exact.
+RC_GTEST_PROP(BoundaryTractions, turn_with_the_directions, (Random random)) {
+  Problem problem = body(rotated(irregular(4, 3, 4, 3, random), 0.5),
+                         material(1, 0.3), {left, bottom});
+  ContactLine& line = problem.line;
+  line = turned_at_random(line, 1, random);
+  const ContactDensities r{random_matrix(2, line.edge_count(), random),
+                           random_matrix(2, line.edge_count(), random)};
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const Vector2d first = traction_at(line, r, e, 0),
+                   middle = traction_at(line, r, e, 0.5),
+                   second = traction_at(line, r, e, 1);
+    Vector4d expected;
+    expected << first + 2 * middle, second + 2 * middle;
+    RC_ASSERT(
+        (contact_moments(line, r, e) - line.length[e] / 6 * expected).norm() <
+        1e-14);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/estimate/error/facet_oscillation.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 #include "support/solid_stacks.hpp"
 #include "support/traction_constant.hpp"
@@ -25,8 +26,8 @@ double bound_of_subdivision(int k) {
 
 TEST(TractionOscillation, constant_is_that_of_a_divided_face) {
   EXPECT_NEAR(bound_of_subdivision(3), 2.789, 1e-3);
-  EXPECT_LT(bound_of_subdivision(4), traction_constant);
-  EXPECT_GT(bound_of_subdivision(4), traction_constant - 0.01);
+  EXPECT_LT(bound_of_subdivision(4), traction_constant<3>);
+  EXPECT_GT(bound_of_subdivision(4), traction_constant<3> - 0.01);
 }
 
 /// A block with a side that is tilted against that of another one.

@@ -8,6 +8,7 @@
 #include "support/bodies.hpp"
 #include "support/random.hpp"
 #include "support/refusals.hpp"
+#include "support/turning.hpp"
 
 namespace ffcontact {
 namespace {
@@ -117,6 +118,21 @@ RC_GTEST_PROP(CommonRefinement, weights_say_where_vertices_and_nodes_are,
     RC_ASSERT(std::abs(fine.mesh.vertices(0, fine.line.vertex[i]) -
                        fine.line.abscissa[i]) < 1e-13);
     RC_ASSERT(fine.line.normal.col(i) == Vector2d(0, -1));
+  }
+}
+
+RC_GTEST_PROP(CommonRefinement, has_directions_between_those_of_the_old_nodes,
+              (Random random)) {
+  Bodies two = refined_rows(random).two;
+  ContactLine& old = two.problem.line;
+  old = turned_at_random(old, 0.01, random);
+  const CommonRefinement fine =
+      common_refinement(two.problem.mesh, two.problem.edges, old);
+  for (int i = 0; i < fine.line.node_count(); ++i) {
+    Vector2d n = Vector2d::Zero();
+    for (int j = 0; j < old.node_count(); ++j)
+      n += fine.node_weights.coeff(i, j) * old.normal.col(j);
+    RC_ASSERT((fine.line.normal.col(i) - n.normalized()).norm() < 1e-15);
   }
 }
 

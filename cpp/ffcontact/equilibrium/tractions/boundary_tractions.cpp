@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 
-#include "ffcontact/equilibrium/stress/facet_density.hpp"
-
 namespace ffcontact {
 
 namespace {
@@ -29,18 +27,24 @@ std::vector<int> contact_edge_numbers(const ContactLine& line,
   return numbers;
 }
 
-Matrix2d edge_frame(const ContactLine& line, int contact_edge) {
-  Matrix2d frame;
-  frame << line.edge_normal(contact_edge).transpose(),
-      line.edge_tangent(contact_edge).transpose();
-  return frame;
+Matrix4d moments_of_ends(const ContactLine& line, int contact_edge) {
+  const double length = line.length[contact_edge];
+  const Vector2i nodes = line.edge_node.col(contact_edge);
+  Matrix4d moments;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 2; ++i) {
+      const Matrix2d frames = line.frame(nodes[0]) + line.frame(nodes[1]);
+      moments.block<2, 2>(2 * k, 2 * i) = length / 12 * frames;
+      if (k == i)
+        moments.block<2, 2>(2 * k, 2 * i) += length / 6 * line.frame(nodes[k]);
+    }
+  return moments;
 }
 
 Vector4d contact_moments(const ContactLine& line,
                          const ContactDensities& densities, int contact_edge) {
-  const Matrix2d r = end_values(densities, contact_edge).reshaped(2, 2),
-                 density = edge_frame(line, contact_edge).transpose() * r;
-  return facet_moments_of<2>(density, line.length[contact_edge]).reshaped();
+  return moments_of_ends(line, contact_edge) *
+         end_values(densities, contact_edge);
 }
 
 BoundaryTractions boundary_tractions(const Mesh& mesh, const Edges& edges,

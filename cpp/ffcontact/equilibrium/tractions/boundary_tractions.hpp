@@ -43,8 +43,14 @@ inline int facing_edge(const ContactLine& line, int contact_edge) {
 std::vector<int> contact_edge_numbers(const ContactLine& line,
                                       const Edges& edges);
 
-/// Rows n and t of a contact edge: (F_n, F_t) from a Cartesian F.
-Matrix2d edge_frame(const ContactLine& line, int contact_edge);
+/// What end values r = (r_n,i, r_t,i, r_n,j, r_t,j) on a contact edge make of its moments
+/// int r phi at i and at j, Cartesian [4 x 4, mm]. Along the edge
+///     r(s) = r_n(s) n(s) + r_t(s) t(s)
+/// with components and directions that are linear between the nodes, n not of unit length: as
+/// t(s) is orthogonal to n(s) and as long, r(s) is in Coulomb's cone about n(s) where (r_n,
+/// r_t)(s) is in it, whatever n turns by. Blocks int phi_k phi_i (n, t)(s); of the products of
+/// three hats int phi_k phi_i phi_j is l/4 where all are one, and l/12 otherwise.
+Matrix4d moments_of_ends(const ContactLine& line, int contact_edge);
 
 /// int r phi at the first and the second node of a contact edge, Cartesian [N/mm].
 Vector4d contact_moments(const ContactLine& line,

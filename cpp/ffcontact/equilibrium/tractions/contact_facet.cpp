@@ -26,6 +26,8 @@ KnownTractions<d> without_contact(KnownTractions<d> known,
 template <int d>
 MatrixOf<d> traction_of(const ContactFacet<d>& facet,
                         const MatrixOf<d>& moments) {
+  if (facet.bent_of_moments.size() > 0)
+    return (facet.bent_of_moments * moments.reshaped()).reshaped(d, d);
   const MatrixOf<d> density = facet_density<d>(moments, facet.measure);
   MatrixOf<d> traction;
   for (int i = 0; i < d; ++i)
@@ -36,6 +38,8 @@ MatrixOf<d> traction_of(const ContactFacet<d>& facet,
 template <int d>
 MatrixOf<d> moments_of(const ContactFacet<d>& facet,
                        const MatrixOf<d>& traction) {
+  if (facet.moments_of_bent.size() > 0)
+    return (facet.moments_of_bent * traction.reshaped()).reshaped(d, d);
   MatrixOf<d> density;
   for (int i = 0; i < d; ++i) density.col(i) = facet.frame[i] * traction.col(i);
   return facet_moments_of<d>(density, facet.measure);

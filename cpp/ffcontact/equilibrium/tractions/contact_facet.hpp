@@ -11,7 +11,8 @@
 namespace ffcontact {
 
 /// A contact facet, its law and its displacement w against what it faces, for tractions
-/// r_hat that are linear on it: (r_n, r_t) at its vertices, one column each [MPa].
+/// r_hat by (r_n, r_t) at its vertices, one column each [MPa]: linear between them, or bent
+/// as the directions of a plane edge turn (moments_of_ends).
 template <int d>
 struct ContactFacet {
   int facet;       ///< of the mesh
@@ -21,7 +22,9 @@ struct ContactFacet {
   Matrix<int, d, 1> opposite_corner;  ///< which its corners face
   double measure;                     ///< [mm or mm^2]
   std::array<MatrixOf<d>, d> frame;   ///< columns n, t at its vertices
-  std::array<FrictionCone, d> cone;   ///< of tractions there
+  /// moments of bent tractions by these, and back [d^2 x d^2]; empty of linear ones
+  MatrixXd moments_of_bent, bent_of_moments;
+  std::array<FrictionCone, d> cone;  ///< of tractions there
   /// moments of what it carries beside r_hat, the given tractions
   FacetVector<d> beside = FacetVector<d>::Zero();
   /// of what e pays there, which is wider where friction is bounded (bounded_friction)

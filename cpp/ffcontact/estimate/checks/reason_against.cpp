@@ -22,9 +22,12 @@ std::string part_in_words(double part) {
 }
 
 std::string turn_in_words(double degrees, const Ref<const VectorXd>& turned) {
+  if (turned.size() == 2)
+    return "the contact directions turn by " + in_digits(degrees, 3) +
+           " degrees, 90 or more, along the edge at " +
+           in_words(turned, digits_of_parts) + ": refine the line";
   return "the contact directions turn by " + part_in_words(degrees) +
-         " degrees between the nodes of one " +
-         (turned.size() == 2 ? "edge" : "face") + " at " +
+         " degrees between the nodes of one face at " +
          in_words(turned, digits_of_parts) +
          ", where r_hat leaves the cone and u_hat the gap between them: take "
          "eps for an indicator, or give one direction by normal= where the "

@@ -2,12 +2,15 @@
 #include "ffcontact/estimate/displacement/admissible_displacement.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/unions.hpp"
+#include "ffcontact/estimate/bodies/edge_motions.hpp"
 #include "ffcontact/estimate/bodies/smallest_change.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
 
 namespace ffcontact {
 
@@ -130,7 +133,50 @@ struct Lowered {
       if (!move({vertex}, penetration)) stuck.push_back(vertex);
     return stuck;
   }
+
+  /// The same, and with them what faces those that cannot.
+  /// @param left  penetration that is left
+  template <class Left>
+  void move_all(const VectorXd& penetration, const Left& left) {
+    const std::vector<int> stuck = move_each(penetration);
+    if (stuck.empty() || !line.against_a_body()) return;
+    for (const std::vector<int>& group : contact_groups(line))
+      if (meet(group, stuck)) move(group, left());
+  }
 };
+
+/// How far the ends of an edge must go along their normals so that it keeps clear between
+/// them, 0 where it does.
+/// @param alone  whether each of them must do without the other
+double depth_between(const ContactLine& line, const EdgeMotions& motions, int e,
+                     bool alone) {
+  const auto& [first, middle, second] = motions.normal;
+  const double cosine = line.normal.col(line.edge_node(0, e))
+                            .dot(line.normal.col(line.edge_node(1, e))),
+               allowed =
+                   std::sqrt(std::max(0.0, -first) * std::max(0.0, -second));
+  if (middle <= allowed || cosine <= 0) return 0;
+  return alone ? 2 * (middle - allowed) / cosine : middle / (1 + cosine);
+}
+
+/// The largest that the edges beside each node ask for [p].
+VectorXd depths_between(const ContactLine& line, const LineMotions& motions,
+                        bool alone) {
+  VectorXd depths = VectorXd::Zero(line.node_count());
+  for (int e = 0; e < line.edge_count(); ++e) {
+    if (!turns(line, e)) continue;
+    const double depth = depth_between(line, motions.on(e), e, alone);
+    for (const int node : line.edge_node.col(e))
+      depths[node] = std::max(depths[node], depth);
+  }
+  return depths;
+}
+
+/// Where a quadratic that is not above 0 at its ends is the largest.
+double highest_place(const QuadraticOnEdge& f) {
+  const double rise = f.middle - f.first, fall = f.middle - f.second;
+  return rise > 0 && fall > 0 ? rise / (rise + fall) : rise > 0 ? 1 : 0;
+}
 
 }  // namespace
 
@@ -140,18 +186,38 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
   const double largest = farthest * largest_displacement(law, displacement);
   Lowered lowered{line, prescribed, nodes_of_vertices(line), largest,
                   displacement};
-  const std::vector<int> stuck = lowered.move_each(lowered.penetration(law));
-  if (stuck.empty() || !line.against_a_body()) return lowered.u;
-  for (const std::vector<int>& group : contact_groups(line))
-    if (meet(group, stuck)) lowered.move(group, lowered.penetration(law));
+  lowered.move_all(lowered.penetration(law),
+                   [&] { return lowered.penetration(law); });
+  return lowered.u;
+}
+
+VectorXd cleared_between_nodes(const ContactLine& line, const ContactLaw& law,
+                               const Ref<const VectorXd>& displacement,
+                               const Flags& prescribed) {
+  constexpr int most_passes = 10;
+  if (!turns(line)) return displacement;
+  const double largest = farthest * largest_displacement(law, displacement);
+  Lowered lowered{line, prescribed, nodes_of_vertices(line), largest,
+                  displacement};
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const LineMotions motions(line, law, lowered.u);
+    const VectorXd depths = depths_between(line, motions, pass > 0);
+    if (depths.isZero(0)) break;
+    lowered.move_all(depths, [&] { return depths; });
+  }
   return lowered.u;
 }
 
 DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
                          const Ref<const VectorXd>& displacement) {
-  const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  const LineMotions motions(line, law, displacement);
   DeepestNode deepest;
-  deepest.depth = std::max(0.0, w.row(0).maxCoeff(&deepest.node));
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const QuadraticOnEdge wn = motions.on(e).normal;
+    for (const double s : {0.0, highest_place(wn), 1.0})
+      if (wn(s) > deepest.depth)
+        deepest = {wn(s), line.edge_node(s > 0.5 ? 1 : 0, e)};
+  }
   return deepest;
 }
 

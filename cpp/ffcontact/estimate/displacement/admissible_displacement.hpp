@@ -24,8 +24,18 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
                                  const Ref<const VectorXd>& displacement,
                                  const Flags& prescribed = {});
 
-/// Where u_n - gap is the largest, and by how much it is above 0. Between the nodes all of it
-/// is linear.
+/// u_hat that keeps clear between the nodes, too, where directions turn along an edge: with
+/// q = w_n - gap <= 0 at its nodes i, j and the middle coefficient m of w . n(s) - gap
+/// (EdgeMotions) it does if and only if m <= (q_i q_j)^(1/2). Where it does not both nodes
+/// are lowered by m / (1 + n_i . n_j) along their normals, and as often as needed where
+/// supports hold one of them. Nothing else changes.
+/// @param displacement  clear at the nodes [mm]
+VectorXd cleared_between_nodes(const ContactLine& line, const ContactLaw& law,
+                               const Ref<const VectorXd>& displacement,
+                               const Flags& prescribed = {});
+
+/// Where u_n - gap is the largest along the line, and by how much it is above 0; the node
+/// that is next to it.
 DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
                          const Ref<const VectorXd>& displacement);
 

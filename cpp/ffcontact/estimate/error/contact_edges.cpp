@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/error/contact_edges.hpp"
 
+#include <Eigen/LU>
 #include <map>
 
 #include "ffcontact/estimate/error/contact_error.hpp"
@@ -18,7 +19,12 @@ ContactFacet<2> contact_edge(const ContactLine& line, const ContactLaw& law,
   edge.opposite = facing_edge(line, e);
   edge.opposite_corner = {1, 0};  // it runs the other way
   edge.measure = line.length[e];
-  edge.frame.fill(edge_frame(line, e).transpose());
+  for (int end = 0; end < 2; ++end)
+    edge.frame[end] = line.frame(line.edge_node(end, e));
+  if (turns(line, e)) {
+    edge.moments_of_bent = moments_of_ends(line, e);
+    edge.bent_of_moments = edge.moments_of_bent.inverse();
+  }
   edge.cone = least_cones(line, law, e);
   edge.work << costs.normal.col(e).transpose() / 2,
       costs.tangential.col(e).transpose() / 2;

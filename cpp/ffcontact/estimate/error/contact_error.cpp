@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "ffcontact/contact/law/friction_cone.hpp"
-#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
+#include "ffcontact/estimate/bodies/edge_motions.hpp"
+#include "ffcontact/mesh/turns.hpp"
 
 namespace ffcontact {
 
@@ -46,14 +47,15 @@ std::vector<double> zeros(Quadratic&& f) {
 }
 
 struct EdgeFields {
-  Linear rn, rt, wn, wt;  ///< wn: normal displacement less the gap
+  Linear rn, rt;
+  EdgeMotions w;  ///< normal: less the gap
   Linear cohesion, friction;
   bool limited;
   Linear limit;  ///< the shear limit of Coulomb's law, if it is limited
 
   double density(double x) const {
-    return bound(x) * std::abs(wt.at(x)) + rt.at(x) * wt.at(x) +
-           rn.at(x) * wn.at(x);
+    const double wt = w.tangential(x);
+    return bound(x) * std::abs(wt) + rt.at(x) * wt + rn.at(x) * w.normal(x);
   }
   double bound(double x) const {
     if (at_limit(x)) return limit.at(x);
@@ -62,7 +64,7 @@ struct EdgeFields {
   /// Slope of the density in r_n.
   double normal_slope(double x) const {
     const double mu = at_limit(x) ? 0 : friction.at(x);
-    return wn.at(x) - mu * std::abs(wt.at(x));
+    return w.normal(x) - mu * std::abs(w.tangential(x));
   }
   bool at_limit(double x) const {
     return limited && friction.at(x) * std::abs(rn.at(x)) > limit.at(x);
@@ -70,7 +72,8 @@ struct EdgeFields {
 
   /// Where the bound has a kink, or where w_t and with it |w_t| changes sign.
   std::vector<double> breaks() const {
-    std::vector<double> places{wt.zero(), rn.zero()};
+    std::vector<double> places = zeros(w.tangential);
+    places.push_back(rn.zero());
     if (limited) add_limits(places);
     return places;
   }
@@ -84,17 +87,15 @@ struct EdgeFields {
   }
 };
 
-/// Distance of two Gauss points from the middle, as a part of the width.
-const double gauss = 0.5 / std::sqrt(3.0);
-
-/// Integral of a cubic, for which two Gauss points are exact.
+/// Integral of a polynomial of degree 5, for which three Gauss points are exact.
 template <class Function>
 double gauss_integral(double from, double to, Function&& f) {
-  const double width = to - from, middle = 0.5 * (from + to);
-  return 0.5 * width * (f(middle - gauss * width) + f(middle + gauss * width));
+  const double width = to - from, middle = 0.5 * (from + to),
+               off = 0.5 * std::sqrt(0.6) * width;
+  return width / 18 * (5 * (f(middle - off) + f(middle + off)) + 8 * f(middle));
 }
 
-/// Integral over (0, 1) of a function that is a cubic between its breaks.
+/// Integral over (0, 1) of a function that is such a polynomial between its breaks.
 template <class Function>
 double integral(std::vector<double> breaks, Function&& f) {
   breaks.insert(breaks.end(), {0, 1});
@@ -105,33 +106,54 @@ double integral(std::vector<double> breaks, Function&& f) {
   return sum;
 }
 
-/// (w_n - gap, w_t - previous), w_t 0 where it is rounding [2 x p].
-Matrix2Xd motions_at_nodes(const ContactLine& line, const ContactLaw& law,
-                           const Ref<const VectorXd>& displacement) {
-  Matrix2Xd w = displacement_against_foundation(line, law, displacement);
-  const double least = rounding_of_slip(law, displacement);
-  for (double& slip : w.row(1)) slip = slip_beyond(least, slip);
-  return w;
+/// |t(s)| is nowhere below it.
+double least_length_of_directions(const ContactLine& line, int e) {
+  return turns(line, e) ? (line.normal.col(line.edge_node(0, e)) +
+                           line.normal.col(line.edge_node(1, e)))
+                                  .norm() /
+                              2
+                        : 1;
 }
 
 Linear linear(const Vector2d& ends) { return {ends[0], ends[1]}; }
 
-EdgeFields edge_fields(const ContactLine& line, const ContactLaw& law,
-                       const ContactDensities& densities, const Matrix2Xd& w,
-                       int e) {
-  const int i = line.edge_node(0, e), j = line.edge_node(1, e);
-  EdgeFields edge{};
-  edge.wn = {w(0, i), w(0, j)};
-  edge.wt = {w(1, i), w(1, j)};
-  edge.rn = linear(densities.normal.col(e));
-  edge.rt = linear(densities.tangential.col(e));
-  const ConesAtEnds most = most_cones(line, law, e);
-  edge.cohesion = {most[0].cohesion, most[1].cohesion};
-  edge.friction = {most[0].friction, most[1].friction};
-  edge.limit = {most[0].limit, most[1].limit};
-  edge.limited = law.limited();
-  return edge;
-}
+/// The fields of r_hat and a displacement along the edges.
+class LineFields {
+ public:
+  LineFields(const ContactLine& line, const ContactLaw& law,
+             const ContactDensities& densities,
+             const Ref<const VectorXd>& displacement)
+      : line_(line),
+        law_(law),
+        densities_(densities),
+        motions_(line, law, displacement),
+        least_slip_(rounding_of_slip(law, displacement)) {}
+
+  EdgeFields on(int e) const {
+    EdgeFields edge{};
+    edge.w = motions_.on(e);
+    auto& [first, middle, second] = edge.w.tangential;
+    for (double* slip : {&first, &middle, &second})
+      *slip = slip_beyond(least_slip_, *slip);
+    if (!turns(line_, e)) middle = (first + second) / 2;
+    edge.rn = linear(densities_.normal.col(e));
+    edge.rt = linear(densities_.tangential.col(e));
+    const ConesAtEnds most = most_cones(line_, law_, e);
+    const double length = least_length_of_directions(line_, e);
+    edge.cohesion = {most[0].cohesion / length, most[1].cohesion / length};
+    edge.friction = {most[0].friction, most[1].friction};
+    edge.limit = {most[0].limit / length, most[1].limit / length};
+    edge.limited = law_.limited();
+    return edge;
+  }
+
+ private:
+  const ContactLine& line_;
+  const ContactLaw& law_;
+  const ContactDensities& densities_;
+  LineMotions motions_;
+  double least_slip_;
+};
 
 /// int phi (w_n - mu |w_t|), without the second term where the limit counts.
 double normal_cost(const EdgeFields& edge, const Linear& phi) {
@@ -141,24 +163,31 @@ double normal_cost(const EdgeFields& edge, const Linear& phi) {
 
 /// int phi w_t
 double tangential_cost(const EdgeFields& edge, const Linear& phi) {
-  return integral({}, [&](double x) { return phi.at(x) * edge.wt.at(x); });
+  return integral({},
+                  [&](double x) { return phi.at(x) * edge.w.tangential(x); });
 }
 
-/// On one edge, where r_hat has the frame of its first node.
-FacetFields<2> fields_on_edge(const ContactLine& line, const ContactLaw& law,
-                              const ContactDensities& densities,
-                              const Matrix2Xd& w, int e) {
-  const ConesAtEnds most = most_cones(line, law, e);
-  const Matrix2d r = end_values(densities, e).reshaped(2, 2);
-  const Matrix2d none = Matrix2d::Zero();
-  FacetFields<2> fields{
-      none, edge_frame(line, e).transpose() * r, none, {most[0], most[1]}};
-  for (int end = 0; end < 2; ++end) {
-    const int node = line.edge_node(end, e);
-    fields.normal.col(end) = line.normal.col(node);
-    fields.motion.col(end) = line.frame(node) * w.col(node);
+/// The least density at the ends, at the quarters, and in the middle. With a large mu what
+/// carries r_t may be less than the rounding of r_n: its bound is that of r_n less that.
+double least_density(const EdgeFields& edge) {
+  constexpr double rounding = 1e-15;
+  constexpr int parts = 4;
+  double least = 0;
+  for (int k = 0; k <= parts; ++k) {
+    const double x = static_cast<double>(k) / parts,
+                 size = std::hypot(edge.rn.at(x), edge.rt.at(x)),
+                 wider = edge.friction.at(x) * rounding * size;
+    least = std::min(least,
+                     edge.density(x) + wider * std::abs(edge.w.tangential(x)));
   }
-  return fields;
+  return least;
+}
+
+/// Does an edge carry tractions, or does u_hat penetrate there?
+bool matters(const EdgeFields& edge) {
+  const QuadraticOnEdge& wn = edge.w.normal;
+  return edge.rn.first != 0 || edge.rn.second != 0 || edge.rt.first != 0 ||
+         edge.rt.second != 0 || std::max({wn.first, wn.middle, wn.second}) > 0;
 }
 
 }  // namespace
@@ -166,10 +195,10 @@ FacetFields<2> fields_on_edge(const ContactLine& line, const ContactLaw& law,
 VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
                        const ContactDensities& densities,
                        const Ref<const VectorXd>& displacement) {
-  const Matrix2Xd w = motions_at_nodes(line, law, displacement);
+  const LineFields fields(line, law, densities, displacement);
   VectorXd error(line.edge_count());
   for (int e = 0; e < line.edge_count(); ++e) {
-    const EdgeFields edge = edge_fields(line, law, densities, w, e);
+    const EdgeFields edge = fields.on(e);
     error[e] = 2 * line.length[e] * integral(edge.breaks(), [&](double x) {
                  return edge.density(x);
                });
@@ -180,11 +209,11 @@ VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
 TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
                              const ContactDensities& densities,
                              const Ref<const VectorXd>& displacement) {
-  const Matrix2Xd w = motions_at_nodes(line, law, displacement);
+  const LineFields fields(line, law, densities, displacement);
   TractionCosts costs{Matrix2Xd(2, line.edge_count()),
                       Matrix2Xd(2, line.edge_count())};
   for (int e = 0; e < line.edge_count(); ++e) {
-    EdgeFields edge = edge_fields(line, law, densities, w, e);
+    EdgeFields edge = fields.on(e);
     edge.friction = {std::min(edge.friction.first, most_cost),
                      std::min(edge.friction.second, most_cost)};
     for (int end = 0; end < 2; ++end) {
@@ -200,11 +229,15 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
 BetweenNodes between_nodes(const ContactLine& line, const ContactLaw& law,
                            const ContactDensities& densities,
                            const Ref<const VectorXd>& displacement) {
-  const Matrix2Xd w = motions_at_nodes(line, law, displacement);
+  const LineFields fields(line, law, densities, displacement);
   BetweenNodes found;
   for (int e = 0; e < line.edge_count(); ++e) {
-    const FacetFields<2> fields = fields_on_edge(line, law, densities, w, e);
-    note<2>(fields, fields.normal, e, found);
+    const EdgeFields edge = fields.on(e);
+    found.note_integrand(least_density(edge), e);
+    const Vector2d first = line.normal.col(line.edge_node(0, e)),
+                   second = line.normal.col(line.edge_node(1, e));
+    if (first.dot(second) <= 0 && matters(edge))
+      found.note_turn(angle_between(first, second), e);
   }
   return found;
 }

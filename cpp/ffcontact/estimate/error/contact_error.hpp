@@ -11,7 +11,10 @@ namespace ffcontact {
 /// The contact part of e^2 on each contact edge, exactly [N/mm times mm]:
 ///     2 int (mu |r_n| |w_t| + r_t w_t + r_n (w_n - gap))      [CHH01, (2.11)], with k |w_t| for Tresca's law (2.19) and
 /// min(mu |r_n|, k) |w_t| with a shear limit k. mu and k are the law's upper bounds along
-/// the edge (most_cones). Each edge is split where w_t or r_n
+/// the edge (most_cones). Where directions turn w_n = w . n(s), w_t = w . t(s) are quadratic
+/// (EdgeMotions), and |n(s)| of r = r_n n(s) + r_t t(s) is that of the slip's direction
+/// t(s) / |n(s)|: it cancels but in k |w_t| / |n(s)|, for which the least |n(s)| counts. Each
+/// edge is split where w_t or r_n
 /// changes sign, and where mu |r_n| = k. Inside the cone and without penetration every
 /// value is >= 0; the indicator functions are left out: outside the cone the value has no
 /// meaning as a bound and can be negative.

@@ -260,9 +260,8 @@ BetweenNodes facing_between_nodes(const Facets<3>& faces,
   BetweenNodes found;
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;
-    const FacetFields<3> face =
-        fields_on_face(surface, cones, m, tractions.col(m));
-    FacetFields<3> part{
+    const FaceFields face = fields_on_face(surface, cones, m, tractions.col(m));
+    FaceFields part{
         face.normal * polygon.own,
         face.traction * polygon.own,
         motions_of({faces, surface, law, polygon, displacement}, surface),
@@ -270,7 +269,7 @@ BetweenNodes facing_between_nodes(const Facets<3>& faces,
     for (const auto& place : polygon.own.colwise())
       // rounding of a place is none of a large bound
       part.cone.push_back(cone_between(face.cone, place.cwiseMax(0)));
-    note<3>(part, face.normal, m, found);
+    note(part, face.normal, m, found);
   }
   return found;
 }

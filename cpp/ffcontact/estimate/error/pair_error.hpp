@@ -20,6 +20,9 @@ struct PairError {
   /// admissible, and then e is no less than the elastic part
   double contact = 0;
   double springs = 0;  ///< the springs' part of e^2
+  /// what r_hat has beyond the linear tractions that sigma_hat balances, same unit as e:
+  /// where it is not 0, e + this is what is said of e (facet_oscillation.hpp)
+  double oscillation = 0;
   /// eps_E per cell [-]; 0 where a negative contact part exceeds the elastic one
   VectorXd local;
   /// e before the first and after every sweep or step, with composite stresses
@@ -29,12 +32,13 @@ struct PairError {
   double cone = 0;  ///< of r_hat outside of it, relative to the largest stress
   double penetration = 0;  ///< of u_hat, relative to the largest displacement
   /// largest angle between the contact directions of two nodes of a facet that carries
-  /// tractions or is penetrated [degrees]
+  /// tractions or is penetrated, of those too large to be judged [degrees]: any in space, 90
+  /// degrees or more in the plane
   double turn = 0;
   /// how far the integrand of the contact part is below 0 anywhere (BetweenNodes),
   /// relative to the largest stress times the largest displacement
   double negative = 0;
-  /// one direction on every contact facet, an integrand that is not negative to 1e-11,
+  /// no such angle, an integrand that is not negative to 1e-11,
   /// in equilibrium to 1e-10, inside the cone and clear of the foundation to 1e-12
   bool admissible = false;
   std::string reason;  ///< why not, one sentence without a full stop

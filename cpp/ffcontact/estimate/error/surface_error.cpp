@@ -88,13 +88,13 @@ BetweenNodes between_nodes(const Facets<3>& faces,
   BetweenNodes found;
   for (int m = 0; m < surface.face_count(); ++m) {
     if (surface.face_node.col(m).minCoeff() < 0) continue;
-    FacetFields<3> fields = fields_on_face(surface, cones, m, tractions.col(m));
+    FaceFields fields = fields_on_face(surface, cones, m, tractions.col(m));
     fields.motion = Matrix3d::Zero();
     for (int k = 0; k < 3; ++k) {
       const int node = surface.face_node(k, m);
       fields.motion.col(k) = surface.frame(node) * w.col(node);
     }
-    note<3>(fields, fields.normal, m, found);
+    note(fields, fields.normal, m, found);
   }
   return found;
 }

@@ -11,9 +11,9 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
+#include "ffcontact/estimate/error/facet_oscillation.hpp"
 #include "ffcontact/interface/pairing/convex_polygon.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
-#include "ffcontact/linear/dense/symmetric_eigen.hpp"
 
 namespace ffcontact {
 
@@ -149,56 +149,23 @@ std::map<int, FaceContact> contact_of_faces(
   return contact;
 }
 
-CellCorners<3> regular_tetrahedron() {
-  CellCorners<3> corners;
-  corners << 0, 1, 0.5, 0.5,                       //
-      0, 0, std::sqrt(0.75), std::sqrt(0.75) / 3,  //
-      0, 0, 0, std::sqrt(2.0 / 3);
-  return corners;
-}
-
-/// T' C^-1 T / det B on tensors as vectors whose length is Frobenius' norm.
-Matrix<double, 6, 6> transported(const Matrix3d& B,
-                                 const Matrix<double, 6, 6>& compliance) {
-  Matrix<double, 6, 1> scale;
-  scale << 1, 1, 1, std::sqrt(0.5), std::sqrt(0.5), std::sqrt(0.5);
-  const Matrix<double, 6, 6> T = piola_voigt(B) * scale.asDiagonal();
-  return T.transpose() * compliance * T / B.determinant();
-}
-
 }  // namespace
-
-double face_oscillation_square(const CellCorners<3>& corners,
-                               const Matrix<double, 6, 6>& compliance,
-                               double face_area, const Matrix3d& square) {
-  const Matrix3d B = piola_matrix(corners) *
-                     piola_matrix(regular_tetrahedron()).inverse(),
-                 back = B.inverse();
-  const double lambda = symmetric_eigen(transported(B, compliance))
-                            .values.maxCoeff(),
-               regular_area = std::sqrt(3.0) / 4;
-  return lambda * traction_constant * face_area / regular_area *
-         (back * square * back.transpose()).trace();
-}
 
 double traction_oscillation(const SolidMesh& mesh, const Facets<3>& faces,
                             const ContactSurface& surface,
                             const HookeTensors<3>& hooke,
                             const Ref<const Matrix3Xd>& traction) {
-  std::map<int, double> of_cell;
+  OscillationSum sum;
   for (const auto& [face, contact] :
        contact_of_faces(mesh, faces, surface, traction)) {
     if (contact.pieces.empty()) continue;  // a rigid foundation
     const int cell = faces.cells(0, face);
     const double area = facet_measure(mesh, faces, face);
-    of_cell[cell] += std::sqrt(
-        face_oscillation_square(corners_of(mesh, cell), hooke[cell].inverse(),
-                                area, oscillation_of(contact, area)));
+    sum.add(cell, facet_oscillation_square<3>(corners_of(mesh, cell),
+                                              hooke[cell].inverse(), area,
+                                              oscillation_of(contact, area)));
   }
-  double sum = 0;
-  for (const auto& [cell, oscillation] : of_cell)
-    sum += oscillation * oscillation;
-  return std::sqrt(sum);
+  return sum.norm();
 }
 
 }  // namespace ffcontact

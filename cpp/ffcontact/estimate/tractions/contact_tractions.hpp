@@ -46,7 +46,8 @@ struct HeldMotions {
   }
 };
 
-/// p_i = F_i / len_i of lambda_h [2 x p].
+/// p_i = F_i / len_i of lambda_h [2 x p], len_i = int psi_i n . n_i: where directions turn
+/// p_i n(s) has the normal force of a node between two like edges.
 Matrix2Xd nodal_pressures(const SolvedProblem<2>& solved);
 
 /// The forces of the multipliers on all dofs.

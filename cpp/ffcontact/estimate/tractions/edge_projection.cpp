@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/tractions/edge_projection.hpp"
 
+#include <Eigen/Cholesky>
+
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/linear/dense/congruent.hpp"
@@ -65,11 +67,16 @@ EdgeCone conditions_on(EdgeCone cone, Carrying carrying) {
 
 EndValues motions_on_edge(const ContactLine& line, const MatrixXd& motions,
                           int e) {
-  EndValues values(4, motions.cols());
-  for (int end = 0; end < 2; ++end)
+  EndValues jumps(4, motions.cols()), values(4, motions.cols());
+  for (int end = 0; end < 2; ++end) {
+    const int node = line.edge_node(end, e);
+    jumps.middleRows<2>(2 * end) = jump_at(line, node, motions);
     values.middleRows<2>(2 * end) =
-        edge_frame(line, e) * jump_at(line, line.edge_node(end, e), motions);
-  return values;
+        line.frame(node).transpose() * jumps.middleRows<2>(2 * end);
+  }
+  if (!turns(line, e)) return values;
+  return mass_of(line, e).llt().solve(moments_of_ends(line, e).transpose() *
+                                      jumps);
 }
 
 Matrix4d mass_of(const ContactLine& line, int e) {

@@ -12,7 +12,8 @@ namespace ffcontact {
 /// (n, t) at the first end of an edge, (n, t) at the second one, a column each.
 using EndValues = Matrix<double, 4, Dynamic>;
 
-/// [z] at both ends of an edge, one column per motion.
+/// [z] at both ends of an edge, one column per motion; where directions turn along it the
+/// end values with int r . [z] = r' mass z, M' [z] by r's moments M r (moments_of_ends).
 /// @param motions  rigid motions z on all dofs [2 v x k]
 EndValues motions_on_edge(const ContactLine& line, const MatrixXd& motions,
                           int e);

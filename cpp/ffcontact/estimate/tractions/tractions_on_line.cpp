@@ -111,11 +111,30 @@ std::optional<ContactDensities> densities_in_cone(
   return best->densities;
 }
 
+/// int psi_i n(s) . n_i at each node [mm], its length where directions do not turn.
+VectorXd projected_lengths(const ContactLine& line) {
+  VectorXd lengths = VectorXd::Zero(line.node_count());
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const Vector2i nodes = line.edge_node.col(e);
+    const double cosine =
+        turns(line, e)
+            ? line.normal.col(nodes[0]).dot(line.normal.col(nodes[1]))
+            : 1;
+    for (const int node : nodes)
+      lengths[node] += (2 + cosine) / 6 * line.length[e];
+  }
+  return lengths;
+}
+
 }  // namespace
 
 Matrix2Xd nodal_pressures(const SolvedProblem<2>& solved) {
-  return lumped_pressures(solved.contact, solved.system.prescribed,
-                          forces_of(solved.contact, solved.body.multipliers));
+  const ContactLine& line = solved.contact;
+  const VectorXd shorter =
+      nodal_lengths(line).cwiseQuotient(projected_lengths(line));
+  return lumped_pressures(line, solved.system.prescribed,
+                          forces_of(line, solved.body.multipliers)) *
+         shorter.asDiagonal();
 }
 
 template <>

@@ -144,6 +144,16 @@ class Refining {
     share_.push_back(share);
   }
 
+  /// That of the old nodes, or where these differ the unit vector of what is linear between.
+  Vector2d direction_between(const WeightsByNode& weights, int node) const {
+    WeightsByNode::InnerIterator part(weights, node);
+    const Vector2d first = old_.normal.col(part.col());
+    Vector2d turn = Vector2d::Zero();
+    for (; part; ++part)
+      turn += part.value() * (old_.normal.col(part.col()) - first);
+    return turn.isZero(0) ? first : (first + turn).normalized();
+  }
+
   void put_nodes(RefinedLine& result) const {
     ContactLine& line = result.line;
     line.vertex = packed(vertex_);
@@ -151,10 +161,8 @@ class Refining {
     line.precision = old_.precision;
     line.normal.resize(2, line.node_count());
     line.normal.leftCols(old_.node_count()) = old_.normal;
-    for (int node = old_.node_count(); node < line.node_count(); ++node) {
-      WeightsByNode::InnerIterator first(result.node_weights, node);
-      line.normal.col(node) = old_.normal.col(first.col());
-    }
+    for (int node = old_.node_count(); node < line.node_count(); ++node)
+      line.normal.col(node) = direction_between(result.node_weights, node);
     Triplets facing;
     for (const auto& [node, vertex] : facing_)
       facing.emplace_back(node, vertex, 1.0);

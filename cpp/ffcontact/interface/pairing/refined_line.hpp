@@ -6,8 +6,8 @@
 namespace ffcontact {
 
 /// A contact line on the mesh whose edges are cut where its pieces end: each piece is a
-/// contact edge and faces a whole edge. Old nodes keep their numbers, new ones follow;
-/// contact directions are those of one end of an old edge all along it. A vertex that
+/// contact edge and faces a whole edge. Old nodes keep their numbers, new ones follow, with
+/// contact directions between those of the ends of their old edge. A vertex that
 /// faces one vertex on its left and another one on its right, as in front of a joint
 /// between two bodies, is two nodes.
 struct RefinedLine {
