@@ -10,11 +10,10 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/compliance_ratio.hpp"
-#include "ffcontact/interface/fitted_surface.hpp"
 #include "ffcontact/interface/joined_surfaces.hpp"
-#include "ffcontact/interface/pairing/matching_faces.hpp"
+#include "ffcontact/interface/pairing/smooth_surface_distances.hpp"
 //
-#include "problem/doubtful_curve.hpp"
+#include "problem/solid_report.hpp"
 
 namespace ffcontact::plugin {
 
@@ -79,45 +78,15 @@ void SolidProblem::require_one_side(const StatedPair& stated,
                     in_words(Vector3d(mesh.origin + middle)));
 }
 
-/// Do faces face each other one by one? Their gap is as exact as their vertices then.
-bool SolidProblem::all_match(const Pair& pair) const {
-  ContactSurface surface = pair.whole;
-  surface.polygons = pair.polygons;
-  const std::vector<MatchingFace> matches =
-      matching_faces(mesh, faces, surface);
-  return std::all_of(matches.begin(), matches.end(),
-                     [](const MatchingFace& match) { return match.face >= 0; });
-}
-
-/// Once for all pairs.
-void SolidProblem::warn_of_fit(int body, const Pair& pair, bool has_normals) {
-  if (fits || (has_normals && all_match(pair))) return;
-  const auto spot =
-      node_of_fitted_surface(mesh, faces, pair.whole, pair.polygons);
-  if (!spot) return;
-  fits = true;
-  warn_of_curve(
-      joined, body, pair.whole.vertex[spot->node],
-      faces.boundary_index[pair.whole.face[spot->face]],
-      has_normals
-          ? " and fits what it faces: its gap is read between flat faces, "
-            "which makes pressures too high; give the exact gap= beside "
-            "normal="
-          : " and fits what it faces: mean normals of its faces and gaps of "
-            "the flat ones make pressures up to several times too high on any "
-            "mesh; give the surface's normal=[nx, ny, nz], and the exact gap=");
-}
-
 void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
                             const StatedPair& stated) {
   Pair pair;
   pair.whole = stated_surface(stack, named, stated.body, stated.labels);
   require_one_side(stated, pair.whole);
   if (!stated.rigid())
-    pair.polygons = facing_polygons(mesh, faces, pair.whole, stated.opposite);
-  const bool has_normals = named.given("normal");
-  if (!named.given("gap") && !(has_normals && stated.rigid()))
-    warn_of_fit(stated.body, pair, has_normals);
+    pair.polygons = smooth_polygons(pair.whole, stated.opposite);
+  report_surfaces(joined, faces, stated,
+                  {named.given("normal"), named.given("gap")});
   if (!stated.rigid()) {
     add_facing_pair(stack, named, stated, std::move(pair));
     return;
@@ -141,13 +110,22 @@ void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
   pairs_.push_back(std::move(pair));
 }
 
+/// With the gap between the smooth surfaces of both bodies.
+std::vector<FacingPolygon> SolidProblem::smooth_polygons(
+    const ContactSurface& whole, const std::vector<int>& opposite) const {
+  std::vector<FacingPolygon> polygons =
+      facing_polygons(mesh, faces, whole, opposite);
+  smooth_distances(mesh, faces, whole, contact_surface(mesh, faces, opposite),
+                   polygons);
+  return polygons;
+}
+
 /// Contact directions are those of the first body, turned.
 SolidProblem::Carrier SolidProblem::exchanged(Stack stack,
                                               const NamedArguments& named,
                                               const StatedPair& stated) const {
   ContactSurface whole = contact_surface(mesh, faces, stated.opposite);
-  std::vector<FacingPolygon> polygons =
-      facing_polygons(mesh, faces, whole, stated.labels);
+  std::vector<FacingPolygon> polygons = smooth_polygons(whole, stated.labels);
   if (named.given("normal")) {
     const FacingSurface first = facing_surface(mesh, faces, whole, polygons);
     const std::vector<FacePlace> places =
@@ -163,7 +141,7 @@ SolidProblem::Carrier SolidProblem::exchanged(Stack stack,
         direction(c, first.surface.vertex[i]) = -values[i];
     }
     whole = surface_along(mesh, faces, stated.opposite, direction);
-    polygons = facing_polygons(mesh, faces, whole, stated.labels);
+    polygons = smooth_polygons(whole, stated.labels);
   }
   FacingSurface facing = facing_surface(mesh, faces, whole, polygons);
   const std::vector<FacePlace> places =

@@ -27,8 +27,6 @@ struct SolidProblem : SolidBodies {
   std::vector<long> first_node;
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
-  /// whether a curved surface fits what it faces, which was said
-  bool fits = false;
 
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   SolidProblem(Stack stack, const NamedArguments& named,
@@ -66,8 +64,8 @@ struct SolidProblem : SolidBodies {
                                 int body, const std::vector<int>& labels) const;
   void require_one_side(const StatedPair& stated,
                         const ContactSurface& whole) const;
-  bool all_match(const Pair& pair) const;
-  void warn_of_fit(int body, const Pair& pair, bool has_normals);
+  std::vector<FacingPolygon> smooth_polygons(
+      const ContactSurface& whole, const std::vector<int>& opposite) const;
   void add_pair(Stack stack, const NamedArguments& named,
                 const StatedPair& stated);
   void add_facing_pair(Stack stack, const NamedArguments& named,

@@ -189,7 +189,7 @@ func int expect(string line) {
   return 0;
 }
 string curve = " edges that turn by at most * degrees are a smooth curve, up to * mm beside them", kept = "; corner=0 keeps the polygon";
-string hollow = " and fits what it faces: mean normals*";
+string smooth = ": a smooth surface, up to * mm beside its faces, with its ";
 
 // A pin in a bore
 real R = 10, r = 9.95;
@@ -247,12 +247,18 @@ verbosity = 0;
 mesh3 P = cube(8, 2, 2, [(r - 2*z)*sin(x - 0.5), 4*y, -(r - 2*z)*cos(x - 0.5)]),
       B = cube(9, 3, 2, [(R + 2*(1 - z))*sin(1.2*x - 0.6), 4*y, -(R + 2*(1 - z))*cos(1.2*x - 0.6)]),
       F = cube(9, 3, 2, [12*x - 6, 4*y, z - 11]);
-expect("contact: label 5 is curved at vertex * (*) of mesh 1" + hollow);
+verbosity = 1;
+expect("contact: label 5 of mesh 1" + smooth + "normals and its gap");
+expect("contact: label 6 of mesh 2" + smooth + "gap");
 contact S1(P, B, label1=5, label2=6, friction=0.1);
-expect("contact: label 5 is curved at vertex * (*) of mesh 1 and fits what it faces: its gap is read between flat faces*");
+expect("contact: label 5 of mesh 1" + smooth + "gap");
+expect("contact: label 6 of mesh 2" + smooth + "gap");
 contact S2(P, B, label1=5, label2=6, friction=0.1, normal=[x/r, 0, z/r]);
 contact S2b(P, B, label1=5, label2=6, friction=0.1, normal=[x/r, 0, z/r], gap=R - r);
+expect("contact: label 5 of mesh 1" + smooth + "normals");
 contact S3(P, B, label1=5, label2=6, friction=0.1, gap=R - r);
+expect("contact: label 5 of mesh 1" + smooth + "normals and its gap");
 contact S4(P, F, label1=5, label2=6, friction=0.1);
+verbosity = 0;
 EOF
 prints_what_it_expects "$1" $script

@@ -94,9 +94,11 @@ RC_GTEST_PROP(FacingError, of_linear_fields_is_that_on_a_foundation,
     u.segment<3>(3 * v) << 0.25, -2.75, x.y() - 1;
   }
   // 2 int over (0, 3) x (0, 2) of 2 (1 + x) 3 + (1 + x) y, w_t = (0, -3), w_n = -y
-  const double found = facing_contact_error(problem.mesh, problem.faces,
-                                            problem.surface, problem.law, r, u)
-                           .sum();
+  const double found =
+      facing_contact_error(problem.mesh, problem.faces, problem.surface,
+                           problem.law,
+                           {r, tractions_by_face(problem.surface, r)}, u)
+          .sum();
   RC_ASSERT(std::abs(found - 2 * (7.5 * 2 * 6 + 7.5 * 2)) < 1e-9);
 }
 

@@ -12,6 +12,7 @@
 #include "ffcontact/estimate/tractions/first_tractions.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/interface/pairing/matching_faces.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
 #include "support/cut_solids.hpp"
 #include "support/same_digits.hpp"
 #include "support/solid_estimates.hpp"
@@ -120,11 +121,11 @@ RC_GTEST_PROP(MatchingSolids, three_around_an_edge_are_admissible,
   const SurfaceSolution solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> found = estimate(problem, solution, {4, 0});
-  // where faces of one sheet meet at an angle directions turn within them
-  RC_ASSERT(found.admissible == (found.turn == 0));
-  RC_ASSERT(found.equilibrium.largest() < 1e-10);
-  RC_ASSERT(found.cone < 1e-13);
-  if (found.admissible) require_sound(found);
+  RC_LOG() << found.reason << std::endl;
+  RC_ASSERT(found.admissible);
+  // where faces of one sheet meet at an angle directions turn over them
+  if (!turns(problem.surface)) require_sound(found);
+  RC_ASSERT(found.oscillation < 0.2 * found.e);
 }
 
 TEST(MatchingSolids, have_their_tractions_relaxed) {
@@ -222,9 +223,10 @@ RC_GTEST_PROP(MatchingSolids, have_the_contact_part_of_facing_ones,
   const std::vector<ContactFacet<3>> contact =
       contact_faces(mesh, problem.faces, surface, law, u);
   RC_ASSERT(static_cast<int>(contact.size()) == surface.face_count());
-  const VectorXd found = contact_error(contact, tractions_by_face(surface, r)),
+  const SurfaceTractions by_face = tractions_by_face(surface, r);
+  const VectorXd found = contact_error(contact, by_face),
                  expected = facing_contact_error(mesh, problem.faces, surface,
-                                                 law, r, u);
+                                                 law, {r, by_face}, u);
   RC_ASSERT((found - expected).norm() < 1e-13 * expected.norm());
 }
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <vector>
 
 #include "ffcontact/base/plane.hpp"
 #include "ffcontact/contact/law/contact_densities.hpp"
+#include "ffcontact/interface/contact_surface.hpp"
 #include "support/random.hpp"
 
 /// Contact lines whose directions turn along their edges, and what is between the nodes.
@@ -18,6 +21,35 @@ inline ContactLine turned_at_random(ContactLine line, double most,
     line.normal.col(i) =
         Eigen::Rotation2Dd(angle[i]).toRotationMatrix() * line.normal.col(i);
   return line;
+}
+
+/// Each normal of a surface turned by up to this angle.
+inline ContactSurface turned_at_random(ContactSurface surface, double most,
+                                       Random& random) {
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const Vector3d axis = random_vector(3, random);
+    const double angle = most * random_vector(1, random)[0];
+    surface.normal.col(i) =
+        Eigen::AngleAxisd(angle, axis.normalized()) * surface.normal.col(i);
+  }
+  return surface;
+}
+
+/// Points of a triangle and their weights: Radon's seven, exact for polynomials of degree 5.
+struct TrianglePoint {
+  Vector3d at;
+  double weight;
+};
+inline std::vector<TrianglePoint> points_of_triangle() {
+  const double root = std::sqrt(15.0);
+  std::vector<TrianglePoint> points{{Vector3d::Constant(1.0 / 3), 9.0 / 40}};
+  for (const double sign : {-1.0, 1.0})
+    for (int k = 0; k < 3; ++k) {
+      Vector3d at = Vector3d::Constant((6 + sign * root) / 21);
+      at[k] = (9 - 2 * sign * root) / 21;
+      points.push_back({at, (155 + sign * root) / 1200});
+    }
+  return points;
 }
 
 /// n(s) and t(s), one column each, linear between the nodes.

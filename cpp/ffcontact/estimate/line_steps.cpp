@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
+#include "ffcontact/contact/law/bounded_friction.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
 #include "ffcontact/estimate/contact_steps.hpp"
 #include "ffcontact/estimate/displacement/admissible_displacement.hpp"
@@ -9,6 +10,7 @@
 #include "ffcontact/estimate/error/contact_error.hpp"
 #include "ffcontact/estimate/error/line_oscillation.hpp"
 #include "ffcontact/estimate/error/wide_cones.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
 
 namespace ffcontact {
 
@@ -92,14 +94,33 @@ BetweenNodes between_nodes(const MatchedBodies<2>& bodies,
                        u_hat);
 }
 
+namespace {
+
+/// Does e pay for next to nothing but friction without bound on the slip between the nodes of
+/// a curve, where no u_hat sticks that keeps clear?
+bool pays_for_rough_edges(const MatchedBodies<2>& bodies,
+                          const PairError& error) {
+  const ContactLaw& law = bodies.body().law;
+  return turns(bodies.contact()) && pays_for_contact_alone(error) &&
+         (law.tresca() || law.friction.maxCoeff() > most_friction);
+}
+
+}  // namespace
+
 template <>
-std::string reason_of(const MatchedBodies<2>&,
+std::string reason_of(const MatchedBodies<2>& bodies,
                       const RelaxedTractions<2>& tractions,
                       const WorstPlaces& worst,
                       const EstimateSettings<2>& settings,
                       const Estimate<2>& estimate) {
-  return reason_against(estimate, worst, settings.construction,
-                        tractions.contact.unmended.size());
+  const std::string reason =
+      reason_against(estimate, worst, settings.construction,
+                     tractions.contact.unmended.size());
+  if (reason.empty() && pays_for_rough_edges(bodies, estimate))
+    return "e pays the bound of friction times what displacements slip between "
+           "the nodes of a curve: where nothing slips there give friction= or "
+           "slipbound= no larger than the contact needs";
+  return reason;
 }
 
 template <>

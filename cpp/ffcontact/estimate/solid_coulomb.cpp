@@ -10,6 +10,7 @@
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -184,7 +185,8 @@ SolidCoulomb solid_coulomb(const Topology<3>& topology,
   const double friction = largest_friction(law);
   if (friction == 0) return {0, 0, 0, e};
   const PairOnSurface pair(topology, surface, body.law, estimate);
-  if (pair.reaches_limit()) return {friction, infinity, infinity, infinity};
+  if (pair.reaches_limit() || turns(surface))
+    return {friction, infinity, infinity, infinity};
   const auto constant = directed_constant(
       surface_contact(surface, body.law, system, *body.stiffness),
       slip_of(pair, law, held));

@@ -31,7 +31,8 @@ DirectedSlip directed_slip(const Topology<3>& topology,
 
 /// kappa, delta and B of a judged solution: 0, 0 and e without friction that depends on
 /// r_n. Infinite where a traction is at the shear limit; elsewhere the exact solution's are
-/// taken to be below it.
+/// taken to be below it. Infinite, too, where normals turn over a face: d is known for
+/// tractions that are linear.
 /// @param system  as for estimate_error
 /// @param held    1 at nodes that slip nowhere, neither in the exact solution [p]
 SolidCoulomb solid_coulomb(const Topology<3>& topology,

@@ -31,6 +31,10 @@ bool stays_unloaded(const ContactSurface& surface, const Compared<3>& compared,
                              max_norm(compared.displacement));
 }
 
+TractionFields fields_of(const ContactTractions<3>& contact) {
+  return {contact.densities, contact.on_faces};
+}
+
 /// r_hat on some contact faces.
 SurfaceTractions tractions_on(const std::vector<ContactFacet<3>>& faces,
                               const RelaxedTractions<3>& tractions) {
@@ -42,12 +46,11 @@ SurfaceTractions tractions_on(const std::vector<ContactFacet<3>>& faces,
 bool pays_for_rough_faces(const MatchedBodies<3>& bodies,
                           const std::vector<ContactFacet<3>>& matching,
                           const PairError& error) {
-  constexpr double nearly_all = 0.99;
   const ContactSurface& surface = bodies.contact();
   const bool match = count_of(matching) == surface.face_count();
   return surface.against_a_body() && !match &&
          bodies.body().law.friction.maxCoeff() > most_friction &&
-         error.contact > nearly_all * error.e * error.e;
+         pays_for_contact_alone(error);
 }
 
 }  // namespace
@@ -56,9 +59,11 @@ template <>
 VectorXd displacement_of_pair(const SolvedProblem<3>& solved,
                               const MatchedBodies<3>&) {
   const auto& [topology, surface, system, body] = solved;
-  return sticking_displacement(
+  const VectorXd clear = sticking_displacement(
       solved, admissible_displacement(topology.facets, surface, body.law,
                                       body.displacement, system.prescribed));
+  return cleared_between_nodes(topology.facets, surface, body.law, clear,
+                               system.prescribed);
 }
 
 template <>
@@ -97,7 +102,7 @@ VectorXd contact_part_of(const MatchedBodies<3>& bodies,
   const ContactSurface& surface = bodies.contact();
   VectorXd part = surface.against_a_body()
                       ? facing_contact_error(mesh, faces, surface, compared.law,
-                                             tractions.contact.densities,
+                                             fields_of(tractions.contact),
                                              compared.displacement)
                       : VectorXd::Zero(surface.face_count());
   part(surface_faces(tractions.facets)) = contact_error(
@@ -139,7 +144,7 @@ BetweenNodes between_nodes(const MatchedBodies<3>& bodies,
                            const ContactTractions<3>& contact,
                            const VectorXd& u_hat) {
   return between_nodes(bodies.topology().facets, bodies.contact(),
-                       bodies.body().law, contact.on_faces, u_hat);
+                       bodies.body().law, fields_of(contact), u_hat);
 }
 
 template <>
@@ -161,11 +166,12 @@ template <>
 void put_fields(MatchedBodies<3>& bodies, RelaxedTractions<3> tractions,
                 Estimate<3>& estimate) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
+  estimate.oscillation =
+      traction_oscillation(mesh, faces, bodies.contact(), bodies.body().hooke,
+                           fields_of(tractions.contact));
   estimate.moments = std::move(tractions.moments);
   estimate.tractions = std::move(tractions.contact.densities);
   estimate.face_tractions = std::move(tractions.contact.on_faces);
-  estimate.oscillation = traction_oscillation(
-      mesh, faces, bodies.contact(), bodies.body().hooke, estimate.tractions);
 }
 
 }  // namespace ffcontact

@@ -12,6 +12,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/unions.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/interface/fitted_normals.hpp"
 #include "ffcontact/interface/labelled_facets.hpp"
 
 namespace ffcontact {
@@ -24,6 +25,12 @@ const double sharp = std::cos(M_PI / 6);
 constexpr double coplanar = 1e-12;
 /// Components of n above this make the x axis a bad tangent.
 constexpr double steep = 0.9;
+
+Matrix3Xd without_rounding(Matrix3Xd normals) {
+  for (double& component : normals.reshaped())
+    if (std::abs(component) < coplanar) component = 0;
+  return normals;
+}
 
 std::vector<int> stated_faces(const SolidMesh& mesh, const Facets<3>& faces,
                               const std::vector<int>& labels) {
@@ -75,9 +82,7 @@ class SheetFinder {
     result.vertex = packed(vertices);
     result.area = packed(areas);
     result.mass = mass(result);
-    result.normal = packed(sums).colwise().normalized();
-    for (double& component : result.normal.reshaped())
-      if (std::abs(component) < coplanar) component = 0;
+    result.normal = without_rounding(packed(sums).colwise().normalized());
     return result;
   }
 
@@ -165,6 +170,15 @@ class SheetFinder {
   Unions sheets_, nodes_;
 };
 
+SheetOfNodes nodes_of_sheets(const SolidMesh& mesh, const Facets<3>& faces,
+                             const ContactSurface& surface) {
+  SheetOfNodes sheet{mesh.vertices(Eigen::all, surface.vertex), surface.normal,
+                     surface.face_node, Matrix3Xd(3, surface.face_count())};
+  for (int m = 0; m < surface.face_count(); ++m)
+    sheet.face_normal.col(m) = facet_normal(mesh, faces, surface.face[m]);
+  return sheet;
+}
+
 /// @throws std::invalid_argument  unless the direction points out of the faces at a node
 void require_outward(const SolidMesh& mesh, const Facets<3>& faces,
                      const ContactSurface& surface) {
@@ -195,8 +209,12 @@ Matrix3d ContactSurface::frame(int node) const {
 
 ContactSurface contact_surface(const SolidMesh& mesh, const Facets<3>& faces,
                                const std::vector<int>& labels) {
-  return SheetFinder(mesh, faces, stated_faces(mesh, faces, labels), false)
-      .surface();
+  ContactSurface surface =
+      SheetFinder(mesh, faces, stated_faces(mesh, faces, labels), false)
+          .surface();
+  surface.normal =
+      without_rounding(fitted_normals(nodes_of_sheets(mesh, faces, surface)));
+  return surface;
 }
 
 ContactSurface surface_along(const SolidMesh& mesh, const Facets<3>& faces,

@@ -17,7 +17,7 @@ namespace ffcontact {
 /// label, or lie in one plane, are of one smooth sheet. A node is a vertex of one sheet:
 /// where sheets meet at an edge a vertex is a node of each of them, with its normal, and
 /// keeps clear of what each of them faces. The normal is that of the sheet where it is a
-/// plane, otherwise the mean of the faces at the vertex by their areas. Against another
+/// plane, otherwise that of the smooth surface (fitted_normals). Against another
 /// body only what faces it belongs to the surface (facing_surface).
 struct ContactSurface {
   VectorXi vertex;   ///< mesh vertex of each node [p]

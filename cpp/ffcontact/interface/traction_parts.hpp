@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "ffcontact/interface/contact_surface.hpp"
+#include "ffcontact/interface/face_quadratic.hpp"
 
 namespace ffcontact {
 
@@ -17,20 +19,48 @@ struct FaceHats {
 };
 FaceHats face_hats(const ContactSurface& surface, int contact_face);
 
-/// The traction at the corners of a contact face along x, y, z [MPa].
-/// @param traction  (r_n, r_t1, r_t2) at the nodes [MPa, 3 x p]
-Matrix3d traction_at_corners(const ContactSurface& surface, int contact_face,
-                             const Ref<const Matrix3Xd>& traction);
+/// Do the normals of a face's nodes differ, as on a curved surface?
+bool normals_differ(const ContactSurface& surface, int contact_face);
+/// Do they on any?
+bool turns(const ContactSurface& surface);
 
-/// What a traction D phi on a contact face does to one mesh face: with the hats of its
-/// three vertices the moments are the columns of D weight. On its own face weight = int
-/// phi phi', over what faces the opposite body; on a face of that body it is -int phi
-/// eta' over the polygons that they share, eta its barycentric coordinates: both bodies
-/// feel the same forces, in opposite directions.
+/// A traction along directions that turn over a contact face, or over a part of it,
+///     r = r_n n + n x m,   m = r_t x n,
+/// by its values at the corners, linear between them, one column each. n is not of unit
+/// length between the nodes: |n x m| <= |n| |m| and |r . n| = |r_n| |n|^2, so that r is in the
+/// cone |r_t| <= mu |r_n| about n at every place where |m| <= mu |r_n|, which linear m and r_n
+/// keep that do at the corners. Where n does not turn this is the linear r_n n + r_t.
+struct BentTraction {
+  Matrix3Xd normal;             ///< n
+  Eigen::RowVectorXd pressing;  ///< r_n [MPa]
+  Matrix3Xd turned;             ///< m [MPa]
+
+  /// The same between other corners, at these places of it.
+  BentTraction between(const Ref<const Matrix3Xd>& places) const {
+    return {normal * places, pressing * places, turned * places};
+  }
+};
+
+/// Of (r_n, r_t1, r_t2) at the nodes [MPa, 3 x p], at the three corners of a contact face.
+BentTraction bent_traction(const ContactSurface& surface, int contact_face,
+                           const Ref<const Matrix3Xd>& traction);
+/// @param frames   n, t1, t2 at the corners of a face
+/// @param corners  (r_n, r_t1, r_t2) there
+BentTraction bent_traction(const std::array<Matrix3d, 3>& frames,
+                           const Matrix3d& corners);
+
+/// r along x, y, z on the triangle of three corners.
+QuadraticOnFace along_axes(const BentTraction& traction);
+
+/// What a quadratic traction R on a contact face does to one mesh face: with the hats of its
+/// three vertices the moments are the columns of R weight. On its own face weight = int
+/// phi_k phi_l phi', over what faces the opposite body; on a face of that body it is -int
+/// phi_k phi_l eta' over the polygons that they share, eta its barycentric coordinates: both
+/// bodies feel the same forces, in opposite directions.
 struct TractionPart {
   int contact_face;
-  int face;         ///< of the mesh
-  Matrix3d weight;  ///< [mm^2]
+  int face;                     ///< of the mesh
+  Matrix<double, 9, 3> weight;  ///< [mm^2]
 };
 std::vector<TractionPart> traction_parts(const SolidMesh& mesh,
                                          const Facets<3>& faces,

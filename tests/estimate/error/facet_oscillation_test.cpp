@@ -8,6 +8,7 @@
 #include <array>
 
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
+#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/estimate/error/line_oscillation.hpp"
 #include "support/bodies.hpp"
 #include "support/turning.hpp"
@@ -101,7 +102,7 @@ class QuadraticStress {
     for (int k = 0; k < 3; ++k) {
       const CellCorners<2> x = subcell<2>(triangle_, k);
       const double area = volume_of<2>(x);
-      for (const auto& [at, weight] : points()) {
+      for (const auto& [at, weight] : points_of_triangle()) {
         const Basis phi = basis(x * at);
         for (int v = 0; v < 3; ++v)
           H.block<6, 6>(18 * k + 6 * v, 18 * k + 6 * v) +=
@@ -110,20 +111,6 @@ class QuadraticStress {
     }
     return H;
   }
-  /// Radon's seven points.
-  static std::vector<std::pair<Vector3d, double>> points() {
-    const double root = std::sqrt(15.0);
-    std::vector<std::pair<Vector3d, double>> result{
-        {Vector3d::Constant(1.0 / 3), 9.0 / 40}};
-    for (const double sign : {-1.0, 1.0})
-      for (int k = 0; k < 3; ++k) {
-        Vector3d at = Vector3d::Constant((6 + sign * root) / 21);
-        at[k] = (9 - 2 * sign * root) / 21;
-        result.emplace_back(at, (155 + sign * root) / 1200);
-      }
-    return result;
-  }
-
   const CellCorners<2> triangle_ = regular_cell<2>();
   std::vector<Row> rows_;
   std::vector<Eigen::RowVector2d> given_;
@@ -155,7 +142,7 @@ struct TurningTractions {
 };
 
 /// v = (x'Q x)_c.
-struct QuadraticField {
+struct PlaneField {
   std::array<Matrix2d, 2> Q;
   Vector2d operator()(const Vector2d& x) const {
     return {x.dot(Q[0] * x), x.dot(Q[1] * x)};
@@ -174,7 +161,7 @@ RC_GTEST_PROP(LineOscillation, bounds_the_work_of_what_is_not_linear,
   const TurningTractions given(random);
   const auto& [problem, r] = given;
   const ContactLine& line = problem.line;
-  const QuadraticField v{
+  const PlaneField v{
       {random_matrix(2, 2, random), random_matrix(2, 2, random)}};
   double work = 0, energy = 0;
   for (int e = 0; e < line.edge_count(); ++e) {

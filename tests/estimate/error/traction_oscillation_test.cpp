@@ -12,6 +12,7 @@
 #include "ffcontact/interface/traction_parts.hpp"
 #include "support/solid_stacks.hpp"
 #include "support/traction_constant.hpp"
+#include "support/turning.hpp"
 
 namespace ffcontact {
 namespace {
@@ -50,28 +51,18 @@ struct FacingTractions {
                tilted_brick(random)},
               0),
         traction(random_matrix(3, stack.problem.surface.node_count(), random)),
-        hooke(stack.problem.mesh.cell_count(), isotropic<3>(2, 1)) {}
+        hooke(stack.problem.mesh.cell_count(), isotropic<3>(2, 1)) {
+    ContactSurface& surface = stack.problem.surface;
+    if (random() % 2) surface = turned_at_random(surface, 0.5, random);
+  }
 
   double oscillation() const {
     const SolidProblem& problem = stack.problem;
-    return traction_oscillation(problem.mesh, problem.faces, problem.surface,
-                                hooke, traction);
+    return traction_oscillation(
+        problem.mesh, problem.faces, problem.surface, hooke,
+        {traction, tractions_by_face(problem.surface, traction)});
   }
 };
-
-/// Points of a triangle and their weights, exact for cubic functions.
-struct CubicPoint {
-  Vector3d at;
-  double weight;
-};
-std::vector<CubicPoint> cubic_points() {
-  std::vector<CubicPoint> points{{Vector3d::Constant(1.0 / 3), 0.45}};
-  for (int k = 0; k < 3; ++k) {
-    points.push_back({Vector3d::Unit(k), 0.05});
-    points.push_back({0.5 * (Vector3d::Ones() - Vector3d::Unit(k)), 2.0 / 15});
-  }
-  return points;
-}
 
 /// v = (x'Q x)_c, its values and strains.
 struct QuadraticField {
@@ -105,18 +96,18 @@ double work_of_tractions(const FacingTractions& pair, const QuadraticField& v) {
                                              problem.faces.vertices.col(face)),
                    y = problem.mesh.vertices(
                        Eigen::all,
-                       problem.faces.vertices.col(polygon.opposite_face)),
-                   r = traction_at_corners(problem.surface,
-                                           polygon.contact_face, pair.traction);
+                       problem.faces.vertices.col(polygon.opposite_face));
+    const QuadraticOnFace r = along_axes(
+        bent_traction(problem.surface, polygon.contact_face, pair.traction));
     for (const FanTriangle& triangle : fan_of(polygon.own))
-      for (const CubicPoint& point : cubic_points()) {
+      for (const TrianglePoint& point : points_of_triangle()) {
         const Vector3d own =
                            polygon.own(Eigen::all, triangle.corner) * point.at,
                        other = polygon.opposite(Eigen::all, triangle.corner) *
                                point.at;
         work += facet_measure(problem.mesh, problem.faces, face) *
                 triangle.share * point.weight *
-                (r * own).dot(v(x * own) - v(y * other));
+                value_at(r, own).dot(v(x * own) - v(y * other));
       }
   }
   return work;
@@ -141,7 +132,7 @@ LinearPart linear_part(const FacingTractions& pair, const QuadraticField& v) {
     const Matrix3d moments = carried.moments.col(f).reshaped(3, 3),
                    density = facet_density<3>(moments, area),
                    x = mesh.vertices(Eigen::all, faces.vertices.col(f));
-    for (const CubicPoint& point : cubic_points())
+    for (const TrianglePoint& point : points_of_triangle())
       part.work +=
           area * point.weight * (density * point.at).dot(v(x * point.at));
     const int t = faces.cells(0, f);
@@ -182,6 +173,16 @@ RC_GTEST_PROP(TractionOscillation, scales_with_lengths_and_moduli,
   RC_ASSERT(std::abs(found / expected - 1) < 1e-9);
 }
 
+/// Of tractions at random.
+double oscillation_of(const SolidProblem& problem, std::mt19937& random) {
+  const ContactSurface& surface = problem.surface;
+  const Matrix3Xd traction = random_matrix(3, surface.node_count(), random);
+  return traction_oscillation(
+      problem.mesh, problem.faces, surface,
+      HookeTensors<3>(problem.mesh.cell_count(), isotropic<3>(2, 1)),
+      {traction, tractions_by_face(surface, traction)});
+}
+
 TEST(TractionOscillation, is_none_where_faces_match) {
   std::mt19937 random(3);
   const SolidMesh upper = brick({3, 2, 1}, {3, 2, 1});
@@ -189,21 +190,13 @@ TEST(TractionOscillation, is_none_where_faces_match) {
   lower.vertices.row(2).array() -= 1;
   const SolidStack stack({upper, lower}, 0);
   const SolidProblem& problem = stack.problem;
-  EXPECT_LT(traction_oscillation(
-                problem.mesh, problem.faces, problem.surface,
-                HookeTensors<3>(problem.mesh.cell_count(), isotropic<3>(2, 1)),
-                random_matrix(3, problem.surface.node_count(), random)),
-            1e-14);
+  EXPECT_LT(oscillation_of(problem, random), 1e-14);
 }
 
 TEST(TractionOscillation, is_none_on_a_rigid_foundation) {
   std::mt19937 random(3);
   const SolidProblem problem(brick({3, 2, 1}, {3, 2, 1}));
-  EXPECT_EQ(traction_oscillation(
-                problem.mesh, problem.faces, problem.surface,
-                HookeTensors<3>(problem.mesh.cell_count(), isotropic<3>(2, 1)),
-                random_matrix(3, problem.surface.node_count(), random)),
-            0);
+  EXPECT_EQ(oscillation_of(problem, random), 0);
 }
 
 }  // namespace

@@ -181,7 +181,7 @@ TEST(SurfaceError, of_linear_fields) {
   EXPECT_EQ(parts.size(), 2);
   EXPECT_NEAR(parts.sum(), 19.5, 1e-13);
 
-  // |w_t| between 0 and 1 at the nodes of an edge is not above linear: a bound
+  // |w_t| of a slip that changes its sign, by its Bernstein polynomial: a bound
   problem.law = {};
   problem.law.friction = VectorXd::Zero(4);
   problem.law.slip_bound = VectorXd::Ones(4);
@@ -190,7 +190,7 @@ TEST(SurfaceError, of_linear_fields) {
     u[3 * surface.vertex[i]] =
         problem.mesh.vertices(0, surface.vertex[i]) - 0.5;
   const double bound = parts_of(problem, Matrix3Xd::Zero(3, 4), u).sum();
-  EXPECT_NEAR(bound, 2 * 0.5, 1e-14);  // the integral is 2 / 4
+  EXPECT_NEAR(bound, 2.0 / 3, 1e-14);  // the integral is 2 / 4
 }
 
 RC_GTEST_PROP(ContactFaces, moments_and_tractions_are_the_same,

@@ -11,7 +11,8 @@ FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
                            const Ref<const Matrix3Xd>& traction) {
   for (const TractionPart& part : traction_parts(mesh, faces, surface)) {
     const Matrix3d moments =
-        traction_at_corners(surface, part.contact_face, traction) * part.weight;
+        along_axes(bent_traction(surface, part.contact_face, traction)) *
+        part.weight;
     given.known.col(part.face).setConstant(true);
     given.moments.col(part.face) += moments.reshaped();
   }

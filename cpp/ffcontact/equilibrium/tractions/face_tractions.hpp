@@ -20,7 +20,7 @@ using FaceTractions = FacetTractions<3>;
 /// Adds contact tractions, with which all components are known. Against another body they
 /// act on both, where faces do not match by the linear tractions nearest to them: these
 /// have their force and their moment on every face.
-/// @param traction  (r_n, r_t1, r_t2) at the nodes, linear on the faces [MPa, 3 x p]
+/// @param traction  (r_n, r_t1, r_t2) at the nodes (bent_traction) [MPa, 3 x p]
 FaceTractions with_contact(FaceTractions given, const SolidMesh& mesh,
                            const Facets<3>& faces,
                            const ContactSurface& surface,

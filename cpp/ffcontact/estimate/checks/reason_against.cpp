@@ -22,16 +22,12 @@ std::string part_in_words(double part) {
 }
 
 std::string turn_in_words(double degrees, const Ref<const VectorXd>& turned) {
-  if (turned.size() == 2)
-    return "the contact directions turn by " + in_digits(degrees, 3) +
-           " degrees, 90 or more, along the edge at " +
-           in_words(turned, digits_of_parts) + ": refine the line";
-  return "the contact directions turn by " + part_in_words(degrees) +
-         " degrees between the nodes of one face at " +
-         in_words(turned, digits_of_parts) +
-         ", where r_hat leaves the cone and u_hat the gap between them: take "
-         "eps for an indicator, or give one direction by normal= where the "
-         "foundation is flat";
+  const bool is_edge = turned.size() == 2;
+  return "the contact directions turn by " + in_digits(degrees, 3) +
+         " degrees, 90 or more, " +
+         (is_edge ? "along the edge" : "over the face") + " at " +
+         in_words(turned, digits_of_parts) + ": refine the " +
+         (is_edge ? "line" : "surface");
 }
 
 std::string integrand_in_words(double negative,
@@ -76,6 +72,11 @@ std::string imbalance_in_words(const EquilibriumDefect& defect,
 }
 
 }  // namespace
+
+bool pays_for_contact_alone(const PairError& error) {
+  constexpr double nearly_all = 0.99;
+  return error.contact > nearly_all * error.e * error.e;
+}
 
 void put_between_nodes(const BetweenNodes& found, double work,
                        PairError& error) {

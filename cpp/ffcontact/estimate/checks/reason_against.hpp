@@ -19,6 +19,9 @@ struct WorstPlaces {
       negative;  ///< middle of that with the least integrand of the contact part
 };
 
+/// Is next to nothing of e^2 but its contact part?
+bool pays_for_contact_alone(const PairError& error);
+
 /// The middle of a facet as who made the mesh knows it.
 template <int dim>
 VectorOf<dim> middle_of(const SimplexMesh<dim>& mesh, const Facets<dim>& facets,

@@ -12,16 +12,14 @@ namespace ffcontact {
 ///     f = c(r_n) |w_t| + r_t . w_t + r_n (w_n - gap),        [CHH01, (2.11), (2.19)]
 /// is nowhere negative: |r_t| <= c, r_n <= 0 and w_n <= gap. Where the contact directions
 /// of a facet's nodes are the same it follows from its nodes, as r_hat and w_hat are linear
-/// between them. In the plane r_hat turns with the directions (moments_of_ends) as long as
-/// these turn by less than 90 degrees along an edge. In space it does not: with n(x) turning
-/// from n_i to n_j, r_hat leaves the cone about n(x) and w_hat . n(x) the gap, and e is no
-/// bound.
+/// between them. Where they differ r_hat turns with them (moments_of_ends, BentTraction), as
+/// long as that is by less than 90 degrees.
 struct BetweenNodes {
   /// largest -f, of some points of each facet [MPa mm], and the facet that has it
   double negative = 0;
   int negative_facet = 0;
   /// largest angle between the directions of two nodes of a facet that carries tractions or
-  /// that u_hat penetrates [rad], of those too large to be judged, and that facet
+  /// that u_hat penetrates [rad], if it is 90 degrees or more, and that facet
   double turn = 0;
   int turned_facet = 0;
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/error/contact_faces.hpp"
 
-#include <array>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/elastic/dofs.hpp"
-#include "ffcontact/equilibrium/stress/facet_density.hpp"
-#include "ffcontact/estimate/error/between_nodes.hpp"
+#include "ffcontact/estimate/error/face_fields.hpp"
 #include "ffcontact/estimate/tractions/cone_projection.hpp"
-#include "ffcontact/interface/pairing/matching_faces.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -18,52 +17,36 @@ namespace {
 /// Tractions nearer to the cone than this part of the largest are in it but for rounding.
 constexpr double traction_rounding = 2e-12;
 
-/// w at the corners of a contact face, less the gap and the load step before, along n, t1,
-/// t2 of each of its corners, whose frames differ on curved surfaces.
-using SeenMotions = std::array<Matrix3d, 3>;
-
-/// Against a rigid foundation, or a face that matches.
-SeenMotions seen_motions(const Facets<3>& faces, const ContactSurface& surface,
-                         const SurfaceLaw& law, int m,
-                         const MatchingFace& match,
-                         const Ref<const VectorXd>& u) {
-  const Vector3i nodes = surface.face_node.col(m);
-  Matrix3d jump, previous = Matrix3d::Zero();
-  Vector3d gap = Vector3d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    const int i = nodes[k];
-    jump.col(k) = vector_at<3>(u, faces.vertices(k, surface.face[m]));
-    if (match.face >= 0)
-      jump.col(k) -=
-          vector_at<3>(u, faces.vertices(match.corner[k], match.face));
-    if (law.gap.size() > 0) gap[k] = law.gap[i];
-    if (law.previous.size() > 0)
-      previous.col(k) = surface.frame(i).rightCols<2>() * law.previous.col(i);
-  }
-  SeenMotions seen;
-  for (int a = 0; a < 3; ++a) {
-    const Matrix3d frame = surface.frame(nodes[a]);
-    seen[a] = frame.transpose() * jump;
-    seen[a].row(0) -= gap.transpose();
-    seen[a].bottomRows<2>() -= frame.rightCols<2>().transpose() * previous;
-  }
-  return seen;
-}
-
 /// @param least     |w_t| without direction [mm]
 /// @param rounding  |w_t| that is 0
-void put_motions(const SeenMotions& seen, double least, double rounding,
-                 ContactFacet<3>& face) {
+void put_motion(const FaceMotion& motion, double least, double rounding,
+                ContactFacet<3>& face) {
+  const FaceCosts costs = face_costs(motion, {0, 1, 2}, rounding);
+  face.slip = face.measure * costs.friction;
   for (int i = 0; i < 3; ++i) {
-    Matrix3d slip = Matrix3d::Zero();
-    for (int k = 0; k < 3; ++k)
-      slip(0, k) = slip_beyond(rounding, seen[i].col(k).tail<2>().norm());
-    face.work.col(i) = facet_moments_of<3>(seen[i], face.measure).col(i);
-    face.slip[i] = facet_moments_of<3>(slip, face.measure)(0, i);
+    const Vector3d n = motion.normal.col(i), slip = motion.slip(i, i);
+    const auto along = face.frame[i].rightCols<2>().transpose();
+    // r_t . w_t of m = r_t x n:  -m . slip = r_t . (slip x n)
+    face.work(0, i) = face.measure * costs.depth[i];
+    face.work.col(i).tail<2>() =
+        face.measure * along * Vector3d(costs.slip.col(i)).cross(n);
     face.direction.col(i).setZero();
-    if (slip(0, i) > least)
-      face.direction.col(i) = seen[i].col(i).tail<2>() / slip(0, i);
+    if (slip.norm() > least)
+      face.direction.col(i) = along * slip.cross(n) / slip.norm();
   }
+}
+
+/// Moments of tractions that turn with the directions, and back.
+void bend(ContactFacet<3>& face) {
+  face.moments_of_bent.resize(9, 9);
+  for (int column = 0; column < 9; ++column) {
+    Matrix3d unit = Matrix3d::Zero();
+    unit(column % 3, column / 3) = face.measure;
+    face.moments_of_bent.col(column) =
+        (along_axes(bent_traction(face.frame, unit)) * triple_products())
+            .reshaped();
+  }
+  face.bent_of_moments = face.moments_of_bent.inverse();
 }
 
 }  // namespace
@@ -93,10 +76,11 @@ std::vector<ContactFacet<3>> contact_faces(
     for (int i = 0; i < 3; ++i) {
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
-      face.paid[i] = paid[nodes[i]];
+      face.paid[i] = paid_cone(surface, m, paid[nodes[i]]);
     }
-    put_motions(seen_motions(faces, surface, law, m, matches[m], displacement),
-                least, rounding, face);
+    if (normals_differ(surface, m)) bend(face);
+    put_motion(motion_on_face(faces, surface, law, m, matches[m], displacement),
+               least, rounding, face);
     contact.push_back(face);
   }
   return contact;

@@ -4,16 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ffcontact/interface/traction_parts.hpp"
+#include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Directions that differ by less are the same but for rounding [rad].
-constexpr double least_turn = 1e-11;
-/// In parts of the vector.
-constexpr double rounding_of_component = 1e-15;
 
 /// Weights of the corners at the points that are tested, one column each.
 MatrixXd tested_points(Index corners) {
@@ -29,60 +24,71 @@ MatrixXd tested_points(Index corners) {
   return weights;
 }
 
-double largest_turn(const Matrix3Xd& normals) {
-  double largest = 0;
+/// The largest angle between two directions, if it is 90 degrees or more.
+double too_large_turn(const Matrix3Xd& normals) {
+  double least = 1;
   for (Index i = 0; i < normals.cols(); ++i)
-    for (Index j = 0; j < i; ++j) {
-      const double half = (normals.col(i) - normals.col(j)).norm() / 2;
-      largest = std::max(largest, 2 * std::asin(std::min(1.0, half)));
-    }
-  return largest > least_turn ? largest : 0;
+    for (Index j = 0; j < i; ++j)
+      least = std::min(least, normals.col(i).dot(normals.col(j)));
+  return least <= 0 ? std::acos(std::max(-1.0, least)) : 0;
 }
 
 }  // namespace
 
-FaceFields fields_on_face(const ContactSurface& surface,
-                          const std::vector<FrictionCone>& cones,
-                          int contact_face,
-                          const Ref<const VectorXd>& traction) {
-  const Vector3i nodes = surface.face_node.col(contact_face);
-  const FaceHats hats = face_hats(surface, contact_face);
-  const Matrix3d none = Matrix3d::Zero();
-  FaceFields fields{none, none, {}, {}};
-  fields.cone.resize(3);
-  Index a = 0;  // hats of the corners that are nodes, in their order
-  for (int k = 0; k < 3; ++k) {
-    const int node = nodes[k] >= 0 ? nodes[k] : nodes.maxCoeff();
-    fields.normal.col(k) = surface.normal.col(node);
-    fields.traction.col(k) = surface.frame(node) * traction.segment<3>(3 * k);
-    if (nodes[k] < 0) continue;
-    const double bound = cones[node].bound(traction[3 * k]);
-    for (int corner = 0; corner < 3; ++corner)
-      fields.cone[corner].cohesion += hats.hat(corner, a) * bound;
-    ++a;
-  }
-  return fields;
+FrictionCone paid_cone(const ContactSurface& surface, int contact_face,
+                       FrictionCone cone) {
+  if (!normals_differ(surface, contact_face)) return cone;
+  const Matrix3Xd normals =
+      surface.normal(Eigen::all, face_hats(surface, contact_face).node);
+  const Vector3d mean = normals.rowwise().sum().normalized();
+  const double least = (mean.transpose() * normals).minCoeff();
+  cone.cohesion /= least;
+  cone.limit /= least;
+  return cone;
 }
 
-void note(const FaceFields& fields, const Matrix3Xd& normals_of_nodes, int face,
-          BetweenNodes& found) {
-  bool matters = !fields.traction.isZero(0);
-  const MatrixXd points = tested_points(fields.normal.cols());
-  for (const auto& weights : points.colwise()) {
-    const Vector3d n = (fields.normal * weights).normalized(),
-                   r = fields.traction * weights, w = fields.motion * weights;
-    const double rn = r.dot(n), wn = w.dot(n);
-    const Vector3d rt = r - rn * n, wt = w - wn * n;
-    const double slip = wt.norm();
-    double f = rt.dot(wt) + rn * wn;
-    // with a large mu what carries r_t may be less than the rounding of r . n
-    const double pressing = rn - rounding_of_component * r.norm();
-    if (slip > 0)
-      f += cone_between(fields.cone, weights).bound(pressing) * slip;
-    matters = matters || wn > 0;
-    found.note_integrand(f, face);
+BentTraction bent_on_face(const ContactSurface& surface, int contact_face,
+                          const TractionFields& r) {
+  const Vector3i nodes = surface.face_node.col(contact_face);
+  if (nodes.minCoeff() < 0)
+    return bent_traction(surface, contact_face, r.nodal);
+  return bent_traction({surface.frame(nodes[0]), surface.frame(nodes[1]),
+                        surface.frame(nodes[2])},
+                       of_face(r.on_faces, contact_face));
+}
+
+BoundedTraction traction_on_face(const ContactSurface& surface,
+                                 const std::vector<FrictionCone>& cones,
+                                 int contact_face, const TractionFields& r) {
+  const FaceHats hats = face_hats(surface, contact_face);
+  const bool all_nodes = hats.node.size() == 3;
+  Eigen::RowVector3d bound = Eigen::RowVector3d::Zero();
+  for (int a = 0; a < count_of(hats.node); ++a) {
+    const int node = hats.node[a];
+    const double rn =
+        all_nodes ? of_face(r.on_faces, contact_face)(0, a) : r.nodal(0, node);
+    bound += paid_cone(surface, contact_face, cones[node]).bound(rn) *
+             hats.hat.col(a).transpose();
   }
-  if (matters) found.note_turn(largest_turn(normals_of_nodes), face);
+  return {bent_on_face(surface, contact_face, r), bound};
+}
+
+void note(const BoundedTraction& r, const FaceMotion& motion,
+          const Matrix3Xd& normals_of_nodes, int face, BetweenNodes& found) {
+  constexpr double rounding = 1e-15;  // of components, in parts of the vector
+  const auto& [normal, pressing, turned] = r.traction;
+  bool matters = !pressing.isZero(0) || !turned.isZero(0);
+  const MatrixXd points = tested_points(motion.corners());
+  for (const auto& place : points.colwise()) {
+    const double rn = pressing * place, depth = motion.depth_at(place),
+                 bound = r.bound * place;
+    const Vector3d m = turned * place, slip = motion.slip_at(place);
+    // with a large mu what carries r_t may be less than the rounding of r_n
+    const double wider = (1 + rounding) * bound;
+    matters = matters || depth > 0;
+    found.note_integrand(wider * slip.norm() - m.dot(slip) + rn * depth, face);
+  }
+  if (matters) found.note_turn(too_large_turn(normals_of_nodes), face);
 }
 
 }  // namespace ffcontact

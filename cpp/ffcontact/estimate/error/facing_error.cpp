@@ -22,99 +22,27 @@ constexpr double no_share = 1e-12;
 /// larger values first.
 constexpr double enough_shares[] = {0.5, 1e-3, 1e-9};
 
-/// The jump at the corners of one polygon, against gap and load step before.
-class PolygonJump {
- public:
-  PolygonJump(const Facets<3>& faces, const ContactSurface& surface,
-              const SurfaceLaw& law, const FacingPolygon& polygon,
-              const Ref<const VectorXd>& displacement)
-      : surface_(surface),
-        hats_(face_hats(surface, polygon.contact_face)),
-        shares_(hats_.hat.transpose() * polygon.own),
-        jump_(vectors(faces, surface.face[polygon.contact_face], displacement) *
-                  polygon.own -
-              vectors(faces, polygon.opposite_face, displacement) *
-                  polygon.opposite),
-        previous_(Matrix3Xd::Zero(3, corner_count())),
-        gap_(Eigen::RowVectorXd::Zero(corner_count())) {
-    for (int a = 0; a < node_count(); ++a) put_given(law, a);
-  }
-
-  int node_count() const { return count_of(hats_.node); }
-  int corner_count() const { return static_cast<int>(jump_.cols()); }
-  int node(int a) const { return hats_.node[a]; }
-  /// chi_a at a corner.
-  double share(int a, int corner) const { return shares_(a, corner); }
-
-  /// (w_n - gap, w_t - previous) in the frame of node a.
-  Vector3d components(int a, int corner) const {
-    const Matrix3d frame = surface_.frame(node(a));
-    Vector3d w = frame.transpose() * jump_.col(corner);
-    w.tail<2>() -= frame.rightCols<2>().transpose() * previous_.col(corner);
-    w[0] -= gap_[corner];
-    return w;
-  }
-
- private:
-  static Matrix3d vectors(const Facets<3>& faces, int face,
-                          const Ref<const VectorXd>& field) {
-    const auto at_vertices = field.reshaped(3, field.size() / 3);
-    return at_vertices(Eigen::all, faces.vertices.col(face));
-  }
-
-  void put_given(const SurfaceLaw& law, int a) {
-    const int i = node(a);
-    if (law.gap.size() > 0) gap_ += law.gap[i] * shares_.row(a);
-    if (law.previous.size() == 0) return;
-    const Vector3d before =
-        surface_.frame(i).rightCols<2>() * law.previous.col(i);
-    previous_ += before * shares_.row(a);
-  }
-
-  const ContactSurface& surface_;
-  FaceHats hats_;
-  MatrixXd shares_;
-  Matrix3Xd jump_, previous_;
-  Eigen::RowVectorXd gap_;
-};
-
-/// w at the corners, less gap and load step before [3 x corners].
-Matrix3Xd motions_of(const PolygonJump& jump, const ContactSurface& surface) {
-  Matrix3Xd motions = Matrix3Xd::Zero(3, jump.corner_count());
-  for (int k = 0; k < jump.corner_count(); ++k)
-    for (int a = 0; a < jump.node_count(); ++a)
-      motions.col(k) += jump.share(a, k) * surface.frame(jump.node(a)) *
-                        jump.components(a, k);
-  return motions;
+/// Calls ask(corner, depth) for how deep the corners of a polygon are.
+template <class Ask>
+void ask_at_corners(const FaceMotion& motion, const Ask& ask) {
+  for (int k = 0; k < motion.corners(); ++k) ask(k, motion.depth(k));
 }
 
-/// Values at the corners of c_a |w_t| + r_a . w.
-/// @param least  of |w_t|, less is rounding [mm]
-VectorXd integrand_at(const PolygonJump& jump, int a, const FrictionCone& cone,
-                      const Vector3d& traction, double least) {
-  VectorXd values(jump.corner_count());
-  for (int k = 0; k < jump.corner_count(); ++k) {
-    const Vector3d w = jump.components(a, k);
-    const double slip = slip_beyond(least, w.tail<2>().norm());
-    values[k] = cone.bound(traction[0]) * slip + traction.dot(w);
-  }
-  return values;
-}
-
-/// int chi_a f over a polygon in parts of the area of its face, f linear on its triangles.
-double integral_of(const FacingPolygon& polygon, const PolygonJump& jump, int a,
-                   const VectorXd& f) {
-  double sum = 0;
+/// Calls ask(corner, depth) for how far pairs of corners of a polygon must go along their
+/// normals so that it keeps clear between them.
+template <class Ask>
+void ask_between(const FacingPolygon& polygon, const FaceMotion& motion,
+                 bool alone, const Ask& ask) {
   for (const FanTriangle& triangle : fan_of(polygon.own)) {
-    double chi = 0, values = 0, products = 0;
-    for (int k : triangle.corner) {
-      chi += jump.share(a, k);
-      values += f[k];
-      products += jump.share(a, k) * f[k];
+    if (deepest_on(motion, triangle.corner) == 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int first = triangle.corner[k],
+                second = triangle.corner[(k + 1) % 3];
+      const double depth = depth_between(motion, first, second, alone);
+      ask(first, depth);
+      ask(second, depth);
     }
-    sum += triangle.share / 12 * (chi * values + products);
   }
-  return sum;
 }
 
 /// Which body gives way.
@@ -137,30 +65,59 @@ class FacingClearing {
 
   VectorXd displacement() && {
     for (double enough : enough_shares)
-      for (Side side : {Side::own, Side::opposite}) give_way(side, enough);
+      for (Side side : {Side::own, Side::opposite})
+        give_way(side, enough,
+                 [](const FacingPolygon&, const FaceMotion& motion,
+                    const auto& ask) { ask_at_corners(motion, ask); });
+    return std::move(u_);
+  }
+
+  /// The same between the corners, which one move may push in where another one clears.
+  VectorXd displacement_between() && {
+    constexpr int most_passes = 20;
+    for (int pass = 0; pass < most_passes; ++pass) {
+      const bool is_clear =
+          give_way(pass % 2 == 0 ? Side::own : Side::opposite,
+                   enough_shares[std::min(pass / 2, 2)],
+                   [&](const FacingPolygon& polygon, const FaceMotion& motion,
+                       const auto& ask) {
+                     ask_at_corners(motion, ask);
+                     ask_between(polygon, motion, pass > 0, ask);
+                   });
+      if (is_clear) break;
+    }
     return std::move(u_);
   }
 
  private:
-  void give_way(Side side, double enough) {
+  /// @param ask_all  calls ask(corner, depth) for what a polygon asks for
+  /// @return whether none does
+  template <class AskAll>
+  bool give_way(Side side, double enough, const AskAll& ask_all) {
     Wanted wanted;
+    bool none = true;
     for (const FacingPolygon& polygon : surface_.polygons) {
-      const PolygonJump jump(faces_, surface_, law_, polygon, u_);
-      for (int k = 0; k < jump.corner_count(); ++k)
-        for (int a = 0; a < jump.node_count(); ++a)
-          if (jump.share(a, k) > no_share)
-            ask(polygon, side, k, jump.node(a), jump.components(a, k)[0],
-                enough, wanted);
+      const FaceHats hats = face_hats(surface_, polygon.contact_face);
+      const MatrixXd shares = hats.hat.transpose() * polygon.own;
+      ask_all(polygon, motion_on_polygon(faces_, surface_, law_, polygon, u_),
+              [&](int corner, double depth) {
+                if (depth <= 0) return;
+                none = false;
+                for (int a = 0; a < count_of(hats.node); ++a)
+                  if (shares(a, corner) > no_share)
+                    ask(polygon, side, corner, hats.node[a], depth, enough,
+                        wanted);
+              });
     }
     const double sign = side == Side::own ? -1 : 1;
     for (const auto& [vertex, depths] : wanted)
       u_.segment<3>(dof_of<3>(vertex, 0)) += change(vertex, depths, sign);
+    return none;
   }
 
   /// What one corner asks for.
   void ask(const FacingPolygon& polygon, Side side, int corner, int node,
            double depth, double enough, Wanted& wanted) const {
-    if (depth <= 0) return;
     const bool own = side == Side::own;
     const int face =
         own ? surface_.face[polygon.contact_face] : polygon.opposite_face;
@@ -206,20 +163,26 @@ class FacingClearing {
 VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
                               const ContactSurface& surface,
                               const SurfaceLaw& law,
-                              const Ref<const Matrix3Xd>& traction,
+                              const TractionFields& traction,
                               const Ref<const VectorXd>& displacement) {
   const std::vector<FrictionCone> cones = law_cones(law, surface);
-  const double least = rounding_of_slip(law, displacement);
+  const double rounding = rounding_of_slip(law, displacement);
   VectorXd result = VectorXd::Zero(surface.face_count());
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;
-    const PolygonJump jump(faces, surface, law, polygon, displacement);
+    const FaceMotion motion =
+        motion_on_polygon(faces, surface, law, polygon, displacement);
+    const auto [r, bound] =
+        traction_on_face(surface, cones, m, traction).between(polygon.own);
     const double area = facet_measure(mesh, faces, surface.face[m]);
-    for (int a = 0; a < jump.node_count(); ++a) {
-      const int node = jump.node(a);
-      const VectorXd f =
-          integrand_at(jump, a, cones[node], traction.col(node), least);
-      result[m] += 2 * area * integral_of(polygon, jump, a, f);
+    for (const FanTriangle& triangle : fan_of(polygon.own)) {
+      const FaceCosts costs = face_costs(motion, triangle.corner, rounding);
+      result[m] += 2 * area * triangle.share *
+                   (bound(triangle.corner).dot(costs.friction) +
+                    r.pressing(triangle.corner).dot(costs.depth) -
+                    r.turned(Eigen::all, triangle.corner)
+                        .cwiseProduct(costs.slip)
+                        .sum());
     }
   }
   return result;
@@ -234,19 +197,34 @@ VectorXd facing_admissible_displacement(const Facets<3>& faces,
       .displacement();
 }
 
+VectorXd facing_cleared_between(const Facets<3>& faces,
+                                const ContactSurface& surface,
+                                const SurfaceLaw& law,
+                                const Ref<const VectorXd>& displacement,
+                                const Flags& prescribed) {
+  return FacingClearing(faces, surface, law, displacement, prescribed)
+      .displacement_between();
+}
+
 DeepestNode deepest_facing_node(const Facets<3>& faces,
                                 const ContactSurface& surface,
                                 const SurfaceLaw& law,
                                 const Ref<const VectorXd>& displacement) {
   DeepestNode deepest;
   for (const FacingPolygon& polygon : surface.polygons) {
-    const PolygonJump jump(faces, surface, law, polygon, displacement);
-    for (int k = 0; k < jump.corner_count(); ++k)
-      for (int a = 0; a < jump.node_count(); ++a) {
-        const double depth = jump.components(a, k)[0];
-        if (jump.share(a, k) > no_share && depth > deepest.depth)
-          deepest = {depth, jump.node(a)};
-      }
+    const FaceMotion motion =
+        motion_on_polygon(faces, surface, law, polygon, displacement);
+    for (const FanTriangle& triangle : fan_of(polygon.own)) {
+      const double depth = deepest_on(motion, triangle.corner);
+      if (depth <= deepest.depth) continue;
+      const FaceHats hats = face_hats(surface, polygon.contact_face);
+      const VectorXd shares =
+          hats.hat.transpose() *
+          polygon.own.col(deepest_corner(motion, triangle.corner));
+      Index nearest;
+      shares.maxCoeff(&nearest);
+      deepest = {depth, hats.node[nearest]};
+    }
   }
   return deepest;
 }
@@ -254,22 +232,15 @@ DeepestNode deepest_facing_node(const Facets<3>& faces,
 BetweenNodes facing_between_nodes(const Facets<3>& faces,
                                   const ContactSurface& surface,
                                   const SurfaceLaw& law,
-                                  const SurfaceTractions& tractions,
+                                  const TractionFields& traction,
                                   const Ref<const VectorXd>& displacement) {
   const std::vector<FrictionCone> cones = law_cones(law, surface);
   BetweenNodes found;
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;
-    const FaceFields face = fields_on_face(surface, cones, m, tractions.col(m));
-    FaceFields part{
-        face.normal * polygon.own,
-        face.traction * polygon.own,
-        motions_of({faces, surface, law, polygon, displacement}, surface),
-        {}};
-    for (const auto& place : polygon.own.colwise())
-      // rounding of a place is none of a large bound
-      part.cone.push_back(cone_between(face.cone, place.cwiseMax(0)));
-    note(part, face.normal, m, found);
+    note(traction_on_face(surface, cones, m, traction).between(polygon.own),
+         motion_on_polygon(faces, surface, law, polygon, displacement),
+         surface.normal(Eigen::all, face_hats(surface, m).node), m, found);
   }
   return found;
 }

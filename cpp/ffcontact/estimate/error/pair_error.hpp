@@ -32,8 +32,7 @@ struct PairError {
   double cone = 0;  ///< of r_hat outside of it, relative to the largest stress
   double penetration = 0;  ///< of u_hat, relative to the largest displacement
   /// largest angle between the contact directions of two nodes of a facet that carries
-  /// tractions or is penetrated, of those too large to be judged [degrees]: any in space, 90
-  /// degrees or more in the plane
+  /// tractions or is penetrated, if that is too large to be judged, 90 or more [degrees]
   double turn = 0;
   /// how far the integrand of the contact part is below 0 anywhere (BetweenNodes),
   /// relative to the largest stress times the largest displacement

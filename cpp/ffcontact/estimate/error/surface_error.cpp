@@ -9,7 +9,6 @@
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/cone/facet_cone.hpp"
 #include "ffcontact/estimate/bodies/clearing.hpp"
-#include "ffcontact/estimate/error/face_fields.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 
@@ -17,12 +16,37 @@ namespace ffcontact {
 
 namespace {
 
-/// The smallest change of a vertex that lowers its nodes out of the foundation, or 0.
-Vector3d lowering(const ContactSurface& surface, const VectorXd& penetration,
-                  int vertex, const std::vector<int>& nodes,
-                  const Flags& prescribed, double largest) {
-  return clearing(vertex, -surface.normal(Eigen::all, nodes),
-                  penetration(nodes), prescribed, largest);
+/// Lowers the nodes of each vertex by their depths along their normals, where these are above
+/// 0, by the smallest change.
+void lower(const ContactSurface& surface, const SurfaceLaw& law,
+           const VectorXd& depths, const Flags& prescribed, VectorXd& u) {
+  const double largest = largest_clearing(law, u);
+  std::map<int, std::vector<int>> nodes_of_vertex;
+  for (int i = 0; i < surface.node_count(); ++i)
+    nodes_of_vertex[surface.vertex[i]].push_back(i);
+  for (const auto& [vertex, nodes] : nodes_of_vertex)
+    u.segment<3>(dof_of<3>(vertex, 0)) +=
+        clearing(vertex, -surface.normal(Eigen::all, nodes), depths(nodes),
+                 prescribed, largest);
+}
+
+/// The largest that the sides of faces that are not clear ask of each node [p].
+VectorXd depths_between(const Facets<3>& faces, const ContactSurface& surface,
+                        const SurfaceLaw& law, const VectorXd& u, bool alone) {
+  VectorXd depths = VectorXd::Zero(surface.node_count());
+  for (int m = 0; m < surface.face_count(); ++m) {
+    const FaceMotion motion = motion_on_face(faces, surface, law, m, {}, u);
+    if (deepest_on(motion, {0, 1, 2}) == 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3;
+      const double depth = depth_between(motion, k, l, alone);
+      for (const int corner : {k, l}) {
+        double& asked = depths[surface.face_node(corner, m)];
+        asked = std::max(asked, depth);
+      }
+    }
+  }
+  return depths;
 }
 
 }  // namespace
@@ -49,16 +73,29 @@ VectorXd admissible_displacement(const Facets<3>& faces,
   if (surface.against_a_body())
     return facing_admissible_displacement(faces, surface, law, displacement,
                                           prescribed);
-  const VectorXd penetration =
-      displacement_against_foundation(surface, law, displacement).row(0);
-  const double largest = largest_clearing(law, displacement);
-  std::map<int, std::vector<int>> nodes_of_vertex;
-  for (int i = 0; i < surface.node_count(); ++i)
-    nodes_of_vertex[surface.vertex[i]].push_back(i);
   VectorXd u = displacement;
-  for (const auto& [vertex, nodes] : nodes_of_vertex)
-    u.segment<3>(dof_of<3>(vertex, 0)) +=
-        lowering(surface, penetration, vertex, nodes, prescribed, largest);
+  lower(surface, law,
+        displacement_against_foundation(surface, law, displacement).row(0),
+        prescribed, u);
+  return u;
+}
+
+VectorXd cleared_between_nodes(const Facets<3>& faces,
+                               const ContactSurface& surface,
+                               const SurfaceLaw& law,
+                               const Ref<const VectorXd>& displacement,
+                               const Flags& prescribed) {
+  if (!turns(surface)) return displacement;
+  if (surface.against_a_body())
+    return facing_cleared_between(faces, surface, law, displacement,
+                                  prescribed);
+  constexpr int most_passes = 10;
+  VectorXd u = displacement;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const VectorXd depths = depths_between(faces, surface, law, u, pass > 0);
+    if (depths.isZero(0)) break;
+    lower(surface, law, depths, prescribed, u);
+  }
   return u;
 }
 
@@ -68,33 +105,30 @@ DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
   if (surface.against_a_body())
     return deepest_facing_node(faces, surface, law, displacement);
   DeepestNode deepest;
-  const double value =
-      displacement_against_foundation(surface, law, displacement)
-          .row(0)
-          .maxCoeff(&deepest.node);
-  deepest.depth = std::max(0.0, value);
+  for (int m = 0; m < surface.face_count(); ++m) {
+    const FaceMotion motion =
+        motion_on_face(faces, surface, law, m, {}, displacement);
+    const double depth = deepest_on(motion, {0, 1, 2});
+    if (depth > deepest.depth)
+      deepest = {depth,
+                 surface.face_node(deepest_corner(motion, {0, 1, 2}), m)};
+  }
   return deepest;
 }
 
 BetweenNodes between_nodes(const Facets<3>& faces,
                            const ContactSurface& surface, const SurfaceLaw& law,
-                           const SurfaceTractions& tractions,
+                           const TractionFields& tractions,
                            const Ref<const VectorXd>& displacement) {
   if (surface.against_a_body())
     return facing_between_nodes(faces, surface, law, tractions, displacement);
   const std::vector<FrictionCone> cones = law_cones(law, surface);
-  const Matrix3Xd w =
-      displacement_against_foundation(surface, law, displacement);
   BetweenNodes found;
   for (int m = 0; m < surface.face_count(); ++m) {
-    if (surface.face_node.col(m).minCoeff() < 0) continue;
-    FaceFields fields = fields_on_face(surface, cones, m, tractions.col(m));
-    fields.motion = Matrix3d::Zero();
-    for (int k = 0; k < 3; ++k) {
-      const int node = surface.face_node(k, m);
-      fields.motion.col(k) = surface.frame(node) * w.col(node);
-    }
-    note(fields, fields.normal, m, found);
+    const FaceMotion motion =
+        motion_on_face(faces, surface, law, m, {}, displacement);
+    note(traction_on_face(surface, cones, m, tractions), motion, motion.normal,
+         m, found);
   }
   return found;
 }

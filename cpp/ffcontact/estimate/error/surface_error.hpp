@@ -5,6 +5,7 @@
 #include "ffcontact/estimate/error/between_nodes.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/error/deepest_node.hpp"
+#include "ffcontact/estimate/error/face_fields.hpp"
 
 namespace ffcontact {
 
@@ -12,10 +13,10 @@ namespace ffcontact {
 /// otherwise these are those of facing_error.hpp.
 
 /// The contact part of e^2 on each of given contact faces [N mm]:
-///     2 int (c |w_t| + r_t . w_t + r_n (w_n - gap)),   c = mu |r_n|, Tresca's bound, or the shear limit if that is less   [CHH01, (2.11), (2.19)]
-/// where c at the nodes and |w_t| at the nodes are taken linear between these: |w_t| is
-/// convex, so that this is a bound, without quadrature. Components are those along n, t1
-/// and t2 of the nodes. In the cone and without penetration no value is negative.
+///     2 int (c |n x w| - m . (n x w) + r_n (w . n - gap)),   c = mu |r_n|, Tresca's bound, or the shear limit if that is less   [CHH01, (2.11), (2.19)]
+/// for r = r_n n + n x m (BentTraction) and the cones of paid_cone. c is linear between the
+/// nodes, and |n x w| its Bernstein polynomial (FaceCosts), which is a bound, without
+/// quadrature. In the cone and without penetration no value is negative.
 VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
                        const SurfaceTractions& tractions);
 
@@ -33,15 +34,22 @@ VectorXd admissible_displacement(const Facets<3>& faces,
                                  const Ref<const VectorXd>& displacement,
                                  const Flags& prescribed);
 
+/// u_hat that keeps clear between the nodes, too, where normals turn on a face
+/// (depth_between).
+VectorXd cleared_between_nodes(const Facets<3>& faces,
+                               const ContactSurface& surface,
+                               const SurfaceLaw& law,
+                               const Ref<const VectorXd>& displacement,
+                               const Flags& prescribed);
+
 DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
                          const SurfaceLaw& law,
                          const Ref<const VectorXd>& displacement);
 
 /// Facets are contact faces.
-/// @param tractions  on all of them
 BetweenNodes between_nodes(const Facets<3>& faces,
                            const ContactSurface& surface, const SurfaceLaw& law,
-                           const SurfaceTractions& tractions,
+                           const TractionFields& tractions,
                            const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

@@ -27,11 +27,10 @@ constexpr double same_area = 1e-10;
 /// direction of a side that is cut at rounding would not say where it goes.
 constexpr double no_side = 1e-8;
 
-/// A part of a face, in its first two barycentric coordinates, with the traction there:
-/// density eta at the barycentric coordinates eta.
+/// A part of a face, in its first two barycentric coordinates, with the traction there.
 struct TractionPiece {
   ConvexPolygon polygon;
-  Matrix3d density;
+  QuadraticOnFace density;
 };
 
 /// What acts on one face.
@@ -94,24 +93,24 @@ std::vector<TractionPiece> with_piece(const std::vector<TractionPiece>& parts,
   return result;
 }
 
-/// int of (density eta)(density eta)' over a polygon.
+/// int of r r' over a polygon.
 Matrix3d square_of(const TractionPiece& piece, double face_area) {
   Matrix3Xd corners(3, piece.polygon.cols());
   corners << piece.polygon, 1 - piece.polygon.colwise().sum().array();
   Matrix3d square = Matrix3d::Zero();
   for (const FanTriangle& triangle : fan_of(corners)) {
-    const Matrix3d values =
-        piece.density * corners(Eigen::all, triangle.corner);
-    const Vector3d sum = values.rowwise().sum();
-    square += face_area * triangle.share / 12 *
-              (values * values.transpose() + sum * sum.transpose());
+    const QuadraticOnFace r = piece.density * products_of_places(corners(
+                                                  Eigen::all, triangle.corner));
+    square +=
+        face_area * triangle.share * r * fourfold_products() * r.transpose();
   }
   return square;
 }
 
 /// int d d' over a face.
 Matrix3d oscillation_of(const FaceContact& contact, double area) {
-  const Matrix3d nearest = facet_density<3>(contact.moments, area);
+  const QuadraticOnFace nearest =
+      raised(facet_density<3>(contact.moments, area));
   std::vector<TractionPiece> parts{{whole_face(), -nearest}};
   for (const TractionPiece& piece : contact.pieces)
     parts = with_piece(parts, piece);
@@ -121,20 +120,29 @@ Matrix3d oscillation_of(const FaceContact& contact, double area) {
 }
 
 /// The traction on the opposite face: the same force on another area, turned round.
-Matrix3d opposite_density(const FacingPolygon& polygon, const Matrix3d& own,
-                          double own_area, double opposite_area) {
+QuadraticOnFace opposite_density(const FacingPolygon& polygon,
+                                 const QuadraticOnFace& own, double own_area,
+                                 double opposite_area) {
   const Matrix3d& place = polygon.own_of_opposite;
   const double ratio = own_area * std::abs(place.determinant()) / opposite_area;
-  return -ratio * own * place;
+  return -ratio * own * products_of_places(place);
 }
 
-std::map<int, FaceContact> contact_of_faces(
-    const SolidMesh& mesh, const Facets<3>& faces,
-    const ContactSurface& surface, const Ref<const Matrix3Xd>& traction) {
+std::map<int, FaceContact> contact_of_faces(const SolidMesh& mesh,
+                                            const Facets<3>& faces,
+                                            const ContactSurface& surface,
+                                            const TractionFields& traction) {
+  const auto on_face = [&](int m) {
+    return along_axes(bent_on_face(surface, m, traction));
+  };
   std::map<int, FaceContact> contact;
+  if (!surface.against_a_body())
+    for (int m = 0; m < surface.face_count(); ++m)
+      if (normals_differ(surface, m))
+        contact[surface.face[m]].pieces.push_back({whole_face(), on_face(m)});
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face, face = surface.face[m];
-    const Matrix3d own = traction_at_corners(surface, m, traction);
+    const QuadraticOnFace own = on_face(m);
     const Matrix3d& place = polygon.own_of_opposite;
     contact[face].pieces.push_back(
         {with_whole_sides(seen_from_outside(polygon.own), place), own});
@@ -144,8 +152,7 @@ std::map<int, FaceContact> contact_of_faces(
                           facet_measure(mesh, faces, polygon.opposite_face))});
   }
   for (const TractionPart& part : traction_parts(mesh, faces, surface))
-    contact[part.face].moments +=
-        traction_at_corners(surface, part.contact_face, traction) * part.weight;
+    contact[part.face].moments += on_face(part.contact_face) * part.weight;
   return contact;
 }
 
@@ -154,11 +161,11 @@ std::map<int, FaceContact> contact_of_faces(
 double traction_oscillation(const SolidMesh& mesh, const Facets<3>& faces,
                             const ContactSurface& surface,
                             const HookeTensors<3>& hooke,
-                            const Ref<const Matrix3Xd>& traction) {
+                            const TractionFields& traction) {
   OscillationSum sum;
   for (const auto& [face, contact] :
        contact_of_faces(mesh, faces, surface, traction)) {
-    if (contact.pieces.empty()) continue;  // a rigid foundation
+    if (contact.pieces.empty()) continue;  // flat, on a rigid foundation
     const int cell = faces.cells(0, face);
     const double area = facet_measure(mesh, faces, face);
     sum.add(cell, facet_oscillation_square<3>(corners_of(mesh, cell),

@@ -33,24 +33,26 @@ Matrix3d vectors_at(const Facets<3>& faces, int face,
   return z;
 }
 
-/// Rows of node i, [3 p x k]: int chi_i [z] along n, t1, t2, so that the resultants of r
-/// are its product with them.
+/// Rows of node i, [3 p x k]: what units of r along n, t1, t2 there do along [z], so that
+/// the resultants of r are its product with them.
 MatrixXd weighted_motions(const SolidMesh& mesh, const Facets<3>& faces,
                           const ContactSurface& surface,
                           const MatrixXd& motions) {
   MatrixXd rows = MatrixXd::Zero(3 * surface.node_count(), motions.cols());
-  for (const TractionPart& part : traction_parts(mesh, faces, surface)) {
-    const FaceHats hats = face_hats(surface, part.contact_face);
-    for (std::size_t a = 0; a < hats.node.size(); ++a) {
-      const int node = hats.node[a];
-      const Vector3d weight =
-          part.weight.transpose() * hats.hat.col(static_cast<Index>(a));
-      for (int k = 0; k < motions.cols(); ++k)
-        rows.col(k).segment<3>(3 * node) +=
-            surface.frame(node).transpose() *
-            vectors_at(faces, part.face, motions.col(k)) * weight;
-    }
-  }
+  Matrix3Xd unit = Matrix3Xd::Zero(3, surface.node_count());
+  for (const TractionPart& part : traction_parts(mesh, faces, surface))
+    for (const int node : face_hats(surface, part.contact_face).node)
+      for (int c = 0; c < 3; ++c) {
+        unit(c, node) = 1;
+        const Matrix3d moments =
+            along_axes(bent_traction(surface, part.contact_face, unit)) *
+            part.weight;
+        unit(c, node) = 0;
+        for (int k = 0; k < motions.cols(); ++k)
+          rows(3 * node + c, k) +=
+              moments.cwiseProduct(vectors_at(faces, part.face, motions.col(k)))
+                  .sum();
+      }
   return rows;
 }
 
@@ -133,6 +135,24 @@ Matrix4Xd sums_beside(const ContactSurface& surface, const Flags& held,
   return sums;
 }
 
+/// int phi_i over int phi_i n . n_i at each node, as of faces of one size; 1 where the normals
+/// are the same.
+VectorXd areas_over_projected(const ContactSurface& surface) {
+  VectorXd count = VectorXd::Zero(surface.node_count()), projected = count;
+  for (const auto& nodes : surface.face_node.colwise())
+    for (const int i : nodes)
+      for (const int k : nodes) {
+        if (i < 0 || k < 0) continue;
+        const double weight = i == k ? 2 : 1;
+        const bool same = surface.normal.col(i) == surface.normal.col(k);
+        count[i] += weight;
+        projected[i] +=
+            weight *
+            (same ? 1 : surface.normal.col(i).dot(surface.normal.col(k)));
+      }
+  return (projected.array() > 0).select(count.cwiseQuotient(projected), 1);
+}
+
 }  // namespace
 
 std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
@@ -146,10 +166,12 @@ std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
 Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force) {
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const VectorXd larger = areas_over_projected(surface);
   Matrix3Xd traction(3, force.cols());
   for (Index i = 0; i < force.cols(); ++i)
     traction.col(i) =
-        cone_projection(cones[i], force.col(i) / surface.area[i]).point;
+        cone_projection(cones[i], larger[i] / surface.area[i] * force.col(i))
+            .point;
   return traction;
 }
 

@@ -9,9 +9,9 @@
 
 namespace ffcontact {
 
-/// Contact tractions r_hat on a surface, linear on its faces: (r_n, r_t1, r_t2) at the
-/// nodes [MPa, 3 x p]. A law linear between the nodes holds all along a face if it holds
-/// at its nodes: the cones are convex.
+/// Contact tractions r_hat on a surface (BentTraction): (r_n, r_t1, r_t2) at the nodes [MPa,
+/// 3 x p]. A law linear between the nodes holds all along a face if it holds at its nodes:
+/// the cones are convex.
 
 /// (r_n, r_t1, r_t2) at the three vertices of each contact face, one column a face [MPa].
 using SurfaceTractions = Matrix<double, 9, Dynamic>;
@@ -27,7 +27,7 @@ std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
                                          const ContactSurface& surface);
 
 /// F_i / A_i of nodal forces, in the cone where they are but for rounding. Keeps their
-/// resultant on a plane.
+/// resultant on a plane; where normals turn A_i is that seen along the node's.
 Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force);
 
@@ -46,7 +46,7 @@ Matrix3Xd continued_tractions(const SurfaceLaw& law,
 SurfaceTractions tractions_by_face(const ContactSurface& surface,
                                    const Ref<const Matrix3Xd>& traction);
 
-/// int [z_k] . r over what the surface faces, r linear between the nodes (FaceHats) [k].
+/// int [z_k] . r over what the surface faces [k].
 /// @param motions  vertex fields z_k, linear on the faces [3 * vertices x k]
 VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
                        const ContactSurface& surface,

@@ -27,7 +27,8 @@ EdgeByEnds boundary_by_ends(const Edges& edges) {
 [[noreturn]] void refuse_shared(const Mesh& mesh, int vertex) {
   refuse("two contact edges face the same part of the opposite body near ",
          in_words(mesh.place(vertex)),
-         ", because the contact direction jumps between them: give one "
+         ", because the contact direction jumps between them: state the other "
+         "body first, take coarse circles for curves with corner=, or give one "
          "direction for both with normal=[nx, ny]");
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problem/solid_report.hpp"
+
+#include <string>
+
+#include "ffcontact/base/words.hpp"
+#include "ffcontact/interface/pairing/smooth_surface_distances.hpp"
+//
+#include "freefem/freefem.hpp"
+
+namespace ffcontact::plugin {
+
+void report_surfaces(const JoinedSolids& joined, const Facets<3>& faces,
+                     const StatedPair& pair, const SaidOfCurves& said) {
+  if (verbosity < 1 || mpirank != 0) return;
+  const auto report = [&](int body, int label, const std::string& taken) {
+    const double sagitta = largest_sagitta(
+        joined.mesh, faces, contact_surface(joined.mesh, faces, {label}));
+    if (sagitta == 0 || taken.empty()) return;
+    cout << "contact: label " << label - joined.label(body, 0);
+    if (joined.body_count() > 1) cout << " of mesh " << body + 1;
+    cout << ": a smooth surface, up to " << in_digits(sagitta)
+         << " mm beside its faces, with " << taken << endl;
+  };
+  const bool gap = !pair.rigid() && !said.gap;
+  const std::string normals = said.normal ? "" : "its normals",
+                    and_gap = said.normal ? "its gap" : " and its gap";
+  for (int label : pair.labels)
+    report(pair.body, label, normals + (gap ? and_gap : ""));
+  if (!gap) return;
+  const int opposite = joined.body_count() > 1 ? pair.body + 1 : pair.body;
+  for (int label : pair.opposite) report(opposite, label, "its gap");
+}
+
+}  // namespace ffcontact::plugin
