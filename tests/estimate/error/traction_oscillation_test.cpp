@@ -65,10 +65,10 @@ struct FacingTractions {
 };
 
 /// v = (x'Q x)_c, its values and strains.
-struct QuadraticField {
+struct QuadraticInSpace {
   std::array<Matrix3d, 3> Q;
 
-  explicit QuadraticField(Random& random) {
+  explicit QuadraticInSpace(Random& random) {
     for (Matrix3d& q : Q) q = random_matrix(3, 3, random);
   }
   Vector3d operator()(const Vector3d& x) const {
@@ -87,7 +87,8 @@ struct QuadraticField {
 };
 
 /// int r . [v] by quadrature.
-double work_of_tractions(const FacingTractions& pair, const QuadraticField& v) {
+double work_of_tractions(const FacingTractions& pair,
+                         const QuadraticInSpace& v) {
   const SolidProblem& problem = pair.stack.problem;
   double work = 0;
   for (const FacingPolygon& polygon : problem.surface.polygons) {
@@ -117,7 +118,7 @@ double work_of_tractions(const FacingTractions& pair, const QuadraticField& v) {
 struct LinearPart {
   double work = 0, energy = 0;
 };
-LinearPart linear_part(const FacingTractions& pair, const QuadraticField& v) {
+LinearPart linear_part(const FacingTractions& pair, const QuadraticInSpace& v) {
   const SolidProblem& problem = pair.stack.problem;
   const SolidMesh& mesh = problem.mesh;
   const Facets<3>& faces = problem.faces;
@@ -152,7 +153,7 @@ LinearPart linear_part(const FacingTractions& pair, const QuadraticField& v) {
 RC_GTEST_PROP(TractionOscillation, bounds_the_work_of_what_is_left,
               (Random random)) {
   const FacingTractions pair(random);
-  const QuadraticField v(random);
+  const QuadraticInSpace v(random);
   const LinearPart linear = linear_part(pair, v);
   const double left = work_of_tractions(pair, v) - linear.work;
   RC_ASSERT(std::abs(left) < pair.oscillation() * std::sqrt(linear.energy));
