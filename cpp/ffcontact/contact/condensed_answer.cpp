@@ -49,6 +49,8 @@ FixedPointResult condensed_answer(const CondensedContact& contact,
   const ContactStates start = settings.first_states(law.node_count());
   const NewtonSettings limits{settings.max_iterations, settings.tolerance,
                               settings.report};
+  if (law.is_bonded())  // linear: one step
+    return {active_set_newton(contact, law, start, limits), {}};
   return settings.solver == ContactSolver::newton
              ? safeguarded_newton(contact, law, start, limits)
              : fixed_point(contact, law, start, limits);

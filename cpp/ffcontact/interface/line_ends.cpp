@@ -21,7 +21,10 @@ bool is_constant_on(const ContactLine& line, int e) {
 }
 
 bool ends_at_its_node(const ContactLine& line, int end, int e) {
-  return !is_constant_on(line, e) || line.place(end, e) == end;
+  if (!is_constant_on(line, e)) return true;
+  const int node = line.edge_node(0, e);
+  const bool goes_on = e > 0 && line.edge_node(1, e - 1) == node;
+  return end == (goes_on ? 0 : 1);
 }
 
 VectorXd facing_gap(const ContactLine& line) {

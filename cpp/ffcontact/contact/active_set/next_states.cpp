@@ -71,6 +71,7 @@ Rounding of_slip(Rounding rounding, double previous) {
 ContactState next_state(const FrictionCone& cone, ContactState now,
                         const Vector2d& P, const Vector2d& v, double previous,
                         const Rounding& rounding) {
+  if (cone.bonded) return ContactState::stick;
   const bool open = next_open(P[0], v[0], is_open(now), rounding);
   if (cone.frictionless())
     return open ? ContactState::open : ContactState::slip_forward;
@@ -144,6 +145,7 @@ ContactState open_state(int slip) {
 }
 
 ContactState start_state(const FrictionCone& cone, ContactState state) {
+  if (cone.bonded) return ContactState::stick;
   if (cone.frictionless())
     return is_open(state) ? ContactState::open : ContactState::slip_forward;
   if (!is_open(state)) return state;

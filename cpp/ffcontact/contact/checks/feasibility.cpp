@@ -262,10 +262,38 @@ VectorXd shares_in_contradiction(const Clearance& clearance,
          ": change them or gap= there, or free a dof that moves it along n");
 }
 
+/// What prescribed dofs alone make of [u] along each axis, 0 where a free dof takes part.
+Vector2d prescribed_jump(const Station& station, const ElasticSystem& system) {
+  Vector2d jump = Vector2d::Zero();
+  Vector2d held = Vector2d::Ones();
+  for (const auto& [vertex, weight] : station.weights) {
+    if (weight == 0) continue;
+    for (int k = 0; k < 2; ++k) {
+      jump[k] += weight * system.prescribed_value[2 * vertex + k];
+      held[k] *= system.prescribed[2 * vertex + k];
+    }
+  }
+  return jump.cwiseProduct(held);
+}
+
+void require_bonded(const Mesh& mesh, const ContactLine& line,
+                    const ContactLaw& law, const ElasticSystem& system) {
+  const std::vector<Station> all = stations(mesh, line, law);
+  const double rounding = penetration_rounding * largest_given(all, system);
+  for (const Station& station : all) {
+    const double apart = prescribed_jump(station, system).norm();
+    if (apart <= rounding) continue;
+    refuse("prescribed displacements hold what is bonded ", apart, " apart at ",
+           in_words(Vector2d(mesh.origin + station.point)),
+           ": make them the same on both sides, or free one of them");
+  }
+}
+
 }  // namespace
 
 void require_feasible(const Mesh& mesh, const ContactLine& line,
                       const ContactLaw& law, const ElasticSystem& system) {
+  if (law.bonded) return require_bonded(mesh, line, law, system);
   if (!prescribed_on_both_sides(line, system.prescribed)) return;
   const std::vector<Station> all = stations(mesh, line, law);
   Clearance clearance = clearance_of(all, system);

@@ -19,6 +19,9 @@ namespace ffcontact {
 /// The question is the same for both multipliers. M'_h asks for M (u_n - gap) <= 0 only,
 /// which is met by lifting the neighbours of such a node; but then there is no admissible
 /// displacement.
+///
+/// Where the line is bonded [u] must be 0 in place of this, at each of these places and
+/// along each axis: it cannot where dofs that are all prescribed differ.
 /// @throws std::invalid_argument  naming the place, how far it is inside, and what to
 ///                                change
 void require_feasible(const Mesh& mesh, const ContactLine& line,

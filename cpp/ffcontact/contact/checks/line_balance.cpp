@@ -9,10 +9,22 @@
 
 namespace ffcontact {
 
+namespace {
+
+/// A bonded node has forces of any direction.
+MatrixXd forces_either_way(const MatrixXd& weighted) {
+  MatrixXd work(weighted.cols(), 2 * weighted.rows());
+  work << weighted.transpose(), -weighted.transpose();
+  return work;
+}
+
+}  // namespace
+
 MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
                         const MatrixXd& motions) {
   const MatrixXd weighted =
       weight_of_rows(law.multiplier, line) * traces_of(line, motions);
+  if (law.bonded) return forces_either_way(weighted);
   MatrixXd work(motions.cols(), 3 * line.node_count());
   Index next = 0;
   for (int i = 0; i < line.node_count(); ++i) {

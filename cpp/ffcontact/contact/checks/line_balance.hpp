@@ -10,7 +10,7 @@ namespace ffcontact {
 /// [motions x multipliers]. Coulomb's law at a node spans -n + mu t and -n - mu t, here of
 /// size 1 whatever mu is, and -n is one of them: of two that are nearly +t and -t it would
 /// be the rounding. With Tresca's law the bounded tangential forces are taken at their
-/// largest in either direction.
+/// largest in either direction. A bonded node has forces of any direction.
 MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
                         const MatrixXd& motions);
 

@@ -93,6 +93,13 @@ EdgeRange enclosing_range(const Ref<const MatrixXd>& samples) {
   return range;
 }
 
+ContactLaw bonded_law(int nodes) {
+  ContactLaw law;
+  law.friction = VectorXd::Zero(nodes);
+  law.bonded = true;
+  return law;
+}
+
 void require_valid(const ContactLaw& law, const ContactLine& line) {
   require_nodal("friction", law.friction, line);
   if (law.tresca()) require_nodal("slipbound", law.slip_bound, line);

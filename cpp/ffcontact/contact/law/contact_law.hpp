@@ -27,7 +27,9 @@ struct EdgeRange {
 ///     |P_t| <= b,  |P_t| < b => v_t = 0,  P_t v_t <= 0
 /// for v = W (u_n - gap, u_t - previous) with the bound b = -mu P_n (Coulomb), b =
 /// min(-mu P_n, k) with k = shear_limit (Coulomb and Orowan), or b = slip_bound (Tresca);
-/// bounds in units of P, M k for nodal forces.
+/// bounds in units of P, M k for nodal forces. Where the line is bonded
+///     v = 0,   P of any size and sign
+/// takes the place of all of this.
 struct ContactLaw {
   Multiplier multiplier = Multiplier::force;
   VectorXd friction;  ///< mu >= 0 at each node [p]; 0 is the frictionless case
@@ -43,6 +45,8 @@ struct ContactLaw {
   /// largest |lambda_t| of Coulomb's law at each node >= 0 [MPa]; empty for none
   VectorXd shear_limit;
   EdgeRange limit_between_nodes;  ///< of shear_limit likewise
+  /// glued to what it faces: friction is 0 then, and nothing else is given
+  bool bonded = false;
 
   bool tresca() const { return slip_bound.size() > 0; }
   bool limited() const { return shear_limit.size() > 0; }
@@ -54,6 +58,10 @@ struct ContactLaw {
 /// Where the samples are on the chord to rounding it is both.
 /// @param samples  one column per edge [at least 2 x m]
 EdgeRange enclosing_range(const Ref<const MatrixXd>& samples);
+
+/// The law of a line that is bonded to what it faces, as both are drawn: the jump of u is
+/// 0, whatever distance there is between them.
+ContactLaw bonded_law(int nodes);
 
 /// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is
 ///                                negative or not finite

@@ -37,6 +37,7 @@ ConesAtEnds cones(const ContactLine& line, const ContactLaw& law, Bound bound,
   ConesAtEnds result;
   for (int end = 0; end < 2; ++end)
     (law.tresca() ? result[end].cohesion : result[end].friction) = values[end];
+  for (FrictionCone& cone : result) cone.bonded = law.bonded;
   if (law.limited()) put_limits(line, law, bound, edge, result);
   return result;
 }
@@ -90,6 +91,7 @@ double excess_of_limit(const ConesAtEnds& cones, const Vector2d& tangential) {
 
 /// The conditions of one end, from row `rows` on.
 void add_end(const FrictionCone& cone, int end, EdgeCone& edge, Index& rows) {
+  if (cone.bonded) return;
   const int n = 2 * end, t = n + 1;
   // For Coulomb's law |r_t| <= m p implies r_n <= 0, but in a thin cone their rounding
   // divided by m is its.
@@ -216,7 +218,7 @@ Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
 double cone_defect(const ContactLine& line, const ContactLaw& law,
                    const ContactDensities& densities) {
   const double scale = largest_traction(densities);
-  if (scale == 0) return 0;
+  if (scale == 0 || law.bonded) return 0;
   double excess = std::max(0.0, densities.normal.maxCoeff());
   for (int e = 0; e < line.edge_count(); ++e) {
     const ConesAtEnds of_law = cones(line, law, &EdgeRange::least, e);

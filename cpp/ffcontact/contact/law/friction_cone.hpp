@@ -14,23 +14,26 @@ namespace ffcontact {
 /// What a law lets tractions or multipliers be at one place:
 ///     P_n <= 0,   |P_t| <= min(c + mu |P_n|, k)
 /// Coulomb's law has mu alone, with a shear limit k beside it; Tresca's has c alone, its
-/// given bound. In units of P.
+/// given bound. In units of P. Where bodies are bonded the cone is all of the plane.
 struct FrictionCone {
   double cohesion = 0;                                     ///< c
   double friction = 0;                                     ///< mu
   double limit = std::numeric_limits<double>::infinity();  ///< k
+  bool bonded = false;
 
   double bound(double Pn) const {
+    if (bonded) return std::numeric_limits<double>::infinity();
     return std::min(cohesion + friction * std::max(0.0, -Pn), limit);
   }
   bool at_limit(double Pn) const { return cohesion - friction * Pn > limit; }
   bool frictionless() const {
-    return (cohesion == 0 && friction == 0) || limit == 0;
+    return !bonded && ((cohesion == 0 && friction == 0) || limit == 0);
   }
   /// Does friction ask for contact? A bound that is given holds open places, too.
   bool depends_on_contact() const { return friction > 0; }
   /// The nearest P with P_n = min(P_n, 0) and P_t in what that allows.
   Vector2d clamped(const Vector2d& P) const {
+    if (bonded) return P;
     const double Pn = std::min(P[0], 0.0), b = bound(Pn);
     return {Pn, std::clamp(P[1], -b, b)};
   }
@@ -62,7 +65,7 @@ ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
 /// 2^(-rays/2), ..., 2^(rays/2), infinity take the place of the root,
 ///     (rho_k + rho_l) b_1 + rho_k rho_l b_0 + b_2 >= 0              for neighbours k, l,
 /// at most 1.5 % inside it for ratios b_2 / b_0 up to 2^rays. Without friction at an end
-/// r_t = 0 there is no inequality: it is not in C.
+/// r_t = 0 there is no inequality: it is not in C. Where bodies are bonded C has no rows.
 struct EdgeCone {
   static constexpr int rays = 16;
   static constexpr Index most_rows = 2 * (1 + 2 * 2 + 2 * rays + 2);

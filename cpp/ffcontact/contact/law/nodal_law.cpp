@@ -19,6 +19,7 @@ Vector2d in_parts_of(double scale, const Vector2d& values) {
 double violation(const FrictionCone& cone, const Vector2d& P,
                  const Vector2d& v) {
   const double Pn = P[0], Pt = P[1], vn = v[0], vt = v[1];
+  if (cone.bonded) return max_norm(v);
   const double bound = std::min(cone.cohesion - cone.friction * Pn, cone.limit);
   const double along = Pt * vt > 0 ? either_violation(Pt, vt) : 0.0;
   return std::max({Pn, vn, either_violation(Pn, vn),            // (3.17)-(3.19)
@@ -48,6 +49,11 @@ bool NodalLaw::is_convex() const {
   });
 }
 
+bool NodalLaw::is_bonded() const {
+  return std::all_of(cone.begin(), cone.end(),
+                     [](const FrictionCone& c) { return c.bonded; });
+}
+
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
   const VectorXd given = in_units_of_P(law, line, law.slip_bound),
                  limit = in_units_of_P(law, line, law.shear_limit);
@@ -57,6 +63,7 @@ NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line) {
     (law.tresca() ? cone.cohesion : cone.friction) =
         law.tresca() ? given[i] : law.friction[i];
     if (law.limited()) cone.limit = limit[i];
+    cone.bonded = law.bonded;
   }
   return nodal;
 }
@@ -92,8 +99,9 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
   const double p_scale = std::max(scales.P, max_norm(felt));
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {
+    const bool frictionless = is_idle(i) && !law.cone[i].bonded;
     const FrictionCone cone =
-        is_idle(i) ? FrictionCone{} : in_parts_of(p_scale, law.cone[i]);
+        frictionless ? FrictionCone{} : in_parts_of(p_scale, law.cone[i]);
     const Vector2d P_i = in_parts_of(p_scale, felt.segment<2>(2 * i)),
                    v_i = in_parts_of(scales.v, v.segment<2>(2 * i));
     largest = std::max(largest, violation(cone, P_i, v_i));

@@ -19,6 +19,8 @@ struct NodalLaw {
   /// Frictionless everywhere, or Tresca's: the solution is the minimum of a convex
   /// function.
   bool is_convex() const;
+  /// Does every node hang on what it faces? The conditions are linear then.
+  bool is_bonded() const;
 };
 
 NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/interface/bonded_line.hpp"
+#include "ffcontact/interface/pairing/constant_ends.hpp"
+#include "support/bodies.hpp"
+
+/// Bodies that are glued to each other.
+namespace ffcontact::test {
+
+/// Bodies without loads and supports, bonded along the lines of some pairs.
+inline Bodies bonded_bodies(const std::vector<Mesh>& meshes,
+                            const std::vector<Material>& materials,
+                            const std::vector<Pair>& pairs) {
+  Bodies result = bodies(meshes, materials, pairs);
+  Problem& problem = result.problem;
+  std::vector<ContactLine> lines;
+  for (const Pair& pair : pairs) {
+    const ContactLine line =
+        bonded_line(problem.mesh, problem.edges,
+                    {result.label(pair.first, pair.first_label)});
+    lines.push_back(with_constant_ends(
+        problem.mesh, problem.edges,
+        facing_line(
+            problem.mesh, problem.edges, line,
+            facing_traces(problem.mesh, problem.edges, line,
+                          {result.label(pair.second, pair.second_label)}))));
+  }
+  problem.line = joined_lines(lines);
+  problem.law = bonded_law(problem.line.node_count());
+  return result;
+}
+
+/// A body that is bonded to a rigid foundation along some labels.
+inline Problem bonded_body(const Mesh& mesh, const Material& material,
+                           const std::vector<int>& labels = {bottom}) {
+  Problem problem = body(mesh, material, labels);
+  problem.line = bonded_line(mesh, problem.edges, labels);
+  problem.law = bonded_law(problem.line.node_count());
+  return problem;
+}
+
+/// A linear displacement.
+inline Vector2d linear_field(const Vector2d& x) {
+  return {1e-3 * x[0] + 2e-3 * x[1] + 0.01, 3e-3 * x[1] - 0.5e-3 * x[0]};
+}
+
+/// Prescribes the linear field all around two bodies, of which the first lies on the other,
+/// but for what is between them.
+inline void prescribe_around(Bodies& two) {
+  for (int side : {top, left, right})
+    clamp(two.problem, two.label(0, side), linear_field);
+  for (int side : {bottom, left, right})
+    clamp(two.problem, two.label(1, side), linear_field);
+}
+
+/// Two rectangles 6 x 4 and 6 x 5 one on the other, turned by an angle.
+inline Bodies bonded_blocks(int upper, int lower, const Material& of_upper,
+                            const Material& of_lower, double angle = 0) {
+  return bonded_bodies(
+      {rotated(shifted(rectangle(upper, 3, 6, 4), {0, 5}), angle),
+       rotated(rectangle(lower, 4, 6, 5), angle)},
+      {of_upper, of_lower}, {{0, bottom, 1, top}});
+}
+
+/// They stand on a support and are pulled upwards and aside.
+inline void pull(Bodies& two) {
+  add_traction(two.problem, two.label(0, top), {3, 7});
+  clamp(two.problem, two.label(1, bottom));
+}
+
+}  // namespace ffcontact::test
