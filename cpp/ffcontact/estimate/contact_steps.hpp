@@ -25,7 +25,8 @@ struct RelaxedTractions {
   std::vector<double> falls{};            ///< of e^2, step by step
 };
 
-/// Step 1: u_hat, which keeps clear, and sticks where friction is rough.
+/// Step 1: u_hat, which keeps clear, and sticks where friction is rough; or hangs together
+/// where bodies are bonded.
 template <int d>
 VectorXd displacement_of_pair(const SolvedProblem<d>& solved,
                               const MatchedBodies<d>& bodies);

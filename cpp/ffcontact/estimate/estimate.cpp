@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/parted_sum.hpp"
 #include "ffcontact/equilibrium/tractions/free_springs.hpp"
+#include "ffcontact/estimate/bodies/unturned_body.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
 #include "ffcontact/estimate/checks/sound_problem.hpp"
 #include "ffcontact/estimate/contact_steps.hpp"
@@ -14,6 +15,7 @@
 #include "ffcontact/estimate/error/polynomial_norms.hpp"
 #include "ffcontact/estimate/error/spring_parts.hpp"
 #include "ffcontact/estimate/tractions/tool_work.hpp"
+#include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -235,6 +237,23 @@ Estimate<d> estimate_of(const SolvedProblem<d>& solved,
   return estimate;
 }
 
+/// The estimate, of what is bonded on a line that does not turn.
+template <int d>
+Estimate<d> straightened(const SolvedProblem<d>& solved,
+                         const StressTerms& terms,
+                         const EstimateSettings<d>& settings) {
+  const auto& [topology, contact, system, body] = solved;
+  if constexpr (d == 2)
+    if (body.law.bonded && turns(contact)) {
+      const UnturnedLine unturned =
+          unturned_line(topology.mesh, topology.facets, contact);
+      const SolvedBody<2> on_it = unturned_body(solved, unturned);
+      return estimate_of<2>({topology, unturned.line, system, on_it}, terms,
+                            settings);
+    }
+  return estimate_of(solved, terms, settings);
+}
+
 }  // namespace
 
 template <int d>
@@ -247,11 +266,11 @@ Estimate<d> estimate_error(const Topology<d>& topology,
   require_sound(solved, settings.relaxation);
   require_law_of_matrix<d>(topology.mesh, system, body.hooke, body.springs);
   const StressTerms terms = stress_terms_of(solved);
-  if (!terms.unstressed) return estimate_of(solved, terms, settings);
+  if (!terms.unstressed) return straightened(solved, terms, settings);
   SolvedBody<d> unstressed = body;
   unstressed.multipliers.setZero();
-  return estimate_of<d>({topology, contact, system, unstressed}, terms,
-                        settings);
+  return straightened<d>({topology, contact, system, unstressed}, terms,
+                         settings);
 }
 
 template Estimate<FFCONTACT_DIMENSION> estimate_error(

@@ -5,6 +5,7 @@
 #include "ffcontact/contact/law/friction_cone.hpp"
 #include "ffcontact/estimate/contact_steps.hpp"
 #include "ffcontact/estimate/displacement/admissible_displacement.hpp"
+#include "ffcontact/estimate/displacement/bonded_displacement.hpp"
 #include "ffcontact/estimate/displacement/sticking_displacement.hpp"
 #include "ffcontact/estimate/error/contact_edges.hpp"
 #include "ffcontact/estimate/error/contact_error.hpp"
@@ -19,6 +20,7 @@ VectorXd displacement_of_pair(const SolvedProblem<2>& solved,
                               const MatchedBodies<2>& bodies) {
   const ContactLine& line = bodies.contact();
   const ContactLaw& law = bodies.body().law;
+  if (law.bonded) return bonded_displacement(bodies);
   const VectorXd clear = sticking_displacement(
       bodies, nodal_pressures(solved),
       admissible_displacement(line, law, bodies.body().displacement,
@@ -113,6 +115,8 @@ std::string reason_of(const MatchedBodies<2>& bodies,
                       const WorstPlaces& worst,
                       const EstimateSettings<2>& settings,
                       const Estimate<2>& estimate) {
+  if (bodies.body().law.bonded)
+    return reason_against_bonded(estimate, worst, settings.construction);
   const std::string reason =
       reason_against(estimate, worst, settings.construction,
                      tractions.contact.unmended.size());

@@ -15,6 +15,7 @@ FacetCone<2> facet_cone(const ContactFacet<2>& edge, const Matrix2d& present,
 template <>
 double cone_violation(const ContactFacet<2>& edge, const Matrix2d& traction) {
   const EdgeCone cone = edge_cone(edge.cone);
+  if (cone.d.size() == 0) return 0;
   const VectorXd missing = cone.d - cone.C * traction.reshaped();
   return std::max(missing.cwiseQuotient(cone.C.rowwise().norm()).maxCoeff(),
                   0.0);

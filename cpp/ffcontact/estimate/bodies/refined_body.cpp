@@ -54,10 +54,15 @@ ContactLaw refined_law(const Edges& old_edges, const ContactLine& old_line,
   const auto range = [&](const EdgeRange& between_nodes) {
     return refined_range(old_edges, old_line, refinement, between_nodes);
   };
-  return {old.multiplier,          values(old.friction),
-          values(old.slip_bound),  values(old.gap),
-          values(old.previous),    range(old.between_nodes),
-          values(old.shear_limit), range(old.limit_between_nodes)};
+  return {old.multiplier,
+          values(old.friction),
+          values(old.slip_bound),
+          values(old.gap),
+          values(old.previous),
+          range(old.between_nodes),
+          values(old.shear_limit),
+          range(old.limit_between_nodes),
+          old.bonded};
 }
 
 /// Linear on the old triangles, at the vertices of the new ones.

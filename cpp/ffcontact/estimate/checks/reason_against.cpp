@@ -47,6 +47,14 @@ std::string penetration_in_words(double depth,
          "that vertex out of the contact";
 }
 
+std::string jump_in_words(double jump, const Ref<const VectorXd>& widest) {
+  return "u jumps between bonded bodies by " + part_in_words(jump) +
+         " of the largest displacement at " +
+         in_words(widest, digits_of_parts) +
+         ", where displacements are prescribed: make these the same on both "
+         "sides";
+}
+
 std::string cone_in_words(double cone, std::size_t unmended) {
   const std::string sentence = "contact tractions leave the friction cone by " +
                                part_in_words(cone) + " of the largest stress";
@@ -94,6 +102,14 @@ std::string reason_against(const PairError& error, const WorstPlaces& worst,
   if (error.negative > integrand_tolerance)
     return integrand_in_words(error.negative, worst.negative);
   return imbalance_in_words(error.equilibrium, construction);
+}
+
+std::string reason_against_bonded(const PairError& error,
+                                  const WorstPlaces& worst,
+                                  Construction construction) {
+  if (error.penetration > penetration_tolerance)
+    return jump_in_words(error.penetration, worst.deepest);
+  return reason_against(error, worst, construction);
 }
 
 }  // namespace ffcontact

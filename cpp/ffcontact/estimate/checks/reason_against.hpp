@@ -43,4 +43,9 @@ std::string reason_against(const PairError& error, const WorstPlaces& worst,
                            Construction construction = Construction::composite,
                            std::size_t unmended = 0);
 
+/// The same of bonded bodies, whose u_hat may not jump in place of penetrating.
+std::string reason_against_bonded(
+    const PairError& error, const WorstPlaces& worst,
+    Construction construction = Construction::composite);
+
 }  // namespace ffcontact

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/base/unions.hpp"
 #include "ffcontact/estimate/bodies/edge_motions.hpp"
 #include "ffcontact/estimate/bodies/smallest_change.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/interface/facing_groups.hpp"
 
 namespace ffcontact {
 
@@ -83,21 +83,6 @@ NodesOfVertices nodes_of_vertices(const ContactLine& line) {
   return nodes;
 }
 
-/// The vertices that depend on each other on a line: that of each node and what it faces,
-/// joined where nodes share a vertex.
-std::vector<std::vector<int>> contact_groups(const ContactLine& line) {
-  const std::vector<int> vertices = contact_vertices(line);
-  Unions joined(1 + *std::max_element(vertices.begin(), vertices.end()));
-  for (int i = 0; i < line.node_count(); ++i)
-    visit_opposite(line, i, [&](int vertex, double) {
-      joined.join(line.vertex[i], vertex);
-    });
-  std::vector<std::vector<int>> groups;
-  for (const auto& [root, set] : joined.sets_of(vertices))
-    groups.emplace_back(set.begin(), set.end());
-  return groups;
-}
-
 bool meet(const std::vector<int>& some, const std::vector<int>& others) {
   return std::find_first_of(some.begin(), some.end(), others.begin(),
                             others.end()) != some.end();
@@ -140,7 +125,7 @@ struct Lowered {
   void move_all(const VectorXd& penetration, const Left& left) {
     const std::vector<int> stuck = move_each(penetration);
     if (stuck.empty() || !line.against_a_body()) return;
-    for (const std::vector<int>& group : contact_groups(line))
+    for (const std::vector<int>& group : facing_groups(line))
       if (meet(group, stuck)) move(group, left());
   }
 };
@@ -170,6 +155,15 @@ VectorXd depths_between(const ContactLine& line, const LineMotions& motions,
       depths[node] = std::max(depths[node], depth);
   }
   return depths;
+}
+
+/// Where bonded bodies are the farthest apart, in any direction.
+DeepestNode widest_jump(const Ref<const Matrix2Xd>& motions) {
+  DeepestNode widest;
+  Index node;
+  widest.depth = motions.colwise().norm().maxCoeff(&node);
+  widest.node = static_cast<int>(node);
+  return widest;
 }
 
 /// Where a quadratic that is not above 0 at its ends is the largest.
@@ -210,6 +204,9 @@ VectorXd cleared_between_nodes(const ContactLine& line, const ContactLaw& law,
 
 DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
                          const Ref<const VectorXd>& displacement) {
+  if (law.bonded)
+    return widest_jump(
+        displacement_against_foundation(line, law, displacement));
   const LineMotions motions(line, law, displacement);
   DeepestNode deepest;
   for (int e = 0; e < line.edge_count(); ++e) {

@@ -35,7 +35,7 @@ VectorXd cleared_between_nodes(const ContactLine& line, const ContactLaw& law,
                                const Flags& prescribed = {});
 
 /// Where u_n - gap is the largest along the line, and by how much it is above 0; the node
-/// that is next to it.
+/// that is next to it. Of bonded bodies, the node where they are the farthest apart.
 DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
                          const Ref<const VectorXd>& displacement);
 

@@ -30,7 +30,9 @@ struct PairError {
 
   EquilibriumDefect equilibrium;
   double cone = 0;  ///< of r_hat outside of it, relative to the largest stress
-  double penetration = 0;  ///< of u_hat, relative to the largest displacement
+  /// of u_hat, or the jump of u_hat where bodies are bonded, relative to the largest
+  /// displacement
+  double penetration = 0;
   /// largest angle between the contact directions of two nodes of a facet that carries
   /// tractions or is penetrated, if that is too large to be judged, 90 or more [degrees]
   double turn = 0;
