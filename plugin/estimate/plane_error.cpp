@@ -130,6 +130,10 @@ Estimate<2> plane_error(Stack stack, const NamedArguments& named,
   require_parameters_of_plane_bodies(named);
   const EstimateSettings<2> settings = estimate_settings(stack, named);
   const StuckNodes stuck = stuck_nodes_of(stack, named);
+  if (problem.law.bonded && settings.tractions == Tractions::published)
+    refuse(
+        "tractions=\"published\" corrects tractions to a friction cone, which "
+        "bonded bodies have not: take \"free\" or \"fixed\"");
   Judged judged = judged_of();
   const Oscillation oscillation = read(problem, judged.body);
   const ElasticSystem& system = *judged.system;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/law/cone_correction.hpp"
 #include "ffcontact/contact/law/multiplier_projection.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
@@ -103,6 +104,10 @@ class ConeCorrectionFunction : public E_F0mps {
   long run(Stack stack) const {
     const Contact& contact = stated_contact(stack, contact_);
     const ContactProblem& problem = *contact.problem;
+    if (problem.law.bonded)
+      refuse(
+          "bonded bodies have no friction cone, so that there is nothing to "
+          "correct: take pn and pt as they are");
     const Matrix2Xd given =
         problem.pressures(value_of<KN<double>*>(stack, normal_),
                           value_of<KN<double>*>(stack, tangential_));

@@ -3,8 +3,10 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/compliance_ratio.hpp"
+#include "ffcontact/interface/bonded_line.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/pairing/constant_ends.hpp"
 #include "ffcontact/interface/pairing/facing_line.hpp"
 //
 #include <algorithm>
@@ -44,7 +46,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
 
 void ContactProblem::state(Stack stack, const NamedArguments& named) {
   corner_ = stated_corner(stack, named);
-  curves_ = BoundaryCurves(mesh, edges, corner_);
+  if (!is_bonded(stack, named)) curves_ = BoundaryCurves(mesh, edges, corner_);
   for (const StatedPair& pair : stated_pairs(stack, named, joined))
     add_pair(stack, named, pair);
   join_carriers();
@@ -63,7 +65,8 @@ ContactLine ContactProblem::own_line(Stack stack, const NamedArguments& named,
   const BodyPart body = part(pair.body, elsewhere_);
   ContactLine line =
       stated_line(stack, named, body, mesh, edges, pair.labels, curves_);
-  if (named.given("normal") || !turns(line)) return line;
+  if (named.given("normal") || is_bonded(stack, named) || !turns(line))
+    return line;
   const Expression gap = named.expression("gap");
   const VectorXd distance =
       gap || pair.rigid()
@@ -87,8 +90,9 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
                               const StatedPair& pair) {
   const ContactLine own = own_line(stack, named, pair);
   require_one_side(pair, own);
-  report_curves(joined, edges, curves_, corner_, pair, own,
-                {named.given("normal"), named.given("gap")});
+  if (!is_bonded(stack, named))
+    report_curves(joined, edges, curves_, corner_, pair, own,
+                  {named.given("normal"), named.given("gap")});
   if (!pair.rigid()) {
     add_facing_pair(stack, named, pair, own);
     return;
@@ -104,7 +108,8 @@ void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                  std::max(1, body_count() - 1));
   const FacingTraces traces =
       facing_traces(mesh, edges, own, stated.opposite, curves_);
-  const ContactLine facing = facing_line(mesh, edges, own, traces);
+  const bool bonded = is_bonded(stack, named);
+  ContactLine facing = facing_line(mesh, edges, own, traces);
   std::optional<ContactLine> exchanged;
   if (wanted != 1)
     exchanged = exchanged_line(mesh, edges, facing, stated.opposite);
@@ -113,6 +118,9 @@ void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
         "side=2: the other body cannot carry the multipliers, as two parts of "
         "the first one's line face the same part of it; give one contact "
         "direction with normal=[nx, ny], or side=1");
+  if (bonded) facing = with_constant_ends(mesh, edges, facing);
+  if (bonded && exchanged)
+    exchanged = with_constant_ends(mesh, edges, *exchanged);
   Pair pair{false, wanted,
             carrier(stack, named, stated.body, own, facing, false),
             std::nullopt};
@@ -165,6 +173,7 @@ void ContactProblem::append_carrier(const Carrier& carrier, bool on_opposite) {
   append(carrier.edge_abscissa, edge_abscissa);
   const Matrix2Xd& normal = carrier.line.normal;
   append(on_opposite ? Matrix2Xd(-normal) : normal, own_normal);
+  law.bonded = carrier.law.bonded;
   for (VectorXd ContactLaw::*nodal :
        {&ContactLaw::friction, &ContactLaw::slip_bound,
         &ContactLaw::shear_limit, &ContactLaw::gap})

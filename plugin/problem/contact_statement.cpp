@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/interface/bonded_line.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 //
@@ -31,12 +32,30 @@ VectorXd stated_gap(Stack stack, const NamedArguments& named,
   return facing_gap(line);
 }
 
-/// @throws std::invalid_argument  if neither friction= nor slipbound= is given
-void require_law(const NamedArguments& named) {
+/// @throws std::invalid_argument  if something is given that bonded bodies do not have
+void require_nothing_else(const NamedArguments& named) {
+  for (const char* of_law : {"friction", "slipbound"})
+    if (named.given(of_law))
+      refuse(of_law,
+             "= is for bodies that may slide, bonded=true for those that are "
+             "glued: give one of both");
+  for (const char* of_contact : {"gap", "normal", "corner"})
+    if (named.given(of_contact))
+      refuse(of_contact,
+             "= is not for bonded bodies, which are glued as they are drawn: "
+             "leave it out");
+  if (named.given_of_bodies("previous"))
+    refuse(
+        "previous= is not for bonded bodies, which do not slide: leave it out");
+}
+
+/// @throws std::invalid_argument  if none of friction=, slipbound= and bonded= is given
+void require_law(Stack stack, const NamedArguments& named) {
+  if (is_bonded(stack, named)) return require_nothing_else(named);
   if (!named.given("friction") && !named.given("slipbound"))
     refuse(
         "no law is given: friction= (Coulomb's coefficient, 0 for none), "
-        "slipbound= (Tresca's bound), or both");
+        "slipbound= (Tresca's bound), both, or bonded=true");
 }
 
 /// @param label  in the joined mesh
@@ -110,6 +129,7 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
   table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
                              {"friction", &typeid(double)},
                              {"slipbound", &typeid(double)},
+                             {"bonded", &typeid(bool)},
                              {"gap", &typeid(double)},
                              {"normal", &typeid(E_Array)},
                              {"corner", &typeid(double)},
@@ -123,7 +143,11 @@ std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
                                      const JoinedBodies<dim>& joined) {
   const int bodies = joined.body_count();
   require_names_of_bodies(named, stated_of_bodies, bodies);
-  require_law(named);
+  require_law(stack, named);
+  if (dim == 3 && is_bonded(stack, named))
+    refuse(
+        "bonded= is for plane bodies: make one mesh3 of bodies that are "
+        "bonded, with a region for each material");
   if (bodies > 1 && named.given("opposite"))
     refuse("opposite= is given, but the contact has ", bodies, " meshes");
   if (bodies == 1) return {stated_pair(stack, named, joined)};
@@ -139,6 +163,10 @@ template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
                                               const JoinedMesh&);
 template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
                                               const JoinedSolids&);
+
+bool is_bonded(Stack stack, const NamedArguments& named) {
+  return named.flag(stack, "bonded");
+}
 
 bool must_not_face_itself(const StatedPair& pair) {
   const auto is_label = [&](int opposite) {
@@ -184,6 +212,7 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart& part, const Mesh& mesh,
                         const Edges& edges, const std::vector<int>& labels,
                         const BoundaryCurves& curves) {
+  if (is_bonded(stack, named)) return bonded_line(mesh, edges, labels);
   if (!named.given("normal")) return contact_line(mesh, edges, labels, curves);
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Matrix2Xd direction(2, line.node_count());
@@ -197,6 +226,7 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
 ContactLaw stated_law(Stack stack, const NamedArguments& named,
                       const BodyPart& part, const Edges& edges,
                       const ContactLine& line, const StatedPlaces& places) {
+  if (is_bonded(stack, named)) return bonded_law(line.node_count());
   const auto read = [&](const char* name, VectorXd& nodal,
                         EdgeRange& between_nodes) {
     const Expression given = named.expression(name);

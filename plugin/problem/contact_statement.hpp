@@ -16,6 +16,9 @@ namespace ffcontact::plugin {
 /// The parameters of a statement.
 NamedArguments::Table statement_table(const basicAC_F0& arguments);
 
+/// Are the bodies glued to what they face?
+bool is_bonded(Stack stack, const NamedArguments& named);
+
 /// What faces each other, by labels in the joined mesh's numbering: a body and the one
 /// after it, or a single body and itself or a rigid foundation.
 struct StatedPair {
@@ -28,7 +31,8 @@ struct StatedPair {
 /// By label= and opposite=, or label1=, label2=, ...
 /// @throws std::invalid_argument  if one of several bodies has no label, or one that is on
 ///                                no boundary facet of it, or one between two others has
-///                                not two; if no law is stated, or a parameter of a body
+///                                not two; if no law is stated, or bonded= beside
+///                                another one or of solids; or a parameter of a body
 ///                                that there is not, or side= on a rigid foundation
 template <int dim>
 std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
@@ -46,7 +50,8 @@ bool must_not_face_itself(const StatedPair& pair);
 /// @throws std::invalid_argument  unless it is from 0 to below 90
 double stated_corner(Stack stack, const NamedArguments& named);
 
-/// The line by its own normals and those of curves, or along the directions of normal=.
+/// The line by its own normals and those of curves, or along the directions of normal=; of
+/// bonded bodies one node a vertex.
 ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart& part, const Mesh& mesh,
                         const Edges& edges, const std::vector<int>& labels,

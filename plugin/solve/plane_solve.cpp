@@ -60,6 +60,11 @@ void solve(const SolveCall& call, const ContactProblem& problem,
            const ContactSettings& settings, SolvedContact& solved) {
   const ContactLine& line = problem.line;
   const auto tool = stated_tool(call, problem.mesh.origin);
+  if (tool && solved.law.bonded)
+    refuse(
+        "push= and moment= move a foundation that bodies lie on: where they "
+        "are bonded to it, give the foundation as a body, or its displacement "
+        "by on()");
   if (!tool) {
     solved.solution =
         solve_contact(problem.mesh, line, solved.law, *solved.system, settings);
@@ -78,7 +83,7 @@ void solve(const SolveCall& call, const ContactProblem& problem,
 ContactLaw law_of(const SolveCall& call, const Contact& contact) {
   ContactLaw law = contact.problem->law;
   law.multiplier = multiplier_of(call.stack, call.named);
-  if (!call.named.flag(call.stack, "loadstep")) return law;
+  if (law.bonded || !call.named.flag(call.stack, "loadstep")) return law;
   if (contact.solved)
     law.previous = slid(*contact.problem, *contact.solved);
   else if (!contact.last_states.empty() && law.previous.size() == 0)
