@@ -20,7 +20,7 @@ const Material stiff = material(70e3, 0.3), soft = material(3e3, 0.3);
 /// Linear displacements pass through interfaces that do not match, straight or inclined, in
 /// one step.
 RC_GTEST_PROP(Bonded, linear_displacements_pass, (Random random)) {
-  const int upper = *rc::gen::inRange(2, 12), lower = *rc::gen::inRange(1, 12);
+  const int upper = *rc::gen::inRange(3, 12), lower = *rc::gen::inRange(1, 12);
   const double angle = 1e-3 * *rc::gen::inRange(-3000, 3000);
   Bodies two = bonded_bodies(
       {rotated(shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}),
@@ -93,19 +93,24 @@ TEST(Bonded, carries_tension_and_shear) {
   EXPECT_NEAR(std::abs(solution.force.row(1).sum()), 18, 1e-10);
 }
 
-TEST(Bonded, three_bodies_pass_uniform_tension) {
+/// Deviation of the pressures of a stack of three from a uniform tension.
+double tension_defect(int first, int second, int third) {
   Bodies three = bonded_bodies(
-      {shifted(rectangle(7, 3, 6, 4), {0, 5}),
-       shifted(rectangle(11, 4, 6, 3), {0, 2}), rectangle(5, 2, 6, 2)},
+      {shifted(rectangle(first, 3, 6, 4), {0, 5}),
+       shifted(rectangle(second, 4, 6, 3), {0, 2}), rectangle(third, 2, 6, 2)},
       {stiff, stiff, stiff}, {{0, bottom, 1, top}, {1, bottom, 2, top}});
   add_traction(three.problem, three.label(0, top), {0, 7});
   prescribe(three.problem, three.label(2, bottom), 1);
   for (int k = 0; k < 3; ++k) prescribe(three.problem, three.label(k, left), 0);
   const ContactSolution solution = solved(three.problem);
-  ASSERT_TRUE(solution.accepted({}));
-  const Matrix2Xd tension =
-      Vector2d(7, 0).replicate(1, solution.pressure.cols());
-  EXPECT_LT(relative_difference(solution.pressure, tension), 1e-10);
+  EXPECT_TRUE(solution.accepted({}));
+  return relative_difference(
+      solution.pressure, Vector2d(7, 0).replicate(1, solution.pressure.cols()));
+}
+
+TEST(Bonded, three_bodies_pass_uniform_tension) {
+  EXPECT_LT(tension_defect(7, 11, 5), 1e-10);
+  EXPECT_LT(tension_defect(6, 6, 6), 1e-10);  // with ends that are idle
 }
 
 TEST(Bonded, a_rigid_foundation_holds_like_a_support) {

@@ -21,14 +21,14 @@ struct Judged {
 };
 
 /// Multipliers that the residual does not notice are none with Coulomb's law: their
-/// friction would know no slip. What is bonded does not slip.
+/// friction would know no slip.
 Judged judged_without_rounding(const ContactLine& line, const ContactLaw& law,
                                const ElasticSystem& system,
                                const HeldRows& held, BodyAnswer answer) {
   const ResidualDefect residual =
       residual_defect(line, law, system, held, answer);
   Judged judged{std::move(answer), residual};
-  if (law.tresca() || law.bonded) return judged;
+  if (law.tresca()) return judged;
   BodyAnswer none{judged.answer.displacement,
                   VectorXd::Zero(judged.answer.P.size())};
   const ResidualDefect without = residual_defect(line, law, system, held, none);
@@ -40,9 +40,8 @@ Judged judged_without_rounding(const ContactLine& line, const ContactLaw& law,
 /// Multipliers in tension by rounding are cut to none by the law: the forces that these
 /// nodes miss then are small, but not beside those of a soft body. They are open, unless
 /// no node has multipliers at all.
-ContactStates open_where_cut(const NodalLaw& law, ContactStates state,
-                             const VectorXd& P) {
-  if (P.isZero(0) || law.is_bonded()) return state;
+ContactStates open_where_cut(ContactStates state, const VectorXd& P) {
+  if (P.isZero(0)) return state;
   for (Index i = 0; i < count_of(state); ++i)
     if (P.segment<2>(2 * i).isZero(0)) state[i] = ContactState::open;
   return state;
@@ -59,7 +58,8 @@ Judged refined_answer(const ContactLine& line, const ContactLaw& law,
   Judged best = judged_without_rounding(line, law, system, contact.held,
                                         std::move(answer));
   for (int k = 0; k < most_steps; ++k) {
-    const ContactStates states = open_where_cut(nodal, state, best.answer.P);
+    const ContactStates states =
+        law.bonded ? state : open_where_cut(state, best.answer.P);
     if (best.residual.largest() <= residual_rounding && states == state) break;
     BodyAnswer next =
         refined(line, law, system, stiffness, contact, states, best.answer);

@@ -54,7 +54,7 @@ std::vector<Carrying> carrying_edges(const ContactLine& line,
                                      const Ref<const VectorXd>& stiffness,
                                      double largest) {
   std::vector<Carrying> result(line.edge_count(), Carrying::any);
-  if (largest == 0 || law.bonded) return result;
+  if (largest == 0) return result;
   const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
   for (int e = 0; e < line.edge_count(); ++e) {
     Matrix2d on_edge;
