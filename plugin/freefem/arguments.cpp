@@ -159,6 +159,23 @@ std::vector<int> NamedArguments::integers(Stack stack,
   return integers_of(GetAny<KN_<long>>((*value)(stack)));
 }
 
+std::vector<std::vector<int>> NamedArguments::lists_of_integers(
+    Stack stack, const std::string& name) const {
+  if (!given(name)) return {};
+  const std::size_t k = place(name);
+  const auto* all = dynamic_cast<const E_Array*>(values_[k]);
+  std::vector<std::vector<int>> lists;
+  for (int i = 0; all && i < all->size(); ++i) {
+    const C_F0 entry = (*all)[i];
+    if (entry.left() != atype<E_Array>()) break;
+    lists.push_back(
+        integers_of(stack, dynamic_cast<const E_Array&>(*entry.LeftValue())));
+  }
+  if (!all || count_of(lists) < all->size())
+    refuse(name, " must be a list of lists, as [[1, 2], [1, 3]]");
+  return lists;
+}
+
 void NamedArguments::put(Stack stack, const std::string& name,
                          const Ref<const VectorXd>& values) const {
   const Expression target = expression(name);

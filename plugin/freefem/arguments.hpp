@@ -72,6 +72,10 @@ class NamedArguments {
     return words[place_of_word(stack, name, known)].second;
   }
   std::vector<int> integers(Stack stack, const std::string& name) const;
+  /// Of a literal list of lists, [[1, 2], [1, 3]].
+  /// @throws std::invalid_argument  if it is none
+  std::vector<std::vector<int>> lists_of_integers(
+      Stack stack, const std::string& name) const;
   bool flag(Stack stack, const std::string& name) const;
   long verbosity_level(Stack stack) const {
     return integer(stack, "verbosity", verbosity);

@@ -31,13 +31,6 @@ std::vector<std::map<long, long>> own_numbers(const SharedBodies<dim>& bodies,
   return own;
 }
 
-/// The body whose vertices those of a node are.
-template <int dim>
-int body_of_node(const std::vector<long>& first_node,
-                 const SharedBodies<dim>& bodies, int node) {
-  return bodies.parts.size() == 1 ? 0 : pair_of(first_node, node);
-}
-
 /// The nodes of a process in the problem, and their vertices in its parts.
 struct NodesOfProcess {
   std::vector<int> node;
@@ -50,7 +43,9 @@ NodesOfProcess nodes_of(const Problem& problem, const SharedBodies<dim>& bodies,
   const auto own = own_numbers(bodies, rank);
   NodesOfProcess nodes;
   for (int i = 0; i < count_of(problem.own_vertex); ++i) {
-    const auto& of_body = own[body_of_node(problem.first_node, bodies, i)];
+    // the body whose vertices those of the node are
+    const auto& of_body =
+        own[problem.body_of_pair[pair_of(problem.first_node, i)]];
     const auto found = of_body.find(problem.own_vertex[i]);
     if (found == of_body.end()) continue;
     nodes.node.push_back(i);

@@ -47,8 +47,9 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
 void ContactProblem::state(Stack stack, const NamedArguments& named) {
   corner_ = stated_corner(stack, named);
   if (!is_bonded(stack, named)) curves_ = BoundaryCurves(mesh, edges, corner_);
-  for (const StatedPair& pair : stated_pairs(stack, named, joined))
-    add_pair(stack, named, pair);
+  const std::vector<StatedPair> stated = stated_pairs(stack, named, joined);
+  for (const StatedPair& pair : stated) body_of_pair.push_back(pair.body);
+  for (const StatedPair& pair : stated) add_pair(stack, named, pair);
   join_carriers();
 }
 
@@ -104,8 +105,8 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
 void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                      const StatedPair& stated,
                                      const ContactLine& own) {
-  const int wanted = wanted_side(stack, named, count_of(pairs_),
-                                 std::max(1, body_count() - 1));
+  const int wanted =
+      wanted_side(stack, named, count_of(pairs_), count_of(body_of_pair));
   const FacingTraces traces =
       facing_traces(mesh, edges, own, stated.opposite, curves_);
   const bool bonded = is_bonded(stack, named);

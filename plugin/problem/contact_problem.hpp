@@ -52,6 +52,7 @@ struct ContactProblem : PlaneBodies {
   std::vector<long> first_node;
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
   std::vector<long> side;
+  std::vector<int> body_of_pair;  ///< that comes first
 
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   ContactProblem(Stack stack, const NamedArguments& named,

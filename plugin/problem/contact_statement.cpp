@@ -83,31 +83,86 @@ std::vector<int> joined_labels(Stack stack, const NamedArguments& named,
   return labels;
 }
 
-/// The labels of one body that face the one before it and the one after it.
-struct LabelsOfBody {
-  std::vector<int> towards_last, towards_next;
+/// Numbers of two bodies.
+struct BodyPair {
+  int first, second;
 };
 
-/// Those of label1=, label2=, ...
-template <int dim>
-std::vector<LabelsOfBody> labels_of_bodies(Stack stack,
-                                           const NamedArguments& named,
-                                           const JoinedBodies<dim>& joined) {
-  const int bodies = joined.body_count();
-  std::vector<LabelsOfBody> labels;
-  for (int k = 0; k < bodies; ++k) {
-    const std::vector<int> own = joined_labels(
-        stack, named, name_of_body("label", k, bodies), joined, k);
-    const bool between = k > 0 && k + 1 < bodies;
-    if (between && own.size() != 2)
-      refuse("label", k + 1, " must be two labels: the first faces body ", k,
-             ", the second body ", k + 2);
-    if (between)
-      labels.push_back({{own[0]}, {own[1]}});
-    else
-      labels.push_back({own, own});
+/// By pairs=, or each body and the one after it.
+std::vector<BodyPair> pairs_of_bodies(Stack stack, const NamedArguments& named,
+                                      int bodies) {
+  std::vector<BodyPair> pairs;
+  if (!named.given("pairs"))
+    for (int k = 0; k + 1 < bodies; ++k) pairs.push_back({k, k + 1});
+  for (const std::vector<int>& pair : named.lists_of_integers(stack, "pairs")) {
+    const auto is_body = [&](int k) { return k >= 1 && k <= bodies; };
+    if (pair.size() != 2 || pair[0] == pair[1] || !is_body(pair[0]) ||
+        !is_body(pair[1]))
+      refuse("pairs must be pairs of different meshes, numbers from 1 to ",
+             bodies, ", as [[1, 2], [1, 3]]");
+    pairs.push_back({pair[0] - 1, pair[1] - 1});
   }
-  return labels;
+  return pairs;
+}
+
+/// Those of one body towards each of those that it faces.
+std::vector<std::vector<int>> parted_labels(const std::vector<int>& labels,
+                                            int body, int partners,
+                                            bool is_chain) {
+  if (partners == 0)
+    refuse("mesh ", body + 1,
+           " is in none of pairs=: take it out of the contact, or add a pair");
+  if (partners == 1) return {labels};
+  if (is_chain && labels.size() != 2)
+    refuse("label", body + 1, " must be two labels: the first faces body ",
+           body, ", the second body ", body + 2);
+  if (labels.size() == 1)
+    return std::vector<std::vector<int>>(partners, labels);
+  if (count_of(labels) != partners)
+    refuse("label", body + 1, " must be ", partners,
+           " labels, one for each of the pairs that mesh ", body + 1,
+           " is in, in their order, or one for all of them");
+  std::vector<std::vector<int>> parted;
+  for (int label : labels) parted.push_back({label});
+  return parted;
+}
+
+/// Those that share the line of the first body are one.
+void add_merged(StatedPair pair, std::vector<StatedPair>& pairs) {
+  for (StatedPair& known : pairs)
+    if (known.labels == pair.labels) {
+      known.opposite.insert(known.opposite.end(), pair.opposite.begin(),
+                            pair.opposite.end());
+      return;
+    }
+  pairs.push_back(std::move(pair));
+}
+
+/// Of several bodies.
+template <int dim>
+std::vector<StatedPair> paired_labels(Stack stack, const NamedArguments& named,
+                                      const JoinedBodies<dim>& joined) {
+  const int bodies = joined.body_count();
+  const std::vector<BodyPair> of_bodies = pairs_of_bodies(stack, named, bodies);
+  std::vector<std::vector<std::vector<int>>> labels;
+  for (int k = 0; k < bodies; ++k) {
+    const auto has_body = [&](const BodyPair& pair) {
+      return pair.first == k || pair.second == k;
+    };
+    const auto partners =
+        std::count_if(of_bodies.begin(), of_bodies.end(), has_body);
+    labels.push_back(parted_labels(
+        joined_labels(stack, named, name_of_body("label", k, bodies), joined,
+                      k),
+        k, static_cast<int>(partners), !named.given("pairs")));
+  }
+  std::vector<std::size_t> next(bodies, 0);
+  std::vector<StatedPair> pairs;
+  for (const auto& [first, second] : of_bodies)
+    add_merged(
+        {first, labels[first][next[first]++], labels[second][next[second]++]},
+        pairs);
+  return pairs;
 }
 
 /// Of a single body.
@@ -134,6 +189,7 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
                              {"normal", &typeid(E_Array)},
                              {"corner", &typeid(double)},
                              {"side", &typeid(KN_<long>)},
+                             {"pairs", &typeid(KN_<long>)},
                              {"comm", &typeid(pcommworld)}});
   return table;
 }
@@ -150,19 +206,26 @@ std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
         "bonded, with a region for each material");
   if (bodies > 1 && named.given("opposite"))
     refuse("opposite= is given, but the contact has ", bodies, " meshes");
+  if (bodies == 1 && named.given("pairs"))
+    refuse("pairs= is for several meshes, which the contact has not");
   if (bodies == 1) return {stated_pair(stack, named, joined)};
-  const std::vector<LabelsOfBody> labels =
-      labels_of_bodies(stack, named, joined);
-  std::vector<StatedPair> pairs;
-  for (int k = 0; k + 1 < bodies; ++k)
-    pairs.push_back({k, labels[k].towards_next, labels[k + 1].towards_last});
-  return pairs;
+  return paired_labels(stack, named, joined);
 }
 
 template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
                                               const JoinedMesh&);
 template std::vector<StatedPair> stated_pairs(Stack, const NamedArguments&,
                                               const JoinedSolids&);
+
+template <int dim>
+int body_of_label(const JoinedBodies<dim>& joined, int label) {
+  int body = 0;
+  while (!has_label(joined, body, label)) ++body;
+  return body;
+}
+
+template int body_of_label(const JoinedMesh&, int);
+template int body_of_label(const JoinedSolids&, int);
 
 bool is_bonded(Stack stack, const NamedArguments& named) {
   return named.flag(stack, "bonded");

@@ -19,8 +19,8 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments);
 /// Are the bodies glued to what they face?
 bool is_bonded(Stack stack, const NamedArguments& named);
 
-/// What faces each other, by labels in the joined mesh's numbering: a body and the one
-/// after it, or a single body and itself or a rigid foundation.
+/// What faces each other, by labels in the joined mesh's numbering: a body and one or
+/// several others, or a single body and itself or a rigid foundation.
 struct StatedPair {
   int body;
   std::vector<int> labels, opposite;  ///< the latter none on a rigid foundation
@@ -28,15 +28,21 @@ struct StatedPair {
   bool rigid() const { return opposite.empty(); }
 };
 
-/// By label= and opposite=, or label1=, label2=, ...
+/// By label= and opposite=, or label1=, label2=, ...: each body and the one after it, or
+/// those of pairs=. Of a body in several pairs each has a label of its own; pairs that share
+/// the line of the body that comes first are one.
 /// @throws std::invalid_argument  if one of several bodies has no label, or one that is on
-///                                no boundary facet of it, or one between two others has
-///                                not two; if no law is stated, or bonded= beside
+///                                no boundary facet of it, or not as many as it faces
+///                                bodies; if no law is stated, or bonded= beside
 ///                                another one or of solids; or a parameter of a body
 ///                                that there is not, or side= on a rigid foundation
 template <int dim>
 std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
                                      const JoinedBodies<dim>& joined);
+
+/// The body that a label of the joined mesh is of.
+template <int dim>
+int body_of_label(const JoinedBodies<dim>& joined, int label);
 
 /// Whether what has its labels must not lie on itself, front to front: that would be two
 /// rigid foundations, or each side of a crack twice.

@@ -90,8 +90,8 @@ void report_curves(const JoinedMesh& joined, const Edges& edges,
   for (int label : pair.labels)
     report(pair.body, label, taken_from(own, !pair.rigid(), said));
   if (said.gap) return;
-  const int opposite = joined.body_count() > 1 ? pair.body + 1 : pair.body;
-  for (int label : pair.opposite) report(opposite, label, ", with its gap");
+  for (int label : pair.opposite)
+    report(body_of_label(joined, label), label, ", with its gap");
 }
 
 }  // namespace ffcontact::plugin

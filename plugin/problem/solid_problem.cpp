@@ -47,8 +47,9 @@ void SolidProblem::state(Stack stack, const NamedArguments& named) {
     refuse(
         "corner= is for plane bodies so far: give the surface's normal=[nx, "
         "ny, nz]");
-  for (const StatedPair& pair : stated_pairs(stack, named, joined))
-    add_pair(stack, named, pair);
+  const std::vector<StatedPair> stated = stated_pairs(stack, named, joined);
+  for (const StatedPair& pair : stated) body_of_pair.push_back(pair.body);
+  for (const StatedPair& pair : stated) add_pair(stack, named, pair);
   join_carriers();
 }
 
@@ -98,8 +99,8 @@ void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
 
 void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                    const StatedPair& stated, Pair pair) {
-  pair.wanted = wanted_side(stack, named, count_of(pairs_),
-                            std::max(1, body_count() - 1));
+  pair.wanted =
+      wanted_side(stack, named, count_of(pairs_), count_of(body_of_pair));
   FacingSurface facing = facing_surface(mesh, faces, pair.whole, pair.polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
   pair.own = carrier(stack, named, stated.body, std::move(facing), places);

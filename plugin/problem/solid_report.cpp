@@ -28,8 +28,8 @@ void report_surfaces(const JoinedSolids& joined, const Facets<3>& faces,
   for (int label : pair.labels)
     report(pair.body, label, normals + (gap ? and_gap : ""));
   if (!gap) return;
-  const int opposite = joined.body_count() > 1 ? pair.body + 1 : pair.body;
-  for (int label : pair.opposite) report(opposite, label, "its gap");
+  for (int label : pair.opposite)
+    report(body_of_label(joined, label), label, "its gap");
 }
 
 }  // namespace ffcontact::plugin
