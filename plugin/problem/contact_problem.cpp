@@ -2,6 +2,7 @@
 #include "ffcontact/base/appended.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/contact/checks/compliance_ratio.hpp"
 #include "ffcontact/interface/bonded_line.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
@@ -13,10 +14,33 @@
 #include <string>
 #include <utility>
 
+#include "freefem/freefem.hpp"
 #include "problem/contact_problem.hpp"
 #include "problem/curve_report.hpp"
 
 namespace ffcontact::plugin {
+
+namespace {
+
+/// Says at any verbosity where a line that faces bodies has a vertex in which more than two
+/// boundary edges meet, as where FreeFEM's + took two vertices for one: nothing opens there.
+void warn_of_touching(const Mesh& mesh, const ContactLine& own) {
+  if (mpirank != 0) return;
+  VectorXi edges_at = VectorXi::Zero(mesh.vertex_count());
+  for (int v : mesh.boundary.reshaped()) ++edges_at[v];
+  for (int v : own.vertex)
+    if (edges_at[v] > 2) {
+      cout
+          << "contact: at vertex " << v << " " << in_words(mesh.place(v))
+          << " the body touches itself in a single vertex of the contact "
+             "line, which neither opens nor slides: where bodies are joined by "
+             "FreeFEM's T1 + T2, state contact(T1, T2, ...)"
+          << endl;
+      return;
+    }
+}
+
+}  // namespace
 
 Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
   return named.choice(
@@ -95,6 +119,7 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
     report_curves(joined, edges, curves_, corner_, pair, own,
                   {named.given("normal"), named.given("gap")});
   if (!pair.rigid()) {
+    if (body_count() == 1) warn_of_touching(mesh, own);
     add_facing_pair(stack, named, pair, own);
     return;
   }
