@@ -78,7 +78,8 @@ Problem random_problem(const std::string& law) {
 /// edge.
 void obeys_the_law_between_the_nodes(const Problem& problem,
                                      const Estimate<2>& estimate) {
-  const auto& [line, law] = std::tie(problem.line, problem.law);
+  const ContactLine& line = problem.line;
+  const ContactLaw& law = problem.law;
   const double most = largest_traction(estimate.tractions),
                deepest = 1e-13 * estimate.displacement.cwiseAbs().maxCoeff();
   for (int e = 0; e < line.edge_count(); ++e)

@@ -22,6 +22,16 @@ auto vector_at(Field& field, int vertex) {
   return field.template segment<dim>(dof_of<dim>(vertex, 0));
 }
 
+/// Those at the corners of a facet, one column each.
+template <int dim, class Field, class Vertices>
+Matrix<double, dim, dim> vectors_at(const Field& field,
+                                    const Vertices& corners) {
+  Matrix<double, dim, dim> vectors;
+  for (int k = 0; k < dim; ++k)
+    vectors.col(k) = vector_at<dim>(field, corners[k]);
+  return vectors;
+}
+
 /// Unit vectors of the free dofs of a vertex, one column each.
 /// @param prescribed  1 where the dof is prescribed [dofs]
 template <int dim>

@@ -14,14 +14,6 @@ namespace ffcontact {
 
 namespace {
 
-Matrix3d vectors_at(const Facets<3>& faces, int face,
-                    const Ref<const VectorXd>& field) {
-  Matrix3d vectors;
-  for (int k = 0; k < 3; ++k)
-    vectors.col(k) = vector_at<3>(field, faces.vertices(k, face));
-  return vectors;
-}
-
 /// Normals, load step before and gap of some nodes.
 FaceMotion given_at(const ContactSurface& surface, const SurfaceLaw& law,
                     const std::vector<int>& nodes) {
@@ -77,7 +69,8 @@ FaceMotion motion_on_face(const Facets<3>& faces, const ContactSurface& surface,
   const Vector3i nodes = surface.face_node.col(contact_face);
   FaceMotion motion =
       given_at(surface, law, std::vector<int>(nodes.begin(), nodes.end()));
-  motion.jump = vectors_at(faces, surface.face[contact_face], displacement);
+  motion.jump = vectors_at<3>(displacement,
+                              faces.vertices.col(surface.face[contact_face]));
   for (int k = 0; k < 3 && match.face >= 0; ++k)
     motion.jump.col(k) -=
         vector_at<3>(displacement, faces.vertices(match.corner[k], match.face));
@@ -94,8 +87,10 @@ FaceMotion motion_on_polygon(const Facets<3>& faces,
   const FaceMotion at_nodes = given_at(surface, law, hats.node);
   const MatrixXd shares = hats.hat.transpose() * polygon.own;
   return {at_nodes.normal * shares,
-          vectors_at(faces, surface.face[m], displacement) * polygon.own -
-              vectors_at(faces, polygon.opposite_face, displacement) *
+          vectors_at<3>(displacement, faces.vertices.col(surface.face[m])) *
+                  polygon.own -
+              vectors_at<3>(displacement,
+                            faces.vertices.col(polygon.opposite_face)) *
                   polygon.opposite,
           at_nodes.before * shares, at_nodes.gap * shares};
 }

@@ -24,15 +24,6 @@ constexpr double resultant_missed = 1e-12;
 
 constexpr int most_cone_steps = 100;
 
-/// The vectors of a field at the vertices of a face.
-Matrix3d vectors_at(const Facets<3>& faces, int face,
-                    const Ref<const VectorXd>& field) {
-  Matrix3d z;
-  for (int k = 0; k < 3; ++k)
-    z.col(k) = vector_at<3>(field, faces.vertices(k, face));
-  return z;
-}
-
 /// Rows of node i, [3 p x k]: what units of r along n, t1, t2 there do along [z], so that
 /// the resultants of r are its product with them.
 MatrixXd weighted_motions(const SolidMesh& mesh, const Facets<3>& faces,
@@ -50,7 +41,9 @@ MatrixXd weighted_motions(const SolidMesh& mesh, const Facets<3>& faces,
         unit(c, node) = 0;
         for (int k = 0; k < motions.cols(); ++k)
           rows(3 * node + c, k) +=
-              moments.cwiseProduct(vectors_at(faces, part.face, motions.col(k)))
+              moments
+                  .cwiseProduct(vectors_at<3>(motions.col(k),
+                                              faces.vertices.col(part.face)))
                   .sum();
       }
   return rows;
