@@ -10,6 +10,7 @@
 //
 #include "problem/contact_statement.hpp"
 #include "problem/plane_bodies.hpp"
+#include "problem/stated_pairs.hpp"
 
 namespace ffcontact::plugin {
 

@@ -4,7 +4,7 @@
 #include "ffcontact/interface/contact_line.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
-#include "problem/contact_statement.hpp"
+#include "problem/stated_pairs.hpp"
 
 namespace ffcontact::plugin {
 

@@ -11,6 +11,7 @@
 #include "freefem/arguments.hpp"
 #include "problem/contact_statement.hpp"
 #include "problem/solid_bodies.hpp"
+#include "problem/stated_pairs.hpp"
 
 namespace ffcontact::plugin {
 

@@ -4,7 +4,6 @@
 #include "ffcontact/mesh/facets.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
-#include "problem/contact_statement.hpp"
 #include "problem/curve_report.hpp"
 
 namespace ffcontact::plugin {

@@ -20,16 +20,7 @@ const Material stiff = material(70e3, 0.3), soft = material(3e3, 0.3);
 /// Linear displacements pass through interfaces that do not match, straight or inclined, in
 /// one step.
 RC_GTEST_PROP(Bonded, linear_displacements_pass, (Random random)) {
-  const int upper = *rc::gen::inRange(3, 12), lower = *rc::gen::inRange(1, 12);
-  const double angle = 1e-3 * *rc::gen::inRange(-3000, 3000);
-  Bodies two = bonded_bodies(
-      {rotated(shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}),
-               angle),
-       rotated(with_random_rows(lower, 3, 6, 5, random), angle)},
-      {stiff, stiff}, {{0, bottom, 1, top}});
-  prescribe_around(two);
-  two.problem.law.multiplier =
-      *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  const Bodies two = random_patch(stiff, 1, random);
   const ContactSolution solution = solved(two.problem);
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(solution.iterations == 1);

@@ -24,16 +24,7 @@ bool is_exact(const Estimate<2>& estimate) {
 /// A linear displacement has no error, whatever the meshes between the bodies.
 RC_GTEST_PROP(BondedEstimate, linear_displacements_have_no_error,
               (Random random)) {
-  const int upper = *rc::gen::inRange(3, 12), lower = *rc::gen::inRange(2, 12);
-  const double angle = 1e-3 * *rc::gen::inRange(-3000, 3000);
-  Bodies two = bonded_bodies(
-      {rotated(shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}),
-               angle),
-       rotated(with_random_rows(lower, 3, 6, 5, random), angle)},
-      {stiff, stiff}, {{0, bottom, 1, top}});
-  prescribe_around(two);
-  two.problem.law.multiplier =
-      *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  const Bodies two = random_patch(stiff, 2, random);
   const Estimate<2> estimate =
       estimated(two.problem, solved(two.problem), sweeps(0));
   RC_ASSERT(estimate.relative < (is_exact(estimate) ? 1e-8 : 1e-4));

@@ -4,6 +4,7 @@
 #include "ffcontact/interface/bonded_line.hpp"
 #include "ffcontact/interface/pairing/constant_ends.hpp"
 #include "support/bodies.hpp"
+#include "support/random.hpp"
 
 /// Bodies that are glued to each other.
 namespace ffcontact::test {
@@ -52,6 +53,25 @@ inline void prescribe_around(Bodies& two) {
     clamp(two.problem, two.label(0, side), linear_field);
   for (int side : {bottom, left, right})
     clamp(two.problem, two.label(1, side), linear_field);
+}
+
+/// Two blocks of one material whose rows of vertices are at random, one on the other, turned
+/// by an angle at random; the linear field all around, and either multiplier.
+/// @param least_below  edges of the lower one's upper side
+inline Bodies random_patch(const Material& material, int least_below,
+                           Random& random) {
+  const int upper = *rc::gen::inRange(3, 12),
+            lower = *rc::gen::inRange(least_below, 12);
+  const double angle = 1e-3 * *rc::gen::inRange(-3000, 3000);
+  Bodies two = bonded_bodies(
+      {rotated(shifted(with_random_rows(upper, 3, 6, 4, random), {0, 5}),
+               angle),
+       rotated(with_random_rows(lower, 3, 6, 5, random), angle)},
+      {material, material}, {{0, bottom, 1, top}});
+  prescribe_around(two);
+  two.problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  return two;
 }
 
 /// Two rectangles 6 x 4 and 6 x 5 one on the other, turned by an angle.

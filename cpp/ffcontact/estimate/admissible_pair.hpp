@@ -55,9 +55,9 @@ template <>
 struct Estimate<3> : PairError {
   VectorXd displacement;  ///< u_hat on all dofs [mm]
   FaceMoments moments;    ///< of sigma_hat on the faces [N]
-  /// r_hat before its relaxation: at the nodes, linear between [MPa, 3 x p]
+  /// r_hat before its relaxation: at the nodes (BentTraction between them) [MPa, 3 x p]
   Matrix3Xd tractions;
-  /// r_hat at the vertices of the contact faces, linear on each [MPa]
+  /// r_hat at the vertices of the contact faces [MPa]
   SurfaceTractions face_tractions;
 };
 

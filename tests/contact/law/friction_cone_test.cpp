@@ -110,18 +110,6 @@ RC_GTEST_PROP(FrictionCone, clamped_values_are_in_the_cone, (Random random)) {
             1e-14);
 }
 
-TEST(FrictionCone, between_others_is_linear) {
-  std::vector<FrictionCone> cones(3);
-  cones[0].cohesion = 1;
-  cones[1].friction = 2;
-  cones[0].limit = cones[1].limit = 4;
-  const FrictionCone inside = cone_between(cones, Vector3d(0.25, 0.75, 0));
-  EXPECT_EQ(inside.cohesion, 0.25);
-  EXPECT_EQ(inside.friction, 1.5);
-  EXPECT_EQ(inside.limit, 4);
-  EXPECT_TRUE(std::isinf(cone_between(cones, Vector3d(0.25, 0.5, 0.25)).limit));
-}
-
 TEST(FrictionCone, bound_is_the_least_of_law_and_limit) {
   FrictionCone cone;
   EXPECT_TRUE(cone.frictionless());

@@ -160,18 +160,6 @@ double part_inside(const EdgeCone& cone, const Vector4d& inner,
 
 }  // namespace
 
-FrictionCone cone_between(const std::vector<FrictionCone>& cones,
-                          const Ref<const VectorXd>& weights) {
-  FrictionCone cone{0, 0, 0};
-  for (Index k = 0; k < weights.size(); ++k) {
-    if (weights[k] == 0) continue;  // of a limit that is infinite, too
-    cone.cohesion += weights[k] * cones[k].cohesion;
-    cone.friction += weights[k] * cones[k].friction;
-    cone.limit += weights[k] * cones[k].limit;
-  }
-  return cone;
-}
-
 ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
                         int edge) {
   ConesAtEnds least = cones(line, law, &EdgeRange::least, edge);

@@ -39,11 +39,6 @@ struct FrictionCone {
   }
 };
 
-/// The cone between those of the corners of a facet: c, mu and k are linear there.
-/// @param weights  of the corners, a point's barycentric coordinates
-FrictionCone cone_between(const std::vector<FrictionCone>& cones,
-                          const Ref<const VectorXd>& weights);
-
 /// The cones at the ends of a contact edge. Between them c, mu and k are linear: nowhere
 /// above those of the law (least), or nowhere below (most).
 using ConesAtEnds = std::array<FrictionCone, 2>;

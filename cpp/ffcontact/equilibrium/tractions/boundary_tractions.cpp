@@ -30,14 +30,10 @@ std::vector<int> contact_edge_numbers(const ContactLine& line,
 Matrix4d moments_of_ends(const ContactLine& line, int contact_edge) {
   const double length = line.length[contact_edge];
   const Vector2i nodes = line.edge_node.col(contact_edge);
-  Matrix4d moments;
+  const Matrix2d frames = line.frame(nodes[0]) + line.frame(nodes[1]);
+  Matrix4d moments = (length / 12 * frames).replicate<2, 2>();
   for (int k = 0; k < 2; ++k)
-    for (int i = 0; i < 2; ++i) {
-      const Matrix2d frames = line.frame(nodes[0]) + line.frame(nodes[1]);
-      moments.block<2, 2>(2 * k, 2 * i) = length / 12 * frames;
-      if (k == i)
-        moments.block<2, 2>(2 * k, 2 * i) += length / 6 * line.frame(nodes[k]);
-    }
+    moments.block<2, 2>(2 * k, 2 * k) += length / 6 * line.frame(nodes[k]);
   return moments;
 }
 

@@ -12,7 +12,7 @@ namespace ffcontact {
 
 /// A contact facet, its law and its displacement w against what it faces, for tractions
 /// r_hat by (r_n, r_t) at its vertices, one column each [MPa]: linear between them, or bent
-/// as the directions of a plane edge turn (moments_of_ends).
+/// as the directions turn (moments_of_ends in the plane, BentTraction in space).
 template <int d>
 struct ContactFacet {
   int facet;       ///< of the mesh
@@ -32,17 +32,16 @@ struct ContactFacet {
   /// int phi_i w along n, t, one column a vertex [mm^2 or mm^3]; where the cost of
   /// friction is known to be linear in r_n, with that
   MatrixOf<d> work;
-  /// int phi_i |w_t|, |w_t| linear between the vertices; 0 where work has the cost of
-  /// friction
+  /// int phi_i |w_t|, at most; 0 where work has the cost of friction
   VectorOf<d> slip;
   Matrix<double, d - 1, d> direction;  ///< w_t / |w_t| at the vertices, or 0
 };
 
 /// What r_hat on the facet adds to e^2 / 2 [N mm, of plane bodies N/mm times mm]:
 ///     sum over the vertices of c_i int phi_i |w_t| + r_i . int phi_i w,   c the bound of |r_t|   [CHH01, (2.11), (2.19)]
-/// With c, |w_t|, r and w linear between the vertices this is the integral of c |w_t| + r
-/// . w; |w_t| is convex, so that it is a bound. In the plane work_n has the exact integral
-/// of the former, - int phi_i mu |w_t|, as r_n <= 0, and slip is 0.
+/// With c linear between the vertices, and the Bernstein polynomial of |w_t| (FaceCosts),
+/// this is a bound of the integral of c |w_t| + r . w. In the plane work_n has the exact
+/// integral of the former, - int phi_i mu |w_t|, as r_n <= 0, and slip is 0.
 template <int d>
 double contact_term(const ContactFacet<d>& facet, const MatrixOf<d>& traction);
 

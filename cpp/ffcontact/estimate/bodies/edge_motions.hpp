@@ -37,7 +37,7 @@ class LineMotions {
  private:
   const ContactLine& line_;
   Matrix2Xd at_nodes_;
-  Matrix2Xd given_;  ///< gap and load step before at the nodes, or nothing
+  Matrix2Xd given_;  ///< gap and load step before at the nodes
 };
 
 }  // namespace ffcontact

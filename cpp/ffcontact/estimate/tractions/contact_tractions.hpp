@@ -25,8 +25,7 @@ struct ContactTractions<2> {
 
 template <>
 struct ContactTractions<3> {
-  Matrix3Xd
-      densities;  ///< before relaxation, linear between nodes [MPa, 3 x p]
+  Matrix3Xd densities;  ///< before relaxation, at the nodes [MPa, 3 x p]
   SurfaceTractions on_faces{};  ///< and after it
   FaceMoments
       beside{};  ///< of given tractions on the faces of the surface [9 x m]

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "ffcontact/interface/traction_parts.hpp"
 #include "ffcontact/mesh/remeshing/smooth_surface.hpp"
@@ -47,12 +48,13 @@ void smooth_distances(const SolidMesh& mesh, const Facets<3>& faces,
   for (FacingPolygon& polygon : polygons) {
     const SmoothFace own(mesh, faces, surface, polygon.contact_face);
     const auto faced = place_of_face.find(polygon.opposite_face);
+    std::optional<SmoothFace> other;
+    if (faced != place_of_face.end())
+      other.emplace(mesh, faces, opposite, faced->second);
     for (Index k = 0; k < polygon.distance.size(); ++k) {
       const Vector3d place = polygon.own.col(k);
       Vector3d beside = -own.beside(place);
-      if (faced != place_of_face.end())
-        beside += SmoothFace(mesh, faces, opposite, faced->second)
-                      .beside(polygon.opposite.col(k));
+      if (other) beside += other->beside(polygon.opposite.col(k));
       polygon.distance[k] += beside.dot(own.normal_at(place));
     }
   }
