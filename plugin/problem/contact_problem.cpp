@@ -40,6 +40,11 @@ void warn_of_touching(const Mesh& mesh, const ContactLine& own) {
     }
 }
 
+void append_range(const EdgeRange& more, EdgeRange& range) {
+  append(more.least, range.least);
+  append(more.most, range.most);
+}
+
 }  // namespace
 
 Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
@@ -165,7 +170,7 @@ ContactProblem::Carrier ContactProblem::carrier(
     result.own_vertex.push_back(vertex - joined.first_vertex[body]);
   result.abscissa = std::move(at.node);
   result.edge_abscissa = std::move(at.edge_end);
-  result.law =
+  result.stated =
       stated_law(stack, named, part(body, elsewhere_), edges, line, places);
   result.line = std::move(line);
   return result;
@@ -183,6 +188,7 @@ void ContactProblem::choose_sides(const ElasticSystem& system) {
 
 void ContactProblem::clear_line() {
   law = {};
+  kinetic = {};
   first_node = {0};
   own_vertex.clear();
   abscissa.resize(0);
@@ -199,16 +205,16 @@ void ContactProblem::append_carrier(const Carrier& carrier, bool on_opposite) {
   append(carrier.edge_abscissa, edge_abscissa);
   const Matrix2Xd& normal = carrier.line.normal;
   append(on_opposite ? Matrix2Xd(-normal) : normal, own_normal);
-  law.bonded = carrier.law.bonded;
+  const auto& [law_there, kinetic_there] = carrier.stated;
+  law.bonded = law_there.bonded;
   for (VectorXd ContactLaw::*nodal :
        {&ContactLaw::friction, &ContactLaw::slip_bound,
         &ContactLaw::shear_limit, &ContactLaw::gap})
-    append(carrier.law.*nodal, law.*nodal);
-  for (EdgeRange ContactLaw::*range :
-       {&ContactLaw::between_nodes, &ContactLaw::limit_between_nodes}) {
-    append((carrier.law.*range).least, (law.*range).least);
-    append((carrier.law.*range).most, (law.*range).most);
-  }
+    append(law_there.*nodal, law.*nodal);
+  append(kinetic_there.friction, kinetic.friction);
+  append_range(law_there.between_nodes, law.between_nodes);
+  append_range(law_there.limit_between_nodes, law.limit_between_nodes);
+  append_range(kinetic_there.between_nodes, kinetic.between_nodes);
 }
 
 void ContactProblem::join_carriers() {
@@ -227,6 +233,7 @@ void ContactProblem::join_carriers() {
   if (previous_.size() > 0)
     law.previous = contact_components(line, previous_).row(1);
   require_valid(law, line);
+  if (kinetic.given()) require_kinetic(kinetic.friction, law.friction);
 }
 
 Matrix2Xd ContactProblem::pressures(KN<double>* normal,

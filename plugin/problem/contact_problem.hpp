@@ -19,7 +19,7 @@ namespace ffcontact::plugin {
 Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 
 /// A contact problem as a script states it: one mesh or several, and label=, friction=,
-/// slipbound=, gap=, normal=[nx, ny] (one contact direction a vertex in place of the
+/// kineticfriction=, slipbound=, gap=, normal=[nx, ny] (one contact direction a vertex in place of the
 /// lines' and smooth curves' normals), corner= (BoundaryCurves), previous= (displacement of the load step before; an empty array is
 /// none), side= (1 or 2: which body of a pair carries the multipliers). All is evaluated
 /// when it is stated.
@@ -39,6 +39,7 @@ struct ContactProblem : PlaneBodies {
   const Edges& edges = topology_.facets;
   ContactLine line;
   ContactLaw law;  ///< multiplier left at its default
+  KineticFriction kinetic;
   std::vector<long>
       /// of each node, or nearest to what it faces, in the mesh of the body that comes
       /// first
@@ -80,7 +81,7 @@ struct ContactProblem : PlaneBodies {
   /// its nodes and edges.
   struct Carrier {
     ContactLine line;
-    ContactLaw law;
+    StatedLaw stated;
     std::vector<long> own_vertex;
     VectorXd abscissa;
     Matrix2Xd edge_abscissa;

@@ -34,7 +34,7 @@ VectorXd stated_gap(Stack stack, const NamedArguments& named,
 
 /// @throws std::invalid_argument  if something is given that bonded bodies do not have
 void require_nothing_else(const NamedArguments& named) {
-  for (const char* of_law : {"friction", "slipbound"})
+  for (const char* of_law : {"friction", "kineticfriction", "slipbound"})
     if (named.given(of_law))
       refuse(of_law,
              "= is for bodies that may slide, bonded=true for those that are "
@@ -56,6 +56,10 @@ void require_law(Stack stack, const NamedArguments& named) {
     refuse(
         "no law is given: friction= (Coulomb's coefficient, 0 for none), "
         "slipbound= (Tresca's bound), both, or bonded=true");
+  if (named.given("kineticfriction") && !named.given("friction"))
+    refuse(
+        "kineticfriction= is Coulomb's coefficient of what has slipped: give "
+        "friction=, that of what sticks, too");
 }
 
 }  // namespace
@@ -64,6 +68,7 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
   NamedArguments::Table table = for_bodies(stated_of_bodies, arguments);
   table.insert(table.end(), {{"opposite", &typeid(KN_<long>)},
                              {"friction", &typeid(double)},
+                             {"kineticfriction", &typeid(double)},
                              {"slipbound", &typeid(double)},
                              {"bonded", &typeid(bool)},
                              {"gap", &typeid(double)},
@@ -129,10 +134,10 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
   return along_directions(mesh, edges, line, direction);
 }
 
-ContactLaw stated_law(Stack stack, const NamedArguments& named,
-                      const BodyPart& part, const Edges& edges,
-                      const ContactLine& line, const StatedPlaces& places) {
-  if (is_bonded(stack, named)) return bonded_law(line.node_count());
+StatedLaw stated_law(Stack stack, const NamedArguments& named,
+                     const BodyPart& part, const Edges& edges,
+                     const ContactLine& line, const StatedPlaces& places) {
+  if (is_bonded(stack, named)) return {bonded_law(line.node_count()), {}};
   const auto read = [&](const char* name, VectorXd& nodal,
                         EdgeRange& between_nodes) {
     const Expression given = named.expression(name);
@@ -142,14 +147,17 @@ ContactLaw stated_law(Stack stack, const NamedArguments& named,
           enclosing_range(along_edges(stack, given, part, edges, places));
   };
   const bool both = named.given("friction") && named.given("slipbound");
-  ContactLaw law;
+  StatedLaw result;
+  auto& [law, kinetic] = result;
   read("friction", law.friction, law.between_nodes);
+  if (named.given("kineticfriction"))
+    read("kineticfriction", kinetic.friction, kinetic.between_nodes);
   if (both)
     read("slipbound", law.shear_limit, law.limit_between_nodes);
   else if (named.given("slipbound"))
     read("slipbound", law.slip_bound, law.between_nodes);
   law.gap = stated_gap(stack, named, part, edges, line, places);
-  return law;
+  return result;
 }
 
 }  // namespace ffcontact::plugin

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/contact/law/contact_law.hpp"
+#include "ffcontact/contact/law/kinetic_friction.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "freefem/arguments.hpp"
 #include "freefem/plane_values.hpp"
@@ -41,8 +41,12 @@ VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies);
 
 /// The law on a line; against a body without gap= the gap is that of the meshes.
-ContactLaw stated_law(Stack stack, const NamedArguments& named,
-                      const BodyPart& part, const Edges& edges,
-                      const ContactLine& line, const StatedPlaces& places);
+struct StatedLaw {
+  ContactLaw law;
+  KineticFriction kinetic;
+};
+StatedLaw stated_law(Stack stack, const NamedArguments& named,
+                     const BodyPart& part, const Edges& edges,
+                     const ContactLine& line, const StatedPlaces& places);
 
 }  // namespace ffcontact::plugin

@@ -173,6 +173,7 @@ SolidProblem::Carrier SolidProblem::carrier(
   };
   Carrier result;
   result.law.friction = read("friction");
+  if (named.given("kineticfriction")) result.kinetic = read("kineticfriction");
   if (named.given("slipbound"))
     (named.given("friction") ? result.law.shear_limit : result.law.slip_bound) =
         read("slipbound");
@@ -208,6 +209,7 @@ void SolidProblem::append_carrier(const Carrier& carrier) {
        {&SurfaceLaw::friction, &SurfaceLaw::slip_bound,
         &SurfaceLaw::shear_limit, &SurfaceLaw::gap})
     append(carrier.law.*nodal, law.*nodal);
+  append(carrier.kinetic, kinetic.friction);
 }
 
 void SolidProblem::join_carriers() {
@@ -215,6 +217,7 @@ void SolidProblem::join_carriers() {
     for (const Pair& pair : pairs_)
       if (!pair.polygons.empty()) side.push_back(std::max(1, pair.wanted));
   law = {};
+  kinetic = {};
   own_vertex.clear();
   first_node = {0};
   std::vector<ContactSurface> surfaces;
@@ -228,6 +231,7 @@ void SolidProblem::join_carriers() {
   if (previous_.size() > 0)
     law.previous = contact_components(surface, previous_).bottomRows<2>();
   require_valid(law, surface);
+  if (kinetic.given()) require_kinetic(kinetic.friction, law.friction);
 }
 
 Matrix3Xd SolidProblem::places() const {

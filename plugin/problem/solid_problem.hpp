@@ -22,6 +22,7 @@ struct SolidProblem : SolidBodies {
   const SolidMesh& mesh = joined.mesh;
   ContactSurface surface;
   SurfaceLaw law;
+  KineticFriction kinetic;
   /// of each node, or nearest to what it faces, in the mesh of the body that comes first
   std::vector<long> own_vertex;
   /// where the nodes of each pair begin, and their number
@@ -51,6 +52,7 @@ struct SolidProblem : SolidBodies {
   struct Carrier {
     ContactSurface surface;
     SurfaceLaw law;
+    VectorXd kinetic;  ///< mu of what slips; empty where it is not given
     std::vector<long> own_vertex;
   };
   struct Pair {

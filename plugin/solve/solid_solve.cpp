@@ -73,15 +73,50 @@ void require_forces(const SolveCall& call) {
         "solids have nodal forces");
 }
 
+/// |v_t|
+VectorXd slip_of(const SolidResults& nodes) {
+  const Eigen::ArrayXd slip1 = nodes.slip1, slip2 = nodes.slip2;
+  return (slip1.square() + slip2.square()).sqrt();
+}
+
+/// For the next step.
+ContactStates states_of_step(const SolidProblem& problem,
+                             const SolvedSolid& solved, double tolerance) {
+  const SurfaceSolution& solution = solved.solution;
+  if (!problem.kinetic.given()) return solution.state;
+  return states_of_step(
+      solution.state, slip_of(solved.nodes),
+      tolerance * largest_displacement(solved.law, solution.displacement));
+}
+
+/// mu, kinetic where nodes slipped in the load step before.
+VectorXd friction_of(const SolveCall& call, const SolidContact& contact,
+                     bool has_previous) {
+  const SolidProblem& problem = *contact.problem;
+  const VectorXd& at_rest = problem.law.friction;
+  if (!problem.kinetic.given()) return at_rest;
+  const ContactStates last = states_at(problem, contact.last);
+  switch (step_before(call, contact.solved.has_value(), has_previous, last)) {
+    case StepBefore::none: break;
+    case StepBefore::last_solution:
+      return friction_after(last, at_rest, problem.kinetic.friction);
+    case StepBefore::that_of_last_solution: return contact.solved->law.friction;
+  }
+  return at_rest;
+}
+
 SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
   SurfaceLaw law = contact.problem->law;
-  if (!call.named.flag(call.stack, "loadstep")) return law;
-  if (contact.solved)
-    law.previous = contact_components(contact.problem->surface,
-                                      contact.solved->solution.displacement)
-                       .bottomRows<2>();
-  else if (!contact.last.state.empty() && law.previous.size() == 0)
-    refuse_load_step();
+  const bool has_previous = law.previous.size() > 0;
+  if (call.named.flag(call.stack, "loadstep")) {
+    if (contact.solved)
+      law.previous = contact_components(contact.problem->surface,
+                                        contact.solved->solution.displacement)
+                         .bottomRows<2>();
+    else if (!contact.last.state.empty() && !has_previous)
+      refuse_load_step();
+  }
+  law.friction = friction_of(call, contact, has_previous);
   return law;
 }
 
@@ -133,7 +168,8 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   put(call, problem.own_vertex, solved.nodes);
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));
-  contact.last = {solution.state, problem.places(), problem.surface.normal};
+  contact.last = {states_of_step(problem, solved, settings.tolerance),
+                  problem.places(), problem.surface.normal};
   contact.solved = std::move(solved);
   return contact.solved->solution.iterations;
 }
