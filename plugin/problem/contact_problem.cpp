@@ -76,6 +76,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
 void ContactProblem::state(Stack stack, const NamedArguments& named) {
   corner_ = stated_corner(stack, named);
   if (!is_bonded(stack, named)) curves_ = BoundaryCurves(mesh, edges, corner_);
+  layer_ = stated_layer(stack, named);
   const std::vector<StatedPair> stated = stated_pairs(stack, named, joined);
   for (const StatedPair& pair : stated) body_of_pair.push_back(pair.body);
   for (const StatedPair& pair : stated) add_pair(stack, named, pair);
@@ -232,6 +233,7 @@ void ContactProblem::join_carriers() {
   line = lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
   if (previous_.size() > 0)
     law.previous = contact_components(line, previous_).row(1);
+  law.layer = layer_;
   require_valid(law, line);
   if (kinetic.given()) require_kinetic(kinetic.friction, law.friction);
 }

@@ -115,6 +115,7 @@ struct ContactProblem : PlaneBodies {
   BoundaryCurves curves_;
   /// while it is stated
   const PlacesElsewhere<2>* elsewhere_ = nullptr;
+  CompliantLayer layer_;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
 };
 

@@ -39,7 +39,7 @@ void require_nothing_else(const NamedArguments& named) {
       refuse(of_law,
              "= is for bodies that may slide, bonded=true for those that are "
              "glued: give one of both");
-  for (const char* of_contact : {"gap", "normal", "corner"})
+  for (const char* of_contact : {"gap", "normal", "corner", "compliance"})
     if (named.given(of_contact))
       refuse(of_contact,
              "= is not for bonded bodies, which are glued as they are drawn: "
@@ -70,6 +70,7 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
                              {"friction", &typeid(double)},
                              {"kineticfriction", &typeid(double)},
                              {"slipbound", &typeid(double)},
+                             {"compliance", &typeid(E_Array)},
                              {"bonded", &typeid(bool)},
                              {"gap", &typeid(double)},
                              {"normal", &typeid(E_Array)},
@@ -109,6 +110,19 @@ VectorXd stated_previous(Stack stack, const NamedArguments& named,
     any = true;
   }
   return any ? previous : VectorXd();
+}
+
+CompliantLayer stated_layer(Stack stack, const NamedArguments& named) {
+  if (!named.given("compliance")) return {};
+  const auto component = [&](int k) {
+    return value_of<double>(stack, named.component("compliance", k, 2));
+  };
+  const CompliantLayer layer{component(0), component(1)};
+  if (layer.tangential > 0 && named.given_of_bodies("previous"))
+    refuse(
+        "previous= does not say how much of u_t springs back with "
+        "compliance=[cn, ct]: take loadstep=true on one mesh, or ct = 0");
+  return layer;
 }
 
 double stated_corner(Stack stack, const NamedArguments& named) {

@@ -23,6 +23,10 @@ bool is_bonded(Stack stack, const NamedArguments& named);
 void require_law_of_bodies(Stack stack, const NamedArguments& named, int bodies,
                            bool are_solids);
 
+/// By compliance=[cn, ct].
+/// @throws std::invalid_argument  if previous= is given beside ct, whose part of it is not known
+CompliantLayer stated_layer(Stack stack, const NamedArguments& named);
+
 /// The turn above which a curve has a corner, by corner= [degrees].
 /// @throws std::invalid_argument  unless it is from 0 to below 90
 double stated_corner(Stack stack, const NamedArguments& named);

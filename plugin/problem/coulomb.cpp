@@ -42,7 +42,10 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
   const NodalLaw nodal = nodal_law(law, line);
   const SlipPattern pattern = slip_pattern(
       nodal, forces.multiplier, forces.force,
-      displacement_against_foundation(line, law, displacement).row(1));
+      displacement_against_foundation(
+          line, on_layer(law, lumped_pressures(line, forces.force)),
+          displacement)
+          .row(1));
   const double mu = largest_friction(nodal);
   if (mu == 0) return {0, 0};
   const Matrix2Xd& between = law.between_nodes.most;

@@ -47,6 +47,7 @@ void SolidProblem::state(Stack stack, const NamedArguments& named) {
     refuse(
         "corner= is for plane bodies so far: give the surface's normal=[nx, "
         "ny, nz]");
+  layer_ = stated_layer(stack, named);
   const std::vector<StatedPair> stated = stated_pairs(stack, named, joined);
   for (const StatedPair& pair : stated) body_of_pair.push_back(pair.body);
   for (const StatedPair& pair : stated) add_pair(stack, named, pair);
@@ -230,6 +231,7 @@ void SolidProblem::join_carriers() {
   surface = joined_surfaces(surfaces);
   if (previous_.size() > 0)
     law.previous = contact_components(surface, previous_).bottomRows<2>();
+  law.layer = layer_;
   require_valid(law, surface);
   if (kinetic.given()) require_kinetic(kinetic.friction, law.friction);
 }

@@ -88,6 +88,7 @@ struct SolidProblem : SolidBodies {
   std::vector<Pair> pairs_;
   /// while it is stated
   const PlacesElsewhere<3>* elsewhere_ = nullptr;
+  CompliantLayer layer_;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
 };
 

@@ -34,8 +34,9 @@ NodalResults nodal_results(const ContactProblem& problem, const ContactLaw& law,
       law.multiplier == Multiplier::pressure
           ? solution.pressure
           : lumped_pressures(line, prescribed, solution.force);
-  const Matrix2Xd moved =
-      displacement_against_foundation(line, law, solution.displacement);
+  const Matrix2Xd moved = displacement_against_foundation(
+      line, on_layer(law, lumped_pressures(line, solution.force)),
+      solution.displacement);
   NodalResults results;
   results.pn = pressure.row(0);
   results.pt = pressure.row(1);
@@ -48,10 +49,19 @@ NodalResults nodal_results(const ContactProblem& problem, const ContactLaw& law,
   return results;
 }
 
-/// u_t against the foundation, which is where its tool has left it.
-VectorXd slid(const ContactProblem& problem, const SolvedContact& solved) {
-  const VectorXd along =
-      contact_components(problem.line, solved.solution.displacement).row(1);
+/// u_t without what springs back of it.
+VectorXd slid_on_layer(const ContactLine& line, const SolvedContact& solved) {
+  const auto& [system, law, solution, motion, tool, driven, nodes, estimate] =
+      solved;
+  const Matrix2Xd moved =
+      contact_components(line, solution.displacement) +
+      law.layer.given_way(lumped_pressures(line, solution.force));
+  return moved.row(1);
+}
+
+/// The same against the foundation, which is where its tool has left it.
+VectorXd slid(const ContactLine& line, const SolvedContact& solved) {
+  const VectorXd along = slid_on_layer(line, solved);
   return solved.tool.size() > 0 ? VectorXd(along - solved.tool) : along;
 }
 
@@ -124,11 +134,13 @@ ContactLaw with_kinetic_friction(const SolveCall& call, const Contact& contact,
 ContactLaw law_of(const SolveCall& call, const Contact& contact) {
   ContactLaw law = contact.problem->law;
   law.multiplier = multiplier_of(call.stack, call.named);
+  if (law.layer.given() && law.multiplier == Multiplier::pressure)
+    refuse("compliance= is for nodal forces: leave multiplier= out");
   if (law.bonded) return law;
   const bool has_previous = law.previous.size() > 0;
   if (call.named.flag(call.stack, "loadstep")) {
     if (contact.solved)
-      law.previous = slid(*contact.problem, *contact.solved);
+      law.previous = slid(contact.problem->line, *contact.solved);
     else if (!contact.last_states.empty() && !has_previous)
       refuse_load_step();
   }

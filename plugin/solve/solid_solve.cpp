@@ -22,13 +22,18 @@ Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
   return vectors;
 }
 
+Matrix3Xd pressures(const ContactSurface& surface,
+                    const SurfaceSolution& solution) {
+  return solution.force * surface.area.cwiseInverse().asDiagonal();
+}
+
 SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
                            const SurfaceSolution& solution) {
   const Matrix3Xd& force = solution.force;
-  const Matrix3Xd pressure = force * surface.area.cwiseInverse().asDiagonal();
+  const Matrix3Xd pressure = pressures(surface, solution);
   const Matrix3Xd vector = force_vectors(surface, force);
-  const Matrix3Xd moved =
-      displacement_against_foundation(surface, law, solution.displacement);
+  const Matrix3Xd moved = displacement_against_foundation(
+      surface, on_layer(law, pressure), solution.displacement);
   SolidResults results;
   results.pn = pressure.row(0);
   results.pt1 = pressure.row(1);
@@ -105,14 +110,20 @@ VectorXd friction_of(const SolveCall& call, const SolidContact& contact,
   return at_rest;
 }
 
+/// u_t without what springs back of it.
+Matrix2Xd slid(const ContactSurface& surface, const SolvedSolid& solved) {
+  const Matrix3Xd moved =
+      contact_components(surface, solved.solution.displacement) +
+      solved.law.layer.given_way(pressures(surface, solved.solution));
+  return moved.bottomRows<2>();
+}
+
 SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
   SurfaceLaw law = contact.problem->law;
   const bool has_previous = law.previous.size() > 0;
   if (call.named.flag(call.stack, "loadstep")) {
     if (contact.solved)
-      law.previous = contact_components(contact.problem->surface,
-                                        contact.solved->solution.displacement)
-                         .bottomRows<2>();
+      law.previous = slid(contact.problem->surface, *contact.solved);
     else if (!contact.last.state.empty() && !has_previous)
       refuse_load_step();
   }

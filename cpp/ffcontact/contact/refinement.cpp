@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ffcontact/contact/active_set/active_set_system.hpp"
+#include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/elastic/row_sum.hpp"
 #include "ffcontact/interface/nodal_force.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -89,6 +90,14 @@ NodalLaw without_bounds(NodalLaw law) {
 
 }  // namespace
 
+ContactLaw on_layer(const ContactLine& line, const ContactLaw& law,
+                    const HeldRows& held, const BodyAnswer& answer) {
+  if (!law.layer.given()) return law;
+  const Matrix2Xd force = answer.P.reshaped(2, line.node_count());
+  return on_layer(law,
+                  lumped_pressures(line, without<Matrix2Xd>(held.row, force)));
+}
+
 Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
                           const VectorXd& P) {
   return (weight_of_rows(law.multiplier, line) * P)
@@ -126,7 +135,8 @@ BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
   const VectorXd forces = contact_load(line, law, contact.held, answer);
   const VectorXd load = force_residual(system, answer.displacement, forces);
   const VectorXd v =
-      held_displacement(line, law, contact.held, state, answer.displacement);
+      held_displacement(line, on_layer(line, law, contact.held, answer),
+                        contact.held, state, answer.displacement);
   const CondensedContact correction = with_loads(contact, stiffness, load, v);
   const NodalLaw unbounded = without_bounds(nodal_law(law, line));
   ContactRows rows;

@@ -14,6 +14,10 @@ struct BodyAnswer {
   VectorXd displacement, P;
 };
 
+/// The law on a layer that carries the multipliers of an answer.
+ContactLaw on_layer(const ContactLine& line, const ContactLaw& law,
+                    const HeldRows& held, const BodyAnswer& answer);
+
 /// Contact forces W P at the nodes [2 x p].
 Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
                           const VectorXd& P);

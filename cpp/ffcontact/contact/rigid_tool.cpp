@@ -132,7 +132,8 @@ ToolSolution solution_with_tool(const Mesh& mesh, const ContactLine& line,
   ToolSolution result;
   result.motion =
       tool.free * opposite_displacement(contact, answer.v(contact.primary),
-                                        answer.P(contact.dependent));
+                                        answer.P(contact.dependent))
+                      .head(tool.free.cols());
   result.law =
       against_moved(law, tool_components(mesh, line, tool, result.motion));
   next.initial_state = answer.state;

@@ -20,10 +20,12 @@ struct StatedSurface {
   VectorXd load_of(const Matrix3Xd& force) const {
     return nodal_load(surface, force, system.dof_count());
   }
-  /// v of a displacement on all dofs.
-  VectorXd v_of(const VectorXd& displacement) const {
+  /// v of a displacement on all dofs, with a layer under the forces of the nodes.
+  VectorXd v_of(const VectorXd& displacement, const Matrix3Xd& force) const {
+    const Matrix3Xd traction = force * surface.area.cwiseInverse().asDiagonal();
     return without(trace.held,
-                   displacement_against_foundation(surface, law, displacement))
+                   displacement_against_foundation(
+                       surface, on_layer(law, traction), displacement))
         .reshaped();
   }
 };

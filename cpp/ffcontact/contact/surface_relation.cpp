@@ -39,7 +39,9 @@ class OfWholeSchur : public SurfaceRelation {
             {}};
   }
 
-  void put_loads(const VectorXd& load, const VectorXd& v_prescribed) override {
+  void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
+                 const VectorXd& P) override {
+    put_carried(P, contact_);
     contact_ = with_loads(std::move(contact_), *stiffness_, load, v_prescribed);
   }
 
@@ -82,7 +84,8 @@ class OfProducts : public SurfaceRelation, private NewtonRelation {
                           stated_.settings);
   }
 
-  void put_loads(const VectorXd& load, const VectorXd& v_prescribed) override {
+  void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
+                 const VectorXd&) override {
     ffcontact::put_loads(load, v_prescribed, relation_);
   }
 
@@ -145,8 +148,8 @@ std::unique_ptr<SurfaceRelation> surface_relation(
     const StatedSurface& stated,
     std::shared_ptr<const CondensedStiffness> stiffness) {
   if (stiffness->storage() == SchurStorage::whole)
-    return std::make_unique<OfWholeSchur>(stated, std::move(stiffness));
-  return std::make_unique<OfProducts>(stated, std::move(stiffness));
+    return std::make_unique<OfWholeSchur>(stated, stiffness);
+  return std::make_unique<OfProducts>(stated, stiffness);
 }
 
 }  // namespace ffcontact

@@ -18,9 +18,10 @@ class SurfaceRelation {
   /// From the states of the settings, or near ones that are found. Of an inexact
   /// stiffness by surface_newton to what a correction needs.
   virtual FixedPointResult answer() = 0;
-  /// For a load on all dofs and the v of other prescribed values.
-  virtual void put_loads(const VectorXd& load,
-                         const VectorXd& v_prescribed) = 0;
+  /// For a load on all dofs and the v of other prescribed values, where a layer carries P
+  /// already.
+  virtual void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
+                         const VectorXd& P) = 0;
   /// By surface_newton from P and v of a problem nearby.
   virtual ActiveSetResult answer_near(const ContactRows& rows,
                                       const NewtonSettings& limits) = 0;

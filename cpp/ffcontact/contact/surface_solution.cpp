@@ -76,7 +76,7 @@ class Answer {
       const ContactRows rows{condensed_.P, condensed_.v};
       relation_->put_loads(
           force_residual(stated_.system, solution_.displacement, no_forces()),
-          stated_.v_of(solution_.displacement));
+          stated_.v_of(solution_.displacement, solution_.force), rows.P);
       take(relation_->answer_near(rows, limits()));
       solution_.iterations += last.iterations;
       if (this->missed() < missed / least_gain) continue;
@@ -145,8 +145,9 @@ class Answer {
     missed_by_rows_ = residual.of_rows;
     LawScales scales = relation_->scales(on_nodes(condensed_.v));
     scales.v = std::max(scales.v, largest_displacement(law, u));
-    solution_.complementarity = surface_violation(cones, on_nodes(condensed_.P),
-                                                  stated_.v_of(u), scales);
+    solution_.complementarity =
+        surface_violation(cones, on_nodes(condensed_.P),
+                          stated_.v_of(u, solution_.force), scales);
     solution_.status =
         judged_status(condensed_.status, solution_.complementarity,
                       solution_.residual, settings.tolerance);
@@ -223,6 +224,10 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
   require_clear(mesh, surface, law, system, trace.held);
   ContactSettings settings = given;
   settings.storage = storage_of(given, count_of(trace.trace.kept_dofs));
+  if (law.layer.given() && settings.storage == SchurStorage::distributed)
+    refuse(
+        "compliance= needs Schur's complement as a whole, which is distributed "
+        "or has no room: leave schur= out, or take a coarser mesh");
   const StatedSurface stated{surface, law, system, settings, trace};
   const bool is_rough =
       settings.stiffness ? settings.stiffness->precision() == Precision::single

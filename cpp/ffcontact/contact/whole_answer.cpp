@@ -94,7 +94,8 @@ Judged body_answer(const ContactLine& line, const ContactLaw& law,
 double law_defect(const ContactLine& line, const ContactLaw& law,
                   const CondensedContact& contact, const BodyAnswer& answer,
                   const VectorXd& v) {
-  return complementarity_defect(line, law, contact.held, answer.displacement,
+  return complementarity_defect(line, on_layer(line, law, contact.held, answer),
+                                contact.held, answer.displacement,
                                 answer.P.reshaped(2, line.node_count()),
                                 law_scales(contact, v));
 }
@@ -116,11 +117,16 @@ WholeAnswer corrected(const ContactLine& line, const ContactLaw& law,
                       const CondensedStiffness& stiffness,
                       const CondensedContact& contact, WholeAnswer last) {
   const VectorXd& u = last.body.displacement;
-  const CondensedContact rest = with_loads(
-      contact, stiffness,
-      force_residual(system, u, VectorXd::Zero(system.dof_count())),
-      weight_of_rows(law.multiplier, line) *
-          steered_displacement(line, law, contact.held, u).reshaped());
+  CondensedContact carried = contact;
+  put_carried(last.body.P, carried);
+  const CondensedContact rest =
+      with_loads(std::move(carried), stiffness,
+                 force_residual(system, u, VectorXd::Zero(system.dof_count())),
+                 weight_of_rows(law.multiplier, line) *
+                     steered_displacement(
+                         line, on_layer(line, law, contact.held, last.body),
+                         contact.held, u)
+                         .reshaped());
   ContactSettings near = settings;
   near.initial_state = last.condensed.state;
   ActiveSetResult next =

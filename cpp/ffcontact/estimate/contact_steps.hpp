@@ -8,6 +8,7 @@
 #include "ffcontact/estimate/bodies/compared.hpp"
 #include "ffcontact/estimate/checks/reason_against.hpp"
 #include "ffcontact/estimate/error/deepest_node.hpp"
+#include "ffcontact/estimate/layer/layer_parts.hpp"
 #include "ffcontact/estimate/tractions/first_tractions.hpp"
 
 namespace ffcontact {
@@ -24,6 +25,10 @@ struct RelaxedTractions {
   FacetTractions<d> boundary{};           ///< what it carries with r_hat
   std::vector<double> falls{};            ///< of e^2, step by step
 };
+
+/// The tractions at the nodes that a compliant layer carries in the solution [MPa, d x p].
+template <int d>
+Matrix<double, d, Dynamic> carried_tractions(const SolvedProblem<d>& solved);
 
 /// Step 1: u_hat, which keeps clear, and sticks where friction is rough; or hangs together
 /// where bodies are bonded.
@@ -52,6 +57,11 @@ template <int d>
 VectorXd contact_part_of(const MatchedBodies<d>& bodies,
                          const Compared<d>& compared,
                          const RelaxedTractions<d>& tractions);
+
+/// What a compliant layer adds to it, on each contact facet.
+template <int d>
+SpringNorms layer_norms_of(const MatchedBodies<d>& bodies,
+                           const RelaxedTractions<d>& tractions);
 
 /// Adds it to the cells of the facets; in the plane one half of it, where an edge of another
 /// body faces the whole facet, to the cell of that.

@@ -55,10 +55,14 @@ RelaxedTractions<d> relaxed(MatchedBodies<d>& bodies,
       mesh, facets, body.springs, boundary, u_hat, bodies.spring_tractions());
   const FacetTractions<d> without = without_free_springs(boundary, springs);
 
+  result.facets = contact_facets(bodies, compared, result.contact, boundary);
+  std::vector<FacetTerm<d>> terms = terms_of<d>(springs);
+  for (const FacetTerm<d>& term : layer_terms<d>(bodies.contact(), body.law,
+                                                 result.facets, result.moments))
+    terms.push_back(term);
   FacetSetting<d> setting{
       {bodies.topology(), body.hooke, springs.empty() ? boundary : without,
-       compared.body_loads(body), compared.stress, terms_of<d>(springs)}};
-  result.facets = contact_facets(bodies, compared, result.contact, boundary);
+       compared.body_loads(body), compared.stress, std::move(terms)}};
   if (contact_is_free) setting.contact = result.facets;
   if constexpr (d == 2)
     setting.kept_work = tool_work(mesh, bodies.contact(), body).fields;
@@ -95,9 +99,10 @@ double sum_of(const VectorXd& squares) {
 template <int d>
 void put_error(const MatchedBodies<d>& bodies, const StressNorms<d>& norms,
                const SpringNorms& springs, const VectorXd& contact_part,
-               Estimate<d>& estimate) {
+               double sum_of_layer, Estimate<d>& estimate) {
   const double elastic = sum_of(norms.difference),
-               sum = norms.sum + springs.sum, scale = sum > 0 ? sum : 1;
+               sum = norms.sum + springs.sum + sum_of_layer,
+               scale = sum > 0 ? sum : 1;
   estimate.elastic = std::sqrt(elastic);
   estimate.e =
       std::sqrt(square_of_error(elastic + estimate.springs, estimate.contact));
@@ -117,7 +122,9 @@ StressNorms<d> put_error(const MatchedBodies<d>& bodies,
                          const RelaxedTractions<d>& tractions,
                          const EstimateSettings<d>& settings,
                          Estimate<d>& estimate) {
-  const VectorXd contact_part = contact_part_of(bodies, compared, tractions);
+  VectorXd contact_part = contact_part_of(bodies, compared, tractions);
+  const SpringNorms layer = layer_norms_of(bodies, tractions);
+  if (layer.difference.size() > 0) contact_part += layer.difference;
   estimate.contact = contact_part.sum();
   const SpringNorms springs =
       spring_norms<d>(bodies.topology().mesh, bodies.body().springs,
@@ -132,7 +139,7 @@ StressNorms<d> put_error(const MatchedBodies<d>& bodies,
   if constexpr (d == 2)
     if (settings.construction == Construction::polynomial)
       norms = norms_by(polynomial_norms, bodies, compared, tractions, estimate);
-  put_error(bodies, norms, springs, contact_part, estimate);
+  put_error(bodies, norms, springs, contact_part, layer.sum, estimate);
   return norms;
 }
 
@@ -264,6 +271,11 @@ Estimate<d> estimate_error(const Topology<d>& topology,
                            const EstimateSettings<d>& settings) {
   const SolvedProblem<d> solved{topology, contact, system, body};
   require_sound(solved, settings.relaxation);
+  if (body.law.layer.given() && body.law.carried.size() == 0) {
+    SolvedBody<d> on_it = body;
+    on_it.law = on_layer(body.law, carried_tractions(solved));
+    return estimate_error<d>(topology, contact, system, on_it, settings);
+  }
   require_law_of_matrix<d>(topology.mesh, system, body.hooke, body.springs);
   const StressTerms terms = stress_terms_of(solved);
   if (!terms.unstressed) return straightened(solved, terms, settings);

@@ -16,6 +16,11 @@
 namespace ffcontact {
 
 template <>
+Matrix2Xd carried_tractions(const SolvedProblem<2>& solved) {
+  return nodal_pressures(solved);
+}
+
+template <>
 VectorXd displacement_of_pair(const SolvedProblem<2>& solved,
                               const MatchedBodies<2>& bodies) {
   const ContactLine& line = bodies.contact();
@@ -55,6 +60,13 @@ VectorXd contact_part_of(const MatchedBodies<2>& bodies,
                          const RelaxedTractions<2>& tractions) {
   return contact_error(bodies.contact(), compared.law,
                        tractions.contact.densities, compared.displacement);
+}
+
+template <>
+SpringNorms layer_norms_of(const MatchedBodies<2>& bodies,
+                           const RelaxedTractions<2>& tractions) {
+  return layer_norms(bodies.contact(), bodies.body().law,
+                     tractions.contact.densities);
 }
 
 template <>

@@ -56,6 +56,12 @@ bool pays_for_rough_faces(const MatchedBodies<3>& bodies,
 }  // namespace
 
 template <>
+Matrix3Xd carried_tractions(const SolvedProblem<3>& solved) {
+  const SolvedBody<3>& body = solved.body;
+  return lumped_tractions(body.law, solved.contact, body.multipliers);
+}
+
+template <>
 VectorXd displacement_of_pair(const SolvedProblem<3>& solved,
                               const MatchedBodies<3>&) {
   const auto& [topology, surface, system, body] = solved;
@@ -111,6 +117,13 @@ VectorXd contact_part_of(const MatchedBodies<3>& bodies,
 }
 
 template <>
+SpringNorms layer_norms_of(const MatchedBodies<3>& bodies,
+                           const RelaxedTractions<3>& tractions) {
+  return layer_norms(bodies.topology(), bodies.contact(), bodies.body().law,
+                     fields_of(tractions.contact));
+}
+
+template <>
 void add_contact_part(const MatchedBodies<3>& bodies, const VectorXd& part,
                       VectorXd& local) {
   const Facets<3>& faces = bodies.topology().facets;
@@ -153,6 +166,10 @@ std::string reason_of(const MatchedBodies<3>& bodies,
                       const WorstPlaces& worst, const EstimateSettings<3>&,
                       const Estimate<3>& estimate) {
   const std::string reason = reason_against(estimate, worst);
+  if (reason.empty() && bodies.body().law.layer.tangential > 0 &&
+      turns(bodies.contact()))
+    return "the tangential compliance of an interface is judged where normals "
+           "do not turn over a face: take eps for an indicator";
   if (reason.empty() &&
       pays_for_rough_faces(bodies, tractions.facets, estimate))
     return "e pays friction= times what the displacements of surfaces whose "

@@ -65,7 +65,8 @@ TEST(NaturalMap, first_guesses_have_no_force_of_friction) {
 
 /// Two nodes, the second without a primary row along t2, and a row beyond them.
 TEST(NaturalMap, merit_is_what_the_law_misses) {
-  const VectorXd diagonal = (VectorXd(5) << 1, 2, 3, 4, 8).finished();
+  VectorXd diagonal(5);
+  diagonal << 1, 2, 3, 4, 8;
   VectorXi position(6);
   position << 0, 1, 2, 3, 4, -1;
   const Flags held{0, 0, 0, 0, 0, 1};

@@ -6,6 +6,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/unheld_bodies.hpp"
+#include "ffcontact/contact/condensed/layer_springs.hpp"
 #include "ffcontact/contact/condensed/vertex_motions.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/elastic/factor/null_motions.hpp"
@@ -151,11 +152,15 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
 }
 
 /// S_w, of bodies that contact alone holds without stiffness of rounding against their
-/// motions.
+/// motions, and of a layer.
 MatrixXd body_stiffness(const CondensedContact& contact, const MatrixXd& S) {
-  if (contact.free_motions.cols() == 0) return congruent(S, contact.to_kept);
-  return congruent(without_stiffness_of(contact.free_motions, S),
-                   contact.to_kept);
+  MatrixXd S_w = contact.free_motions.cols() == 0
+                     ? congruent(S, contact.to_kept)
+                     : congruent(without_stiffness_of(contact.free_motions, S),
+                                 contact.to_kept);
+  const VectorXd& layer = contact.layer_stiffness;
+  if (layer.size() > 0) S_w.diagonal().tail(layer.size()) += layer;
+  return S_w;
 }
 
 /// The relation, loads apart.
@@ -227,6 +232,8 @@ CondensedContact condensed_contact(const ContactLine& line,
   trace.A = W * trace_operator(line, held.row, motions);
   trace.v_prescribed = W * v.reshaped();
   add_motions(foundation, law, held.row, W, trace);
+  add_layer(nodal_compliance(law.layer, nodal_lengths(line), 2, held.row),
+            trace);
   if (free_motions.cols() > 0)
     trace.free_motions = free_motions(trace.kept_dofs, Eigen::all);
   CondensedContact contact =
@@ -243,6 +250,12 @@ CondensedContact with_loads(CondensedContact contact,
                             const VectorXd& v_prescribed) {
   put_loads(stiffness, load, v_prescribed, primary_factor(contact), contact);
   return contact;
+}
+
+void put_carried(const VectorXd& P, CondensedContact& contact) {
+  const Index springs = contact.layer_stiffness.size();
+  const SparseMatrix on_rows = contact.A.rightCols(springs);
+  contact.opposite_load.tail(springs) = -(on_rows.transpose() * P);
 }
 
 BodyRelation body_relation(const CondensedContact& contact,

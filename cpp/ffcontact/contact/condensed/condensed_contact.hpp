@@ -102,6 +102,11 @@ CondensedContact with_loads(CondensedContact contact,
                             const CondensedStiffness& stiffness,
                             const VectorXd& load, const VectorXd& v_prescribed);
 
+/// For corrections of a solution whose layer carries P already: they are loaded by what its
+/// springs answer to it.
+/// @param P  of all rows
+void put_carried(const VectorXd& P, CondensedContact& contact);
+
 /// The bodies in the components z = (w, w_o) of the trace:   S z = g + A'P,   v = A z + v_prescribed.
 struct BodyRelation {
   MatrixXd S;  ///< [f + o x f + o]

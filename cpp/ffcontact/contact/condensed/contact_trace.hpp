@@ -19,6 +19,9 @@ struct ContactTrace {
   VectorXd v_prescribed;
   /// loads on w_o beside those of the body [o]; empty: none
   VectorXd opposite_load{};
+  /// 1 / c of the springs of a compliant layer, the last of w_o, each of which moves one row
+  /// [l]; empty: none (add_layer)
+  VectorXd layer_stiffness{};
   /// unheld_motions of the kept dofs [kept x k]; none: S may have stiffness of rounding
   /// against them
   MatrixXd free_motions{};

@@ -9,6 +9,7 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/condensed/layer_springs.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
@@ -195,6 +196,8 @@ SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
       without(result.held, displacement_against_foundation(
                                surface, law, system.prescribed_value))
           .reshaped();
+  add_layer(nodal_compliance(law.layer, surface.area, 3, result.held),
+            result.trace);
   return result;
 }
 

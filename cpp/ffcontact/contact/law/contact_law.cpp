@@ -100,7 +100,17 @@ ContactLaw bonded_law(int nodes) {
   return law;
 }
 
+ContactLaw on_layer(ContactLaw law, const Ref<const Matrix2Xd>& traction) {
+  if (!law.layer.given()) return law;
+  law.carried = traction;
+  const Matrix2Xd moved = law.layer.given_way(law.carried);
+  law.gap = beyond<VectorXd>(law.gap, moved.row(0));
+  law.previous = beyond<VectorXd>(law.previous, moved.row(1));
+  return law;
+}
+
 void require_valid(const ContactLaw& law, const ContactLine& line) {
+  require_valid(law.layer);
   require_nodal("friction", law.friction, line);
   if (law.tresca()) require_nodal("slipbound", law.slip_bound, line);
   if (law.limited() && law.tresca())

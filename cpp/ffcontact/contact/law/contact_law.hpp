@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/contact/law/compliant_layer.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
@@ -47,6 +48,10 @@ struct ContactLaw {
   EdgeRange limit_between_nodes;  ///< of shear_limit likewise
   /// glued to what it faces: friction is 0 then, and nothing else is given
   bool bonded = false;
+  CompliantLayer layer{};  ///< in the interface; of nodal forces alone
+  /// tractions (r_n, r_t) at the nodes that the layer carries, by which gap and previous are
+  /// moved (on_layer) [MPa, 2 x p]; empty: they are not
+  Matrix2Xd carried{};
 
   bool tresca() const { return slip_bound.size() > 0; }
   bool limited() const { return shear_limit.size() > 0; }
@@ -66,6 +71,11 @@ ContactLaw bonded_law(int nodes);
 /// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is
 ///                                negative or not finite
 void require_valid(const ContactLaw& law, const ContactLine& line);
+
+/// Contact on the far side of a layer that carries tractions: gap - c_n r_n, previous - c_t
+/// r_t. Without a layer the law as it is.
+/// @param traction  (r_n, r_t) at the nodes [MPa, 2 x p]
+ContactLaw on_layer(ContactLaw law, const Ref<const Matrix2Xd>& traction);
 
 /// What a node does. A node that slides along +t has v_t > 0 and is pulled back, P_t =
 /// -b. Tresca's friction does not ask for contact: b is given, and an open node sticks or

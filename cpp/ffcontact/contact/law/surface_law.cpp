@@ -33,7 +33,17 @@ double surface_violation_at(const FrictionCone& cone, const Vector3d& P,
 
 }  // namespace
 
+SurfaceLaw on_layer(SurfaceLaw law, const Ref<const Matrix3Xd>& traction) {
+  if (!law.layer.given()) return law;
+  law.carried = traction;
+  const Matrix3Xd moved = law.layer.given_way(law.carried);
+  law.gap = beyond<VectorXd>(law.gap, moved.row(0).transpose());
+  law.previous = beyond<Matrix2Xd>(law.previous, moved.bottomRows<2>());
+  return law;
+}
+
 void require_valid(const SurfaceLaw& law, const ContactSurface& surface) {
+  require_valid(law.layer);
   require_coefficient("friction", law.friction, surface);
   if (law.slip_bound.size() > 0)
     require_coefficient("slipbound", law.slip_bound, surface);

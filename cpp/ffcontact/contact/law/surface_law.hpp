@@ -20,7 +20,14 @@ struct SurfaceLaw {
       shear_limit;  ///< largest |lambda_t| of Coulomb's law [MPa, p]; or empty
   VectorXd gap;     ///< along n [mm, p]; empty for none
   Matrix2Xd previous;  ///< u_t of the load step before [mm, 2 x p]; or empty
+  CompliantLayer layer{};  ///< in the interface
+  /// (r_n, r_t1, r_t2) at the nodes that it carries, as of ContactLaw [MPa, 3 x p]; or empty
+  Matrix3Xd carried{};
 };
+
+/// Contact on the far side of a layer that carries tractions, as of a line.
+/// @param traction  at the nodes [MPa, 3 x p]
+SurfaceLaw on_layer(SurfaceLaw law, const Ref<const Matrix3Xd>& traction);
 
 /// @throws std::invalid_argument  if sizes differ from the surface's or a coefficient is
 ///                                negative or not finite

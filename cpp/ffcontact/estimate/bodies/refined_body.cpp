@@ -62,7 +62,11 @@ ContactLaw refined_law(const Edges& old_edges, const ContactLine& old_line,
           range(old.between_nodes),
           values(old.shear_limit),
           range(old.limit_between_nodes),
-          old.bonded};
+          old.bonded,
+          old.layer,
+          old.carried.size() > 0
+              ? Matrix2Xd(old.carried * refinement.node_weights.transpose())
+              : old.carried};
 }
 
 /// Linear on the old triangles, at the vertices of the new ones.

@@ -29,6 +29,14 @@ inline const VectorXi& facets_of(const ContactSurface& surface) {
   return surface.face;
 }
 
+/// Nodes of a contact facet.
+inline Vector2i nodes_of(const ContactLine& line, int edge) {
+  return line.edge_node.col(edge);
+}
+inline Vector3i nodes_of(const ContactSurface& surface, int face) {
+  return surface.face_node.col(face);
+}
+
 /// Calls of_facet(mesh facet, contact facet) for the mesh facets of the contact facets, and
 /// for those of other bodies that these face, which may come several times.
 template <class OfFacet>

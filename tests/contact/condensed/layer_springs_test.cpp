@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/condensed/layer_springs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ffcontact/contact/condensed/condensed_rows.hpp"
+#include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/contact/refinement.hpp"
+#include "support/bodies.hpp"
+#include "support/cases.hpp"
+#include "support/condensed.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+/// One body in contact on two sides that meet in a corner, or two bodies whose nodes do not
+/// match, the first one held along the line at its end.
+Problem one_or_two_bodies(Random& random) {
+  if (random() % 2) {
+    Problem problem =
+        body(irregular(4, 3, 4, 3, random), material(100, 0.3), {bottom, left});
+    add_traction(problem, top, {-1, -2});
+    clamp(problem, right);
+    problem.law.gap = 0.01 * random_vector(problem.line.node_count(), random);
+    return problem;
+  }
+  Bodies two =
+      bodies({shifted(with_random_rows(3, 2, 4, 2, random), {0, 3}),
+              with_random_rows(4, 2, 4, 3, random)},
+             {material(100, 0.3), material(300, 0.2)}, {{0, bottom, 1, top}});
+  prescribe(two.problem, two.label(0, left), 0);
+  clamp(two.problem, two.label(1, bottom));
+  add_traction(two.problem, two.label(0, top), {1, -2});
+  return two.problem;
+}
+
+CompliantLayer random_layer(Random& random) {
+  CompliantLayer layer{std::pow(10.0, *real(-6, 2)),
+                       std::pow(10.0, *real(-6, 2))};
+  if (random() % 4 == 0) layer.normal = 0;
+  if (random() % 4 == 0) layer.tangential = 0;
+  return layer;
+}
+
+/// The relations without and with a layer, and multipliers.
+struct OnLayer {
+  Problem problem;
+  Condensed rigid, layered;
+  VectorXd compliance, P;
+  ContactRows rows;  ///< without the layer
+
+  OnLayer(const Problem& stated, const CompliantLayer& layer, Random& random)
+      : problem(stated), rigid(stated), layered([&] {
+          problem.law.layer = layer;
+          return problem;
+        }()) {
+    const CondensedContact& contact = rigid.contact;
+    compliance = nodal_compliance(layer, nodal_lengths(problem.line), 2,
+                                  contact.held.row);
+    rows = rows_of(
+        contact,
+        random_vector(static_cast<Index>(contact.primary.size()), random),
+        random_vector(static_cast<Index>(contact.dependent.size()), random));
+  }
+
+  VectorXd v() const { return rows.v + compliance.cwiseProduct(rows.P); }
+};
+
+double off(const VectorXd& a, const VectorXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / (1 + b.cwiseAbs().maxCoeff());
+}
+
+RC_GTEST_PROP(LayerSprings, are_in_series_with_the_bodies, (Random random)) {
+  const OnLayer s(one_or_two_bodies(random), random_layer(random), random);
+  const CondensedContact& contact = s.layered.contact;
+  const VectorXd v = s.v();
+  const ContactRows found =
+      rows_of(contact, v(contact.primary), s.rows.P(contact.dependent));
+  RC_ASSERT(off(found.P, s.rows.P) < 1e-8);
+  RC_ASSERT(off(found.v, v) < 1e-8);
+  const VectorXd u = displacement_of(contact, s.layered.stiffness, v, s.rows.P),
+                 without = displacement_of(s.rigid.contact, s.rigid.stiffness,
+                                           s.rows.v, s.rows.P);
+  RC_ASSERT(off(u, without) < 1e-8);
+}
+
+/// A solution leaves nothing to correct, whatever its layer carries.
+RC_GTEST_PROP(LayerSprings, that_carry_multipliers_are_in_equilibrium,
+              (Random random)) {
+  const OnLayer s(one_or_two_bodies(random), random_layer(random), random);
+  CondensedContact contact = s.layered.contact;
+  const ElasticSystem& system = s.layered.system;
+  const BodyAnswer answer{
+      displacement_of(contact, s.layered.stiffness, s.v(), s.rows.P) +
+          system.prescribed_value,
+      s.rows.P};
+  const ContactLaw law =
+      on_layer(s.problem.line, s.problem.law, contact.held, answer);
+  put_carried(answer.P, contact);
+  contact = with_loads(std::move(contact), s.layered.stiffness,
+                       force_residual(system, answer.displacement,
+                                      VectorXd::Zero(system.dof_count())),
+                       steered_displacement(s.problem.line, law, contact.held,
+                                            answer.displacement)
+                           .reshaped());
+  const VectorXd v = s.v();
+  const ContactRows found =
+      rows_of(contact, v(contact.primary), s.rows.P(contact.dependent));
+  RC_ASSERT(off(found.P, s.rows.P) < 1e-7);
+  RC_ASSERT(off(found.v, v) < 1e-7);
+  const VectorXd change =
+      displacement_of(contact, s.layered.stiffness, v, s.rows.P);
+  RC_ASSERT(off(answer.displacement + change, answer.displacement) < 1e-7);
+}
+
+}  // namespace
+}  // namespace ffcontact
