@@ -290,11 +290,13 @@ def draw(folder):
     draw_pressures(figure, 0, last)
     save(figure, folder / "pressures.png", 200)
 
-    width = (WIDTH - 2 * bar - gap) / 2
+    columns = 2 if is_adapted or aspect < 1 else len(panels)
+    left = gap if columns == 2 else 5 * gap  # titles are wider than narrow panels
+    width = (WIDTH - columns * bar - left) / columns
     height = width * aspect + title
-    rows = (len(panels) + 1) // 2
+    rows = -(-len(panels) // columns)
     figure = plt.figure(figsize=(WIDTH, rows * height + height_of_pressures(last) + 0.1))
     for k, paint in enumerate(panels.values()):
-        paint(new_axes(figure, gap + k % 2 * (width + bar), title + k // 2 * height, width, width * aspect))
+        paint(new_axes(figure, left + k % columns * (width + bar), title + k // columns * height, width, width * aspect))
     draw_pressures(figure, rows * height + 0.1, last)
     save(figure, folder / "overview.png", 150)

@@ -43,9 +43,9 @@ TemporaryFolder::~TemporaryFolder() {
 std::string first_line(const path& file) {
   std::ifstream stream(file);
   std::string line;
-  while (line.empty() && std::getline(stream, line)) {
-  }
-  return line;
+  while (std::getline(stream, line))
+    if (!line.empty() && line.find("---") == std::string::npos) return line;
+  return {};
 }
 
 void run_gmsh(const std::string& dimension, const path& input,

@@ -24,7 +24,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// The first line of a file that is not empty.
+/// The first line of a file that is neither empty nor a rule of dashes.
 std::string first_line(const std::filesystem::path& file);
 
 /// Runs gmsh on `input`; its mesh (MSH 2.2, text) goes to `output`, what it says of

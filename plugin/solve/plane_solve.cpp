@@ -51,12 +51,11 @@ NodalResults nodal_results(const ContactProblem& problem, const ContactLaw& law,
 
 /// u_t without what springs back of it.
 VectorXd slid_on_layer(const ContactLine& line, const SolvedContact& solved) {
-  const auto& [system, law, solution, motion, tool, driven, nodes, estimate] =
-      solved;
-  const Matrix2Xd moved =
-      contact_components(line, solution.displacement) +
-      law.layer.given_way(lumped_pressures(line, solution.force));
-  return moved.row(1);
+  const ContactSolution& found = solved.solution;
+  const Matrix2Xd pressure = lumped_pressures(line, found.force);
+  return (contact_components(line, found.displacement) +
+          solved.law.layer.given_way(pressure))
+      .row(1);
 }
 
 /// The same against the foundation, which is where its tool has left it.

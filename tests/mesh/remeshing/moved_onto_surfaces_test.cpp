@@ -18,11 +18,26 @@ namespace {
 
 using namespace test;
 
+/// Another label for half of the upper side along y of a brick of n^3 cells, which begins at a
+/// staircase from edge to edge.
+constexpr int behind_stairs = 99;
+void put_stairs(int n, const Vector3d& sides, SolidMesh& mesh) {
+  for (Index e = 0; e < mesh.boundary.cols(); ++e) {
+    if (mesh.boundary_label[e] != high_y) continue;
+    const Vector3d middle =
+        mesh.vertices(Eigen::all, mesh.boundary.col(e)).rowwise().mean();
+    const Vector3d cell = n * middle.cwiseQuotient(sides);
+    if (std::floor(cell.x()) + std::floor(cell.z()) >= n)
+      mesh.boundary_label[e] = behind_stairs;
+  }
+}
+
 /// The mesh whose vertices are on the faces of a bent brick of n^3 cells, twice as fine.
-ModelMesh finer_mesh(int n, const SolidMesh& coarse,
-                     const SurfaceModel& model) {
+ModelMesh finer_mesh(int n, const SolidMesh& coarse, const SurfaceModel& model,
+                     bool stairs = false) {
   ModelMesh fine;
   fine.mesh = brick({2 * n, 2 * n, 2 * n}, {2, 2, 2});
+  if (stairs) put_stairs(n, {2, 2, 2}, fine.mesh);
   fine.mesh.vertices = on_finer_brick(coarse.vertices.reshaped(), {n, n, n}, 2)
                            .reshaped(3, fine.mesh.vertex_count());
   std::map<int, int> patch;  // of each label
@@ -101,19 +116,9 @@ TEST(MovedOntoSurfaces, goes_part_of_the_way_where_tetrahedra_are_flat) {
   EXPECT_GT(part, 0);
 }
 
-TEST(MovedOntoSurfaces, puts_lines_on_curves_and_leaves_planes) {
-  // an eighth of a tube: its rims are circles between planes and cylinders
-  constexpr int n = 4;
-  SolidMesh coarse = brick({n, n, n}, {pi / 4, 1, 2});
-  const auto bent = [](const Vector3d& x) {
-    return Vector3d((3 + x.y()) * std::cos(x.x()),
-                    (3 + x.y()) * std::sin(x.x()), -x.z());
-  };
-  for (auto x : coarse.vertices.colwise()) x = bent(x);
-  const Facets<3> faces = facets_of(coarse);
-  const SurfaceModel model =
-      surface_model(coarse, faces, VectorXi::Zero(coarse.cell_count()), pi / 6);
-  ModelMesh fine = finer_mesh(n, coarse, model);
+/// The vertices in the middle of chords, as lines of their curves.
+void put_lines(const SolidMesh& coarse, const SurfaceModel& model,
+               ModelMesh& fine) {
   std::vector<Vector2i> lines;
   for (int c = 0; c < static_cast<int>(model.curves.curves.size()); ++c)
     for (int v = 0; v < fine.mesh.vertex_count(); ++v) {
@@ -128,6 +133,22 @@ TEST(MovedOntoSurfaces, puts_lines_on_curves_and_leaves_planes) {
       }
     }
   fine.lines = packed(lines);
+}
+
+TEST(MovedOntoSurfaces, puts_lines_on_curves_and_leaves_planes) {
+  // an eighth of a tube: its rims are circles between planes and cylinders
+  constexpr int n = 4;
+  SolidMesh coarse = brick({n, n, n}, {pi / 4, 1, 2});
+  const auto bent = [](const Vector3d& x) {
+    return Vector3d((3 + x.y()) * std::cos(x.x()),
+                    (3 + x.y()) * std::sin(x.x()), -x.z());
+  };
+  for (auto x : coarse.vertices.colwise()) x = bent(x);
+  const Facets<3> faces = facets_of(coarse);
+  const SurfaceModel model =
+      surface_model(coarse, faces, VectorXi::Zero(coarse.cell_count()), pi / 6);
+  ModelMesh fine = finer_mesh(n, coarse, model);
+  put_lines(coarse, model, fine);
   const SolidMesh moved = moved_onto_surfaces(fine, coarse, faces, model);
   for (Index e = 0; e < moved.boundary.cols(); ++e)
     for (const int v : moved.boundary.col(e)) {
@@ -139,6 +160,32 @@ TEST(MovedOntoSurfaces, puts_lines_on_curves_and_leaves_planes) {
         EXPECT_NEAR(x.z(), label == low_z ? 0 : -2, 1e-14);
       } else if (label == low_x) {
         EXPECT_NEAR(x.y(), 0, 1e-14);
+      }
+    }
+}
+
+TEST(MovedOntoSurfaces, goes_on_beyond_labels_however_their_lines_turn) {
+  // the tube once more: chords of the staircase, and its last faces at the rims
+  constexpr int n = 4;
+  const Vector3d sides(pi / 4, 1, 2);
+  SolidMesh coarse = brick({n, n, n}, sides);
+  put_stairs(n, sides, coarse);
+  for (auto x : coarse.vertices.colwise())
+    x = Vector3d((3 + x.y()) * std::cos(x.x()), (3 + x.y()) * std::sin(x.x()),
+                 -x.z());
+  const Facets<3> faces = facets_of(coarse);
+  const SurfaceModel model =
+      surface_model(coarse, faces, VectorXi::Zero(coarse.cell_count()), pi / 6);
+  ModelMesh fine = finer_mesh(n, coarse, model, true);
+  put_lines(coarse, model, fine);
+  const SolidMesh moved = moved_onto_surfaces(fine, coarse, faces, model);
+  for (Index e = 0; e < moved.boundary.cols(); ++e)
+    for (const int v : moved.boundary.col(e)) {
+      const int label = moved.boundary_label[e];
+      if (label == high_y || label == behind_stairs) {
+        EXPECT_NEAR(moved.vertices.col(v).head<2>().norm(), 4, 2e-3);
+      } else if (label == low_z || label == high_z) {
+        EXPECT_NEAR(moved.vertices(2, v), label == low_z ? 0 : -2, 1e-14);
       }
     }
 }

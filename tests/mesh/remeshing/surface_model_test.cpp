@@ -107,10 +107,24 @@ TEST(SurfaceModel, of_a_ball_of_six_labels_has_their_curves) {
   EXPECT_EQ(model.patches.surface_count(), 6);
   EXPECT_EQ(model.curves.curves.size(), 12);
   EXPECT_EQ(model.curves.corners.size(), 8);
+  EXPECT_EQ(model.patches.sheet, std::vector<int>(6, 0));
   for (const PatchCurve& curve : model.curves.curves) {
-    EXPECT_TRUE(curve.is_rim);
+    EXPECT_TRUE(curve.is_rim && curve.is_label_line);
     EXPECT_EQ(curve.vertices.size(), 5);
   }
+}
+
+TEST(SurfaceModel, takes_a_single_face_for_no_plane_where_its_surface_goes_on) {
+  SolidMesh mesh = ball(4);
+  mesh.boundary_label.setConstant(1);
+  mesh.boundary_label[0] = 2;
+  const SurfaceModel model = model_of(mesh);
+  EXPECT_EQ(model.patches.surface_count(), 2);
+  EXPECT_EQ(model.patches.flat, Flags({0, 0}));
+  SolidMesh box = brick({1, 1, 1}, {1, 1, 1});
+  for (Index e = 0; e < box.boundary.cols(); ++e)
+    box.boundary_label[e] = static_cast<int>(e);
+  EXPECT_EQ(model_of(box).patches.flat, Flags(12, 1));
 }
 
 TEST(SurfaceModel, has_edges_between_planes_whatever_their_angle) {

@@ -20,7 +20,7 @@ namespace ffcontact {
 
 namespace {
 
-/// A smooth surface of the old mesh.
+/// A smooth surface of the old mesh, whatever labels it has.
 class OldSurface {
  public:
   /// @param members  numbers of its dividing faces
@@ -140,50 +140,124 @@ std::optional<SmoothCurve<3>> curve_through(const SolidMesh& mesh,
 /// Where vertices go, and none where they stay.
 using Goals = std::map<int, Vector3d>;
 
-void add_surface_goals(const ModelMesh& fine, const SolidMesh& mesh,
-                       const Facets<3>& faces, const SurfaceModel& model,
-                       Goals& goals) {
+/// The smooth surfaces of a mesh by their sheets.
+using OldSurfaces = std::map<int, OldSurface>;
+
+OldSurfaces old_surfaces(const SolidMesh& mesh, const Facets<3>& faces,
+                         const SurfaceModel& model) {
   const SurfacePatches& patches = model.patches;
-  std::vector<std::vector<int>> members(patches.surface_count());
+  std::map<int, std::vector<int>> members;
   for (int k = 0; k < model.dividing.count(); ++k)
-    members[patches.surface[k]].push_back(k);
-  std::vector<std::set<int>> vertices(patches.surface_count());
-  for (Index e = 0; e < fine.mesh.boundary.cols(); ++e)
+    if (!patches.flat[patches.surface[k]])
+      members[patches.sheet_of_face(k)].push_back(k);
+  OldSurfaces surfaces;
+  for (const auto& [sheet, faces_of] : members)
+    surfaces.emplace(sheet, OldSurface(mesh, faces, model.dividing, faces_of));
+  return surfaces;
+}
+
+void add_surface_goals(const ModelMesh& fine, const OldSurfaces& surfaces,
+                       const SurfacePatches& patches, Goals& goals) {
+  std::map<int, std::set<int>> vertices;  // of each sheet
+  for (Index e = 0; e < fine.mesh.boundary.cols(); ++e) {
+    const int surface = patches.surface_of_patch[fine.patch[e]];
+    if (patches.flat[surface]) continue;
     for (const int v : fine.mesh.boundary.col(e))
-      vertices[patches.surface_of_patch[fine.patch[e]]].insert(v);
-  for (int s = 0; s < patches.surface_count(); ++s) {
-    if (patches.flat[s]) continue;
-    const OldSurface surface(mesh, faces, model.dividing, members[s]);
-    for (const int v : vertices[s])
+      vertices[patches.sheet[surface]].insert(v);
+  }
+  for (const auto& [sheet, of_sheet] : vertices) {
+    const OldSurface& surface = entry_of(surfaces, sheet, "surface of a sheet");
+    for (const int v : of_sheet)
       goals[v] = surface.over(fine.mesh.vertices.col(v));
   }
 }
 
-/// Curves rule over surfaces, and corners over curves.
-void add_curve_goals(const ModelMesh& fine, const SolidMesh& mesh,
-                     const SurfaceModel& model, Goals& goals) {
-  const std::vector<PatchCurve>& curves = model.curves.curves;
-  std::vector<std::set<int>> vertices(curves.size());
-  std::map<int, std::set<int>> curves_of;
-  for (Index e = 0; e < fine.lines.cols(); ++e)
-    for (const int v : fine.lines.col(e)) {
-      vertices[fine.curve[e]].insert(v);
-      curves_of[v].insert(fine.curve[e]);
-    }
-  for (int c = 0; c < count_of(curves); ++c) {
-    if (!curves[c].is_rim) continue;
-    const auto curve = curve_through(mesh, curves[c].vertices);
-    for (const int v : vertices[c]) {
-      const Vector3d x = fine.mesh.vertices.col(v);
-      goals[v] = curve ? curve->beside(x) : x;
+/// The point of a surface over x, slid along the normal there into the plane through x.
+Vector3d within_plane(const Vector3d& normal, const Vector3d& x,
+                      const Vector3d& over_x) {
+  constexpr double least_part = 0.1;  // of it that is in the plane
+  const Vector3d off = over_x - x, in_plane = off - normal.dot(off) * normal;
+  if (in_plane.squaredNorm() <= least_part * off.squaredNorm()) return x;
+  return x + off.squaredNorm() / in_plane.squaredNorm() * in_plane;
+}
+
+/// A curve of the old mesh, and what it is the rim of.
+class OldCurve {
+ public:
+  OldCurve(const SolidMesh& mesh, const Facets<3>& faces,
+           const OldSurfaces& surfaces, const SurfaceModel& model,
+           const PatchCurve& curve)
+      : curve_(curve_through(mesh, curve.vertices)),
+        is_label_line_(curve.is_label_line) {
+    const SurfacePatches& patches = model.patches;
+    if (curve.patches.size() != 2) return;
+    for (const int patch : curve.patches) {
+      const int surface = patches.surface_of_patch[patch];
+      if (patches.flat[surface])
+        plane_ = facet_normal(mesh, faces, face_of(model, patch));
+      else
+        surface_ =
+            &entry_of(surfaces, patches.sheet[surface], "surface of a sheet");
     }
   }
-  for (const int corner : model.curves.corners)
-    for (auto& [v, of] : curves_of) {
+
+  /// Where a vertex on its chords goes. Surfaces go on beyond a label line; a single chord
+  /// between a surface and a plane is none of a curve by itself.
+  Vector3d goal(const Vector3d& x) const {
+    const Vector3d on_curve = curve_ ? curve_->beside(x) : x;
+    if (is_label_line_) return surface_->over(on_curve);
+    if (curve_ || !plane_ || !surface_) return on_curve;
+    return within_plane(*plane_, x, surface_->over(x));
+  }
+
+ private:
+  static int face_of(const SurfaceModel& model, int patch) {
+    const std::vector<int>& of_faces = model.patches.patch;
+    const auto first = std::find(of_faces.begin(), of_faces.end(), patch);
+    return model.dividing.face[first - of_faces.begin()];
+  }
+
+  std::optional<SmoothCurve<3>> curve_;
+  bool is_label_line_;
+  const OldSurface* surface_ = nullptr;
+  std::optional<Vector3d> plane_;  ///< its normal
+};
+
+std::vector<std::set<int>> vertices_of_curves(const ModelMesh& fine,
+                                              std::size_t curves) {
+  std::vector<std::set<int>> vertices(curves);
+  for (Index e = 0; e < fine.lines.cols(); ++e)
+    for (const int v : fine.lines.col(e)) vertices[fine.curve[e]].insert(v);
+  return vertices;
+}
+
+/// Vertices of several curves that are at a corner.
+void add_corner_goals(const ModelMesh& fine, const SolidMesh& mesh,
+                      const std::vector<int>& corners, Goals& goals) {
+  std::map<int, std::set<int>> curves_of;
+  for (Index e = 0; e < fine.lines.cols(); ++e)
+    for (const int v : fine.lines.col(e)) curves_of[v].insert(fine.curve[e]);
+  for (const int corner : corners)
+    for (const auto& [v, of] : curves_of) {
       const Vector3d x = fine.mesh.vertices.col(v);
       if (of.size() > 1 && (x - mesh.vertices.col(corner)).norm() == 0)
         goals[v] = x;
     }
+}
+
+/// Curves rule over surfaces, and corners over curves.
+void add_curve_goals(const ModelMesh& fine, const SolidMesh& mesh,
+                     const Facets<3>& faces, const OldSurfaces& surfaces,
+                     const SurfaceModel& model, Goals& goals) {
+  const std::vector<PatchCurve>& curves = model.curves.curves;
+  const auto vertices = vertices_of_curves(fine, curves.size());
+  for (int c = 0; c < count_of(curves); ++c) {
+    if (!curves[c].is_rim) continue;
+    const OldCurve curve(mesh, faces, surfaces, model, curves[c]);
+    for (const int v : vertices[c])
+      goals[v] = curve.goal(fine.mesh.vertices.col(v));
+  }
+  add_corner_goals(fine, mesh, model.curves.corners, goals);
 }
 
 /// Moves all goals' vertices at once, and those of spoilt tetrahedra half as far until
@@ -214,9 +288,10 @@ SolidMesh moved(const SolidMesh& mesh, const Goals& goals) {
 SolidMesh moved_onto_surfaces(const ModelMesh& fine, const SolidMesh& mesh,
                               const Facets<3>& faces,
                               const SurfaceModel& model) {
+  const OldSurfaces surfaces = old_surfaces(mesh, faces, model);
   Goals goals;
-  add_surface_goals(fine, mesh, faces, model, goals);
-  add_curve_goals(fine, mesh, model, goals);
+  add_surface_goals(fine, surfaces, model.patches, goals);
+  add_curve_goals(fine, mesh, faces, surfaces, model, goals);
   return moved(fine.mesh, goals);
 }
 

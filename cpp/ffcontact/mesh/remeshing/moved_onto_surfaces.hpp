@@ -20,7 +20,8 @@ struct ModelMesh {
 /// The vertices of `fine`, which are on the faces of `mesh`, moved onto the smooth
 /// surfaces and curves that these are facets and chords of: cubic triangles through the
 /// vertices of `mesh` and their mean normals, cubics through four vertices of a curve.
-/// Planes, straight lines and corners stay. Vertices whose tetrahedra would lose more than
+/// Surfaces go on beyond a line at which nothing but their label changes, which stays on them
+/// however it turns. Planes, straight lines and corners stay. Vertices whose tetrahedra would lose more than
 /// half of their volume move less, or not at all.
 SolidMesh moved_onto_surfaces(const ModelMesh& fine, const SolidMesh& mesh,
                               const Facets<3>& faces,

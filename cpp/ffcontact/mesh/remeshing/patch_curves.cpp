@@ -20,7 +20,7 @@ constexpr double straight = 0.1 * M_PI / 180, bent = M_PI / 180;
 struct Link {
   std::array<int, 2> vertices;
   std::vector<int> patches;
-  bool is_rim;
+  bool is_rim, is_label_line;
   bool done = false;
 
   int beyond(int v) const { return vertices[vertices[0] == v ? 1 : 0]; }
@@ -29,7 +29,8 @@ struct Link {
 std::vector<Link> links_of(const std::vector<DividingEdge>& edges,
                            const SurfacePatches& patches) {
   std::vector<Link> links;
-  for (const DividingEdge& edge : edges) {
+  for (int e = 0; e < count_of(edges); ++e) {
+    const DividingEdge& edge = edges[e];
     std::vector<int> around, surfaces;
     for (const int k : edge.faces) {
       around.push_back(patches.patch[k]);
@@ -38,7 +39,8 @@ std::vector<Link> links_of(const std::vector<DividingEdge>& edges,
     std::sort(around.begin(), around.end());
     if (around.size() == 2 && around[0] == around[1]) continue;
     const bool is_rim = surfaces.size() != 2 || surfaces[0] != surfaces[1];
-    links.push_back({edge.vertices, around, is_rim});
+    links.push_back(
+        {edge.vertices, around, is_rim, patches.is_label_line[e] != 0});
   }
   return links;
 }
@@ -109,10 +111,11 @@ class CurveFinder {
   }
 
   PatchCurve curve_from(int v, int k) {
-    PatchCurve curve{{v}, links_[k].patches, links_[k].is_rim};
+    PatchCurve curve{{v}, links_[k].patches, links_[k].is_rim, true};
     const int first = v;
     while (true) {
       links_[k].done = true;
+      curve.is_label_line = curve.is_label_line && links_[k].is_label_line;
       v = links_[k].beyond(v);
       curve.vertices.push_back(v);
       if (is_corner_[v] || v == first) return curve;

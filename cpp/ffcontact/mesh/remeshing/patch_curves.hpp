@@ -13,6 +13,8 @@ struct PatchCurve {
   std::vector<int> patches;  ///< ascending, each as often as it has faces there
   /// 1 where it is the rim of surfaces; 0 where it cuts a surface into patches
   bool is_rim = true;
+  /// does nothing but a label change there, on a smooth sheet?
+  bool is_label_line = false;
 };
 
 struct PatchCurves {

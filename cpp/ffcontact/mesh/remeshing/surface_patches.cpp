@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/mesh/remeshing/surface_patches.hpp"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -59,7 +60,60 @@ class SurfaceFinder {
     return result;
   }
 
+  /// The sheet of each surface: smooth ones that were one if they had one label.
+  std::vector<int> sheets(const SurfacePatches& patches, double corner) const {
+    const Flags plane = certain_planes(patches);
+    Unions sheets(patches.surface_count());
+    for (const DividingEdge& edge : edges_) {
+      if (!turns_less(edge, std::cos(corner))) continue;
+      const auto [s, t] = surfaces_at(edge, patches);
+      if (!plane[s] && !plane[t]) sheets.join(s, t);
+    }
+    return sheets.numbers();
+  }
+
+  /// The edges at which a sheet that is no plane changes its label.
+  Flags label_lines(const SurfacePatches& patches) const {
+    Flags result;
+    for (const DividingEdge& edge : edges_)
+      result.push_back(edge.faces.size() == 2 && parts_sheet(edge, patches));
+    return result;
+  }
+
  private:
+  /// Whatever labels there are on both sides.
+  bool turns_less(const DividingEdge& edge, double least_cosine) const {
+    if (edge.faces.size() != 2) return false;
+    const int a = edge.faces[0], b = edge.faces[1];
+    return same_parts(a, b) && cosine(a, b) > least_cosine;
+  }
+
+  static std::array<int, 2> surfaces_at(const DividingEdge& edge,
+                                        const SurfacePatches& patches) {
+    return {patches.surface[edge.faces[0]], patches.surface[edge.faces[1]]};
+  }
+
+  static bool parts_sheet(const DividingEdge& edge,
+                          const SurfacePatches& patches) {
+    const auto [s, t] = surfaces_at(edge, patches);
+    return s != t && !patches.flat[s] && patches.sheet[s] == patches.sheet[t];
+  }
+
+  /// A single face says nothing of what it is a part of.
+  static Flags certain_planes(const SurfacePatches& patches) {
+    Flags result = patches.flat;
+    std::vector<int> faces(patches.surface_count(), 0);
+    for (const int s : patches.surface) ++faces[s];
+    for (int s = 0; s < patches.surface_count(); ++s)
+      if (faces[s] == 1) result[s] = 0;
+    return result;
+  }
+
+  bool same_parts(int a, int b) const {
+    const auto p = dividing_.parts.col(a), q = dividing_.parts.col(b);
+    return p == q || p == q.reverse();
+  }
+
   int label(int k) const { return mesh_.boundary_label[dividing_.boundary[k]]; }
 
   /// Up to the side that normals point to.
@@ -70,8 +124,7 @@ class SurfaceFinder {
   }
 
   bool same_kind(int a, int b) const {
-    const auto p = dividing_.parts.col(a), q = dividing_.parts.col(b);
-    if (p != q && p != q.reverse()) return false;
+    if (!same_parts(a, b)) return false;
     if (dividing_.boundary[a] < 0 || dividing_.boundary[b] < 0)
       return dividing_.boundary[a] < 0 && dividing_.boundary[b] < 0;
     return label(a) == label(b);
@@ -237,6 +290,15 @@ class PatchCutter {
   std::vector<std::vector<int>> edges_of_face_;
 };
 
+/// A surface is flat where all of its sheet is.
+Flags flat_with_sheet(const SurfacePatches& patches) {
+  Flags sheet(patches.surface_count(), 1), result;
+  for (int s = 0; s < patches.surface_count(); ++s)
+    if (!patches.flat[s]) sheet[patches.sheet[s]] = 0;
+  for (const int of : patches.sheet) result.push_back(sheet[of]);
+  return result;
+}
+
 }  // namespace
 
 SurfacePatches surface_patches(const SolidMesh& mesh, const Facets<3>& faces,
@@ -247,6 +309,9 @@ SurfacePatches surface_patches(const SolidMesh& mesh, const Facets<3>& faces,
   SurfacePatches result;
   result.surface = finder.surfaces(corner);
   result.flat = finder.flat(result.surface);
+  result.sheet = finder.sheets(result, corner);
+  result.flat = flat_with_sheet(result);
+  result.is_label_line = finder.label_lines(result);
   std::vector<std::vector<int>> members(result.surface_count());
   for (int k = 0; k < dividing.count(); ++k)
     members[result.surface[k]].push_back(k);

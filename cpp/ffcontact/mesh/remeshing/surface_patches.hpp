@@ -21,8 +21,14 @@ struct SurfacePatches {
       patch;   ///< of each dividing face, numbered from 0 on
   Flags flat;  ///< 1 for each surface that is a plane
   std::vector<int> surface_of_patch;
+  /// of each surface: smooth ones that were one surface if they had one label
+  std::vector<int> sheet;
+  Flags
+      is_label_line;  ///< 1 for each dividing edge at which a sheet changes its label
 
   int surface_count() const { return static_cast<int>(flat.size()); }
+  /// Number of the sheet of each dividing face.
+  int sheet_of_face(int k) const { return sheet[surface[k]]; }
   int patch_count() const { return static_cast<int>(surface_of_patch.size()); }
 };
 
