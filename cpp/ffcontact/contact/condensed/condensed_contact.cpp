@@ -152,12 +152,17 @@ void put_loads(const CondensedStiffness& stiffness, const VectorXd& load,
 }
 
 /// S_w, of bodies that contact alone holds without stiffness of rounding against their
-/// motions, and of a layer.
+/// motions.
+MatrixXd stiffness_of_bodies(const CondensedContact& contact,
+                             const MatrixXd& S) {
+  if (contact.free_motions.cols() == 0) return congruent(S, contact.to_kept);
+  return congruent(without_stiffness_of(contact.free_motions, S),
+                   contact.to_kept);
+}
+
+/// With the springs of a layer.
 MatrixXd body_stiffness(const CondensedContact& contact, const MatrixXd& S) {
-  MatrixXd S_w = contact.free_motions.cols() == 0
-                     ? congruent(S, contact.to_kept)
-                     : congruent(without_stiffness_of(contact.free_motions, S),
-                                 contact.to_kept);
+  MatrixXd S_w = stiffness_of_bodies(contact, S);
   const VectorXd& layer = contact.layer_stiffness;
   if (layer.size() > 0) S_w.diagonal().tail(layer.size()) += layer;
   return S_w;
