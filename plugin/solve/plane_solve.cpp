@@ -133,8 +133,6 @@ ContactLaw with_kinetic_friction(const SolveCall& call, const Contact& contact,
 ContactLaw law_of(const SolveCall& call, const Contact& contact) {
   ContactLaw law = contact.problem->law;
   law.multiplier = multiplier_of(call.stack, call.named);
-  if (law.layer.given() && law.multiplier == Multiplier::pressure)
-    refuse("compliance= is for nodal forces: leave multiplier= out");
   if (law.bonded) return law;
   const bool has_previous = law.previous.size() > 0;
   if (call.named.flag(call.stack, "loadstep")) {

@@ -111,6 +111,8 @@ ContactLaw on_layer(ContactLaw law, const Ref<const Matrix2Xd>& traction) {
 
 void require_valid(const ContactLaw& law, const ContactLine& line) {
   require_valid(law.layer);
+  if (law.layer.given() && law.multiplier == Multiplier::pressure)
+    refuse("compliance= is for nodal forces: leave multiplier= out");
   require_nodal("friction", law.friction, line);
   if (law.tresca()) require_nodal("slipbound", law.slip_bound, line);
   if (law.limited() && law.tresca())
