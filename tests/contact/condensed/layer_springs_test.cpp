@@ -91,20 +91,20 @@ RC_GTEST_PROP(LayerSprings, that_carry_multipliers_are_in_equilibrium,
               (Random random)) {
   const OnLayer s(one_or_two_bodies(random), random_layer(random), random);
   CondensedContact contact = s.layered.contact;
+  const HeldRows& held = s.layered.contact.held;
   const ElasticSystem& system = s.layered.system;
   const BodyAnswer answer{
       displacement_of(contact, s.layered.stiffness, s.v(), s.rows.P) +
           system.prescribed_value,
       s.rows.P};
-  const ContactLaw law =
-      on_layer(s.problem.line, s.problem.law, contact.held, answer);
+  const ContactLaw law = on_layer(s.problem.line, s.problem.law, held, answer);
   put_carried(answer.P, contact);
-  contact = with_loads(std::move(contact), s.layered.stiffness,
-                       force_residual(system, answer.displacement,
-                                      VectorXd::Zero(system.dof_count())),
-                       steered_displacement(s.problem.line, law, contact.held,
-                                            answer.displacement)
-                           .reshaped());
+  contact = with_loads(
+      std::move(contact), s.layered.stiffness,
+      force_residual(system, answer.displacement,
+                     VectorXd::Zero(system.dof_count())),
+      steered_displacement(s.problem.line, law, held, answer.displacement)
+          .reshaped());
   const VectorXd v = s.v();
   const ContactRows found =
       rows_of(contact, v(contact.primary), s.rows.P(contact.dependent));
