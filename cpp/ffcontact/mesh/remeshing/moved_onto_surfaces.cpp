@@ -193,11 +193,11 @@ class OldCurve {
     if (curve.patches.size() != 2) return;
     for (const int patch : curve.patches) {
       const int surface = patches.surface_of_patch[patch];
-      if (patches.flat[surface])
-        plane_ = facet_normal(mesh, faces, face_of(model, patch));
-      else
+      if (!patches.flat[surface])
         surface_ =
             &entry_of(surfaces, patches.sheet[surface], "surface of a sheet");
+      else if (!curve_)
+        plane_ = facet_normal(mesh, faces, face_of(model, patch));
     }
   }
 
@@ -220,7 +220,7 @@ class OldCurve {
   std::optional<SmoothCurve<3>> curve_;
   bool is_label_line_;
   const OldSurface* surface_ = nullptr;
-  std::optional<Vector3d> plane_;  ///< its normal
+  std::optional<Vector3d> plane_;  ///< its normal, of a single chord
 };
 
 std::vector<std::set<int>> vertices_of_curves(const ModelMesh& fine,

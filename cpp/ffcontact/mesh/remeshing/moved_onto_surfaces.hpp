@@ -21,8 +21,8 @@ struct ModelMesh {
 /// surfaces and curves that these are facets and chords of: cubic triangles through the
 /// vertices of `mesh` and their mean normals, cubics through four vertices of a curve.
 /// Surfaces go on beyond a line at which nothing but their label changes, which stays on them
-/// however it turns. Planes, straight lines and corners stay. Vertices whose tetrahedra would lose more than
-/// half of their volume move less, or not at all.
+/// however it turns. Planes, straight lines and corners stay. Vertices whose tetrahedra
+/// would lose more than half of their volume move less, or not at all.
 SolidMesh moved_onto_surfaces(const ModelMesh& fine, const SolidMesh& mesh,
                               const Facets<3>& faces,
                               const SurfaceModel& model);

@@ -14,7 +14,8 @@ namespace ffcontact {
 /// A surface is of one label between the same two parts of the body. A plane has a vertex
 /// inside, all of whose faces turn by less than 0.1 degrees; such faces and all coplanar
 /// ones beside them are a surface of their own. What is left goes on across edges at
-/// which it turns by less than `corner`. A surface that closes on itself or has a handle
+/// which it turns by less than `corner`. A single face is a plane unless its surface goes on
+/// beyond its label. A surface that closes on itself or has a handle
 /// (a ball, a ring), or most of whose normals cancel inside one rim, is cut into patches.
 struct SurfacePatches {
   std::vector<int> surface,
@@ -23,8 +24,8 @@ struct SurfacePatches {
   std::vector<int> surface_of_patch;
   /// of each surface: smooth ones that were one surface if they had one label
   std::vector<int> sheet;
-  Flags
-      is_label_line;  ///< 1 for each dividing edge at which a sheet changes its label
+  /// 1 for each dividing edge at which a sheet that is no plane changes its label
+  Flags is_label_line;
 
   int surface_count() const { return static_cast<int>(flat.size()); }
   /// Number of the sheet of each dividing face.
