@@ -5,33 +5,24 @@ namespace ffcontact {
 
 namespace {
 
-/// int C |r|^2 over a triangle of unit area, by the corners of the traction.
-double square(const CompliantLayer& layer, const BentTraction& r,
+/// int C f . f over a triangle of measure 1.
+double square(const CompliantLayer& layer, const Matrix4Xd& fields,
               const Vector3i& corners) {
-  const auto of = [&](const auto& field) {
-    const auto values = field(Eigen::all, corners).eval();
-    return (values.squaredNorm() + values.rowwise().sum().squaredNorm()) / 12;
-  };
-  return layer.normal * of(r.pressing) + layer.tangential * of(r.turned);
-}
-
-/// a + factor b on the same face.
-BentTraction sum(BentTraction a, double factor, const BentTraction& b) {
-  a.pressing += factor * b.pressing;
-  a.turned += factor * b.turned;
-  return a;
+  const Matrix<double, 4, 3> f = fields(Eigen::all, corners);
+  return layer_product(layer, f, f);
 }
 
 /// Both integrals over a part of a face by its corners.
 void add(const CompliantLayer& layer, double area, const BentTraction& r,
          const BentTraction& p, const Ref<const Matrix3Xd>& places, int face,
          SpringNorms& norms) {
-  const BentTraction off = sum(r, -1, p).between(places),
-                     both = sum(r, 1, p).between(places);
+  const Matrix4Xd of_r = linear_fields(r.between(places)),
+                  of_p = linear_fields(p.between(places));
   for (const FanTriangle& triangle : fan_of(places)) {
     const double part = area * triangle.share;
-    norms.difference[face] += part * square(layer, off, triangle.corner);
-    norms.sum += part * square(layer, both, triangle.corner);
+    norms.difference[face] +=
+        part * square(layer, of_r - of_p, triangle.corner);
+    norms.sum += part * square(layer, of_r + of_p, triangle.corner);
   }
 }
 

@@ -19,6 +19,26 @@
 /// BentTraction on a face, on which c_t |m - m_p|^2 is right where its normals do not turn.
 namespace ffcontact {
 
+/// int C f . g over a facet of measure 1, of fields that are linear between their values at its
+/// d corners, one column each; r_n in the first row.
+template <class Fields>
+double layer_product(const CompliantLayer& layer, const Fields& f,
+                     const Fields& g) {
+  const Index corners = f.cols();
+  double sum = 0;
+  for (Index row = 0; row < f.rows(); ++row)
+    sum += layer.of(row) *
+           (f.row(row).dot(g.row(row)) + f.row(row).sum() * g.row(row).sum());
+  return sum / static_cast<double>(corners * (corners + 1));
+}
+
+/// r_n and m, which are linear, at the corners.
+inline Matrix4Xd linear_fields(const BentTraction& traction) {
+  Matrix4Xd fields(4, traction.pressing.cols());
+  fields << traction.pressing, traction.turned;
+  return fields;
+}
+
 /// Per contact facet, and int C |r_hat + p|^2 in all; no facets without a layer.
 SpringNorms layer_norms(const ContactLine& line, const ContactLaw& law,
                         const ContactDensities& densities);

@@ -16,10 +16,7 @@ FieldsOfFacet<d> fields_of(const ContactFacet<d>& facet,
   if constexpr (d == 2) {
     return traction;
   } else {
-    const BentTraction bent = bent_traction(facet.frame, traction);
-    FieldsOfFacet<3> fields;
-    fields << bent.pressing, bent.turned;
-    return fields;
+    return linear_fields(bent_traction(facet.frame, traction));
   }
 }
 
@@ -36,17 +33,6 @@ std::array<FieldsOfFacet<d>, d * d> fields_of_moments(
   return fields;
 }
 
-/// int C a . b
-template <int d>
-double product(const CompliantLayer& layer, double measure,
-               const FieldsOfFacet<d>& a, const FieldsOfFacet<d>& b) {
-  double sum = 0;
-  for (Index row = 0; row < a.rows(); ++row)
-    sum += layer.of(row) *
-           (a.row(row).dot(b.row(row)) + a.row(row).sum() * b.row(row).sum());
-  return measure / (d * (d + 1)) * sum;
-}
-
 /// @param off  fields of r_hat less what the layer carries
 template <int d>
 FacetTerm<d> layer_term(const CompliantLayer& layer,
@@ -54,7 +40,7 @@ FacetTerm<d> layer_term(const CompliantLayer& layer,
                         const FieldsOfFacet<d>& off) {
   const auto by_moments = fields_of_moments<d>(facet);
   const auto of = [&](const FieldsOfFacet<d>& a, const FieldsOfFacet<d>& b) {
-    return product<d>(layer, facet.measure, a, b);
+    return facet.measure * layer_product(layer, a, b);
   };
   FacetTerm<d> term{facet.facet, FacetMatrix<d>::Zero(), FacetVector<d>::Zero(),
                     of(off, off)};
