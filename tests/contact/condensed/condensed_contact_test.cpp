@@ -4,45 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "support/bodies.hpp"
 #include "support/cases.hpp"
 #include "support/condensed.hpp"
+#include "support/condensed_problems.hpp"
 #include "support/refusals.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-/// A rectangle in contact on two sides that meet in a corner, with a gap and a previous
-/// displacement.
-Problem cornered(Random& random, Multiplier multiplier) {
-  Problem problem =
-      body(irregular(4, 3, 4, 3, random), material(100, 0.3), {bottom, left});
-  add_traction(problem, top, {-1, -2});
-  clamp(problem, right,
-        [](const Vector2d& x) { return Vector2d(-0.01, 0.01 * x.y()); });
-  problem.law.multiplier = multiplier;
-  problem.law.gap = 0.01 * random_vector(problem.line.node_count(), random);
-  problem.law.previous =
-      0.01 * random_vector(problem.line.node_count(), random);
-  return problem;
-}
-
-/// Two bodies whose nodes do not match, the first one held along the line at its end,
-/// where the second one may move.
-Problem facing(Random& random, Multiplier multiplier) {
-  Bodies two =
-      bodies({shifted(with_random_rows(3, 2, 4, 2, random), {0, 3}),
-              with_random_rows(4, 2, 4, 3, random)},
-             {material(100, 0.3), material(300, 0.2)}, {{0, bottom, 1, top}});
-  prescribe(two.problem, two.label(0, left), 0);
-  clamp(two.problem, two.label(1, bottom));
-  add_traction(two.problem, two.label(0, top), {1, -2});
-  add_traction(two.problem, two.label(1, right), {3, 1});
-  two.problem.law.multiplier = multiplier;
-  return two.problem;
-}
 
 VectorXd weighted_trace(const Problem& problem, const VectorXd& u) {
   const Matrix2Xd trace =
@@ -71,8 +41,8 @@ Problem random_problem(Random& random) {
   const Multiplier multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
   switch (*rc::gen::inRange(0, 3)) {
-    case 0: return cornered(random, multiplier);
-    case 1: return facing(random, multiplier);
+    case 0: return cornered_body(random, multiplier);
+    case 1: return facing_bodies(random, multiplier);
     default: return problem_of(*random_case(0.5));
   }
 }
@@ -133,7 +103,7 @@ TEST(CondensedContact,
 
 TEST(CondensedContact, second_node_of_a_corner_is_dependent) {
   Random random(3);
-  const Condensed c(cornered(random, Multiplier::force));
+  const Condensed c(cornered_body(random, Multiplier::force));
   // the corner's second node; both rows of the vertex on the clamped side
   const int corners = 1, prescribed = 2;
   EXPECT_EQ(static_cast<int>(c.contact.dependent.size()),

@@ -6,34 +6,17 @@
 #include "ffcontact/contact/condensed/condensed_rows.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/contact/refinement.hpp"
-#include "support/bodies.hpp"
-#include "support/cases.hpp"
 #include "support/condensed.hpp"
+#include "support/condensed_problems.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
 
-/// One body in contact on two sides that meet in a corner, or two bodies whose nodes do not
-/// match, the first one held along the line at its end.
 Problem one_or_two_bodies(Random& random) {
-  if (random() % 2) {
-    Problem problem =
-        body(irregular(4, 3, 4, 3, random), material(100, 0.3), {bottom, left});
-    add_traction(problem, top, {-1, -2});
-    clamp(problem, right);
-    problem.law.gap = 0.01 * random_vector(problem.line.node_count(), random);
-    return problem;
-  }
-  Bodies two =
-      bodies({shifted(with_random_rows(3, 2, 4, 2, random), {0, 3}),
-              with_random_rows(4, 2, 4, 3, random)},
-             {material(100, 0.3), material(300, 0.2)}, {{0, bottom, 1, top}});
-  prescribe(two.problem, two.label(0, left), 0);
-  clamp(two.problem, two.label(1, bottom));
-  add_traction(two.problem, two.label(0, top), {1, -2});
-  return two.problem;
+  return random() % 2 ? cornered_body(random, Multiplier::force)
+                      : facing_bodies(random, Multiplier::force);
 }
 
 CompliantLayer random_layer(Random& random) {
