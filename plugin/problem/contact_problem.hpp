@@ -19,10 +19,10 @@ namespace ffcontact::plugin {
 Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 
 /// A contact problem as a script states it: one mesh or several, and label=, friction=,
-/// kineticfriction=, slipbound=, gap=, normal=[nx, ny] (one contact direction a vertex in place of the
-/// lines' and smooth curves' normals), corner= (BoundaryCurves), previous= (displacement of the load step before; an empty array is
-/// none), side= (1 or 2: which body of a pair carries the multipliers). All is evaluated
-/// when it is stated.
+/// kineticfriction=, slipbound=, compliance=, gap=, normal=[nx, ny] (one contact direction a
+/// vertex in place of the lines' and smooth curves' normals), corner= (BoundaryCurves),
+/// previous= (displacement of the load step before; an empty array is none), side= (1 or 2:
+/// which body of a pair carries the multipliers). All is evaluated when it is stated.
 ///
 /// One mesh: label= faces a rigid foundation, or the labels opposite= of the same mesh,
 /// which then is of bodies that share no vertex. Several meshes: body k faces body k + 1,

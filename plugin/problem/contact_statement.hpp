@@ -44,11 +44,11 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
 VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies);
 
-/// The law on a line; against a body without gap= the gap is that of the meshes.
 struct StatedLaw {
   ContactLaw law;
   KineticFriction kinetic;
 };
+/// The law on a line; against a body without gap= the gap is that of the meshes.
 StatedLaw stated_law(Stack stack, const NamedArguments& named,
                      const BodyPart& part, const Edges& edges,
                      const ContactLine& line, const StatedPlaces& places);

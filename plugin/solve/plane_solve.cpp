@@ -9,6 +9,7 @@
 //
 #include "problem/coulomb.hpp"
 #include "problem/result_names.hpp"
+#include "solve/load_step.hpp"
 #include "solve/solve_report.hpp"
 #include "solve/stated_tool.hpp"
 
@@ -96,57 +97,19 @@ ContactStates last_states(const Contact& contact) {
   return states_at(stated, contact.last_abscissa, contact.last_states);
 }
 
-/// For the next step.
-ContactStates states_of_step(const ContactProblem& problem,
-                             const SolvedContact& solved, double tolerance) {
-  const auto& [system, law, solution, motion, tool, driven, nodes, estimate] =
-      solved;
-  if (!problem.kinetic.given()) return solution.state;
-  return states_of_step(
-      solution.state, nodes.slip.cwiseAbs(),
-      tolerance * largest_displacement(law, solution.displacement));
-}
-
-/// mu of another law.
-ContactLaw with_friction_of(const ContactLaw& other, ContactLaw law) {
-  law.friction = other.friction;
-  law.between_nodes = other.between_nodes;
-  return law;
-}
-
-/// Kinetic friction where nodes slipped in the load step before.
-ContactLaw with_kinetic_friction(const SolveCall& call, const Contact& contact,
-                                 bool has_previous, ContactLaw law) {
-  const KineticFriction& kinetic = contact.problem->kinetic;
-  if (!kinetic.given()) return law;
-  const ContactStates last = last_states(contact);
-  switch (step_before(call, contact.solved.has_value(), has_previous, last)) {
-    case StepBefore::none: break;
-    case StepBefore::last_solution:
-      return law_after(last, std::move(law), contact.problem->line, kinetic);
-    case StepBefore::that_of_last_solution:
-      return with_friction_of(contact.solved->law, std::move(law));
-  }
-  return law;
-}
-
-ContactLaw law_of(const SolveCall& call, const Contact& contact) {
+ContactLaw law_of(const SolveCall& call, const Contact& contact,
+                  const ContactStates& last) {
+  const ContactLine& line = contact.problem->line;
   ContactLaw law = contact.problem->law;
   law.multiplier = multiplier_of(call.stack, call.named);
   if (law.bonded) return law;
-  const bool has_previous = law.previous.size() > 0;
-  if (call.named.flag(call.stack, "loadstep")) {
-    if (contact.solved)
-      law.previous = slid(contact.problem->line, *contact.solved);
-    else if (!contact.last_states.empty() && !has_previous)
-      refuse_load_step();
-  }
-  return with_kinetic_friction(call, contact, has_previous, std::move(law));
+  return law_of_step(call, contact, line, last, std::move(law),
+                     [&] { return slid(line, *contact.solved); });
 }
 
 ContactSettings settings_of(const SolveCall& call, const Contact& contact,
-                            const ElasticSystem& system) {
-  ContactSettings settings = settings_of(call, last_states(contact), 2);
+                            const ElasticSystem& system, ContactStates last) {
+  ContactSettings settings = settings_of(call, std::move(last), 2);
   if (settings.storage == SchurStorage::distributed)
     refuse(
         "schur=\"distributed\" is for solids: lines of plane bodies have few "
@@ -173,8 +136,9 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   const ElasticSystem& system = *solved.system;
   // and stays: what a solution left belongs to its line
   if (!contact.solved) problem.choose_sides(system);
-  solved.law = law_of(call, contact);
-  const ContactSettings settings = settings_of(call, contact, system);
+  const ContactStates last = last_states(contact);
+  solved.law = law_of(call, contact, last);
+  const ContactSettings settings = settings_of(call, contact, system, last);
   try {
     solve(call, problem, settings, solved);
   } catch (const NoEquilibrium& none) {
@@ -195,7 +159,8 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));
   report_friction(call.verbosity(), problem, solved);
-  contact.last_states = states_of_step(problem, solved, settings.tolerance);
+  contact.last_states = states_for_next(
+      problem, solved, solved.nodes.slip.cwiseAbs(), settings.tolerance);
   contact.last_abscissa = problem.abscissa;
   contact.solved = std::move(solved);
   return contact.solved->solution.iterations;

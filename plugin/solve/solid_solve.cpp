@@ -7,6 +7,7 @@
 //
 #include "problem/contact_type.hpp"
 #include "problem/result_names.hpp"
+#include "solve/load_step.hpp"
 #include "solve/solve_report.hpp"
 #include "solve/stated_tool.hpp"
 
@@ -22,15 +23,10 @@ Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
   return vectors;
 }
 
-Matrix3Xd pressures(const ContactSurface& surface,
-                    const SurfaceSolution& solution) {
-  return solution.force * surface.area.cwiseInverse().asDiagonal();
-}
-
 SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
                            const SurfaceSolution& solution) {
   const Matrix3Xd& force = solution.force;
-  const Matrix3Xd pressure = pressures(surface, solution);
+  const Matrix3Xd pressure = lumped_pressures(surface, force);
   const Matrix3Xd vector = force_vectors(surface, force);
   const Matrix3Xd moved = displacement_against_foundation(
       surface, on_layer(law, pressure), solution.displacement);
@@ -84,57 +80,25 @@ VectorXd slip_of(const SolidResults& nodes) {
   return (slip1.square() + slip2.square()).sqrt();
 }
 
-/// For the next step.
-ContactStates states_of_step(const SolidProblem& problem,
-                             const SolvedSolid& solved, double tolerance) {
-  const SurfaceSolution& solution = solved.solution;
-  if (!problem.kinetic.given()) return solution.state;
-  return states_of_step(
-      solution.state, slip_of(solved.nodes),
-      tolerance * largest_displacement(solved.law, solution.displacement));
-}
-
-/// mu, kinetic where nodes slipped in the load step before.
-VectorXd friction_of(const SolveCall& call, const SolidContact& contact,
-                     bool has_previous) {
-  const SolidProblem& problem = *contact.problem;
-  const VectorXd& at_rest = problem.law.friction;
-  if (!problem.kinetic.given()) return at_rest;
-  const ContactStates last = states_at(problem, contact.last);
-  switch (step_before(call, contact.solved.has_value(), has_previous, last)) {
-    case StepBefore::none: break;
-    case StepBefore::last_solution:
-      return friction_after(last, at_rest, problem.kinetic.friction);
-    case StepBefore::that_of_last_solution: return contact.solved->law.friction;
-  }
-  return at_rest;
-}
-
 /// u_t without what springs back of it.
 Matrix2Xd slid(const ContactSurface& surface, const SolvedSolid& solved) {
+  const SurfaceSolution& found = solved.solution;
   const Matrix3Xd moved =
-      contact_components(surface, solved.solution.displacement) +
-      solved.law.layer.given_way(pressures(surface, solved.solution));
+      contact_components(surface, found.displacement) +
+      solved.law.layer.given_way(lumped_pressures(surface, found.force));
   return moved.bottomRows<2>();
 }
 
-SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact) {
-  SurfaceLaw law = contact.problem->law;
-  const bool has_previous = law.previous.size() > 0;
-  if (call.named.flag(call.stack, "loadstep")) {
-    if (contact.solved)
-      law.previous = slid(contact.problem->surface, *contact.solved);
-    else if (!contact.last.state.empty() && !has_previous)
-      refuse_load_step();
-  }
-  law.friction = friction_of(call, contact, has_previous);
-  return law;
+SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact,
+                  const ContactStates& last) {
+  const ContactSurface& surface = contact.problem->surface;
+  return law_of_step(call, contact, surface, last, contact.problem->law,
+                     [&] { return slid(surface, *contact.solved); });
 }
 
 ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
-                            const ElasticSystem& system) {
-  ContactSettings settings =
-      settings_of(call, states_at(*contact.problem, contact.last), 3);
+                            const ElasticSystem& system, ContactStates last) {
+  ContactSettings settings = settings_of(call, std::move(last), 3);
   settings.state_of_another_mesh =
       !contact.solved && !call.named.given("initial");
   if (contact.solved && is_same(*contact.solved->system, system)) {
@@ -158,9 +122,10 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   const ElasticSystem& system = *solved.system;
   // and stays: what a solution left belongs to its surface
   if (!contact.solved) problem.choose_sides(system);
-  solved.law = law_of(call, contact);
+  const ContactStates last = states_at(problem, contact.last);
+  solved.law = law_of(call, contact, last);
   const SurfaceLaw& law = solved.law;
-  const ContactSettings settings = settings_of(call, contact, system);
+  const ContactSettings settings = settings_of(call, contact, system, last);
   try {
     solved.solution =
         solve_contact(problem.mesh, problem.surface, law, system, settings);
@@ -179,7 +144,8 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   put(call, problem.own_vertex, solved.nodes);
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));
-  contact.last = {states_of_step(problem, solved, settings.tolerance),
+  contact.last = {states_for_next(problem, solved, slip_of(solved.nodes),
+                                  settings.tolerance),
                   problem.places(), problem.surface.normal};
   contact.solved = std::move(solved);
   return contact.solved->solution.iterations;

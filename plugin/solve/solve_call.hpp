@@ -62,19 +62,4 @@ void put(const SolveCall& call, const std::vector<long>& own_vertex,
 /// 0 open, 1 stick, 2 slip along t (of a solid: in any direction), -2 slip against t.
 std::vector<long> state_numbers(const ContactStates& states);
 
-/// The load step before, whose slip kineticfriction= is about.
-enum class StepBefore {
-  none,
-  last_solution,          ///< it is that
-  that_of_last_solution,  ///< the same step is solved again
-};
-/// @param has_previous  does the statement give previous=?
-/// @param states        of the nodes in the last solution; empty: there is none
-/// @throws std::invalid_argument  if previous= is of a step whose states are not known
-StepBefore step_before(const SolveCall& call, bool is_solved, bool has_previous,
-                       const ContactStates& states);
-
-/// @throws std::invalid_argument  for loadstep=true without a step before
-[[noreturn]] void refuse_load_step();
-
 }  // namespace ffcontact::plugin

@@ -22,10 +22,10 @@ struct StatedSurface {
   }
   /// v of a displacement on all dofs, with a layer under the forces of the nodes.
   VectorXd v_of(const VectorXd& displacement, const Matrix3Xd& force) const {
-    const Matrix3Xd traction = force * surface.area.cwiseInverse().asDiagonal();
     return without(trace.held,
                    displacement_against_foundation(
-                       surface, on_layer(law, traction), displacement))
+                       surface, on_layer(law, lumped_pressures(surface, force)),
+                       displacement))
         .reshaped();
   }
 };

@@ -146,7 +146,7 @@ class OfProducts : public SurfaceRelation, private NewtonRelation {
 
 std::unique_ptr<SurfaceRelation> surface_relation(
     const StatedSurface& stated,
-    std::shared_ptr<const CondensedStiffness> stiffness) {
+    const std::shared_ptr<const CondensedStiffness>& stiffness) {
   if (stiffness->storage() == SchurStorage::whole)
     return std::make_unique<OfWholeSchur>(stated, stiffness);
   return std::make_unique<OfProducts>(stated, stiffness);

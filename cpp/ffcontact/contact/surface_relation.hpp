@@ -35,6 +35,6 @@ class SurfaceRelation {
 /// @param stated  outlives it
 std::unique_ptr<SurfaceRelation> surface_relation(
     const StatedSurface& stated,
-    std::shared_ptr<const CondensedStiffness> stiffness);
+    const std::shared_ptr<const CondensedStiffness>& stiffness);
 
 }  // namespace ffcontact

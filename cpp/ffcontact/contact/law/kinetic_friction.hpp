@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ffcontact/contact/law/contact_law.hpp"
+#include "ffcontact/contact/law/surface_law.hpp"
 
 /// Coulomb's coefficient of what slips, below that of what sticks: friction that breaks away.
 namespace ffcontact {
@@ -30,8 +31,26 @@ ContactStates states_of_step(ContactStates states,
 VectorXd friction_after(const ContactStates& last, const VectorXd& at_rest,
                         const VectorXd& kinetic);
 
-/// The same of a line. Between a node that slipped and one that did not mu is linear.
+/// The law of the load step after that. Between a node of a line that slipped and one that did
+/// not mu is linear.
 ContactLaw law_after(const ContactStates& last, ContactLaw law,
                      const ContactLine& line, const KineticFriction& kinetic);
+inline SurfaceLaw law_after(const ContactStates& last, SurfaceLaw law,
+                            const ContactSurface&,
+                            const KineticFriction& kinetic) {
+  law.friction = friction_after(last, law.friction, kinetic.friction);
+  return law;
+}
+
+/// With mu of another law.
+inline ContactLaw with_friction_of(const ContactLaw& other, ContactLaw law) {
+  law.friction = other.friction;
+  law.between_nodes = other.between_nodes;
+  return law;
+}
+inline SurfaceLaw with_friction_of(const SurfaceLaw& other, SurfaceLaw law) {
+  law.friction = other.friction;
+  return law;
+}
 
 }  // namespace ffcontact

@@ -60,6 +60,11 @@ void require_valid(const SurfaceLaw& law, const ContactSurface& surface) {
   }
 }
 
+Matrix3Xd lumped_pressures(const ContactSurface& surface,
+                           const Ref<const Matrix3Xd>& force) {
+  return force * surface.area.cwiseInverse().asDiagonal();
+}
+
 std::vector<FrictionCone> law_cones(const SurfaceLaw& law,
                                     const ContactSurface& surface) {
   std::vector<FrictionCone> cones(surface.node_count());

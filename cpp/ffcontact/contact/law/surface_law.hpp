@@ -33,6 +33,10 @@ SurfaceLaw on_layer(SurfaceLaw law, const Ref<const Matrix3Xd>& traction);
 ///                                negative or not finite
 void require_valid(const SurfaceLaw& law, const ContactSurface& surface);
 
+/// p_i = F_i / A_i of nodal forces [MPa, 3 x p].
+Matrix3Xd lumped_pressures(const ContactSurface& surface,
+                           const Ref<const Matrix3Xd>& force);
+
 /// The cones of nodal forces [N].
 NodalLaw nodal_law(const SurfaceLaw& law, const ContactSurface& surface);
 
