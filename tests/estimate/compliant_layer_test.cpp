@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "support/bodies.hpp"
 #include "support/cases.hpp"
-#include "support/condensed_problems.hpp"
 #include "support/estimates.hpp"
 #include "support/refusals.hpp"
 #include "support/solid_estimates.hpp"
@@ -34,13 +34,19 @@ void falls_as_told(const Estimated& estimated) {
 }
 
 RC_GTEST_PROP(CompliantLayer, is_relaxed_with_the_bodies, (Random random)) {
-  Problem problem = facing_bodies(random, Multiplier::force);
-  set_friction(problem, 1);
-  problem.law.layer = random_layer(100);
-  const ContactSolution solution = solved(problem);
+  Bodies two =
+      bodies({shifted(with_random_rows(3, 2, 4, 2, random), {0, 3}),
+              with_random_rows(4, 2, 4, 3, random)},
+             {material(100, 0.3), material(300, 0.2)}, {{0, bottom, 1, top}});
+  clamp(two.problem, two.label(1, bottom));
+  add_traction(two.problem, two.label(0, top), {1, -2});
+  set_friction(two.problem, 1);
+  two.problem.law.layer = random_layer(100);
+  const ContactSolution solution = solved(two.problem);
   RC_PRE(solution.status == ContactStatus::converged);
-  falls_as_told(
-      [&](int steps) { return estimated(problem, solution, sweeps(steps)); });
+  falls_as_told([&](int steps) {
+    return estimated(two.problem, solution, sweeps(steps));
+  });
 }
 
 RC_GTEST_PROP(CompliantLayer, is_relaxed_with_the_solids, (Random random)) {
