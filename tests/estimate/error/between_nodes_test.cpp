@@ -24,12 +24,14 @@ struct FieldsOnFace {
 /// One direction and friction 1/2; pressed by 2 MPa, pulled back by 1 MPa, slipping by 3
 /// mm, and beyond the gap by this much.
 FieldsOnFace slipping(double penetration) {
-  const Matrix3Xd normal = Vector3d(0, 0, -1).replicate<1, 3>(),
-                  pull = Vector3d(0, -1, 0).replicate<1, 3>();
-  return {{{normal, Eigen::RowVector3d::Constant(-2), pull},
-           Eigen::RowVector3d::Constant(1)},
-          {normal, Vector3d(3, 0, -penetration).replicate<1, 3>(),
-           Matrix3Xd::Zero(3, 3), Eigen::RowVector3d::Zero()}};
+  const Matrix3d normal = Vector3d(0, 0, -1).replicate<1, 3>(),
+                 pull = Vector3d(0, -1, 0).replicate<1, 3>(),
+                 moved = Vector3d(3, 0, -penetration).replicate<1, 3>(),
+                 none = Matrix3d::Zero();
+  const Eigen::RowVector3d pressed = Eigen::RowVector3d::Constant(-2),
+                           bound = Eigen::RowVector3d::Constant(1),
+                           zero = Eigen::RowVector3d::Zero();
+  return {{{normal, pressed, pull}, bound}, {normal, moved, none, zero}};
 }
 
 /// f = c |w_t| + r_t . w_t + r_n w_n = 0 - 2 w_n.
