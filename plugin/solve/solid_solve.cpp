@@ -96,6 +96,15 @@ SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact,
                      [&] { return slid(surface, *contact.solved); });
 }
 
+void report_multigrid(const SolveCall& call, Multigrid multigrid) {
+  if (multigrid != Multigrid::in_vain || call.verbosity() < 1 || mpirank != 0)
+    return;
+  cout << "contactsolve: multigrid does not converge here, as with nu near 0.5 "
+          "or cells of no volume, and a factor took its place; "
+          "solver=\"direct\" saves the attempt"
+       << endl;
+}
+
 ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
                             const ElasticSystem& system, ContactStates last) {
   ContactSettings settings = settings_of(call, std::move(last), 3);
@@ -103,7 +112,8 @@ ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
       !contact.solved && !call.named.given("initial");
   if (contact.solved && is_same(*contact.solved->system, system)) {
     const auto& stiffness = contact.solved->solution.stiffness;
-    if (!call.named.given("schur") || stiffness->storage() == settings.storage)
+    if (stiffness && (!call.named.given("schur") ||
+                      stiffness->storage() == settings.storage))
       settings.stiffness = stiffness;
   }
   return settings;
@@ -144,6 +154,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   put(call, problem.own_vertex, solved.nodes);
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));
+  report_multigrid(call, solution.multigrid);
   contact.last = {states_for_next(problem, solved, slip_of(solved.nodes),
                                   settings.tolerance),
                   problem.places(), problem.surface.normal};

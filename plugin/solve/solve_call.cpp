@@ -63,6 +63,26 @@ void require_order(const SimplexMesh<dim>& mesh, const VectorXd& load,
         "exchanged, give A, b, u");
 }
 
+/// solver=
+void put_solver(Stack stack, const NamedArguments& named, int dim,
+                ContactSettings& settings) {
+  enum class Solver { newton, fixed_point, direct, multigrid };
+  const Solver chosen = named.choice(stack, "solver", Solver::newton,
+                                     {{"newton", Solver::newton},
+                                      {"fixedpoint", Solver::fixed_point},
+                                      {"direct", Solver::direct},
+                                      {"multigrid", Solver::multigrid}});
+  if (chosen == Solver::multigrid && dim == 2)
+    refuse(
+        "solver=\"multigrid\" is for solids: leave it out, plane bodies are "
+        "solved by a factor");
+  if (chosen == Solver::fixed_point)
+    settings.solver = ContactSolver::fixed_point;
+  if (chosen == Solver::direct || named.given("schur"))
+    settings.linear = LinearSolver::direct;
+  if (chosen == Solver::multigrid) settings.linear = LinearSolver::multigrid;
+}
+
 }  // namespace
 
 template <int dim>
@@ -94,9 +114,7 @@ ContactSettings settings_of(const SolveCall& call, ContactStates states,
   const Stack stack = call.stack;
   const NamedArguments& named = call.named;
   ContactSettings settings;
-  settings.solver = named.choice(stack, "solver", settings.solver,
-                                 {{"newton", ContactSolver::newton},
-                                  {"fixedpoint", ContactSolver::fixed_point}});
+  put_solver(stack, named, dim, settings);
   settings.storage = named.choice(stack, "schur", settings.storage,
                                   {{"whole", SchurStorage::whole},
                                    {"distributed", SchurStorage::distributed}});

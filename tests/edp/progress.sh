@@ -52,5 +52,5 @@ awk '/^contactsolve: .* nodes/ { said = $(NF - 1) }
 solid=$("$1" solid_$script)
 echo "$solid"
 [[ $solid = talk* ]] || fails 'prints of a solid at verbosity 0'
-grep -q '^contactsolve: factorisation, dofs 59049, .* s so far' <<<"$solid" || fails 'contactsolve says nothing of the factorisation of a solid'
+grep -q '^contactsolve: multigrid, dofs 59049, .* s so far' <<<"$solid" || fails 'contactsolve says nothing of the multigrid of a solid'
 if "$1" $script | grep 'so far'; then fails 'what takes no time says what it does'; fi

@@ -8,6 +8,7 @@
 #include "ffcontact/base/progress.hpp"
 #include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
+#include "ffcontact/elastic/multigrid/multigrid_inverse.hpp"
 
 namespace ffcontact {
 
@@ -16,6 +17,13 @@ enum class ContactSolver {
   /// by Newton
   newton,
   fixed_point,  ///< fixed_point [CHH01, Definition 3.1]
+};
+
+/// What solves the linear systems of a solid.
+enum class LinearSolver {
+  automatic,  ///< multigrid from ContactSettings::multigrid_from on, where it can
+  direct,
+  multigrid,
 };
 
 struct ContactSettings {
@@ -41,6 +49,10 @@ struct ContactSettings {
   /// free dofs from which on a solid that prescribed displacements hold is factored in
   /// single precision, and its answer corrected
   int single_precision_from = 30000;
+  LinearSolver linear = LinearSolver::automatic;
+  /// free dofs from which on a solid on a rigid foundation is solved by multigrid
+  /// (multigrid_relation), and by a factor where that does not converge
+  int multigrid_from = multigrid_pays_from;
   /// told of the factorisation, its columns and those of Schur's complement, and of every step, with its violation
   ProgressReport report{};
 

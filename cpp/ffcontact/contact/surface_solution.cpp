@@ -13,6 +13,8 @@
 #include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/matrix_free/product_relation.hpp"
+#include "ffcontact/contact/multigrid/step_multigrid.hpp"
+#include "ffcontact/contact/multigrid_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
 #include "ffcontact/elastic/factor/scaled_stiffness.hpp"
@@ -57,8 +59,12 @@ class Answer {
  public:
   Answer(const StatedSurface& stated,
          std::shared_ptr<const CondensedStiffness> stiffness)
-      : stated_(stated), relation_(surface_relation(stated, stiffness)) {
+      : Answer(stated, surface_relation(stated, stiffness)) {
     solution_.stiffness = std::move(stiffness);
+  }
+
+  Answer(const StatedSurface& stated, std::unique_ptr<SurfaceRelation> relation)
+      : stated_(stated), relation_(std::move(relation)) {
     solution_.displacement = stated.system.prescribed_value;
     FixedPointResult condensed = relation_->answer();
     solution_.history = std::move(condensed.history);
@@ -163,10 +169,8 @@ class Answer {
 /// Single precision where it pays and prescribed displacements hold the body.
 bool takes_single_precision(const SolidMesh& mesh, const ElasticSystem& system,
                             const ContactSettings& settings) {
-  const auto free_dofs =
-      std::count(system.prescribed.begin(), system.prescribed.end(), 0);
   return settings.solver == ContactSolver::newton &&
-         free_dofs >= settings.single_precision_from &&
+         free_dof_count(system) >= settings.single_precision_from &&
          free_rigid_motions(mesh, system.prescribed).cols() == 0;
 }
 
@@ -202,6 +206,60 @@ SurfaceSolution balanced(const SolidMesh& mesh, const StatedSurface& stated,
   return solution;
 }
 
+bool can_take_multigrid(const StatedSurface& stated) {
+  return stated.settings.solver == ContactSolver::newton &&
+         !stated.settings.factorise && has_own_unknowns(stated.trace);
+}
+
+/// Where it is asked for, or pays and there is no factor yet.
+bool takes_multigrid(const StatedSurface& stated) {
+  const ContactSettings& settings = stated.settings;
+  const bool can = can_take_multigrid(stated);
+  if (settings.linear == LinearSolver::multigrid && !can)
+    refuse(
+        "solver=\"multigrid\" is for one solid on a rigid foundation whose "
+        "contact surface has no edges, without compliance=, on one process: "
+        "leave it out");
+  if (settings.linear != LinearSolver::automatic)
+    return settings.linear == LinearSolver::multigrid;
+  return can && !settings.stiffness &&
+         free_dof_count(stated.system) >= settings.multigrid_from;
+}
+
+/// Nothing where Newton's method does not converge with it.
+std::optional<SurfaceSolution> multigrid_solution(const SolidMesh& mesh,
+                                                  const StatedSurface& stated) {
+  Answer answer(stated, multigrid_relation(mesh.vertices, stated));
+  if (answer.is_off()) answer.correct();
+  SurfaceSolution solution =
+      balanced(mesh, stated, std::move(answer).solution());
+  solution.multigrid = Multigrid::used;
+  if (solution.accepted(stated.settings)) return solution;
+  return std::nullopt;
+}
+
+/// In single precision where that pays, and in full where that is not enough.
+SurfaceSolution factored_solution(const SolidMesh& mesh,
+                                  const StatedSurface& stated) {
+  const ContactSettings& settings = stated.settings;
+  const bool is_rough =
+      settings.stiffness
+          ? settings.stiffness->precision() == Precision::single
+          : takes_single_precision(mesh, stated.system, settings);
+  if (is_rough)
+    if (std::optional<SurfaceSolution> solution =
+            roughly_factored_solution(stated))
+      return *std::move(solution);
+  ContactSettings in_full = settings;
+  if (is_rough) in_full.stiffness = nullptr;
+  const StatedSurface again{stated.surface, stated.law, stated.system, in_full,
+                            stated.trace};
+  return balanced(mesh, again,
+                  held_or_refused(mesh, stated.surface, stated.system, [&] {
+                    return corrected_solution(again, Precision::full);
+                  }));
+}
+
 /// Distributed where that is asked for or where one matrix has no room.
 SchurStorage storage_of(const ContactSettings& settings, int kept) {
   if (settings.stiffness) return settings.stiffness->storage();
@@ -229,17 +287,13 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
         "compliance= needs Schur's complement as a whole, which is distributed "
         "or has no room: leave schur= out, or take a coarser mesh");
   const StatedSurface stated{surface, law, system, settings, trace};
-  const bool is_rough =
-      settings.stiffness ? settings.stiffness->precision() == Precision::single
-                         : takes_single_precision(mesh, system, settings);
-  if (is_rough)
-    if (std::optional<SurfaceSolution> solution =
-            roughly_factored_solution(stated))
-      return *std::move(solution);
-  if (is_rough) settings.stiffness = nullptr;
-  return balanced(mesh, stated, held_or_refused(mesh, surface, system, [&] {
-                    return corrected_solution(stated, Precision::full);
-                  }));
+  if (!takes_multigrid(stated)) return factored_solution(mesh, stated);
+  if (std::optional<SurfaceSolution> solution =
+          multigrid_solution(mesh, stated))
+    return *std::move(solution);
+  SurfaceSolution solution = factored_solution(mesh, stated);
+  solution.multigrid = Multigrid::in_vain;
+  return solution;
 }
 
 }  // namespace ffcontact

@@ -9,6 +9,9 @@
 
 namespace ffcontact {
 
+/// Did multigrid solve it, or a factor after it?
+enum class Multigrid { unused, used, in_vain };
+
 /// A solution of frictional contact on a surface.
 struct SurfaceSolution {
   /// anything but converged: the rest is the best iterate
@@ -21,7 +24,9 @@ struct SurfaceSolution {
   std::vector<double> history;  ///< of surface_fixed_point, empty without
   double complementarity = 0;  ///< surface_violation of displacement and forces
   double residual = 0;         ///< ResidualDefect::of_forces
-  std::shared_ptr<const CondensedStiffness> stiffness;  ///< for further loads
+  /// for further loads; null where multigrid was enough
+  std::shared_ptr<const CondensedStiffness> stiffness;
+  Multigrid multigrid = Multigrid::unused;
 
   bool accepted(const ContactSettings& settings) const {
     return status == ContactStatus::converged &&

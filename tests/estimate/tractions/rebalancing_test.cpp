@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ffcontact/contact/condensed/condensed_contact.hpp"
+#include "ffcontact/elastic/multigrid/multigrid_inverse.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "support/cases.hpp"
 #include "support/solid_problems.hpp"
@@ -83,6 +86,51 @@ TEST(Rebalancing, factors_in_full_precision_where_single_is_not_enough) {
       Rebalancing(system, kept, no_motions).displacement(forces);
   EXPECT_EQ(single->precision(), Precision::single);
   EXPECT_LT((u - exact).norm(), 1e-12 * exact.norm());
+}
+
+/// Of a body that is held, and of one that contact alone holds.
+TEST(Rebalancing, by_multigrid_is_that_of_a_factor) {
+  for (const bool held : {true, false}) {
+    SolidProblem problem(brick({8, 6, 4}, {8, 6, 4}), 0.5);
+    if (held)
+      problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, 0); });
+    const ElasticSystem system = problem.system();
+    const std::vector<int> kept = free_dofs_at(
+        {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+    const MatrixXd motions =
+        free_rigid_motions(problem.mesh, system.prescribed);
+    ASSERT_EQ(motions.cols(), held ? 0 : 6);
+    const VectorXd some = VectorXd::NullaryExpr(
+        system.dof_count(), [](Index k) { return std::sin(k * k); });
+    const VectorXd forces =
+        on_free_dofs(system, system.stiffness * on_free_dofs(system, some));
+    const VectorXd exact =
+        Rebalancing(system, kept, motions).displacement(forces);
+    const VectorXd u =
+        Rebalancing(system, kept, motions,
+                    multigrid_inverse(system, problem.mesh.vertices))
+            .displacement(forces);
+    EXPECT_LT((u - exact).norm(), 1e-11 * exact.norm());
+    EXPECT_LT(on_free_dofs(system, system.stiffness * u - forces).norm(),
+              1e-11 * forces.norm());
+  }
+}
+
+/// What gives nothing near is not taken.
+TEST(Rebalancing, factors_where_an_inverse_leads_nowhere) {
+  SolidProblem problem(brick({4, 3, 2}, {4, 3, 2}), 0.5);
+  problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, 0); });
+  const ElasticSystem system = problem.system();
+  const std::vector<int> kept = free_dofs_at(
+      {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+  const VectorXd forces =
+      on_free_dofs(system, VectorXd::Ones(system.dof_count()));
+  const VectorXd u =
+      Rebalancing(system, kept, MatrixXd(system.dof_count(), 0),
+                  [](const VectorXd& f) -> VectorXd { return 0 * f; })
+          .displacement(forces);
+  EXPECT_LT(on_free_dofs(system, system.stiffness * u - forces).norm(),
+            1e-11 * forces.norm());
 }
 
 }  // namespace

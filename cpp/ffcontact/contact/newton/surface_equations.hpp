@@ -27,6 +27,7 @@ class SurfaceEquations {
                    const std::vector<NodeState>& states)
       : held_(held), map_(map), states_(states) {}
 
+  const NodeState& state(int node) const { return states_[node]; }
   bool is_held(int row) const { return held_[row] != 0; }
   bool is_open(int node) const { return states_[node].open; }
   /// Is P = 0 the condition on all rows of a node?

@@ -7,6 +7,7 @@
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/elastic/multigrid/multigrid_inverse.hpp"
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
@@ -109,6 +110,20 @@ NodalResidual<d> residual_with(const SolvedProblem<d>& solved,
                           bodies.boundary_with(contact.densities));
 }
 
+/// By the factor of the solution, or by multigrid where that is faster than one.
+template <int d>
+Rebalancing rebalancing_of(const SolvedProblem<d>& solved,
+                           const MatrixXd& motions) {
+  const ElasticSystem& system = solved.system;
+  const std::vector<int> contact_dofs =
+      free_dofs_at(contact_vertices(solved.contact), system);
+  if constexpr (d == 3)
+    if (!solved.body.stiffness && free_dof_count(system) >= multigrid_pays_from)
+      return {system, contact_dofs, motions,
+              multigrid_inverse(system, solved.topology.mesh.vertices)};
+  return {system, contact_dofs, motions, solved.body.stiffness};
+}
+
 }  // namespace
 
 template <int d>
@@ -133,10 +148,7 @@ FirstTractions<d> first_tractions(const SolvedProblem<d>& solved,
     tractions->beside = boundary_without.moments(Eigen::all, contact.face);
 
   const auto rebalancing = [&solved, &motions] {
-    return Rebalancing(
-        solved.system,
-        free_dofs_at(contact_vertices(solved.contact), solved.system), motions,
-        solved.body.stiffness);
+    return rebalancing_of(solved, motions);
   };
   const CellStresses<d> stress = balanced_stresses(
       topology, body.hooke,

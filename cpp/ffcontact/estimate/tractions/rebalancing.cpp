@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/linear/dense/least_squares.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -17,21 +18,37 @@ Rebalancing::Rebalancing(const ElasticSystem& system,
       motions_(motions),
       stiffness_(stiffness ? std::move(stiffness)
                            : std::make_shared<const CondensedStiffness>(
-                                 system, contact_dofs)),
-      schur_(system, contact_dofs, *stiffness_,
-             motions(contact_dofs, Eigen::all)) {}
+                                 system, contact_dofs)) {
+  schur_.emplace(system, contact_dofs, *stiffness_,
+                 motions(contact_dofs, Eigen::all));
+}
+
+Rebalancing::Rebalancing(const ElasticSystem& system,
+                         const std::vector<int>& contact_dofs,
+                         const MatrixXd& motions, LinearMap inverse)
+    : system_(system),
+      contact_dofs_(contact_dofs),
+      motions_(motions),
+      inverse_(std::move(inverse)) {}
 
 VectorXd Rebalancing::solved(const VectorXd& force_change) const {
+  if (!stiffness_) return without_motion(inverse_(force_change));
   CondensedStiffness::Load load = stiffness_->condensed(force_change);
-  const VectorXd kept = schur_.solve(load.on_kept);
+  const VectorXd kept = schur_->solve(load.on_kept);
   return stiffness_->extended(std::move(load), kept);
+}
+
+VectorXd Rebalancing::without_motion(VectorXd u) const {
+  if (motions_.cols() == 0) return u;
+  const MatrixXd on_contact = motions_(contact_dofs_, Eigen::all);
+  return u - motions_ * least_squares(on_contact, u(contact_dofs_));
 }
 
 VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
   constexpr int most_corrections = 10;
   constexpr double of_rounding = 1e-14, least_gain = 4;
   VectorXd u = solved(force_change);
-  if (stiffness_->is_exact()) return u;
+  if (stiffness_ && stiffness_->is_exact()) return u;
   double last = max_norm(force_change);
   const double wanted = of_rounding * last;
   for (int k = 0; k < most_corrections; ++k) {
@@ -44,7 +61,7 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
     last = size;
   }
   if (last <= 1e3 * wanted) return u;
-  if (stiffness_->storage() == SchurStorage::distributed)
+  if (stiffness_ && stiffness_->storage() == SchurStorage::distributed)
     throw Failure(
         "the distributed Schur complement does not balance the tractions to "
         "rounding");

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ffcontact/contact/condensed/surface_trace.hpp"
+#include "ffcontact/contact/newton/surface_equations.hpp"
+#include "ffcontact/elastic/multigrid/body_grid.hpp"
+#include "ffcontact/elastic/multigrid/smoothed_aggregation.hpp"
+#include "ffcontact/interface/contact_surface.hpp"
+
+namespace ffcontact {
+
+/// The unknowns of a solid on a rigid foundation, all of its displacements: u = T y + u_0
+/// with u_0 on prescribed dofs, where own rows 3 i + c of the nodes are
+///     v = y_k + v_prescribed,   P = (T' (K u - b))_k.
+struct SurfaceUnknowns {
+  VertexFrames<3> frames;  ///< T
+  VectorXi of_row;         ///< k of each row, or -1 where it is held [3 p]
+};
+
+/// Has every row that is not held an unknown of its own?
+bool has_own_unknowns(const SurfaceTrace& trace);
+
+/// @param trace  with own unknowns
+SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
+                                 const SurfaceTrace& trace,
+                                 const ElasticSystem& system);
+
+/// The linear systems of surface_newton with T' K T as it is: GMRES for the change of y,
+///     K y = -missed,   y = 0 where that is the condition,   slip:  with e' K y_t + mu (K y)_n,
+/// and w (1 - e e') y_t, w = c rho / (|tau_t| - rho), preconditioned by multigrid of its
+/// symmetric part. Multigrid follows the states of the nodes.
+class StepMultigrid {
+ public:
+  /// @param unknowns  outlives it
+  StepMultigrid(const ElasticSystem& system, const Matrix3Xd& vertices,
+                const SurfaceUnknowns& unknowns);
+
+  /// Of T' K T on its diagonal at each row that is not held [3 p].
+  double stiffness(int row) const;
+
+  /// w (1 - e e') of a slipping node, 0 of others.
+  static Matrix2d slip_stiffness(const SurfaceEquations& equations, int node);
+
+  /// To a residual of so much of |missed|.
+  /// @return nothing where GMRES leads nowhere
+  std::optional<VectorXd> change(const SurfaceEquations& equations,
+                                 const VectorXd& missed, double residual);
+
+ private:
+  /// What multigrid was told of a node.
+  struct Node {
+    Eigen::Matrix<bool, 3, 1> moves{true, true, true};
+    Matrix2d slip = Matrix2d::Zero();
+  };
+
+  Node node_of(const SurfaceEquations& equations, int node) const;
+  /// @param c  of the natural map, beside which small w are nothing
+  bool is_stale(int node, const Node& now, double c) const;
+  void follow(const SurfaceEquations& equations);
+  SmoothedAggregation<3>::Change change_of(int node, const Node& state) const;
+  /// What the equations of a node make of rows of K y.
+  SingleBlock<3, 1> rows_of(int node, const SurfaceEquations& equations,
+                            const SingleBlock<3, 1>& K_y,
+                            const SingleBlock<3, 1>& y) const;
+  /// Of the true states, which multigrid may have a little behind.
+  VectorXf product(const SurfaceEquations& equations, const VectorXf& y) const;
+  int node_count() const { return static_cast<int>(vertex_.size()); }
+
+  const SurfaceUnknowns& unknowns_;
+  std::vector<int> vertex_;  ///< of each node, -1 where all rows are held
+  std::vector<SingleBlock<3, 3>> diagonal_;  ///< of K at it
+  std::vector<Node> known_;
+  SmoothedAggregation<3> multigrid_;
+};
+
+}  // namespace ffcontact

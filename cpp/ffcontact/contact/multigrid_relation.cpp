@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/multigrid_relation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/multigrid/step_multigrid.hpp"
+#include "ffcontact/contact/newton/surface_newton.hpp"
+#include "ffcontact/elastic/multigrid/row_product.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Newton is given this many linear systems.
+constexpr int most_multigrid_systems = 60;
+/// Residuals of the systems' solutions: of the first one, of those far from the answer, and
+/// the least that single precision has.
+constexpr double first_residual = 1e-2, most_residual = 0.1,
+                 least_residual = 1e-4;
+
+/// Rows: v and P of the nodes, behind them y and the forces T' (K u - b) that no condition
+/// of a node asks for, which are to be 0.
+class OfMultigrid : public SurfaceRelation, private NewtonRelation {
+ public:
+  OfMultigrid(const Matrix3Xd& vertices, const StatedSurface& stated)
+      : stated_(stated),
+        unknowns_(
+            surface_unknowns(stated.surface, stated.trace, stated.system)),
+        step_(told(stated), vertices, unknowns_) {
+    put_loads(stated.system.load, stated.trace.trace.v_prescribed, {});
+  }
+
+  FixedPointResult answer() override {
+    const ContactSettings& settings = stated_.settings;
+    const NewtonSettings limits{
+        std::min(most_multigrid_systems, settings.max_iterations),
+        settings.tolerance, settings.report, settings.tolerance};
+    return {surface_newton(*this, stated_.cones, stated_.trace.held,
+                           settings.first_states(stated_.cones.node_count()),
+                           limits),
+            {}};
+  }
+
+  void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
+                 const VectorXd&) override {
+    load_ = unknowns_.frames.components(load);
+    v_prescribed_ = v_prescribed;
+    least_ = least_scales();
+    last_missed_ = 0;
+  }
+
+  ActiveSetResult answer_near(const ContactRows& rows,
+                              const NewtonSettings& limits) override {
+    VectorXd y = VectorXd::Zero(load_.size());
+    for (int row = 0; row < nodal(); ++row)
+      if (const int k = unknowns_.of_row[row]; k >= 0)
+        y[k] = rows.v[row] - v_prescribed_[row];
+    ContactRows near = rows_of(y);
+    near.P.head(nodal()) = rows.P.head(nodal());
+    return surface_newton(*this, stated_.cones, stated_.trace.held, near,
+                          limits);
+  }
+
+  VectorXd displacement(const ContactRows& rows) const override {
+    return unknowns_.frames.displacement(rows.v.tail(load_.size()));
+  }
+
+  /// As law_scales.
+  LawScales scales(const VectorXd& v) const override {
+    return {std::max(max_norm(v), least_.v), least_.P};
+  }
+
+ private:
+  /// Before multigrid is set up.
+  static const ElasticSystem& told(const StatedSurface& stated) {
+    tell(stated.settings.report,
+         {"multigrid", 0, "dofs",
+          static_cast<double>(stated.system.dof_count())});
+    return stated.system;
+  }
+
+  Index nodal() const { return unknowns_.of_row.size(); }
+  Index row_count() const override { return nodal() + load_.size(); }
+
+  NaturalMap natural_map(const Flags& held) const override {
+    std::vector<double> diagonal;
+    VectorXi position = VectorXi::Constant(nodal(), -1);
+    for (int row = 0; row < nodal(); ++row)
+      if (unknowns_.of_row[row] >= 0) {
+        position[row] = count_of(diagonal);
+        // half of it, as what is beyond gives way
+        diagonal.push_back(step_.stiffness(row) / 2);
+      }
+    return {packed(diagonal), position, held};
+  }
+
+  SystemKind step(const SurfaceEquations& equations,
+                  ContactRows& rows) override {
+    const VectorXd y = with_conditions(equations, rows.v.tail(load_.size()));
+    const VectorXd missed = missed_by(equations, y);
+    const double size = missed.norm();
+    const std::optional<VectorXd> change =
+        step_.change(equations, missed, residual_for(size));
+    if (!change) return SystemKind::inconsistent;
+    rows = rows_of(y + *change);
+    release(equations, rows);
+    return SystemKind::regular;
+  }
+
+  /// v = 0 where that is the condition.
+  VectorXd with_conditions(const SurfaceEquations& equations,
+                           VectorXd y) const {
+    for (int row = 0; row < nodal(); ++row)
+      if (const int k = unknowns_.of_row[row];
+          k >= 0 && equations.is_fixed(row))
+        y[k] = -v_prescribed_[row];
+    return y;
+  }
+
+  /// Exactly no force where that is the condition, so that a body without contact has no
+  /// forces of rounding.
+  void release(const SurfaceEquations& equations, ContactRows& rows) const {
+    for (int row = 0; row < nodal(); ++row) {
+      const int node = row / 3, k = unknowns_.of_row[row];
+      const bool is_free = equations.carries_nothing(node) ||
+                           (row % 3 == 0 && equations.is_open(node));
+      if (k >= 0 && is_free)
+        rows.P[nodal() + k] = std::exchange(rows.P[row], 0);
+    }
+  }
+
+  /// Newton's steps are worth no more than what they gain.
+  double residual_for(double size) {
+    const double last = std::exchange(last_missed_, size);
+    if (last == 0) return first_residual;
+    const double gain = size / last;
+    return std::clamp(0.9 * gain * gain, least_residual, most_residual);
+  }
+
+  /// T' (K T y - b)
+  VectorXd forces(const VectorXd& y) const {
+    return unknowns_.frames.components(row_product(
+               stated_.system.stiffness, unknowns_.frames.displacement(y))) -
+           load_;
+  }
+
+  /// With y = 0, and where the nodes' v is.
+  VectorXd given_forces() const {
+    VectorXd y = VectorXd::Zero(load_.size());
+    for (int row = 0; row < nodal(); ++row)
+      if (const int k = unknowns_.of_row[row]; k >= 0)
+        y[k] = -v_prescribed_[row];
+    return forces(y);
+  }
+
+  LawScales least_scales() const {
+    constexpr double share_of_loads = 1e-4;
+    const VectorXd given = given_forces();
+    const VectorXd K = stated_.system.stiffness.diagonal();
+    double motion = 0;
+    for (Index k = 0; k < given.size(); ++k)
+      if (K[k] > 0) motion = std::max(motion, std::abs(given[k]) / K[k]);
+    return {motion, share_of_loads * max_norm(given)};
+  }
+
+  ContactRows rows_of(const VectorXd& y) const {
+    ContactRows rows{VectorXd::Zero(row_count()), VectorXd::Zero(row_count())};
+    VectorXd left = forces(y);
+    for (int row = 0; row < nodal(); ++row)
+      if (const int k = unknowns_.of_row[row]; k >= 0) {
+        rows.P[row] = std::exchange(left[k], 0);
+        rows.v[row] = y[k] + v_prescribed_[row];
+      }
+    rows.P.tail(left.size()) = left;
+    rows.v.tail(left.size()) = y;
+    return rows;
+  }
+
+  /// What the equations of the states and of equilibrium lack, 0 where y is given.
+  VectorXd missed_by(const SurfaceEquations& equations,
+                     const VectorXd& y) const {
+    const VectorXd F = forces(y);
+    VectorXd missed = F;
+    for (int row = 0; row < nodal(); ++row) {
+      const int k = unknowns_.of_row[row];
+      if (k < 0) continue;
+      if (equations.is_fixed(row))
+        missed[k] = 0;
+      else if (row % 3 > 0)
+        missed[k] += friction_missed(equations, row / 3, F, y)[row % 3 - 1];
+    }
+    return missed;
+  }
+
+  /// w (1 - e e') v_t - (k - mu P_n) e of a node that slips.
+  Vector2d friction_missed(const SurfaceEquations& equations, int node,
+                           const VectorXd& F, const VectorXd& y) const {
+    const NodeState& state = equations.state(node);
+    const Vector3i k = unknowns_.of_row.segment<3>(3 * node);
+    Vector2d slip = Vector2d::Zero();
+    for (int c = 1; c < 3; ++c)
+      if (k[c] >= 0) slip[c - 1] = y[k[c]] + v_prescribed_[3 * node + c];
+    const double bound = state.given - (k[0] >= 0 ? state.ratio * F[k[0]] : 0);
+    return StepMultigrid::slip_stiffness(equations, node) * slip -
+           bound * state.e;
+  }
+
+  const StatedSurface& stated_;
+  SurfaceUnknowns unknowns_;
+  StepMultigrid step_;
+  VectorXd load_;  ///< T' b
+  VectorXd v_prescribed_;
+  LawScales least_;  ///< of v and P
+  double last_missed_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<SurfaceRelation> multigrid_relation(
+    const Matrix3Xd& vertices, const StatedSurface& stated) {
+  return std::make_unique<OfMultigrid>(vertices, stated);
+}
+
+}  // namespace ffcontact

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "ffcontact/contact/surface_relation.hpp"
+
+namespace ffcontact {
+
+/// The relation of a solid on a rigid foundation without a factor of its stiffness: all
+/// displacements are unknown, and surface_newton's steps are inexact ones by
+/// StepMultigrid. Memory and time grow like the number of dofs, where those of a factor
+/// and of Schur's complement grow like its powers 1.4 and 2.
+/// @param vertices  of the mesh
+/// @param stated    whose trace has own unknowns (has_own_unknowns); outlives it
+std::unique_ptr<SurfaceRelation> multigrid_relation(
+    const Matrix3Xd& vertices, const StatedSurface& stated);
+
+}  // namespace ffcontact

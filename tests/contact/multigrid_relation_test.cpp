@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/multigrid_relation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ffcontact/contact/multigrid/step_multigrid.hpp"
+#include "ffcontact/linear/norms.hpp"
+#include "support/pressed_bricks.hpp"
+#include "support/refusals.hpp"
+#include "support/threads.hpp"
+#include "support/turning.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+ContactSettings by(LinearSolver linear) {
+  ContactSettings settings;
+  settings.linear = linear;
+  return settings;
+}
+
+/// By multigrid and by a factor.
+void expect_same(const SolidProblem& problem) {
+  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
+                        other = problem.solve(by(LinearSolver::direct));
+  ASSERT_TRUE(one.accepted({}));
+  ASSERT_TRUE(other.accepted({}));
+  EXPECT_EQ(one.multigrid, Multigrid::used);
+  EXPECT_EQ(other.multigrid, Multigrid::unused);
+  EXPECT_LE(max_norm(one.force - other.force), 1e-8 * max_norm(other.force));
+  EXPECT_LE(max_norm(one.displacement - other.displacement),
+            1e-8 * max_norm(other.displacement));
+  EXPECT_EQ(one.state, other.state);
+}
+
+TEST(MultigridRelation, has_the_answer_of_a_factor) {
+  for (const BlockCase loads : {BlockCase::press, BlockCase::press_x,
+                                BlockCase::shear, BlockCase::lift})
+    for (const double mu : {0.0, 0.5, 2.0})
+      expect_same(block_problem(brick({8, 4, 4}, {80, 40, 40}), loads, mu));
+}
+
+TEST(MultigridRelation, has_it_along_directions_that_turn) {
+  Random random(1);
+  SolidProblem problem =
+      block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::shear, 0.5);
+  problem.surface = turned_at_random(problem.surface, 0.2, random);
+  expect_same(problem);
+}
+
+TEST(MultigridRelation, has_it_of_a_body_that_contact_alone_holds) {
+  SolidProblem problem(brick({8, 4, 4}, {80, 40, 40}), 0.5);
+  problem.load(high_z, {0.5, 0.2, -5});
+  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
+                        other = problem.solve(by(LinearSolver::direct));
+  ASSERT_TRUE(one.accepted({}));
+  EXPECT_EQ(one.multigrid, Multigrid::used);
+  EXPECT_LE(max_norm(one.force - other.force), 1e-8 * max_norm(other.force));
+}
+
+TEST(MultigridRelation, has_it_in_any_units) {
+  for (const double unit : {1e-9, 1e9}) {
+    SolidProblem problem =
+        block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::press_x, 0.5);
+    const SurfaceSolution in_mm = problem.solve(by(LinearSolver::multigrid));
+    for (Index k = 0; k < problem.A.nonZeros(); ++k)
+      if (problem.A.valuePtr()[k] != 1e30) problem.A.valuePtr()[k] *= unit;
+    problem.b *= unit;
+    const SurfaceSolution scaled = problem.solve(by(LinearSolver::multigrid));
+    ASSERT_EQ(scaled.multigrid, Multigrid::used);
+    EXPECT_LE(max_norm(scaled.force / unit - in_mm.force),
+              1e-8 * max_norm(in_mm.force));
+  }
+}
+
+/// Whatever is drawn, where multigrid does not get there a factor does.
+RC_GTEST_PROP(MultigridRelation, has_the_answer_of_a_factor_of_rough_problems,
+              (Random random)) {
+  SolidProblem problem = rough_problem(random);
+  problem.law.friction *= 0.3;  // one solution
+  if (random() % 2 == 0) {
+    problem.law.slip_bound = 10 * problem.law.friction;
+    problem.law.friction.setZero();
+  }
+  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
+                        other = problem.solve(by(LinearSolver::direct));
+  RC_ASSERT(one.accepted({}));
+  RC_ASSERT(other.accepted({}));
+  RC_ASSERT(max_norm(one.force - other.force) <= 1e-7 * max_norm(other.force));
+}
+
+TEST(MultigridRelation, has_the_same_digits_on_two_threads) {
+  const SolidProblem problem =
+      block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::press_x, 0.5);
+  const auto answer = [&] {
+    return problem.solve(by(LinearSolver::multigrid)).displacement;
+  };
+  EXPECT_EQ(on_threads(1, answer), on_threads(2, answer));
+}
+
+TEST(MultigridRelation, is_refused_where_nodes_share_a_vertex) {
+  SolidProblem problem(brick({2, 2, 2}, {1, 1, 1}), 0.5, {low_z, low_x});
+  problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, -1e-3); });
+  EXPECT_EQ(refusal([&] { problem.solve(by(LinearSolver::multigrid)); }),
+            "solver=\"multigrid\" is for one solid on a rigid foundation whose "
+            "contact surface has no edges, without compliance=, on one "
+            "process: leave it out");
+}
+
+}  // namespace
+}  // namespace ffcontact
