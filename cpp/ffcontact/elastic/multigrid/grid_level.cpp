@@ -168,7 +168,7 @@ void GridLevel<dim, size>::find_patterns() {
 
 /// Q_i - omega D^-1 (A Q)_i
 template <int dim, int size>
-void GridLevel<dim, size>::find_row_of_P(int i, NodeList& place) {
+void GridLevel<dim, size>::find_prolongation_row(int i, NodeList& place) {
   const auto omega = static_cast<float>(4 / (3 * largest_));
   const BlockRows<size, size>& A = grid_.A;
   const BlockPattern& row = P_.pattern;
@@ -190,7 +190,7 @@ void GridLevel<dim, size>::find_prolongation(const NodeList& nodes) {
 #pragma omp for
     for (int n = 0; n < count_of(nodes); ++n) {
       const int i = nodes[n];
-      find_row_of_P(i, place);
+      find_prolongation_row(i, place);
       for (int k = P_.pattern.begin(i); k < P_.pattern.end(i); ++k)
         R_.value[place_in_R_[k]] = P_.value[k].transpose();
     }
@@ -199,8 +199,8 @@ void GridLevel<dim, size>::find_prolongation(const NodeList& nodes) {
 
 /// (A P)_i, in the order of AP_.
 template <int dim, int size>
-void GridLevel<dim, size>::find_row_of_AP(int i, NodeList& place,
-                                          BlockOfP* row) const {
+void GridLevel<dim, size>::find_product_row(int i, NodeList& place,
+                                            BlockOfP* row) const {
   number_columns(AP_, i, 0, place);
   const BlockRows<size, size>& A = grid_.A;
   for (int k = A.pattern.begin(i); k < A.pattern.end(i); ++k) {
@@ -211,12 +211,11 @@ void GridLevel<dim, size>::find_row_of_AP(int i, NodeList& place,
 }
 
 /// A_IJ = sum P_iI' (A P)_iJ, by rows.
-/// @param AP     rows of A P, where each one begins
+/// @param products  rows of A P, and where each one begins
 template <int dim, int size>
-void GridLevel<dim, size>::find_coarse_row(int I, NodeList& place,
-                                           const std::vector<BlockOfP>& AP,
-                                           const NodeList& first,
-                                           CoarseMatrix& coarse) const {
+void GridLevel<dim, size>::find_coarse_row(
+    int I, NodeList& place, const std::vector<BlockOfP>& products,
+    const NodeList& first, CoarseMatrix& coarse) const {
   const BlockPattern& row = coarse.pattern;
   number_columns(row, I, row.begin(I), place);
   for (int k = row.begin(I); k < row.end(I); ++k) coarse.value[k].setZero();
@@ -224,7 +223,7 @@ void GridLevel<dim, size>::find_coarse_row(int I, NodeList& place,
     const int i = R_.pattern.column[k];
     for (int l = AP_.begin(i); l < AP_.end(i); ++l)
       coarse.value[place[AP_.column[l]]].noalias() +=
-          R_.value[k] * AP[first[i] + l - AP_.begin(i)];
+          R_.value[k] * products[first[i] + l - AP_.begin(i)];
   }
 }
 
@@ -245,7 +244,7 @@ void GridLevel<dim, size>::find_coarse_rows(const NodeList& needed,
     NodeList place(aggregate_count(), -1);
 #pragma omp for
     for (int n = 0; n < count_of(needed); ++n)
-      find_row_of_AP(needed[n], place, &AP[first[needed[n]]]);
+      find_product_row(needed[n], place, &AP[first[needed[n]]]);
 #pragma omp for
     for (int n = 0; n < count_of(aggregates); ++n)
       find_coarse_row(aggregates[n], place, AP, first, coarse);

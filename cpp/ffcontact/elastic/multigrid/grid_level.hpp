@@ -69,9 +69,10 @@ class GridLevel {
   void find_patterns();
   NodeList find_bases(const NodeList& aggregates, CoarseGrid& coarse);
   void find_prolongation(const NodeList& nodes);
-  void find_row_of_P(int i, NodeList& place);
-  void find_row_of_AP(int i, NodeList& place, BlockOfP* row) const;
-  void find_coarse_row(int I, NodeList& place, const std::vector<BlockOfP>& AP,
+  void find_prolongation_row(int i, NodeList& place);
+  void find_product_row(int i, NodeList& place, BlockOfP* row) const;
+  void find_coarse_row(int I, NodeList& place,
+                       const std::vector<BlockOfP>& products,
                        const NodeList& first, CoarseMatrix& coarse) const;
   void find_coarse_rows(const NodeList& needed, const NodeList& aggregates,
                         CoarseMatrix& coarse) const;
