@@ -50,6 +50,16 @@ TEST(MultigridRelation, has_it_along_directions_that_turn) {
   expect_same(problem);
 }
 
+TEST(MultigridRelation, has_it_of_a_load_step_and_gaps) {
+  Random random(1);
+  SolidProblem problem =
+      block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::press, 0.5);
+  const int nodes = problem.surface.node_count();
+  problem.law.previous = 1e-2 * random_matrix(2, nodes, random);
+  problem.law.gap = 1e-3 * random_vector(nodes, random).cwiseAbs();
+  expect_same(problem);
+}
+
 TEST(MultigridRelation, has_it_of_a_body_that_contact_alone_holds) {
   SolidProblem problem(brick({8, 4, 4}, {80, 40, 40}), 0.5);
   problem.load(high_z, {0.5, 0.2, -5});

@@ -109,6 +109,30 @@ TEST(SmoothedAggregation, follows_what_is_held) {
   EXPECT_EQ(M(right), before);
 }
 
+/// What follows a few vertices has the digits of what is made of all of them anew.
+TEST(SmoothedAggregation, follows_as_if_all_had_changed) {
+  const SolidProblem problem = block(12, {1, 1, 1});
+  const ElasticSystem system = problem.system();
+  SmoothedAggregation<3> M = multigrid(problem, system);
+  const VertexFrames<3> frames(system);
+  std::vector<SmoothedAggregation<3>::Change> few, all;
+  const int half = problem.mesh.vertex_count() / 2;
+  for (int v = 0; v < problem.mesh.vertex_count(); ++v) {
+    all.push_back({v, M.matrix().block(v, v), motions_along<3>(frames.of(v))});
+    if (v < half || v > half + 2) continue;
+    all.back().diagonal.row(0).setZero();
+    all.back().diagonal.col(0).setZero();
+    all.back().motions.row(0).setZero();
+    few.push_back(all.back());
+  }
+  const VectorXf right =
+      on_free_dofs(system, mixed_load(system.dof_count())).cast<float>();
+  M.put(few);
+  const VectorXf after_few = M(right);
+  M.put(all);
+  EXPECT_EQ(after_few, M(right));
+}
+
 TEST(SmoothedAggregation, is_symmetric) {
   const SolidProblem problem = block(8, {1, 1, 1});
   const ElasticSystem system = problem.system();
