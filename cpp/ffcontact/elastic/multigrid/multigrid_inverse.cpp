@@ -14,7 +14,8 @@ namespace ffcontact {
 
 namespace {
 
-constexpr ConjugateGradientLimits limits{1e-8, 150};
+// more would be less than the rounding of what several corrections leave
+constexpr ConjugateGradientLimits limits{1e-5, 150};
 
 }  // namespace
 
