@@ -58,19 +58,6 @@ std::vector<Vertices> connected_parts(const SimplexMesh<dim>& mesh) {
 }
 
 template <int dim>
-constexpr int motion_count = dim*(dim + 1) / 2;
-
-/// The rotations about the axes at r, one column each: e_z x r in the plane.
-template <int dim>
-Matrix<double, dim, motion_count<dim> - dim> rotations(const VectorOf<dim>& r) {
-  if constexpr (dim == 2) return Vector2d(-r.y(), r.x());
-  Matrix<double, dim, motion_count<dim> - dim> result;
-  if constexpr (dim == 3)
-    for (int k = 0; k < 3; ++k) result.col(k) = Vector3d::Unit(k).cross(r);
-  return result;
-}
-
-template <int dim>
 struct Frame {
   using Point = VectorOf<dim>;
   Point centre;

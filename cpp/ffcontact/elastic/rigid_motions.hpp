@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,21 @@
 #include "ffcontact/mesh/mesh.hpp"
 
 namespace ffcontact {
+
+/// Of a body: translations and rotations.
+template <int dim>
+constexpr int motion_count = dim*(dim + 1) / 2;
+
+/// The rotations about the axes at r, one column each: e_z x r in the plane, e_k x r in
+/// space.
+template <int dim>
+Matrix<double, dim, motion_count<dim> - dim> rotations(const VectorOf<dim>& r) {
+  if constexpr (dim == 2) return Vector2d(-r.y(), r.x());
+  Matrix<double, dim, motion_count<dim> - dim> result;
+  if constexpr (dim == 3)
+    for (int k = 0; k < 3; ++k) result.col(k) = Vector3d::Unit(k).cross(r);
+  return result;
+}
 
 /// Basis of the rigid motions that no prescribed dof stops, one column each [dofs x k], k
 /// = 0 to 3 per connected part in the plane, 0 to 6 in space. A motion a + w x (x - c)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/multigrid/node_motions.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
 
@@ -14,12 +13,9 @@ constexpr double dependent = 1e-3;
 /// Parameters about another centre: a' = a + w x r, w' = w.
 template <int dim>
 auto moved_by(const VectorOf<dim>& r) {
-  constexpr int count = dim * (dim + 1) / 2;
+  constexpr int count = motion_count<dim>;
   Matrix<double, count, count> shift = Matrix<double, count, count>::Identity();
-  if constexpr (dim == 2) shift.col(2).template head<2>() << -r.y(), r.x();
-  if constexpr (dim == 3)
-    for (int k = 0; k < 3; ++k)
-      shift.col(3 + k).template head<3>() = Vector3d::Unit(k).cross(r);
+  shift.template topRightCorner<dim, count - dim>() = rotations<dim>(r);
   return shift;
 }
 
@@ -47,7 +43,7 @@ VectorXd scales(double radius) {
 }
 
 template <int dim>
-using Wide = Matrix<double, Dynamic, dim*(dim + 1) / 2>;
+using Wide = Matrix<double, Dynamic, motion_count<dim>>;
 
 /// Motions about a centre, scaled, of all members, with as many rows as columns at least.
 template <int dim, int size>

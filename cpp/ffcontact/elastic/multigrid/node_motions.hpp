@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/elastic/multigrid/block_rows.hpp"
+#include "ffcontact/elastic/rigid_motions.hpp"
 
 namespace ffcontact {
 
@@ -12,7 +13,7 @@ namespace ffcontact {
 /// themselves.
 template <int dim, int size>
 struct NodeMotions {
-  static constexpr int count = dim * (dim + 1) / 2;
+  static constexpr int count = motion_count<dim>;
   VectorOf<dim> centre = VectorOf<dim>::Zero();
   double radius = 0;  ///< of what belongs to it, about the centre
   SingleBlock<size, count> motions = SingleBlock<size, count>::Zero();
