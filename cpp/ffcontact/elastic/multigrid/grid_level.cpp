@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/linear/iterative/aggregates.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -60,41 +59,6 @@ void append_row(const BlockPattern& A, int row, NodeList& to) {
             A.column.begin() + A.end(row));
 }
 
-/// Nodes that something is left of, and where each stands among them.
-struct FreeNodes {
-  NodeList node, place;
-};
-FreeNodes free_nodes(const VectorXd& norm) {
-  FreeNodes found{{}, NodeList(norm.size(), -1)};
-  for (int i = 0; i < norm.size(); ++i) {
-    if (norm[i] == 0) continue;
-    found.place[i] = count_of(found.node);
-    found.node.push_back(i);
-  }
-  return found;
-}
-
-/// Which free nodes are strong neighbours.
-template <int size>
-SparseMatrix strong_neighbours(const BlockRows<size, size>& A,
-                               const VectorXd& norm, const FreeNodes& free,
-                               double threshold) {
-  const Index count = count_of(free.node);
-  SparseMatrix strong(count, count);
-  for (Index column = 0; column < count; ++column) {
-    strong.startVec(column);
-    const int i = free.node[column];
-    for (int k = A.pattern.begin(i); k < A.pattern.end(i); ++k) {
-      const int j = A.pattern.column[k];
-      const double own = A.value[k].template cast<double>().norm();
-      if (free.place[j] >= 0 && own > threshold * std::sqrt(norm[i] * norm[j]))
-        strong.insertBack(free.place[j], column) = 1;
-    }
-  }
-  strong.finalize();
-  return strong;
-}
-
 }  // namespace
 
 template <int dim, int size>
@@ -102,7 +66,7 @@ GridLevel<dim, size>::GridLevel(Grid<dim, size> grid, double threshold)
     : grid_(std::move(grid)), inverse_(grid_.A.rows()) {
   find_inverses(all_below(node_count()));
   largest_ = largest_eigenvalue();
-  find_aggregates(threshold);
+  aggregates_ = strong_aggregates(grid_.A, threshold);
   find_patterns();
 }
 
@@ -134,25 +98,9 @@ double GridLevel<dim, size>::largest_eigenvalue() const {
 }
 
 template <int dim, int size>
-void GridLevel<dim, size>::find_aggregates(double threshold) {
-  VectorXd norm(node_count());
-  for (int i = 0; i < node_count(); ++i)
-    norm[i] = grid_.A.block(i, i).template cast<double>().norm();
-  const FreeNodes free = free_nodes(norm);
-  const Aggregates found =
-      aggregates(strong_neighbours(grid_.A, norm, free, threshold));
-  aggregate_.assign(node_count(), -1);
-  members_.resize(found.count());
-  for (int k = 0; k < count_of(free.node); ++k) {
-    aggregate_[free.node[k]] = found.of_node[k];
-    members_[found.of_node[k]].push_back(free.node[k]);
-  }
-}
-
-template <int dim, int size>
 void GridLevel<dim, size>::find_patterns() {
   BlockPattern own;
-  for (int aggregate : aggregate_) {
+  for (int aggregate : aggregates_.of_node) {
     if (aggregate >= 0) own.column.push_back(aggregate);
     own.first.push_back(count_of(own.column));
   }
@@ -175,11 +123,12 @@ void GridLevel<dim, size>::find_prolongation_row(int i, NodeList& place) {
   number_columns(row, i, row.begin(i), place);
   for (int k = row.begin(i); k < row.end(i); ++k) P_.value[k].setZero();
   for (int k = A.pattern.begin(i); k < A.pattern.end(i); ++k)
-    if (const int j = A.pattern.column[k]; aggregate_[j] >= 0)
-      P_.value[place[aggregate_[j]]] += A.value[k] * tentative_[j];
+    if (const int j = A.pattern.column[k]; aggregates_.of_node[j] >= 0)
+      P_.value[place[aggregates_.of_node[j]]] += A.value[k] * tentative_[j];
   for (int k = row.begin(i); k < row.end(i); ++k)
     P_.value[k] = -omega * (inverse_[i] * P_.value[k]).eval();
-  if (aggregate_[i] >= 0) P_.value[place[aggregate_[i]]] += tentative_[i];
+  if (aggregates_.of_node[i] >= 0)
+    P_.value[place[aggregates_.of_node[i]]] += tentative_[i];
 }
 
 template <int dim, int size>
@@ -258,7 +207,7 @@ auto GridLevel<dim, size>::coarse_grid() -> CoarseGrid {
   coarse.A.value.resize(coarse.A.pattern.column.size());
   coarse.motions.resize(aggregate_count());
   const NodeList all = all_below(node_count());
-  refresh({all, all}, coarse);
+  follow({all, all}, coarse);
   return coarse;
 }
 
@@ -285,7 +234,7 @@ NodeList GridLevel<dim, size>::find_bases(const NodeList& aggregates,
                                           CoarseGrid& coarse) {
 #pragma omp parallel for
   for (int k = 0; k < count_of(aggregates); ++k) {
-    const NodeList& members = members_[aggregates[k]];
+    const NodeList& members = aggregates_.members[aggregates[k]];
     const auto basis = aggregate_basis(grid_.motions, members);
     for (int n = 0; n < count_of(members); ++n)
       tentative_[members[n]] = basis.tentative[n];
@@ -293,7 +242,8 @@ NodeList GridLevel<dim, size>::find_bases(const NodeList& aggregates,
   }
   NodeList nodes;
   for (int I : aggregates)
-    nodes.insert(nodes.end(), members_[I].begin(), members_[I].end());
+    nodes.insert(nodes.end(), aggregates_.members[I].begin(),
+                 aggregates_.members[I].end());
   return ascending(std::move(nodes));
 }
 
@@ -301,7 +251,7 @@ template <int dim, int size>
 NodeList GridLevel<dim, size>::aggregates_of(const NodeList& nodes) const {
   NodeList found;
   for (int i : nodes)
-    if (aggregate_[i] >= 0) found.push_back(aggregate_[i]);
+    if (aggregates_.of_node[i] >= 0) found.push_back(aggregates_.of_node[i]);
   return ascending(std::move(found));
 }
 
@@ -309,6 +259,12 @@ template <int dim, int size>
 ChangedNodes GridLevel<dim, size>::refresh(const ChangedNodes& changed,
                                            CoarseGrid& coarse) {
   find_inverses(changed.rows);
+  return follow(changed, coarse);
+}
+
+template <int dim, int size>
+ChangedNodes GridLevel<dim, size>::follow(const ChangedNodes& changed,
+                                          CoarseGrid& coarse) {
   ChangedNodes result;
   result.motions = aggregates_of(changed.motions);
   NodeList moved = with_neighbours(find_bases(result.motions, coarse));

@@ -5,6 +5,7 @@
 
 #include "ffcontact/elastic/multigrid/block_rows.hpp"
 #include "ffcontact/elastic/multigrid/node_motions.hpp"
+#include "ffcontact/elastic/multigrid/strong_aggregates.hpp"
 
 namespace ffcontact {
 
@@ -16,8 +17,6 @@ struct Grid {
   BlockRows<size, size> A;
   std::vector<NodeMotions<dim, size>> motions;  ///< of each node
 };
-
-using NodeList = std::vector<int>;
 
 /// Nodes of a grid whose rows, or whose motions, are not what they were.
 struct ChangedNodes {
@@ -31,12 +30,11 @@ class GridLevel {
   static constexpr int coarse_size = NodeMotions<dim, size>::count;
   using CoarseGrid = Grid<dim, coarse_size>;
 
-  /// The aggregates are those of strong neighbours, |A_ij| > threshold (|A_ii|
-  /// |A_jj|)^1/2 in Frobenius' norm; nodes that are held belong to none.
+  /// @param threshold  of strong_aggregates
   GridLevel(Grid<dim, size> grid, double threshold);
 
   int node_count() const { return grid_.A.rows(); }
-  int aggregate_count() const { return static_cast<int>(members_.size()); }
+  int aggregate_count() const { return aggregates_.count(); }
   const BlockRows<size, size>& matrix() const { return grid_.A; }
   /// To be changed; refresh is told where.
   Grid<dim, size>& grid() { return grid_; }
@@ -65,8 +63,9 @@ class GridLevel {
 
   void find_inverses(const NodeList& nodes);
   double largest_eigenvalue() const;
-  void find_aggregates(double threshold);
   void find_patterns();
+  /// refresh with the inverses at hand.
+  ChangedNodes follow(const ChangedNodes& changed, CoarseGrid& coarse);
   NodeList find_bases(const NodeList& aggregates, CoarseGrid& coarse);
   void find_prolongation(const NodeList& nodes);
   void find_prolongation_row(int i, NodeList& place);
@@ -83,8 +82,7 @@ class GridLevel {
   Grid<dim, size> grid_;
   std::vector<SingleBlock<size, size>> inverse_;  ///< D^-1
   double largest_ = 0;  ///< above the largest eigenvalue of D^-1 A
-  NodeList aggregate_;  ///< of each node, or -1
-  std::vector<NodeList> members_;
+  StrongAggregates aggregates_;
   std::vector<BlockOfP> tentative_;  ///< Q of each node
   BlockRows<size, coarse_size> P_;
   BlockRows<coarse_size, size> R_;  ///< P', row by row

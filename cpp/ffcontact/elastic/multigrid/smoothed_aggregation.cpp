@@ -88,16 +88,6 @@ VectorXf SmoothedAggregation<dim>::operator()(const VectorXf& right) const {
   return cycle(finest_, 0, right);
 }
 
-template <int dim>
-std::vector<Index> SmoothedAggregation<dim>::sizes() const {
-  std::vector<Index> sizes{static_cast<Index>(dim) * finest_.node_count()};
-  for (const Coarse& level : coarse_)
-    sizes.push_back(static_cast<Index>(Finest::coarse_size) *
-                    level.node_count());
-  sizes.push_back(static_cast<Index>(Finest::coarse_size) * last_.A.rows());
-  return sizes;
-}
-
 template class SmoothedAggregation<3>;
 
 }  // namespace ffcontact

@@ -41,9 +41,6 @@ class SmoothedAggregation {
   };
   void put(const std::vector<Change>& changes);
 
-  /// Unknowns of each grid, the finest first.
-  std::vector<Index> sizes() const;
-
  private:
   VectorXf cycle(std::size_t level, const VectorXf& right) const;
   template <class Level>
