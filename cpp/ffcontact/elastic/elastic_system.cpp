@@ -151,6 +151,10 @@ ElasticSystem joined_systems(const std::vector<ElasticSystem>& bodies) {
   return joined;
 }
 
+Index free_dof_count(const ElasticSystem& system) {
+  return std::count(system.prescribed.begin(), system.prescribed.end(), 0);
+}
+
 std::vector<int> free_dofs_at(const std::vector<int>& vertices,
                               const ElasticSystem& system) {
   const int dim = system.dimension;

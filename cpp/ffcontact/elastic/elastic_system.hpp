@@ -37,6 +37,8 @@ ElasticSystem elastic_system(const RowMatrixView& A,
 /// Forces on all dofs, 0 on the prescribed ones.
 VectorXd on_free_dofs(const ElasticSystem& system, VectorXd forces);
 
+Index free_dof_count(const ElasticSystem& system);
+
 /// The free dofs of vertices, each once, in the order of these.
 std::vector<int> free_dofs_at(const std::vector<int>& vertices,
                               const ElasticSystem& system);

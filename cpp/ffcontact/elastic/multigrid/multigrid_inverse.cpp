@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/multigrid/multigrid_inverse.hpp"
 
-#include <algorithm>
 #include <memory>
 
 #include "ffcontact/elastic/multigrid/body_grid.hpp"
@@ -18,10 +17,6 @@ namespace {
 constexpr ConjugateGradientLimits limits{1e-5, 150};
 
 }  // namespace
-
-Index free_dof_count(const ElasticSystem& system) {
-  return std::count(system.prescribed.begin(), system.prescribed.end(), 0);
-}
 
 LinearMap multigrid_inverse(const ElasticSystem& system,
                             const Matrix3Xd& vertices) {

@@ -9,8 +9,6 @@ namespace ffcontact {
 /// Free dofs of a solid from which on multigrid is faster than a factor.
 constexpr int multigrid_pays_from = 20000;
 
-Index free_dof_count(const ElasticSystem& system);
-
 /// f -> u near K^-1 f on the free dofs, by conjugate gradients with SmoothedAggregation to a
 /// residual of 1e-5 of f; 0 where they do not get there. Of a singular K some u, where f
 /// does no work on its rigid motions.
