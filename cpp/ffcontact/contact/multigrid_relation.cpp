@@ -55,9 +55,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   ActiveSetResult answer_near(const ContactRows& rows,
                               const NewtonSettings& limits) override {
     VectorXd y = VectorXd::Zero(load_.size());
-    for (int row = 0; row < nodal(); ++row)
-      if (const int k = unknowns_.of_row[row]; k >= 0)
-        y[k] = rows.v[row] - v_prescribed_[row];
+    for_rows([&](int row, int k) { y[k] = rows.v[row] - v_prescribed_[row]; });
     ContactRows near = rows_of(y);
     near.P.head(nodal()) = rows.P.head(nodal());
     return surface_newton(*this, stated_.cones, stated_.trace.held, near,
@@ -83,17 +81,22 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   }
 
   Index nodal() const { return unknowns_.of_row.size(); }
+  /// Calls visit(row, k) for the rows that are not held and their y_k.
+  template <class Visit>
+  void for_rows(const Visit& visit) const {
+    for (int row = 0; row < nodal(); ++row)
+      if (const int k = unknowns_.of_row[row]; k >= 0) visit(row, k);
+  }
   Index row_count() const override { return nodal() + load_.size(); }
 
   NaturalMap natural_map(const Flags& held) const override {
     std::vector<double> diagonal;
     VectorXi position = VectorXi::Constant(nodal(), -1);
-    for (int row = 0; row < nodal(); ++row)
-      if (unknowns_.of_row[row] >= 0) {
-        position[row] = count_of(diagonal);
-        // half of it, as what is beyond gives way
-        diagonal.push_back(step_.stiffness(row) / 2);
-      }
+    for_rows([&](int row, int) {
+      position[row] = count_of(diagonal);
+      // half of it, as what is beyond gives way
+      diagonal.push_back(step_.stiffness(row) / 2);
+    });
     return {packed(diagonal), position, held};
   }
 
@@ -113,23 +116,21 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   /// v = 0 where that is the condition.
   VectorXd with_conditions(const SurfaceEquations& equations,
                            VectorXd y) const {
-    for (int row = 0; row < nodal(); ++row)
-      if (const int k = unknowns_.of_row[row];
-          k >= 0 && equations.is_fixed(row))
-        y[k] = -v_prescribed_[row];
+    for_rows([&](int row, int k) {
+      if (equations.is_fixed(row)) y[k] = -v_prescribed_[row];
+    });
     return y;
   }
 
   /// Exactly no force where that is the condition, so that a body without contact has no
   /// forces of rounding.
   void release(const SurfaceEquations& equations, ContactRows& rows) const {
-    for (int row = 0; row < nodal(); ++row) {
-      const int node = row / 3, k = unknowns_.of_row[row];
+    for_rows([&](int row, int k) {
+      const int node = row / 3;
       const bool is_free = equations.carries_nothing(node) ||
                            (row % 3 == 0 && equations.is_open(node));
-      if (k >= 0 && is_free)
-        rows.P[nodal() + k] = std::exchange(rows.P[row], 0);
-    }
+      if (is_free) rows.P[nodal() + k] = std::exchange(rows.P[row], 0);
+    });
   }
 
   /// Newton's steps are worth no more than what they gain.
@@ -147,12 +148,10 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
            load_;
   }
 
-  /// With y = 0, and where the nodes' v is.
+  /// Where the nodes' v and all other y are 0.
   VectorXd given_forces() const {
     VectorXd y = VectorXd::Zero(load_.size());
-    for (int row = 0; row < nodal(); ++row)
-      if (const int k = unknowns_.of_row[row]; k >= 0)
-        y[k] = -v_prescribed_[row];
+    for_rows([&](int row, int k) { y[k] = -v_prescribed_[row]; });
     return forces(y);
   }
 
@@ -169,11 +168,10 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   ContactRows rows_of(const VectorXd& y) const {
     ContactRows rows{VectorXd::Zero(row_count()), VectorXd::Zero(row_count())};
     VectorXd left = forces(y);
-    for (int row = 0; row < nodal(); ++row)
-      if (const int k = unknowns_.of_row[row]; k >= 0) {
-        rows.P[row] = std::exchange(left[k], 0);
-        rows.v[row] = y[k] + v_prescribed_[row];
-      }
+    for_rows([&](int row, int k) {
+      rows.P[row] = std::exchange(left[k], 0);
+      rows.v[row] = y[k] + v_prescribed_[row];
+    });
     rows.P.tail(left.size()) = left;
     rows.v.tail(left.size()) = y;
     return rows;
@@ -184,14 +182,12 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
                      const VectorXd& y) const {
     const VectorXd F = forces(y);
     VectorXd missed = F;
-    for (int row = 0; row < nodal(); ++row) {
-      const int k = unknowns_.of_row[row];
-      if (k < 0) continue;
+    for_rows([&](int row, int k) {
       if (equations.is_fixed(row))
         missed[k] = 0;
       else if (row % 3 > 0)
         missed[k] += friction_missed(equations, row / 3, F, y)[row % 3 - 1];
-    }
+    });
     return missed;
   }
 

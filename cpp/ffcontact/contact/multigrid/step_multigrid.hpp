@@ -28,10 +28,12 @@ SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
                                  const SurfaceTrace& trace,
                                  const ElasticSystem& system);
 
-/// The linear systems of surface_newton with T' K T as it is: GMRES for the change of y,
-///     K y = -missed,   y = 0 where that is the condition,   slip:  with e' K y_t + mu (K y)_n,
-/// and w (1 - e e') y_t, w = c rho / (|tau_t| - rho), preconditioned by multigrid of its
-/// symmetric part. Multigrid follows the states of the nodes.
+/// The linear systems of surface_newton with K for T' K T, for the change y of the unknowns:
+///     inside, open:  K y = -missed          where v = 0 is the condition:  y = 0
+///     slip:          (K y)_t + mu (K y)_n e + w (1 - e e') y_t = -missed,
+///                    w = c rho / (|tau_t| - rho),
+/// by GMRES. Its preconditioner is multigrid of the symmetric part, that without mu, and
+/// follows the states of the nodes.
 class StepMultigrid {
  public:
   /// @param unknowns  outlives it
