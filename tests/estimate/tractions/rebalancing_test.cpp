@@ -45,14 +45,19 @@ RC_GTEST_PROP(Rebalancing, balances_the_change_of_forces, (Random random)) {
                                       : std::abs(residual[dof])) < 1e-9);
 }
 
+std::vector<int> contact_dofs_of(const SolidProblem& problem,
+                                 const ElasticSystem& system) {
+  const VectorXi& vertex = problem.surface.vertex;
+  return free_dofs_at({vertex.begin(), vertex.end()}, system);
+}
+
 /// The residuals of K correct it.
 RC_GTEST_PROP(Rebalancing, by_a_factor_in_single_precision_is_as_good,
               (Random random)) {
   SolidProblem problem(brick({4, 3, 2}, {4, 3, 2}), 0.5);
   problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, -1e-3); });
   const ElasticSystem system = problem.system();
-  const std::vector<int> kept = free_dofs_at(
-      {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+  const std::vector<int> kept = contact_dofs_of(problem, system);
   const MatrixXd no_motions(system.dof_count(), 0);
   VectorXd forces = random_vector(system.dof_count(), random);
   for (int dof = 0; dof < forces.size(); ++dof)
@@ -72,8 +77,7 @@ TEST(Rebalancing, factors_in_full_precision_where_single_is_not_enough) {
   SolidProblem problem(brick({100, 1, 1}, {100, 1, 1}), 0.5);
   problem.move(low_x, [](const Vector3d&) { return Vector3d(0, 0, 0); });
   const ElasticSystem system = problem.system();
-  const std::vector<int> kept = free_dofs_at(
-      {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+  const std::vector<int> kept = contact_dofs_of(problem, system);
   const MatrixXd no_motions(system.dof_count(), 0);
   VectorXd forces = VectorXd::Zero(system.dof_count());
   for (int v = 0; v < problem.mesh.vertex_count(); ++v)
@@ -95,8 +99,7 @@ TEST(Rebalancing, by_multigrid_is_that_of_a_factor) {
     if (held)
       problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, 0); });
     const ElasticSystem system = problem.system();
-    const std::vector<int> kept = free_dofs_at(
-        {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+    const std::vector<int> kept = contact_dofs_of(problem, system);
     const MatrixXd motions =
         free_rigid_motions(problem.mesh, system.prescribed);
     ASSERT_EQ(motions.cols(), held ? 0 : 6);
@@ -121,8 +124,7 @@ TEST(Rebalancing, factors_where_an_inverse_leads_nowhere) {
   SolidProblem problem(brick({4, 3, 2}, {4, 3, 2}), 0.5);
   problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, 0); });
   const ElasticSystem system = problem.system();
-  const std::vector<int> kept = free_dofs_at(
-      {problem.surface.vertex.begin(), problem.surface.vertex.end()}, system);
+  const std::vector<int> kept = contact_dofs_of(problem, system);
   const VectorXd forces =
       on_free_dofs(system, VectorXd::Ones(system.dof_count()));
   const VectorXd u =
