@@ -7,6 +7,7 @@
 #include "ffcontact/linear/norms.hpp"
 #include "support/pressed_bricks.hpp"
 #include "support/refusals.hpp"
+#include "support/solid_stacks.hpp"
 #include "support/threads.hpp"
 #include "support/turning.hpp"
 
@@ -70,6 +71,50 @@ TEST(MultigridRelation, has_it_of_a_body_that_contact_alone_holds) {
   EXPECT_LE(max_norm(one.force - other.force), 1e-8 * max_norm(other.force));
 }
 
+/// Makes the first body of a stack so many times as stiff.
+void stiffen(double factor, SolidStack& stack) {
+  RowMatrix& A = stack.problem.A;
+  const Index end = 3 * stack.joined.first_vertex[1];
+  for (Index k = 0; k < end; ++k)
+    for (RowMatrix::InnerIterator e(A, k); e; ++e)
+      if (e.value() != 1e30) e.valueRef() *= factor;
+}
+
+/// A block on a larger one, whose meshes do not match, moved down, along and about y.
+SolidStack block_on_a_block(double mu, double stiffness) {
+  Random random(1);
+  SolidStack stack({random_brick({6, 6, 3}, {0.4, 0.3, 0}, {2, 1.3, 1}, random),
+                    random_brick({9, 6, 3}, {0, 0, -1}, {3, 2, 1}, random)},
+                   mu);
+  stiffen(stiffness, stack);
+  SolidProblem& problem = stack.problem;
+  problem.move(stack.label(1, low_z),
+               [](const Vector3d&) { return Vector3d::Zero(); });
+  problem.move(stack.label(0, high_z), [](const Vector3d& x) {
+    return Vector3d(2e-3, 1e-3, -1e-3 * (x.x() - 0.8));
+  });
+  return stack;
+}
+
+TEST(MultigridRelation, has_it_of_solids_whose_meshes_do_not_match) {
+  for (const double stiffness : {1e-3, 1.0, 10.0})
+    for (const double mu : {0.0, 0.3, 1.0})
+      expect_same(block_on_a_block(mu, stiffness).problem);
+}
+
+RC_GTEST_PROP(MultigridRelation, has_the_answer_of_a_factor_of_random_solids,
+              (Random random)) {
+  const SolidProblem problem = random_solids(0.3, random).problem;
+  const SurfaceSolution other = problem.solve(by(LinearSolver::direct));
+  RC_PRE(other.accepted({}));
+  ContactSettings from_0;
+  from_0.multigrid_from = 0;
+  const SurfaceSolution one = problem.solve(from_0);
+  RC_TAG(one.multigrid == Multigrid::used);
+  RC_ASSERT(one.accepted({}));
+  RC_ASSERT(max_norm(one.force - other.force) <= 1e-7 * max_norm(other.force));
+}
+
 TEST(MultigridRelation, has_it_in_any_units) {
   for (const double unit : {1e-9, 1e9}) {
     SolidProblem problem =
@@ -114,9 +159,9 @@ TEST(MultigridRelation, is_refused_where_nodes_share_a_vertex) {
   SolidProblem problem(brick({2, 2, 2}, {1, 1, 1}), 0.5, {low_z, low_x});
   problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, -1e-3); });
   EXPECT_EQ(refusal([&] { problem.solve(by(LinearSolver::multigrid)); }),
-            "solver=\"multigrid\" is for one solid on a rigid foundation whose "
-            "contact surface has no edges, without compliance=, on one "
-            "process: leave it out");
+            "solver=\"multigrid\" is for solids whose contact surfaces have "
+            "no edges and move where they face what moves, without "
+            "compliance=, on one process: leave it out");
 }
 
 }  // namespace

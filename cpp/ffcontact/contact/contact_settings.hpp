@@ -50,7 +50,7 @@ struct ContactSettings {
   /// single precision, and its answer corrected
   int single_precision_from = 30000;
   LinearSolver linear = LinearSolver::automatic;
-  /// free dofs from which on a solid on a rigid foundation is solved by multigrid
+  /// free dofs from which on solids are solved by multigrid
   /// (multigrid_relation), and by a factor where that does not converge
   int multigrid_from = multigrid_pays_from;
   /// told of the factorisation, its columns and those of Schur's complement, and of every step, with its violation

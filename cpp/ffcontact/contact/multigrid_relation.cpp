@@ -21,8 +21,8 @@ constexpr int most_multigrid_systems = 60;
 constexpr double first_residual = 1e-2, most_residual = 0.1,
                  least_residual = 1e-4;
 
-/// Rows: v and P of the nodes, behind them y and the forces T' (K u - b) that no condition
-/// of a node asks for, which are to be 0.
+/// Rows: v and P of the nodes, behind them y and the forces K u - b on y that no condition of
+/// a node asks for, which are to be 0.
 class OfMultigrid : public SurfaceRelation, private NewtonRelation {
  public:
   OfMultigrid(const Matrix3Xd& vertices, const StatedSurface& stated)
@@ -90,14 +90,27 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   Index row_count() const override { return nodal() + load_.size(); }
 
   NaturalMap natural_map(const Flags& held) const override {
+    const VectorXd K = stated_.system.stiffness.diagonal();
     std::vector<double> diagonal;
     VectorXi position = VectorXi::Constant(nodal(), -1);
     for_rows([&](int row, int) {
       position[row] = count_of(diagonal);
       // half of it, as what is beyond gives way
-      diagonal.push_back(step_.stiffness(row) / 2);
+      diagonal.push_back(
+          0.5 / (1 / step_.stiffness(row) + compliance_followed(K, row)));
     });
     return {packed(diagonal), position, held};
+  }
+
+  /// Of what a row follows, as springs beside each other.
+  double compliance_followed(const VectorXd& K, int row) const {
+    double sum = 0;
+    for (const auto& link :
+         unknowns_.frames.followed_by(unknowns_.of_row[row] / 3))
+      for (int c = 0; c < 3; ++c)
+        if (const double B = link.B(row % 3, c); B != 0)
+          sum += B * B / K[3 * link.vertex + c];
+    return sum;
   }
 
   SystemKind step(const SurfaceEquations& equations,
@@ -141,7 +154,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
     return std::clamp(0.9 * gain * gain, least_residual, most_residual);
   }
 
-  /// T' (K T y - b)
+  /// K u - b on y
   VectorXd forces(const VectorXd& y) const {
     return unknowns_.frames.components(row_product(
                stated_.system.stiffness, unknowns_.frames.displacement(y))) -
@@ -207,7 +220,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   const StatedSurface& stated_;
   SurfaceUnknowns unknowns_;
   StepMultigrid step_;
-  VectorXd load_;  ///< T' b
+  VectorXd load_;  ///< b on y
   VectorXd v_prescribed_;
   LawScales least_;  ///< of v and P
   double last_missed_ = 0;

@@ -7,8 +7,8 @@
 
 namespace ffcontact {
 
-/// The relation of a solid on a rigid foundation without a factor of its stiffness: all
-/// displacements are unknown, and surface_newton's steps are inexact ones by
+/// The relation of solids, on a rigid foundation or against each other, without a factor of
+/// their stiffness: all displacements are unknown, and surface_newton's steps are inexact ones by
 /// StepMultigrid. Memory and time grow like the number of dofs, where those of a factor
 /// and of Schur's complement grow like its powers 1.4 and 2.
 /// @param vertices  of the mesh

@@ -217,9 +217,9 @@ bool takes_multigrid(const StatedSurface& stated) {
   const bool can = can_take_multigrid(stated);
   if (settings.linear == LinearSolver::multigrid && !can)
     refuse(
-        "solver=\"multigrid\" is for one solid on a rigid foundation whose "
-        "contact surface has no edges, without compliance=, on one process: "
-        "leave it out");
+        "solver=\"multigrid\" is for solids whose contact surfaces have no "
+        "edges and move where they face what moves, without compliance=, on "
+        "one process: leave it out");
   if (settings.linear != LinearSolver::automatic)
     return settings.linear == LinearSolver::multigrid;
   return can && !settings.stiffness &&

@@ -2,6 +2,8 @@
 #include "ffcontact/contact/multigrid/step_multigrid.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/linear/iterative/gmres.hpp"
@@ -20,19 +22,9 @@ constexpr int most_products = 150;
 /// Residual of GMRES that is of no use.
 constexpr double useless_residual = 0.5;
 
-}  // namespace
-
-bool has_own_unknowns(const SurfaceTrace& trace) {
-  const auto free = std::count(trace.held.begin(), trace.held.end(), 0);
-  const int own = count_of(trace.primary);
-  return own == free && own == trace.trace.A.cols();
-}
-
-SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
-                                 const SurfaceTrace& trace,
-                                 const ElasticSystem& system) {
-  SurfaceUnknowns unknowns{VertexFrames<3>(system),
-                           VectorXi::Constant(3 * surface.node_count(), -1)};
+/// T of the contact vertices and the unknowns of the rows.
+void put_frames(const ContactSurface& surface, const SurfaceTrace& trace,
+                SurfaceUnknowns& unknowns) {
   const ContactTrace& moved = trace.trace;
   std::vector<Matrix3d> T(surface.node_count(), Matrix3d::Zero());
   for (int k = 0; k < count_of(trace.primary); ++k) {
@@ -43,6 +35,42 @@ SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
   }
   for (int i = 0; i < surface.node_count(); ++i)
     if (!T[i].isZero(0)) unknowns.frames.put(surface.vertex[i], T[i]);
+}
+
+/// By w = v - v_prescribed - A_o w_o.
+void put_followed(const ContactSurface& surface, const SurfaceTrace& trace,
+                  VertexFrames<3>& frames) {
+  const ContactTrace& moved = trace.trace;
+  std::map<std::pair<int, int>, Matrix3d> B;
+  for (Index k = count_of(trace.primary); k < moved.A.cols(); ++k)
+    for (SparseMatrix::InnerIterator w(moved.to_kept, k); w; ++w) {
+      const int dof = moved.kept_dofs[w.row()];
+      for (SparseMatrix::InnerIterator e(moved.A, k); e; ++e) {
+        const int row = static_cast<int>(e.row());
+        const std::pair link(surface.vertex[row / 3], dof / 3);
+        const auto known = B.try_emplace(link, Matrix3d::Zero()).first;
+        known->second(row % 3, dof % 3) -= e.value() * w.value();
+      }
+    }
+  for (const auto& [link, block] : B)
+    if (!block.isZero(0)) frames.follow(link.first, link.second, block);
+}
+
+}  // namespace
+
+bool has_own_unknowns(const SurfaceTrace& trace) {
+  const auto free = std::count(trace.held.begin(), trace.held.end(), 0);
+  const int own = count_of(trace.primary);
+  return own == free && trace.trace.A.leftCols(own).nonZeros() == own;
+}
+
+SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
+                                 const SurfaceTrace& trace,
+                                 const ElasticSystem& system) {
+  SurfaceUnknowns unknowns{VertexFrames<3>(system),
+                           VectorXi::Constant(3 * surface.node_count(), -1)};
+  put_frames(surface, trace, unknowns);
+  put_followed(surface, trace, unknowns.frames);
   return unknowns;
 }
 

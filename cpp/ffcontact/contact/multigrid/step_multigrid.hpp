@@ -12,15 +12,17 @@
 
 namespace ffcontact {
 
-/// The unknowns of a solid on a rigid foundation, all of its displacements: u = T y + u_0
-/// with u_0 on prescribed dofs, where own rows 3 i + c of the nodes are
-///     v = y_k + v_prescribed,   P = (T' (K u - b))_k.
+/// The unknowns of solids in contact, as many as they have free dofs: what u consists of
+/// beside prescribed values, of which the rows 3 i + c of the nodes have
+///     v = y_k + v_prescribed,   P_k = (K u - b)_k in the components of y,
+/// so that contact vertices follow what they face, and what their states hold is a mask.
 struct SurfaceUnknowns {
-  VertexFrames<3> frames;  ///< T
-  VectorXi of_row;         ///< k of each row, or -1 where it is held [3 p]
+  VertexFrames<3> frames;
+  VectorXi of_row;  ///< k of each row, or -1 where it is held [3 p]
 };
 
-/// Has every row that is not held an unknown of its own?
+/// Has every row that is not held an unknown of its own? Not where nodes share a vertex,
+/// where contact vertices follow each other, nor those that are fixed what moves.
 bool has_own_unknowns(const SurfaceTrace& trace);
 
 /// @param trace  with own unknowns
@@ -28,7 +30,7 @@ SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
                                  const SurfaceTrace& trace,
                                  const ElasticSystem& system);
 
-/// The linear systems of surface_newton with K for T' K T, for the change y of the unknowns:
+/// The linear systems of surface_newton with K for that of y, for the change y of the unknowns:
 ///     inside, open:  K y = -missed          where v = 0 is the condition:  y = 0
 ///     slip:          (K y)_t + mu (K y)_n e + w (1 - e e') y_t = -missed,
 ///                    w = c rho / (|tau_t| - rho),
@@ -40,7 +42,7 @@ class StepMultigrid {
   StepMultigrid(const ElasticSystem& system, const Matrix3Xd& vertices,
                 const SurfaceUnknowns& unknowns);
 
-  /// Of T' K T on its diagonal at each row that is not held [3 p].
+  /// Of K on its diagonal at each row that is not held [3 p].
   double stiffness(int row) const;
 
   /// w (1 - e e') of a slipping node, 0 of others.

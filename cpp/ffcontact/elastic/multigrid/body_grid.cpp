@@ -3,85 +3,146 @@
 
 #include <algorithm>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Vertices whose dofs have an entry in the rows of a vertex.
+/// Calls visit(w) for the vertices w whose dofs have an entry in the rows of a vertex, as
+/// often as they have one.
+template <int dim, class Visit>
+void visit_neighbours(const RowMatrix& K, int v, const Visit& visit) {
+  for (int c = 0; c < dim; ++c)
+    for (RowMatrix::InnerIterator e(K, dof_of<dim>(v, c)); e; ++e)
+      visit(static_cast<int>(e.col()) / dim);
+}
+
+/// Calls visit(i, F) for the rows of K that the row of y_v adds up, by F T_i'.
+template <int dim, class Visit>
+void visit_rows(const VertexFrames<dim>& frames, int v, const Visit& visit) {
+  visit(v, MatrixOf<dim>(MatrixOf<dim>::Identity()));
+  for (const auto& follower : frames.followers_of(v))
+    visit(follower.vertex, MatrixOf<dim>(follower.B.transpose()));
+}
+
 template <int dim>
-BlockPattern vertex_pattern(const RowMatrix& K) {
+BlockPattern vertex_pattern(const RowMatrix& K,
+                            const VertexFrames<dim>& frames) {
   const auto vertices = static_cast<int>(K.rows() / dim);
   BlockPattern pattern;
-  std::vector<int> seen(vertices, -1);
+  NodeList seen(vertices, -1);
   for (int v = 0; v < vertices; ++v) {
-    seen[v] = v;
-    pattern.column.push_back(v);
-    for (int c = 0; c < dim; ++c)
-      for (RowMatrix::InnerIterator e(K, dof_of<dim>(v, c)); e; ++e)
-        if (const int w = static_cast<int>(e.col()) / dim; seen[w] != v) {
-          seen[w] = v;
-          pattern.column.push_back(w);
-        }
+    const auto see = [&](int w) {
+      if (seen[w] == v) return;
+      seen[w] = v;
+      pattern.column.push_back(w);
+    };
+    see(v);
+    visit_rows(frames, v, [&](int i, const MatrixOf<dim>&) {
+      visit_neighbours<dim>(K, i, [&](int w) {
+        see(w);
+        for (const auto& link : frames.followed_by(w)) see(link.vertex);
+      });
+    });
     std::sort(pattern.column.begin() + pattern.first.back(),
               pattern.column.end());
-    pattern.first.push_back(static_cast<int>(pattern.column.size()));
+    pattern.first.push_back(count_of(pattern.column));
   }
   return pattern;
 }
 
-/// T_v' K_vw T_w in row v.
+/// Rows of the stiffness of y, one after the other.
 template <int dim>
-void put_row(const RowMatrix& K, const VertexFrames<dim>& frames, int v,
-             BlockRows<dim, dim>& A, std::vector<int>& place) {
-  const int begin = A.pattern.begin(v), end = A.pattern.end(v);
-  std::vector<MatrixOf<dim>> blocks(end - begin, MatrixOf<dim>::Zero());
-  for (int k = begin; k < end; ++k) place[A.pattern.column[k]] = k - begin;
-  for (int c = 0; c < dim; ++c)
-    for (RowMatrix::InnerIterator e(K, dof_of<dim>(v, c)); e; ++e)
-      blocks[place[e.col() / dim]](c, e.col() % dim) = e.value();
-  for (int k = begin; k < end; ++k)
-    A.value[k] = (frames.of(v).transpose() * blocks[k - begin] *
-                  frames.of(A.pattern.column[k]))
-                     .template cast<float>();
+class RowBuilder {
+ public:
+  RowBuilder(const RowMatrix& K, const VertexFrames<dim>& frames)
+      : K_(K), frames_(frames), place_(K.rows() / dim, -1) {}
+
+  void put(int v, BlockRows<dim, dim>& A) {
+    const int begin = A.pattern.begin(v), end = A.pattern.end(v);
+    sum_.assign(end - begin, MatrixOf<dim>::Zero());
+    visit_rows(frames_, v, [&](int i, const MatrixOf<dim>& F) {
+      read(i);
+      for (int k = begin; k < end; ++k) place_[A.pattern.column[k]] = k - begin;
+      add(F * frames_.of(i).transpose());
+    });
+    for (int k = begin; k < end; ++k)
+      A.value[k] = sum_[k - begin].template cast<float>();
+  }
+
+ private:
+  /// K_iw
+  struct Entry {
+    int vertex;
+    MatrixOf<dim> K;
+  };
+
+  void read(int i) {
+    entries_.clear();
+    visit_neighbours<dim>(K_, i, [&](int w) { place_[w] = -1; });
+    for (int c = 0; c < dim; ++c)
+      for (RowMatrix::InnerIterator e(K_, dof_of<dim>(i, c)); e; ++e) {
+        const int w = static_cast<int>(e.col()) / dim;
+        if (place_[w] < 0) {
+          place_[w] = count_of(entries_);
+          entries_.push_back({w, MatrixOf<dim>::Zero()});
+        }
+        entries_[place_[w]].K(c, e.col() % dim) = e.value();
+      }
+  }
+
+  /// F T_i' K_iw T_w to column w and to those that w follows.
+  void add(const MatrixOf<dim>& FT) {
+    for (const Entry& entry : entries_) {
+      const MatrixOf<dim> own = FT * entry.K * frames_.of(entry.vertex);
+      sum_[place_[entry.vertex]] += own;
+      for (const auto& link : frames_.followed_by(entry.vertex))
+        sum_[place_[link.vertex]] += own * link.B;
+    }
+  }
+
+  const RowMatrix& K_;
+  const VertexFrames<dim>& frames_;
+  NodeList place_;
+  std::vector<Entry> entries_;
+  std::vector<MatrixOf<dim>> sum_;
+};
+
+/// The body of each vertex, by what its rows of K have entries for.
+template <int dim>
+NodeList bodies(const RowMatrix& K) {
+  NodeList body(K.rows() / dim, -1), last;
+  int count = 0;
+  for (int v = 0; v < count_of(body); ++v) {
+    const auto reach = [&](int w) {
+      if (body[w] >= 0) return;
+      body[w] = count;
+      last.push_back(w);
+    };
+    reach(v);
+    while (!last.empty()) {
+      const int next = last.back();
+      last.pop_back();
+      visit_neighbours<dim>(K, next, reach);
+    }
+    if (body[v] == count) ++count;
+  }
+  return body;
 }
 
-template <int dim, class OfVertex>
-VectorXd by_vertices(int count, const OfVertex& of) {
-  VectorXd values(dim * count);
-#pragma omp parallel for
-  for (int v = 0; v < count; ++v) vector_at<dim>(values, v) = of(v);
-  return values;
+/// Bodies, and of each what follows others.
+template <int dim>
+NodeList parts(const RowMatrix& K, const VertexFrames<dim>& frames) {
+  if (!frames.has_followers()) return NodeList(K.rows() / dim, 0);
+  NodeList part = bodies<dim>(K);
+  for (int v = 0; v < count_of(part); ++v)
+    part[v] = 2 * part[v] + (frames.followed_by(v).empty() ? 0 : 1);
+  return part;
 }
 
 }  // namespace
-
-template <int dim>
-VertexFrames<dim>::VertexFrames(const ElasticSystem& system)
-    : T_(system.dof_count() / dim, MatrixOf<dim>::Identity()) {
-  for (int dof = 0; dof < system.dof_count(); ++dof)
-    if (system.prescribed[dof]) T_[dof / dim].col(dof % dim).setZero();
-}
-
-template <int dim>
-void VertexFrames<dim>::put(int vertex, const MatrixOf<dim>& T) {
-  T_[vertex] = T;
-}
-
-template <int dim>
-VectorXd VertexFrames<dim>::displacement(const VectorXd& y) const {
-  return by_vertices<dim>(count(), [&](int v) -> VectorOf<dim> {
-    return T_[v] * vector_at<dim>(y, v);
-  });
-}
-
-template <int dim>
-VectorXd VertexFrames<dim>::components(const VectorXd& forces) const {
-  return by_vertices<dim>(count(), [&](int v) -> VectorOf<dim> {
-    return T_[v].transpose() * vector_at<dim>(forces, v);
-  });
-}
 
 template <int dim>
 SingleBlock<dim, NodeMotions<dim, dim>::count> motions_along(
@@ -96,16 +157,17 @@ Grid<dim, dim> body_grid(const ElasticSystem& system,
                          const Matrix<double, dim, Dynamic>& vertices,
                          const VertexFrames<dim>& frames) {
   Grid<dim, dim> grid;
-  grid.A.pattern = vertex_pattern<dim>(system.stiffness);
+  grid.A.pattern = vertex_pattern<dim>(system.stiffness, frames);
   grid.A.value.resize(grid.A.pattern.column.size());
+  grid.part = parts(system.stiffness, frames);
   const int count = grid.A.rows();
   grid.motions.resize(count);
 #pragma omp parallel
   {
-    std::vector<int> place(count);
+    RowBuilder<dim> builder(system.stiffness, frames);
 #pragma omp for
     for (int v = 0; v < count; ++v) {
-      put_row(system.stiffness, frames, v, grid.A, place);
+      builder.put(v, grid.A);
       grid.motions[v].centre = vertices.col(v);
       grid.motions[v].motions = motions_along<dim>(frames.of(v));
     }
@@ -113,7 +175,6 @@ Grid<dim, dim> body_grid(const ElasticSystem& system,
   return grid;
 }
 
-template class VertexFrames<3>;
 template Grid<3, 3> body_grid(const ElasticSystem&, const Matrix3Xd&,
                               const VertexFrames<3>&);
 template SingleBlock<3, 6> motions_along<3>(const Matrix3d&);

@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
-#include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/elastic/multigrid/grid_level.hpp"
+#include "ffcontact/elastic/multigrid/vertex_frames.hpp"
 
 namespace ffcontact {
 
-/// Directions that the unknowns y of some vertices stand for, u = T y: a column of T is 0
-/// where an unknown stands for nothing and is held. Those of the others are the axes.
-template <int dim>
-class VertexFrames {
- public:
-  explicit VertexFrames(const ElasticSystem& system);
-
-  void put(int vertex, const MatrixOf<dim>& T);
-  /// T, with columns of 0 at prescribed dofs.
-  const MatrixOf<dim>& of(int vertex) const { return T_[vertex]; }
-  /// T y and T' f of all vertices.
-  VectorXd displacement(const VectorXd& y) const;
-  VectorXd components(const VectorXd& forces) const;
-
- private:
-  int count() const { return static_cast<int>(T_.size()); }
-  std::vector<MatrixOf<dim>> T_;
-};
-
-/// T' K T in single precision, and the rigid motions in y.
+/// The stiffness of y in single precision, and how rigid motions move it. Vertices that
+/// follow others are parts of their own: their y is the motion of one body against another,
+/// which no rigid motion of either is.
 template <int dim>
 Grid<dim, dim> body_grid(const ElasticSystem& system,
                          const Matrix<double, dim, Dynamic>& vertices,

@@ -66,7 +66,7 @@ GridLevel<dim, size>::GridLevel(Grid<dim, size> grid, double threshold)
     : grid_(std::move(grid)), inverse_(grid_.A.rows()) {
   find_inverses(all_below(node_count()));
   largest_ = largest_eigenvalue();
-  aggregates_ = strong_aggregates(grid_.A, threshold);
+  aggregates_ = strong_aggregates(grid_.A, grid_.part, threshold);
   find_patterns();
 }
 
@@ -206,6 +206,8 @@ auto GridLevel<dim, size>::coarse_grid() -> CoarseGrid {
   coarse.A.pattern = product(R_.pattern, AP_, aggregate_count());
   coarse.A.value.resize(coarse.A.pattern.column.size());
   coarse.motions.resize(aggregate_count());
+  for (const NodeList& members : aggregates_.members)
+    coarse.part.push_back(grid_.part[members.front()]);
   const NodeList all = all_below(node_count());
   follow({all, all}, coarse);
   return coarse;

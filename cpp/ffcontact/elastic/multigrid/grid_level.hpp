@@ -16,6 +16,7 @@ template <int dim, int size>
 struct Grid {
   BlockRows<size, size> A;
   std::vector<NodeMotions<dim, size>> motions;  ///< of each node
+  NodeList part;  ///< of each node: those of several parts make no aggregate
 };
 
 /// Nodes of a grid whose rows, or whose motions, are not what they were.

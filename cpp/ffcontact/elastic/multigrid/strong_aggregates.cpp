@@ -27,8 +27,8 @@ FreeNodes free_nodes(const VectorXd& norm) {
 /// Which free nodes are strong neighbours.
 template <int size>
 SparseMatrix strong_neighbours(const BlockRows<size, size>& A,
-                               const VectorXd& norm, const FreeNodes& free,
-                               double threshold) {
+                               const NodeList& part, const VectorXd& norm,
+                               const FreeNodes& free, double threshold) {
   const Index count = count_of(free.node);
   SparseMatrix strong(count, count);
   for (Index column = 0; column < count; ++column) {
@@ -37,7 +37,8 @@ SparseMatrix strong_neighbours(const BlockRows<size, size>& A,
     for (int k = A.pattern.begin(i); k < A.pattern.end(i); ++k) {
       const int j = A.pattern.column[k];
       const double own = A.value[k].template cast<double>().norm();
-      if (free.place[j] >= 0 && own > threshold * std::sqrt(norm[i] * norm[j]))
+      if (free.place[j] >= 0 && part[i] == part[j] &&
+          own > threshold * std::sqrt(norm[i] * norm[j]))
         strong.insertBack(free.place[j], column) = 1;
     }
   }
@@ -49,13 +50,13 @@ SparseMatrix strong_neighbours(const BlockRows<size, size>& A,
 
 template <int size>
 StrongAggregates strong_aggregates(const BlockRows<size, size>& A,
-                                   double threshold) {
+                                   const NodeList& part, double threshold) {
   VectorXd norm(A.rows());
   for (int i = 0; i < A.rows(); ++i)
     norm[i] = A.block(i, i).template cast<double>().norm();
   const FreeNodes free = free_nodes(norm);
   const Aggregates found =
-      aggregates(strong_neighbours(A, norm, free, threshold));
+      aggregates(strong_neighbours(A, part, norm, free, threshold));
   StrongAggregates result{NodeList(A.rows(), -1),
                           std::vector<NodeList>(found.count())};
   for (int k = 0; k < count_of(free.node); ++k) {
@@ -65,7 +66,9 @@ StrongAggregates strong_aggregates(const BlockRows<size, size>& A,
   return result;
 }
 
-template StrongAggregates strong_aggregates(const BlockRows<3, 3>&, double);
-template StrongAggregates strong_aggregates(const BlockRows<6, 6>&, double);
+template StrongAggregates strong_aggregates(const BlockRows<3, 3>&,
+                                            const NodeList&, double);
+template StrongAggregates strong_aggregates(const BlockRows<6, 6>&,
+                                            const NodeList&, double);
 
 }  // namespace ffcontact

@@ -16,10 +16,11 @@ struct StrongAggregates {
   int count() const { return static_cast<int>(members.size()); }
 };
 
-/// Nodes with their strong neighbours, |A_ij| > threshold (|A_ii| |A_jj|)^1/2 in Frobenius'
-/// norm; nodes that are held, A_ii = 0, belong to no aggregate.
+/// Nodes with their strong neighbours of the same part, |A_ij| > threshold (|A_ii|
+/// |A_jj|)^1/2 in Frobenius' norm; nodes that are held, A_ii = 0, belong to no aggregate.
+/// @param part  of each node
 template <int size>
 StrongAggregates strong_aggregates(const BlockRows<size, size>& A,
-                                   double threshold);
+                                   const NodeList& part, double threshold);
 
 }  // namespace ffcontact
