@@ -24,17 +24,19 @@ struct SolvedSolid {
   std::shared_ptr<const SolvedBody<3>> judged;
 };
 
-/// States of nodes and where they are.
-struct PlacedStates {
+/// What nodes have done and where they are, in vectors along x, y, z [3 x p].
+struct PlacedAnswer {
   ContactStates state;
-  Matrix3Xd place, normal;  ///< [3 x p]
+  Matrix3Xd place, normal;
+  Matrix3Xd pressure;  ///< [MPa]
+  Matrix3Xd moved;     ///< against the foundation or the other body [mm]
 };
 
 /// The contact of solids, as a variable of the script holds it.
 struct SolidContact {
   std::shared_ptr<SolidProblem> problem;  ///< null until it is stated
   std::optional<SolvedSolid> solved;
-  PlacedStates last;  ///< of the last solution: the next one starts from them
+  PlacedAnswer last;  ///< of the last solution: the next one starts from them
 };
 
 }  // namespace ffcontact::plugin

@@ -15,11 +15,11 @@ namespace ffcontact::plugin {
 
 namespace {
 
-/// The forces along x, y, z [3 x p].
-Matrix3Xd force_vectors(const ContactSurface& surface, const Matrix3Xd& force) {
+/// Of components along n, t1, t2 at the nodes [3 x p].
+Matrix3Xd vectors(const ContactSurface& surface, const Matrix3Xd& components) {
   Matrix3Xd vectors(3, surface.node_count());
   for (int i = 0; i < surface.node_count(); ++i)
-    vectors.col(i) = surface.frame(i) * force.col(i);
+    vectors.col(i) = surface.frame(i) * components.col(i);
   return vectors;
 }
 
@@ -27,7 +27,7 @@ SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
                            const SurfaceSolution& solution) {
   const Matrix3Xd& force = solution.force;
   const Matrix3Xd pressure = lumped_pressures(surface, force);
-  const Matrix3Xd vector = force_vectors(surface, force);
+  const Matrix3Xd vector = vectors(surface, force);
   const Matrix3Xd moved = displacement_against_foundation(
       surface, on_layer(law, pressure), solution.displacement);
   SolidResults results;
@@ -47,24 +47,43 @@ SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
   return results;
 }
 
-/// States of new nodes: that of the nearest old one; where sheets meet at an edge several
-/// are at one place, and a normal that is turned counts as a distance of the node's size.
-ContactStates states_at(const SolidProblem& problem, const PlacedStates& old) {
-  if (old.state.empty()) return {};
+/// The nearest old node of each new one; where sheets meet at an edge several are at one
+/// place, and a normal that is turned counts as a distance of the node's size.
+std::vector<Index> nearest_nodes(const SolidProblem& problem,
+                                 const PlacedAnswer& old) {
   const Matrix3Xd place = problem.places();
   const ContactSurface& surface = problem.surface;
-  ContactStates states;
+  std::vector<Index> nearest(surface.node_count());
   for (int i = 0; i < surface.node_count(); ++i) {
     const Eigen::RowVectorXd square =
         (old.place.colwise() - place.col(i)).colwise().squaredNorm() +
         surface.area[i] * (old.normal.colwise() - surface.normal.col(i))
                               .colwise()
                               .squaredNorm();
-    Index nearest;
-    square.minCoeff(&nearest);
-    states.push_back(old.state[nearest]);
+    square.minCoeff(&nearest[i]);
   }
-  return states;
+  return nearest;
+}
+
+/// The last answer at the nodes of a problem.
+struct Guess {
+  ContactStates state;
+  std::optional<ContactRows> rows;
+};
+Guess guess_at(const SolidProblem& problem, const PlacedAnswer& old) {
+  Guess guess;
+  if (old.state.empty()) return guess;
+  const ContactSurface& surface = problem.surface;
+  Matrix3Xd P(3, surface.node_count()), v(3, surface.node_count());
+  const std::vector<Index> nearest = nearest_nodes(problem, old);
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const Matrix3d to_components = surface.frame(i).transpose();
+    guess.state.push_back(old.state[nearest[i]]);
+    P.col(i) = surface.area[i] * to_components * old.pressure.col(nearest[i]);
+    v.col(i) = to_components * old.moved.col(nearest[i]);
+  }
+  guess.rows = {P.reshaped(), v.reshaped()};
+  return guess;
 }
 
 void require_forces(const SolveCall& call) {
@@ -78,6 +97,18 @@ void require_forces(const SolveCall& call) {
 VectorXd slip_of(const SolidResults& nodes) {
   const Eigen::ArrayXd slip1 = nodes.slip1, slip2 = nodes.slip2;
   return (slip1.square() + slip2.square()).sqrt();
+}
+
+PlacedAnswer placed_answer(const SolidProblem& problem,
+                           const SolvedSolid& solved, double tolerance) {
+  const ContactSurface& surface = problem.surface;
+  const SurfaceSolution& found = solved.solution;
+  const Matrix3Xd pressure = lumped_pressures(surface, found.force);
+  const Matrix3Xd moved = displacement_against_foundation(
+      surface, on_layer(solved.law, pressure), found.displacement);
+  return {states_for_next(problem, solved, slip_of(solved.nodes), tolerance),
+          problem.places(), surface.normal, vectors(surface, pressure),
+          vectors(surface, moved)};
 }
 
 /// u_t without what springs back of it.
@@ -106,10 +137,12 @@ void report_multigrid(const SolveCall& call, Multigrid multigrid) {
 }
 
 ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
-                            const ElasticSystem& system, ContactStates last) {
-  ContactSettings settings = settings_of(call, std::move(last), 3);
-  settings.state_of_another_mesh =
-      !contact.solved && !call.named.given("initial");
+                            const ElasticSystem& system, Guess last) {
+  ContactSettings settings = settings_of(call, std::move(last.state), 3);
+  if (!call.named.given("initial")) {
+    settings.state_of_another_mesh = !contact.solved;
+    settings.near = std::move(last.rows);
+  }
   if (contact.solved && is_same(*contact.solved->system, system)) {
     const auto& stiffness = contact.solved->solution.stiffness;
     if (stiffness && (!call.named.given("schur") ||
@@ -132,10 +165,13 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   const ElasticSystem& system = *solved.system;
   // and stays: what a solution left belongs to its surface
   if (!contact.solved) problem.choose_sides(system);
-  const ContactStates last = states_at(problem, contact.last);
-  solved.law = law_of(call, contact, last);
+  Guess last = guess_at(problem, contact.last);
+  solved.law = law_of(call, contact, last.state);
   const SurfaceLaw& law = solved.law;
-  const ContactSettings settings = settings_of(call, contact, system, last);
+  // how a step slipped says little of the next one
+  if (law.previous.size() > 0) last.rows.reset();
+  const ContactSettings settings =
+      settings_of(call, contact, system, std::move(last));
   try {
     solved.solution =
         solve_contact(problem.mesh, problem.surface, law, system, settings);
@@ -155,9 +191,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));
   report_multigrid(call, solution.multigrid);
-  contact.last = {states_for_next(problem, solved, slip_of(solved.nodes),
-                                  settings.tolerance),
-                  problem.places(), problem.surface.normal};
+  contact.last = placed_answer(problem, solved, settings.tolerance);
   contact.solved = std::move(solved);
   return contact.solved->solution.iterations;
 }

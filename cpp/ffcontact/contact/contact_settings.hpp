@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ffcontact/base/progress.hpp"
+#include "ffcontact/contact/condensed/contact_rows.hpp"
 #include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/multigrid/multigrid_inverse.hpp"
@@ -36,6 +38,10 @@ struct ContactSettings {
   /// the guess is that of nearest nodes of another mesh: solids in single precision have a
   /// better one of their own (coarse_start)
   bool state_of_another_mesh = false;
+  /// P and v of the nodes as they may be, e.g. of the load step before or of the nearest nodes
+  /// of another mesh: beside the states they say where nodes slip to, and multigrid starts
+  /// from them
+  std::optional<ContactRows> near{};
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of an earlier solution with this K and line; null: factorise
   /// factorises K for kept dofs where it is not done on this machine alone; null: here

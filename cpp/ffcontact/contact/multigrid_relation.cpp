@@ -16,6 +16,8 @@ namespace {
 
 /// Newton is given this many linear systems.
 constexpr int most_multigrid_systems = 60;
+/// And so many from rows that may be near, before it starts from sticking nodes.
+constexpr int most_near_systems = 10;
 /// Residuals of the systems' solutions: of the first one, of those far from the answer, and
 /// the least that single precision has.
 constexpr double first_residual = 1e-2, most_residual = 0.1,
@@ -38,10 +40,18 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
     const NewtonSettings limits{
         std::min(most_multigrid_systems, settings.max_iterations),
         settings.tolerance, settings.report, settings.tolerance};
-    return {surface_newton(*this, stated_.cones, stated_.trace.held,
-                           settings.first_states(stated_.cones.node_count()),
-                           limits),
-            {}};
+    if (!settings.near)
+      return {answer_from(settings.first_states(stated_.cones.node_count()),
+                          limits),
+              {}};
+    ActiveSetResult best = answer_near(
+        *settings.near, limits.with_at_most(std::min(most_near_systems,
+                                                     limits.max_iterations)));
+    const int left = limits.max_iterations - best.iterations;
+    if (best.status != ContactStatus::converged && left > 0)
+      best.add(answer_from(all_stick(stated_.cones.node_count()),
+                           limits.with_at_most(left)));
+    return {std::move(best), {}};
   }
 
   void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
@@ -49,11 +59,11 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
     load_ = unknowns_.frames.components(load);
     v_prescribed_ = v_prescribed;
     least_ = least_scales();
-    last_missed_ = 0;
   }
 
   ActiveSetResult answer_near(const ContactRows& rows,
                               const NewtonSettings& limits) override {
+    last_missed_ = 0;
     VectorXd y = VectorXd::Zero(load_.size());
     for_rows([&](int row, int k) { y[k] = rows.v[row] - v_prescribed_[row]; });
     ContactRows near = rows_of(y);
@@ -72,6 +82,13 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   }
 
  private:
+  ActiveSetResult answer_from(const ContactStates& states,
+                              const NewtonSettings& limits) {
+    last_missed_ = 0;
+    return surface_newton(*this, stated_.cones, stated_.trace.held, states,
+                          limits);
+  }
+
   /// Before multigrid is set up.
   static const ElasticSystem& told(const StatedSurface& stated) {
     tell(stated.settings.report,

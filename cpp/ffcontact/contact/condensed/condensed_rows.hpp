@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ffcontact/contact/condensed/condensed_contact.hpp"
+#include "ffcontact/contact/condensed/contact_rows.hpp"
 
 namespace ffcontact {
 
@@ -13,11 +14,6 @@ struct UnknownScales {
   VectorXd q;
 };
 UnknownScales unknown_scales(const CondensedContact& contact);
-
-/// Multipliers and displacements of all rows dim i + c [rows].
-struct ContactRows {
-  VectorXd P, v;
-};
 
 /// Those that v of the primary and q of the dependent rows make.
 ContactRows rows_of(const CondensedContact& contact, const VectorXd& v,
