@@ -10,6 +10,7 @@ void register_all() {
   ffcontact::plugin::register_contact_functions();
   ffcontact::plugin::register_multiplier_functions();
   ffcontact::plugin::register_estimate_functions();
+  ffcontact::plugin::register_bounds_functions();
   ffcontact::plugin::register_uniqueness_functions();
   ffcontact::plugin::register_picture_functions();
   ffcontact::plugin::register_sizing_functions();

@@ -8,6 +8,7 @@ void register_contact_members();       ///< C.pn, ...; after the type
 void register_contact_functions();     ///< contactsolve
 void register_multiplier_functions();  ///< contactproject, conecorrection
 void register_estimate_functions();    ///< contacterror
+void register_bounds_functions();      ///< contactbounds
 void register_uniqueness_functions();  ///< criticalfriction
 void register_picture_functions();     ///< contactpicture
 void register_sizing_functions();      ///< optimalsize

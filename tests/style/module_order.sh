@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The modules are a total order: a file includes only from its own module and from those before it.
 set -euo pipefail
-order=(base linear mesh elastic interface contact equilibrium estimate sizing parallel)
+order=(base linear mesh elastic interface contact equilibrium estimate bounds sizing parallel)
 
 failed=0
 for module in cpp/ffcontact/*/; do

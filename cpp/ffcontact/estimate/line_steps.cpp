@@ -72,13 +72,7 @@ SpringNorms layer_norms_of(const MatchedBodies<2>& bodies,
 template <>
 void add_contact_part(const MatchedBodies<2>& bodies, const VectorXd& part,
                       VectorXd& local) {
-  const Edges& edges = bodies.topology().facets;
-  const ContactLine& line = bodies.contact();
-  for (int e = 0; e < line.edge_count(); ++e) {
-    const int facing = facing_edge(line, e);
-    local[edges.cells(0, line.edge[e])] += (facing < 0 ? 1 : 0.5) * part[e];
-    if (facing >= 0) local[edges.cells(0, facing)] += 0.5 * part[e];
-  }
+  add_to_cells(bodies.topology().facets, bodies.contact(), part, local);
 }
 
 template <>

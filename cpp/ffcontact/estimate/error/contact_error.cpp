@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/equilibrium/tractions/boundary_tractions.hpp"
 #include "ffcontact/estimate/bodies/edge_motions.hpp"
 #include "ffcontact/mesh/turns.hpp"
 
@@ -204,6 +205,15 @@ VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
                });
   }
   return error;
+}
+
+void add_to_cells(const Edges& edges, const ContactLine& line,
+                  const VectorXd& of_edges, VectorXd& local) {
+  for (int e = 0; e < line.edge_count(); ++e) {
+    const int facing = facing_edge(line, e);
+    local[edges.cells(0, line.edge[e])] += (facing < 0 ? 1 : 0.5) * of_edges[e];
+    if (facing >= 0) local[edges.cells(0, facing)] += 0.5 * of_edges[e];
+  }
 }
 
 TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,

@@ -23,6 +23,11 @@ VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
                        const ContactDensities& densities,
                        const Ref<const VectorXd>& displacement);
 
+/// Adds what belongs to the contact edges to their cells, one half of it to the cell of the
+/// edge that faces a whole one.
+void add_to_cells(const Edges& edges, const ContactLine& line,
+                  const VectorXd& of_edges, VectorXd& local);
+
 /// What the end values of r_hat cost in the contact part of e^2 when r_hat is in the
 /// cone, [mm^2]:
 ///     cost_n = 2 int phi (-mu |w_t| + w_n - gap)   (Tresca: 2 int phi (w_n - gap)),   cost_t = 2 int phi w_t

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "ffcontact/bounds/quantity.hpp"
+#include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/linear/norms.hpp"
+
+namespace ffcontact {
+
+struct BoundSettings {
+  /// steps s at which bounds are built at most; each is one for each bound
+  int steps = 4;
+  /// of which one improves v for the tractions, and these and the stresses for v
+  int turns = 2;
+  RelaxationSettings relaxation{8};
+  ContactSettings contact{};
+};
+
+/// lower <= l(u) <= upper for the exact solution u of the problem on the mesh's polygon.
+struct QuantityBounds {
+  double lower = -infinity, upper = infinity;
+  double value = 0;  ///< l(u_h)
+  double step = 0;   ///< s
+  VectorXd local;    ///< >= 0 per cell, upper - lower in all
+  /// why there are no bounds, one sentence without a full stop
+  std::string reason;
+};
+
+/// Strict bounds of a linear quantity of frictionless contact or of Tresca's law (excess).
+/// At each step t = +- s, with rho of the estimate at first, in turns
+///     v      that minimises the bound for rho: contact under L - t l - rho, slip bound 2 k,
+///     tau, rho  that nearly do for v: the estimate of contact under L + t l with 2 gap - v_n
+///               for the gap and 2 previous - v_t for the load step before,
+/// and v once more. Any s, v and tau give bounds; of several s (StepSearch) the narrowest
+/// ones are taken.
+/// @param solved  what contactsolve found
+/// @param first   its estimate
+/// @throws std::invalid_argument  for what the theorem, or this construction, does not cover
+QuantityBounds quantity_bounds(const SolvedProblem<2>& solved,
+                               const Estimate<2>& first,
+                               const Quantity<2>& quantity,
+                               const BoundSettings& settings = {});
+
+}  // namespace ffcontact

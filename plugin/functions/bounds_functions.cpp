@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/bounds/quantity_bounds.hpp"
+//
+#include "estimate/goal.hpp"
+#include "estimate/judged.hpp"
+#include "estimate/material_and_loads.hpp"
+#include "freefem/guard.hpp"
+#include "freefem/stopwatch.hpp"
+#include "problem/systems.hpp"
+#include "registration.hpp"
+
+namespace ffcontact::plugin {
+
+namespace {
+
+/// What is given for each body.
+const NamedArguments::Table quantities_of_bodies = {
+    {"lambda", &typeid(double)},         {"G", &typeid(double)},
+    {"hooke", &typeid(E_Array)},         {"traction", &typeid(E_Array)},
+    {"bodyforce", &typeid(E_Array)},     {"initialstrain", &typeid(E_Array)},
+    {"initialstress", &typeid(E_Array)}, {"spring", &typeid(E_Array)},
+    {"rest", &typeid(E_Array)},          {"goaltraction", &typeid(E_Array)},
+    {"goalbodyforce", &typeid(E_Array)}, {"goalstress", &typeid(E_Array)},
+    {"eps", &typeid(KN<double>*)}};
+
+/// width = contactbounds(C, q, lambda=, G=, traction=, goaltraction=, lower=, upper=, ...):
+/// strict bounds of a linear quantity of the solution that contactsolve found; q, one array
+/// a body, may be left out.
+class ContactBounds : public E_F0mps {
+ public:
+  using Result = double;
+
+  explicit ContactBounds(const basicAC_F0& arguments)
+      : named_(arguments, table(arguments)),
+        contact_(to<ContactVariable*>(arguments[0])) {
+    for (int k = 1; k < arguments.size(); ++k)
+      q_.push_back(to<KN<double>*>(arguments[k]));
+  }
+
+  static ArrayOfaType typeargs() {
+    return ArrayOfaType(atype<ContactVariable*>(), true);
+  }
+  static E_F0* f(const basicAC_F0& arguments) {
+    return new ContactBounds(arguments);
+  }
+
+  AnyType operator()(Stack stack) const override {
+    return guarded("contactbounds", [&] { return SetAny<double>(run(stack)); });
+  }
+
+ private:
+  static NamedArguments::Table table(const basicAC_F0& arguments) {
+    NamedArguments::Table table = for_bodies(quantities_of_bodies, arguments);
+    table.insert(table.end(), {{"goalconstant", &typeid(double)},
+                               {"lower", &typeid(double*)},
+                               {"upper", &typeid(double*)},
+                               {"value", &typeid(double*)},
+                               {"midpoint", &typeid(double*)},
+                               {"step", &typeid(double*)},
+                               {"steps", &typeid(long)},
+                               {"turns", &typeid(long)},
+                               {"sweeps", &typeid(long)},
+                               {"verbosity", &typeid(long)}});
+    return table;
+  }
+
+  BoundSettings settings(Stack stack) const {
+    BoundSettings settings;
+    settings.steps =
+        static_cast<int>(named_.integer(stack, "steps", settings.steps));
+    settings.turns =
+        static_cast<int>(named_.integer(stack, "turns", settings.turns));
+    if (settings.steps < 1 || settings.turns < 1)
+      refuse("steps= and turns= are 1 at least");
+    settings.relaxation.steps = static_cast<int>(
+        named_.integer(stack, "sweeps", *settings.relaxation.steps));
+    return settings;
+  }
+
+  void require_exact(const Oscillation& data, const Estimate<2>& first) const {
+    const double enough = 1e-9 * first.e / std::max(first.relative, 1e-300);
+    if (data.force > enough || data.strain > enough)
+      refuse(
+          "bounds are strict for body forces that are constant in each "
+          "triangle, and initial strains and stresses that are linear: give "
+          "bodyforce= and the varf such ones");
+  }
+
+  double run(Stack stack) const {
+    const Stopwatch watch;
+    const Contact& contact = stated_contact(stack, contact_);
+    const ContactProblem& problem = plane_problem(contact);
+    require_names_of_bodies(named_, quantities_of_bodies, problem.body_count());
+    Judged judged = judged_of(solved_contact(contact));
+    const Oscillation data =
+        read_material_and_loads(stack, named_, problem, judged.body);
+    const Quantity<2> goal =
+        read_goal(stack, named_, problem, judged.body.hooke);
+    if (!q_.empty()) {
+      problem.require_bodies("q", q_.size());
+      require_goal(
+          problem, goal,
+          joined_displacement(problem, values_of<KN<double>*>(stack, q_)));
+    }
+    const Estimate<2> first = estimate_error<2>(
+        problem.topology(), problem.line, *judged.system, judged.body);
+    require_exact(data, first);
+    const QuantityBounds bounds = quantity_bounds(
+        {problem.topology(), problem.line, *judged.system, judged.body}, first,
+        goal, settings(stack));
+    return put(stack, problem, bounds, watch.seconds());
+  }
+
+  /// @return the relative width
+  double put(Stack stack, const ContactProblem& problem,
+             const QuantityBounds& bounds, double seconds) const {
+    const double width = bounds.upper - bounds.lower,
+                 midpoint = (bounds.upper + bounds.lower) / 2;
+    const bool found = std::isfinite(width);
+    const double relative = found && width > 0 ? width / std::abs(midpoint)
+                            : found            ? 0
+                                               : infinity;
+    named_.put(stack, "lower", bounds.lower);
+    named_.put(stack, "upper", bounds.upper);
+    named_.put(stack, "value", bounds.value);
+    named_.put(stack, "midpoint", found ? midpoint : bounds.value);
+    named_.put(stack, "step", bounds.step);
+    if (found)
+      put_by_bodies(
+          stack, named_, problem.joined.first_cell, "eps",
+          (bounds.local.cwiseMax(0) / std::max(std::abs(midpoint), 1e-300))
+              .cwiseSqrt());
+    if (named_.verbosity_level(stack) >= 1 && mpirank == 0) {
+      cout << "contactbounds: ";
+      if (found)
+        cout << bounds.lower << " to " << bounds.upper << ", " << 100 * relative
+             << " % wide, of the mesh " << bounds.value;
+      else
+        cout << "none, as " << bounds.reason;
+      cout << ", " << seconds << " s" << endl;
+    }
+    return relative;
+  }
+
+  NamedArguments named_;
+  Expression contact_;
+  std::vector<Expression> q_;
+};
+
+}  // namespace
+
+void register_bounds_functions() {
+  Global.Add("contactbounds", "(", new OneOperatorCode<ContactBounds>());
+}
+
+}  // namespace ffcontact::plugin

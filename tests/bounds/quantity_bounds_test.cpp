@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/bounds/quantity_bounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "support/estimates.hpp"
+#include "support/nested_reference.hpp"
+#include "support/refusals.hpp"
+
+namespace ffcontact {
+namespace {
+
+using namespace test;
+
+Quantity<2> no_quantity(const Mesh& mesh) {
+  return {BodyLoadsOfCells<2>::Zero(6, mesh.cells.cols()),
+          {},
+          Matrix4Xd::Zero(4, mesh.boundary.cols())};
+}
+
+/// int w . v over the edges of a label.
+Quantity<2> on_label(const Mesh& mesh, int label, const Vector2d& w) {
+  Quantity<2> quantity = no_quantity(mesh);
+  VectorXd load = VectorXd::Zero(2 * mesh.vertices.cols());
+  add_traction(mesh, label, w, load, quantity.tractions);
+  return quantity;
+}
+
+/// int M : sigma(v) of the cells that are chosen.
+Quantity<2> stress_of(const Problem& problem, const Vector3d& M,
+                      const std::function<bool(int)>& chosen) {
+  Quantity<2> quantity = no_quantity(problem.mesh);
+  CellStresses<2> q = CellStresses<2>::Zero(3, problem.mesh.cells.cols());
+  for (int t = 0; t < problem.mesh.cell_count(); ++t)
+    if (chosen(t)) q.col(t) = problem.hooke[t] * M;
+  quantity.stress = LinearStresses<2>(q);
+  return quantity;
+}
+
+/// Its mean in a box of whole cells.
+Quantity<2> mean_stress(const Problem& problem, const Vector3d& M,
+                        const Vector2d& low, const Vector2d& high) {
+  return stress_of(problem, M / (high - low).prod(), [&](int t) {
+    const Vector2d x = centroid_of(problem.mesh, t);
+    return (x.array() > low.array()).all() && (x.array() < high.array()).all();
+  });
+}
+
+/// A problem as contactsolve leaves it.
+struct Solved {
+  Problem problem;
+  Topology<2> topology = topology_of(problem.mesh);
+  ElasticSystem system = problem.system();
+  SolvedBody<2> body = solved_body(
+      problem, solve_contact(problem.mesh, problem.line, problem.law, system));
+
+  explicit Solved(Problem any) : problem(std::move(any)) {}
+
+  SolvedProblem<2> as_problem() const {
+    return {topology, problem.line, system, body};
+  }
+  Estimate<2> estimate() const {
+    return estimate_error<2>(topology, problem.line, system, body);
+  }
+  QuantityBounds bounds(const Quantity<2>& quantity,
+                        const BoundSettings& settings = {}) const {
+    return quantity_bounds(as_problem(), estimate(), quantity, settings);
+  }
+};
+
+Problem tresca_example_1(double bound, int cells) {
+  Problem problem = example_1(Multiplier::force, cells);
+  set_friction(problem, 0);
+  if (bound > 0) problem.law.slip_bound = everywhere(problem.line, bound);
+  return problem;
+}
+
+/// With the widths of bounds by the best stresses of the mesh, in % of the value.
+struct KnownBounds {
+  double bound, exact, wide_with_8, wide_with_16;
+};
+
+void expect_known(const KnownBounds& known,
+                  const std::function<Quantity<2>(const Problem&)>& quantity) {
+  for (const int cells : {8, 16}) {
+    const Solved solved(tresca_example_1(known.bound, cells));
+    const QuantityBounds found = solved.bounds(quantity(solved.problem));
+    EXPECT_LT(found.lower, known.exact);
+    EXPECT_GT(found.upper, known.exact);
+    const double wide = cells == 8 ? known.wide_with_8 : known.wide_with_16;
+    EXPECT_LT(found.upper - found.lower,
+              1.15 * wide / 100 * std::abs(known.exact));
+  }
+}
+
+TEST(QuantityBounds, have_known_values_between_them_and_are_known_to_be_near) {
+  const auto mean_on_the_left = [](const Problem& problem) {
+    return on_label(problem.mesh, left, {1.0 / 40, 0});
+  };
+  expect_known({0, 0.0263411, 4.60, 1.75}, mean_on_the_left);
+  expect_known({2, 0.020426, 7.44, 3.20}, mean_on_the_left);
+  expect_known({0, -1.05584, 134, 71}, [](const Problem& problem) {
+    return mean_stress(problem, {0, 1, 0}, {20, 10}, {40, 30});
+  });
+}
+
+TEST(QuantityBounds, are_apart_by_what_the_cells_contribute) {
+  const Solved solved(tresca_example_1(2, 8));
+  const QuantityBounds found =
+      solved.bounds(mean_stress(solved.problem, {0, 1, 0}, {20, 10}, {40, 30}));
+  const double width = found.upper - found.lower;
+  EXPECT_NEAR(found.local.sum(), width, 1e-10 * width);
+  EXPECT_GE(found.local.minCoeff(), -1e-12 * width);
+}
+
+TEST(QuantityBounds, are_as_wide_as_nothing_where_supports_say_the_quantity) {
+  Problem problem = tresca_example_1(0, 8);
+  clamp(problem, top, [](const Vector2d&) { return Vector2d(0.25, -0.01); });
+  const Solved solved(problem);
+  const QuantityBounds found =
+      solved.bounds(on_label(problem.mesh, top, {1.0 / 80, 0}));
+  EXPECT_NEAR(found.lower, 0.25, 1e-12);
+  EXPECT_NEAR(found.upper, 0.25, 1e-12);
+}
+
+TEST(QuantityBounds, turn_with_the_sign_and_move_with_the_constant) {
+  const Solved solved(tresca_example_1(2, 8));
+  Quantity<2> quantity = on_label(solved.problem.mesh, left, {1.0 / 40, 0});
+  const QuantityBounds found = solved.bounds(quantity);
+  quantity.tractions *= -1;
+  quantity.constant = 3;
+  const QuantityBounds turned = solved.bounds(quantity);
+  EXPECT_NEAR(turned.lower, 3 - found.upper, 1e-9);
+  EXPECT_NEAR(turned.upper, 3 - found.lower, 1e-9);
+}
+
+/// A quantity of a random kind on a mesh and on those that are subdivided from it.
+class RandomQuantity {
+ public:
+  explicit RandomQuantity(const Mesh& mesh, Random& random)
+      : kind_(random() % 4), w_(random_vector(2, random)) {
+    M_ = random_vector(3, random);
+    for (int t = 0; t < mesh.cell_count(); ++t)
+      chosen_.push_back(random() % 3 == 0);
+  }
+
+  Quantity<2> on(const Problem& problem) const {
+    if (kind_ == 0) return on_label(problem.mesh, left, w_);
+    if (kind_ == 1) return on_label(problem.mesh, bottom, w_);
+    const int children =
+        problem.mesh.cell_count() / static_cast<int>(chosen_.size());
+    const auto chosen = [&](int t) { return chosen_[t / children]; };
+    if (kind_ == 2) return stress_of(problem, M_, chosen);
+    Quantity<2> quantity = no_quantity(problem.mesh);
+    for (int t = 0; t < problem.mesh.cell_count(); ++t)
+      if (chosen(t))
+        quantity.body_loads.col(t) =
+            (signed_area(problem.mesh, t) / 3 * w_).replicate<3, 1>();
+    return quantity;
+  }
+
+ private:
+  unsigned kind_;
+  Vector2d w_;
+  Vector3d M_;
+  std::vector<bool> chosen_;
+};
+
+Problem with_law(Problem problem, double slip_bound, const Vector2d& gap) {
+  const ContactLine& line = problem.line;
+  if (slip_bound > 0) problem.law.slip_bound = everywhere(line, slip_bound);
+  problem.law.gap.resize(line.node_count());
+  for (int i = 0; i < line.node_count(); ++i)
+    problem.law.gap[i] =
+        gap[0] + gap[1] * problem.mesh.vertices(0, line.vertex[i]);
+  return problem;
+}
+
+/// The exact value is in all intervals, so that those of nested meshes meet, and the value
+/// of a finer mesh is in them but for its own error.
+RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
+  const RandomBlock block = random_block(random);
+  const double slip_bound = *rc::gen::inRange(0, 3) * *real(0, 2);
+  const Vector2d gap(*real(0, 1e-2), *real(0, 1e-3));
+  const RandomQuantity quantity(block.mesh, random);
+  const auto solved_on = [&](int times) {
+    return Solved(
+        with_law(block.on(subdivided(block.mesh, times)), slip_bound, gap));
+  };
+  const Solved coarse = solved_on(0), fine = solved_on(2);
+  const QuantityBounds wide = coarse.bounds(quantity.on(coarse.problem)),
+                       narrow = fine.bounds(quantity.on(fine.problem));
+  RC_ASSERT(wide.reason.empty());
+  RC_ASSERT(narrow.reason.empty());
+  const double rounding = 1e-9 * (std::abs(wide.lower) + std::abs(wide.upper));
+  RC_ASSERT(wide.lower <= narrow.upper + rounding);
+  RC_ASSERT(narrow.lower <= wide.upper + rounding);
+  RC_ASSERT(narrow.upper - narrow.lower <= wide.upper - wide.lower + rounding);
+  RC_TAG(std::clamp(static_cast<int>((wide.upper - wide.lower) /
+                                     (narrow.upper - narrow.lower)),
+                    0, 20));
+  RC_ASSERT(wide.local.minCoeff() >= -rounding);
+  RC_ASSERT(std::abs(wide.local.sum() - (wide.upper - wide.lower)) <=
+            1e-8 * (wide.upper - wide.lower) + rounding);
+}
+
+TEST(QuantityBounds, are_refused_with_coulombs_law) {
+  const Solved solved(example_1(Multiplier::force, 4));
+  EXPECT_EQ(refusal([&] {
+              solved.bounds(on_label(solved.problem.mesh, left, {1, 0}));
+            }),
+            "bounds of quantities are strict for contact without friction and "
+            "for Tresca's law alone: state the contact with slipbound=, e.g. "
+            "that of the pressures found, or friction=0");
+}
+
+}  // namespace
+}  // namespace ffcontact
