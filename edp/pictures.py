@@ -317,6 +317,22 @@ def save(figure, path, dpi):
     print(path)
 
 
+def draw_bounds(folder, files):
+    """Intervals of quantities by the number of triangles. A file has a value to compare with and a title, then the triangles, lower and
+    upper bound of each mesh."""
+    figure, panels = plt.subplots(1, len(files), figsize=(WIDTH, 2.6), squeeze=False, layout="constrained")
+    for axes, file in zip(panels[0], files):
+        value, title = file.read_text().split("\n")[0].split(maxsplit=1)
+        triangles, lower, upper = np.loadtxt(file, skiprows=1, ndmin=2).T
+        axes.vlines(triangles, lower, upper, color=BLUE, linewidth=2.5)
+        axes.plot(triangles, (lower + upper) / 2, ".", color=BLUE, markersize=4)
+        axes.axhline(float(value), color=RED, linewidth=0.8, zorder=0)
+        axes.set(xscale="log", xlabel="triangles", title=title)
+        axes.set_xticks(triangles[[0, 1, -1]], [f"{n:.0f}" for n in triangles[[0, 1, -1]]])
+        axes.minorticks_off()
+    save(figure, folder / "bounds.png", 150)
+
+
 def draw(folder):
     numbers = steps_in(folder)
     first, last = Step(folder, numbers[0]), Step(folder, numbers[-1])
@@ -351,6 +367,8 @@ def draw(folder):
         paint(body_axes(figure, k % across * (width + gap), title + k // across * height, width, first))
     draw_pressures(figure, bodies, of_pressures, where)
     save(figure, folder / "overview.png", 150)
+    if files := sorted(folder.glob("bounds*.txt")):
+        draw_bounds(folder, files)
 
 
 if __name__ == "__main__":

@@ -38,13 +38,6 @@ void require_linear(const Mesh& mesh, const MatrixXd& at_points) {
            ": let the mesh have a vertex where it jumps or bends");
 }
 
-/// The components of a vector, null where it is not given.
-std::array<Expression, 2> vector_of(const NamedArguments& named,
-                                    const char* name, int body, int bodies) {
-  const std::string own = name_of_body(name, body, bodies);
-  return {named.component(own, 0, 2), named.component(own, 1, 2)};
-}
-
 Matrix4Xd tractions_of(Stack stack, const std::array<Expression, 2>& w,
                        const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
   for (Expression component : w)
@@ -77,42 +70,80 @@ double size_of(const InitialStress<2>& stress, const Hooke& hooke,
   return std::sqrt(sum);
 }
 
-}  // namespace
+/// Body after body.
+class GoalReader {
+ public:
+  GoalReader(Stack stack, const NamedArguments& named,
+             const PlaneBodies& bodies)
+      : stack_(stack), named_(named), bodies_(bodies) {
+    goal_.body_loads.resize(6, first_cell().back());
+    goal_.tractions.resize(4, bodies.joined.first_boundary.back());
+    goal_.constant = named.number(stack, "goalconstant", 0);
+    stress_.setZero(Eigen::NoChange, first_cell().back());
+  }
 
-Quantity<2> read_goal(Stack stack, const NamedArguments& named,
-                      const PlaneBodies& bodies, const Hooke& hooke) {
-  const JoinedMesh& joined = bodies.joined;
-  const int count = bodies.body_count();
-  Quantity<2> goal{BodyLoadsOfCells<2>(6, joined.first_cell.back()),
-                   {},
-                   Matrix4Xd(4, joined.first_boundary.back()),
-                   named.number(stack, "goalconstant", 0)};
-  LinearStresses<2>::Values q = LinearStresses<2>::Values::Zero(
-      LinearStresses<2>::Values::RowsAtCompileTime, joined.first_cell.back());
-  for (int k = 0; k < count; ++k) {
-    const Fem2D::Mesh& fem_mesh = *bodies.fem_meshes[k];
+  void read(int body, const Hooke& hooke) {
+    const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[body];
     const Mesh mesh = mesh_of(&fem_mesh);
-    const int first = joined.first_cell[k], cells = mesh.cell_count();
-    goal.tractions.middleCols(joined.first_boundary[k], mesh.boundary.cols()) =
-        tractions_of(stack, vector_of(named, "goaltraction", k, count),
-                     fem_mesh, mesh);
-    goal.body_loads.middleCols(first, cells) = body_loads_of(
-        stack, vector_of(named, "goalbodyforce", k, count), fem_mesh, mesh);
-    VoigtExpression<2> stress;
-    for (int c = 0; c < 3; ++c)
-      stress[c] = named.component(name_of_body("goalstress", k, count), c, 3);
-    if (!stress[0]) continue;
-    const Hooke own(hooke.begin() + first, hooke.begin() + first + cells);
+    goal_.tractions.middleCols(bodies_.joined.first_boundary[body],
+                               mesh.boundary.cols()) =
+        tractions_of(stack_, vector_of("goaltraction", body), fem_mesh, mesh);
+    goal_.body_loads.middleCols(first_cell()[body], mesh.cells.cols()) =
+        body_loads_of(stack_, vector_of("goalbodyforce", body), fem_mesh, mesh);
+    read_stress(body, hooke, fem_mesh, mesh);
+  }
+
+  Quantity<2> goal() && {
+    if (!stress_.isZero(0))
+      goal_.stress = LinearStresses<2>::of_values(stress_);
+    return std::move(goal_);
+  }
+
+ private:
+  const std::vector<int>& first_cell() const {
+    return bodies_.joined.first_cell;
+  }
+
+  /// A component of a list, null where it is not given.
+  Expression component(const char* name, int body, int k, int size) const {
+    return named_.component(name_of_body(name, body, bodies_.body_count()), k,
+                            size);
+  }
+  std::array<Expression, 2> vector_of(const char* name, int body) const {
+    return {component(name, body, 0, 2), component(name, body, 1, 2)};
+  }
+
+  void read_stress(int body, const Hooke& hooke, const Fem2D::Mesh& fem_mesh,
+                   const Mesh& mesh) {
+    VoigtExpression<2> q;
+    for (int c = 0; c < 3; ++c) q[c] = component("goalstress", body, c, 3);
+    if (!q[0]) return;
+    const auto begin = hooke.begin() + first_cell()[body];
+    const Hooke own(begin, begin + mesh.cell_count());
     const InitialStress<2> read =
-        initial_stress_of(stack, VoigtExpression<2>{}, stress, own, fem_mesh);
+        initial_stress_of(stack_, VoigtExpression<2>{}, q, own, fem_mesh);
     if (read.oscillation > linear_to * size_of(read, own, mesh))
       refuse(
           "goalstress= is not linear in each triangle: let the mesh have edges "
           "where it jumps, or choose triangles by region");
-    q.middleCols(first, cells) = read.at_vertices;
+    stress_.middleCols(first_cell()[body], mesh.cells.cols()) =
+        read.at_vertices;
   }
-  if (!q.isZero(0)) goal.stress = LinearStresses<2>::of_values(q);
-  return goal;
+
+  Stack stack_;
+  const NamedArguments& named_;
+  const PlaneBodies& bodies_;
+  Quantity<2> goal_;
+  LinearStresses<2>::Values stress_;
+};
+
+}  // namespace
+
+Quantity<2> read_goal(Stack stack, const NamedArguments& named,
+                      const PlaneBodies& bodies, const Hooke& hooke) {
+  GoalReader reader(stack, named, bodies);
+  for (int k = 0; k < bodies.body_count(); ++k) reader.read(k, hooke);
+  return std::move(reader).goal();
 }
 
 void require_goal(const PlaneBodies& bodies, const Quantity<2>& goal,

@@ -67,26 +67,38 @@ class ContactBounds : public E_F0mps {
     return table;
   }
 
+  int count(Stack stack, const char* name, int otherwise) const {
+    return static_cast<int>(named_.integer(stack, name, otherwise));
+  }
   BoundSettings settings(Stack stack) const {
     BoundSettings settings;
-    settings.steps =
-        static_cast<int>(named_.integer(stack, "steps", settings.steps));
-    settings.turns =
-        static_cast<int>(named_.integer(stack, "turns", settings.turns));
+    settings.steps = count(stack, "steps", settings.steps);
+    settings.turns = count(stack, "turns", settings.turns);
     if (settings.steps < 1 || settings.turns < 1)
       refuse("steps= and turns= are 1 at least");
-    settings.relaxation.steps = static_cast<int>(
-        named_.integer(stack, "sweeps", *settings.relaxation.steps));
+    settings.relaxation.steps =
+        count(stack, "sweeps", *settings.relaxation.steps);
     return settings;
   }
 
-  void require_exact(const Oscillation& data, const Estimate<2>& first) const {
+  static void require_exact(const Oscillation& data, const Estimate<2>& first) {
     const double enough = 1e-9 * first.e / std::max(first.relative, 1e-300);
     if (data.force > enough || data.strain > enough)
       refuse(
           "bounds are strict for body forces that are constant in each "
           "triangle, and initial strains and stresses that are linear: give "
           "bodyforce= and the varf such ones");
+  }
+
+  Quantity<2> goal(Stack stack, const ContactProblem& problem,
+                   const Hooke& hooke) const {
+    Quantity<2> goal = read_goal(stack, named_, problem, hooke);
+    if (q_.empty()) return goal;
+    problem.require_bodies("q", q_.size());
+    require_goal(
+        problem, goal,
+        joined_displacement(problem, values_of<KN<double>*>(stack, q_)));
+    return goal;
   }
 
   double run(Stack stack) const {
@@ -97,52 +109,47 @@ class ContactBounds : public E_F0mps {
     Judged judged = judged_of(solved_contact(contact));
     const Oscillation data =
         read_material_and_loads(stack, named_, problem, judged.body);
-    const Quantity<2> goal =
-        read_goal(stack, named_, problem, judged.body.hooke);
-    if (!q_.empty()) {
-      problem.require_bodies("q", q_.size());
-      require_goal(
-          problem, goal,
-          joined_displacement(problem, values_of<KN<double>*>(stack, q_)));
-    }
-    const Estimate<2> first = estimate_error<2>(
-        problem.topology(), problem.line, *judged.system, judged.body);
+    const SolvedProblem<2> solved{problem.topology(), problem.line,
+                                  *judged.system, judged.body};
+    const Estimate<2> first = estimate_error<2>(solved.topology, solved.contact,
+                                                solved.system, solved.body);
     require_exact(data, first);
-    const QuantityBounds bounds = quantity_bounds(
-        {problem.topology(), problem.line, *judged.system, judged.body}, first,
-        goal, settings(stack));
-    return put(stack, problem, bounds, watch.seconds());
+    const QuantityBounds bounds =
+        quantity_bounds(solved, first, goal(stack, problem, judged.body.hooke),
+                        settings(stack));
+    put(stack, problem, bounds);
+    if (reports(stack)) report(bounds, watch.seconds());
+    return bounds.relative_width();
   }
 
-  /// @return the relative width
-  double put(Stack stack, const ContactProblem& problem,
-             const QuantityBounds& bounds, double seconds) const {
-    const double width = bounds.upper - bounds.lower,
-                 midpoint = (bounds.upper + bounds.lower) / 2;
-    const bool found = std::isfinite(width);
-    const double relative = found && width > 0 ? width / std::abs(midpoint)
-                            : found            ? 0
-                                               : infinity;
+  void put(Stack stack, const ContactProblem& problem,
+           const QuantityBounds& bounds) const {
+    const double midpoint = bounds.found() ? bounds.midpoint() : bounds.value;
     named_.put(stack, "lower", bounds.lower);
     named_.put(stack, "upper", bounds.upper);
     named_.put(stack, "value", bounds.value);
-    named_.put(stack, "midpoint", found ? midpoint : bounds.value);
+    named_.put(stack, "midpoint", midpoint);
     named_.put(stack, "step", bounds.step);
-    if (found)
-      put_by_bodies(
-          stack, named_, problem.joined.first_cell, "eps",
-          (bounds.local.cwiseMax(0) / std::max(std::abs(midpoint), 1e-300))
-              .cwiseSqrt());
-    if (named_.verbosity_level(stack) >= 1 && mpirank == 0) {
-      cout << "contactbounds: ";
-      if (found)
-        cout << bounds.lower << " to " << bounds.upper << ", " << 100 * relative
-             << " % wide, of the mesh " << bounds.value;
-      else
-        cout << "none, as " << bounds.reason;
-      cout << ", " << seconds << " s" << endl;
-    }
-    return relative;
+    if (!bounds.found()) return;
+    const VectorXd squares =
+        bounds.local.cwiseMax(0) / std::max(std::abs(midpoint), 1e-300);
+    put_by_bodies(stack, named_, problem.joined.first_cell, "eps",
+                  squares.cwiseSqrt());
+  }
+
+  bool reports(Stack stack) const {
+    return named_.verbosity_level(stack) >= 1 && mpirank == 0;
+  }
+
+  static void report(const QuantityBounds& bounds, double seconds) {
+    cout << "contactbounds: ";
+    if (bounds.found())
+      cout << bounds.lower << " to " << bounds.upper << ", "
+           << 100 * bounds.relative_width() << " % wide, of the mesh "
+           << bounds.value;
+    else
+      cout << "none, as " << bounds.reason;
+    cout << ", " << seconds << " s" << endl;
   }
 
   NamedArguments named_;

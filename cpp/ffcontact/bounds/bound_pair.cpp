@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 
-#include "ffcontact/base/parted_sum.hpp"
 #include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
 #include "ffcontact/estimate/error/contact_error.hpp"
 
@@ -53,9 +52,7 @@ double excess(const SolvedProblem<2>& solved, const BoundPair& pair, double s) {
   const VectorXd squares = energies(solved, [&](int t) -> SubcellStress<2> {
     return pair.tau[t] - sigma(t);
   });
-  const double elastic = parted_sum(static_cast<int>(squares.size()),
-                                    [&](int t) { return squares[t]; });
-  return elastic / (4 * s) +
+  return squares.sum() / (4 * s) +
          twice_psi(solved, pair.v, pair.rho).sum() / (2 * s);
 }
 

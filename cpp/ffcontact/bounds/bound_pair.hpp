@@ -22,7 +22,7 @@ double energy_of(const SolvedProblem<2>& solved, const VectorXd& v);
 /// l(u) <= upper, for t = s, and -l(u) <= upper with t = -s and -l in place of l:
 ///     upper = l(v) + 1 / (2 s) ( |tau - C eps(v)|^2 / 2 + 2 Psi(v, rho) ),
 ///     Psi = int k |v_t| + rho_t v_t + rho_n (v_n - gap)
-/// for Tresca's law and without friction [numerics of quantities of interest, theorem]. This
+/// for Tresca's law and without friction [theory_of_bounds.md]. This
 /// is the second term; C eps(v) with the initial stresses.
 double excess(const SolvedProblem<2>& solved, const BoundPair& pair, double s);
 

@@ -6,19 +6,27 @@
 
 namespace ffcontact {
 
+namespace {
+
+/// Adds forces at vertices, one after the other.
+template <int d, class Vertices, class Forces>
+void add_forces(const Vertices& vertices, const Forces& forces,
+                VectorXd& load) {
+  for (Index k = 0; k < vertices.size(); ++k)
+    vector_at<d>(load, vertices[k]) += forces.template segment<d>(d * k);
+}
+
+}  // namespace
+
 template <int d>
 VectorXd load_of(const SimplexMesh<d>& mesh, const Quantity<d>& quantity) {
   VectorXd load = VectorXd::Zero(d * mesh.vertices.cols());
   if (!quantity.stress.empty())
     load += inner_forces<d>(mesh, quantity.stress.mean);
-  const auto add = [&load](const auto& vertices, const auto& forces) {
-    for (Index k = 0; k < vertices.size(); ++k)
-      vector_at<d>(load, vertices[k]) += forces.template segment<d>(d * k);
-  };
   for (int t = 0; t < mesh.cell_count(); ++t)
-    add(mesh.cells.col(t), quantity.body_loads.col(t));
+    add_forces<d>(mesh.cells.col(t), quantity.body_loads.col(t), load);
   for (Index f = 0; f < mesh.boundary.cols(); ++f)
-    add(mesh.boundary.col(f), quantity.tractions.col(f));
+    add_forces<d>(mesh.boundary.col(f), quantity.tractions.col(f), load);
   return load;
 }
 

@@ -26,9 +26,16 @@ LinearStresses<2> times(double factor, LinearStresses<2> stress) {
   return stress;
 }
 
-/// @throws std::invalid_argument  where the theorem or the construction does not hold
-void require_covered(const SolvedProblem<2>& solved, const Estimate<2>& first) {
-  const SolvedBody<2>& body = solved.body;
+ContactLaw with_twice_the_bound(ContactLaw law) {
+  law.multiplier = Multiplier::force;
+  law.slip_bound *= 2;
+  law.between_nodes.least *= 2;
+  law.between_nodes.most *= 2;
+  return law;
+}
+
+/// @throws std::invalid_argument  where the theorem does not hold, or is not used yet
+void require_covered(const SolvedBody<2>& body) {
   const ContactLaw& law = body.law;
   if (law.bonded)
     refuse("there are no bounds of quantities of bonded bodies yet");
@@ -41,6 +48,11 @@ void require_covered(const SolvedProblem<2>& solved, const Estimate<2>& first) {
     refuse(
         "there are no bounds of quantities with compliance=, spring=, push= or "
         "moment= yet");
+}
+
+/// @throws std::invalid_argument  where the construction does not succeed
+void require_straight_and_admissible(const SolvedProblem<2>& solved,
+                                     const Estimate<2>& first) {
   if (turns(solved.contact))
     refuse(
         "there are no bounds of quantities where contact directions turn "
@@ -64,24 +76,32 @@ class BoundsByTurns {
         load_(load_of(solved.topology.mesh, quantity)),
         system_(solved.system) {
     settings_.contact.stiffness = solved.body.stiffness;
-    settings_.contact.initial_state.clear();
   }
 
   QuantityBounds bounds() {
-    QuantityBounds best;
-    best.value = of(solved_.body.displacement);
     const VectorXd free = on_free_dofs(solved_.system, load_);
-    if (free.isZero(0)) {  // of prescribed displacements
-      best.lower = best.upper = best.value;
-      best.local = VectorXd::Zero(solved_.topology.mesh.cell_count());
-      return best;
-    }
+    if (free.isZero(0)) return exact();
     longest_ = longest_step(free);
-    find_steps(best);
-    return best;
+    return narrowest();
   }
 
  private:
+  /// Of a step.
+  QuantityBounds none(double s) const {
+    QuantityBounds bounds;
+    bounds.value = of(solved_.body.displacement);
+    bounds.step = s;
+    return bounds;
+  }
+
+  /// Prescribed displacements say the quantity.
+  QuantityBounds exact() const {
+    QuantityBounds bounds = none(0);
+    bounds.lower = bounds.upper = bounds.value;
+    bounds.local = VectorXd::Zero(solved_.topology.mesh.cell_count());
+    return bounds;
+  }
+
   double of(const VectorXd& v) const {
     return load_.dot(v) + quantity_.constant;
   }
@@ -91,13 +111,15 @@ class BoundsByTurns {
   double longest_step(const VectorXd& free) {
     const double stress =
         std::sqrt(energy_of(solved_, solved_.body.displacement));
-    const VectorXd K = solved_.system.stiffness.diagonal();
-    double hats = 0;
-    for (Index k = 0; k < free.size(); ++k)
-      if (free[k] != 0) hats += free[k] * free[k] / K[k];
-    const double longest = 6 * stress / std::sqrt(hats),
+    const double longest = 6 * stress / std::sqrt(energy_of_hats(free)),
                  held = std::sqrt(std::max(0.0, held_energy(free)));
     return 2 * stress < longest * held ? 2 * stress / held : longest;
+  }
+
+  /// l' diag(K)^-1 l
+  double energy_of_hats(const VectorXd& free) const {
+    const Eigen::ArrayXd K = solved_.system.stiffness.diagonal();
+    return (K > 0).select(free.array().square() / K, 0).sum();
   }
 
   /// Of a body that is glued to what it touches, under l alone.
@@ -112,41 +134,49 @@ class BoundsByTurns {
                         .displacement);
   }
 
-  void find_steps(QuantityBounds& best) {
-    StepSearch search(longest_);
-    int tried = 0, shortened = 0;
-    for (double s = longest_ / 4; s > 0 && tried < settings_.steps;) {
-      const QuantityBounds found = at(s);
-      const double width = found.upper - found.lower;
-      if (std::isfinite(width)) {
-        ++tried;
-        search.add(s, width);
-        if (width < best.upper - best.lower) best = found;
-        s = search.next();
-      } else if (tried > 0 || ++shortened > most_shortenings) {
-        if (tried == 0) best.reason = found.reason;
-        return;
-      } else {
-        s /= shortening;
-      }
+  QuantityBounds narrowest() {
+    QuantityBounds best = none(0);
+    double s = longest_ / 4;
+    for (int k = 0; k <= most_shortenings; ++k, s /= shortening) {
+      best = at(s);
+      if (best.found()) return searched(best);
     }
+    return best;
+  }
+
+  /// From the bounds of a first step on.
+  QuantityBounds searched(QuantityBounds best) {
+    StepSearch search(longest_);
+    search.add(best.step, best.width());
+    double s = search.next();
+    for (int k = 1; s > 0 && k < settings_.steps; ++k) {
+      const QuantityBounds bounds = at(s);
+      if (!bounds.found()) break;
+      search.add(s, bounds.width());
+      if (bounds.width() < best.width()) best = bounds;
+      s = search.next();
+    }
+    return best;
   }
 
   QuantityBounds at(double s) {
-    QuantityBounds found;
-    found.value = of(solved_.body.displacement);
-    found.step = s;
+    QuantityBounds bounds = none(s);
     try {
-      const BoundPair plus = pair(s), minus = pair(-s);
-      found.upper = of(plus.v) + excess(solved_, plus, s);
-      found.lower = of(minus.v) - excess(solved_, minus, s);
-      found.local = width_of_cells(solved_, plus, minus, s);
+      put_bounds(bounds);
     } catch (const Refusal& refusal) {
-      found.reason = refusal.what();
+      bounds.reason = refusal.what();
     } catch (const Failure& failure) {
-      found.reason = failure.what();
+      bounds.reason = failure.what();
     }
-    return found;
+    return bounds;
+  }
+
+  void put_bounds(QuantityBounds& bounds) {
+    const double s = bounds.step;
+    const BoundPair plus = pair(s), minus = pair(-s);
+    bounds.upper = of(plus.v) + excess(solved_, plus, s);
+    bounds.lower = of(minus.v) - excess(solved_, minus, s);
+    bounds.local = width_of_cells(solved_, plus, minus, s);
   }
 
   BoundPair pair(double t) {
@@ -163,13 +193,9 @@ class BoundsByTurns {
   /// That minimises the bound, but for the rounding of what keeps clear.
   VectorXd displacement_for(double t, const ContactDensities& rho) {
     const auto& [topology, line, system, body] = solved_;
-    ContactLaw law = body.law;
-    law.multiplier = Multiplier::force;
-    law.slip_bound *= 2;
-    law.between_nodes.least *= 2;
-    law.between_nodes.most *= 2;
     const VectorXd u =
-        solution(law, -t * load_ - nodal_forces(topology.mesh, line, rho))
+        solution(with_twice_the_bound(body.law),
+                 -t * load_ - nodal_forces(topology.mesh, line, rho))
             .displacement;
     return cleared_between_nodes(
         line, body.law,
@@ -179,25 +205,35 @@ class BoundsByTurns {
 
   /// tau and rho that nearly minimise the bound for v.
   void put_stress_for(double t, BoundPair& pair) {
-    const auto& [topology, line, system, body] = solved_;
-    SolvedBody<2> other = body;
-    other.law = reflected(pair.v);
-    const ContactSolution found = solution(other.law, t * load_);
-    other.displacement = found.displacement;
-    other.multipliers = found.pressure;
-    other.neumann += t * quantity_.tractions;
-    other.body_loads += t * quantity_.body_loads;
-    other.initial = body.initial + times(-t, quantity_.stress);
-    EstimateSettings<2> settings;
-    settings.relaxation = settings_.relaxation;
-    Estimate<2> estimate =
-        estimate_error<2>(topology, line, system, other, settings);
+    Estimate<2> estimate = estimate_under(t, pair.v);
     if (!estimate.admissible) refuse(estimate.reason);
     pair.rho = std::move(estimate.tractions);
     pair.tau = std::move(estimate.stress);
     if (quantity_.stress.empty()) return;
-    for (int k = 0; k < topology.mesh.cell_count(); ++k)
-      pair.tau[k] += t * subcell_values<2>(quantity_.stress.at_vertices(k));
+    for (std::size_t k = 0; k < pair.tau.size(); ++k)
+      pair.tau[k] += t * subcell_values<2>(
+                             quantity_.stress.at_vertices(static_cast<int>(k)));
+  }
+
+  /// Of contact under L + t l; q counts as an initial stress.
+  Estimate<2> estimate_under(double t, const VectorXd& v) {
+    const auto& [topology, line, system, body] = solved_;
+    SolvedBody<2> other = loaded_body(t);
+    other.law = reflected(v);
+    const ContactSolution found = solution(other.law, t * load_);
+    other.displacement = found.displacement;
+    other.multipliers = found.pressure;
+    EstimateSettings<2> settings;
+    settings.relaxation = settings_.relaxation;
+    return estimate_error<2>(topology, line, system, other, settings);
+  }
+
+  SolvedBody<2> loaded_body(double t) const {
+    SolvedBody<2> loaded = solved_.body;
+    loaded.neumann += t * quantity_.tractions;
+    loaded.body_loads += t * quantity_.body_loads;
+    loaded.initial = loaded.initial + times(-t, quantity_.stress);
+    return loaded;
   }
 
   /// The law with gap and load step before on the other side of what v has.
@@ -206,12 +242,15 @@ class BoundsByTurns {
     ContactLaw law = solved_.body.law;
     law.multiplier = Multiplier::force;
     const Matrix2Xd moved = contact_components(line, v);
-    const VectorXd none = VectorXd::Zero(line.node_count());
-    law.gap = 2 * (law.gap.size() > 0 ? law.gap : none) -
-              VectorXd(moved.row(0).transpose());
-    law.previous = 2 * (law.previous.size() > 0 ? law.previous : none) -
-                   VectorXd(moved.row(1).transpose());
+    law.gap = reflected(law.gap, moved.row(0));
+    law.previous = reflected(law.previous, moved.row(1));
     return law;
+  }
+  /// 2 given - moved; nothing given is 0.
+  static VectorXd reflected(const VectorXd& given,
+                            const Eigen::RowVectorXd& moved) {
+    if (given.size() == 0) return -moved.transpose();
+    return 2 * given - moved.transpose();
   }
 
   /// Under further loads.
@@ -240,7 +279,8 @@ QuantityBounds quantity_bounds(const SolvedProblem<2>& solved,
                                const Estimate<2>& first,
                                const Quantity<2>& quantity,
                                const BoundSettings& settings) {
-  require_covered(solved, first);
+  require_covered(solved.body);
+  require_straight_and_admissible(solved, first);
   return BoundsByTurns(solved, first, quantity, settings).bounds();
 }
 

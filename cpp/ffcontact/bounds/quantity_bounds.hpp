@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "ffcontact/bounds/quantity.hpp"
@@ -11,7 +12,7 @@ namespace ffcontact {
 
 struct BoundSettings {
   /// steps s at which bounds are built at most; each is one for each bound
-  int steps = 4;
+  int steps = 8;
   /// of which one improves v for the tractions, and these and the stresses for v
   int turns = 2;
   RelaxationSettings relaxation{8};
@@ -26,6 +27,14 @@ struct QuantityBounds {
   VectorXd local;    ///< >= 0 per cell, upper - lower in all
   /// why there are no bounds, one sentence without a full stop
   std::string reason;
+
+  double width() const { return upper - lower; }
+  double midpoint() const { return (upper + lower) / 2; }
+  bool found() const { return std::isfinite(width()); }
+  /// (upper - lower) / |midpoint|, infinite where there are none.
+  double relative_width() const {
+    return width() == 0 ? 0 : width() / std::abs(found() ? midpoint() : 1);
+  }
 };
 
 /// Strict bounds of a linear quantity of frictionless contact or of Tresca's law (excess).

@@ -15,9 +15,15 @@ namespace {
 constexpr double worthwhile = 0.02;
 
 /// The best step is left by no more and no less than this.
-constexpr double most_change = 8, least_change = 1.5;
+constexpr double most_change = 8, least_change = 2;
 
 using Widths = std::map<double, double>;
+
+Widths::const_iterator narrowest(const Widths& widths) {
+  return std::min_element(
+      widths.begin(), widths.end(),
+      [](const auto& a, const auto& b) { return a.second < b.second; });
+}
 
 /// Where A / s + B s through two widths has its minimum; 0 or infinite where that falls or
 /// rises on.
@@ -48,9 +54,7 @@ double least_of(const Widths::value_type& before,
 }  // namespace
 
 double StepSearch::next() const {
-  const auto best = std::min_element(
-      width_.begin(), width_.end(),
-      [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto best = narrowest(width_);
   const double s = best->first;
   if (best->second <= 0) return 0;
   if (width_.size() == 1) return s / 2;
