@@ -136,6 +136,35 @@ TEST(QuantityBounds, turn_with_the_sign_and_move_with_the_constant) {
   EXPECT_NEAR(turned.upper, 3 - found.lower, 1e-9);
 }
 
+/// The solution is linear, and so is the response to the quantity.
+TEST(QuantityBounds, have_what_the_mesh_knows_exactly_between_them) {
+  const Solved solved(example_2(Multiplier::force, 0, 4));
+  const QuantityBounds found =
+      solved.bounds(on_label(solved.problem.mesh, top, {0, 1}));
+  // u_y = -5 y (1 - nu^2) / E
+  const double exact = -5 * 40 * 40 * (1 - 0.2 * 0.2) / 13e3;
+  EXPECT_LE(found.lower, exact);
+  EXPECT_GE(found.upper, exact);
+  EXPECT_LT(found.width(), 1e-10 * std::abs(exact));
+}
+
+TEST(QuantityBounds, are_the_same_in_any_units) {
+  const Quantity<2> mean =
+      on_label(tresca_example_1(2, 8).mesh, left, {1.0 / 40, 0});
+  const QuantityBounds in_mm = Solved(tresca_example_1(2, 8)).bounds(mean);
+  for (const double unit : {1e-9, 1e9}) {
+    Problem problem = tresca_example_1(2 * unit, 8);
+    for (Matrix3d& C : problem.hooke) C *= unit;
+    for (Index k = 0; k < problem.A.nonZeros(); ++k)
+      if (problem.A.valuePtr()[k] != penalty) problem.A.valuePtr()[k] *= unit;
+    problem.b *= unit;
+    problem.neumann *= unit;
+    const QuantityBounds found = Solved(problem).bounds(mean);
+    EXPECT_NEAR(found.lower, in_mm.lower, 1e-6 * in_mm.width());
+    EXPECT_NEAR(found.upper, in_mm.upper, 1e-6 * in_mm.width());
+  }
+}
+
 /// A quantity of a random kind on a mesh and on those that are subdivided from it.
 class RandomQuantity {
  public:

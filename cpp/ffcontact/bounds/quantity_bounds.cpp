@@ -19,6 +19,7 @@ namespace {
 /// Steps that are too long for any equilibrium are shortened so often, by this factor.
 constexpr int most_shortenings = 6;
 constexpr double shortening = 4;
+constexpr double share_of_rounding = 1e-14;
 
 LinearStresses<2> times(double factor, LinearStresses<2> stress) {
   stress.mean *= factor;
@@ -74,7 +75,8 @@ class BoundsByTurns {
         quantity_(quantity),
         settings_(settings),
         load_(load_of(solved.topology.mesh, quantity)),
-        system_(solved.system) {
+        system_(solved.system),
+        stress_(std::sqrt(energy_of(solved, solved.body.displacement))) {
     settings_.contact.stiffness = solved.body.stiffness;
   }
 
@@ -106,14 +108,18 @@ class BoundsByTurns {
     return load_.dot(v) + quantity_.constant;
   }
 
+  /// Of the terms that l(v) is summed from, and of equilibrium.
+  double rounding_of(const VectorXd& v, double s) const {
+    const double terms = load_.cwiseAbs().dot(v.cwiseAbs());
+    return share_of_rounding * (terms + stress_ * stress_ / s);
+  }
+
   /// At which stresses under s l are twice those under the loads, where contact holds what
   /// it touches, or six times on hat functions alone.
   double longest_step(const VectorXd& free) {
-    const double stress =
-        std::sqrt(energy_of(solved_, solved_.body.displacement));
-    const double longest = 6 * stress / std::sqrt(energy_of_hats(free)),
+    const double longest = 6 * stress_ / std::sqrt(energy_of_hats(free)),
                  held = std::sqrt(std::max(0.0, held_energy(free)));
-    return 2 * stress < longest * held ? 2 * stress / held : longest;
+    return 2 * stress_ < longest * held ? 2 * stress_ / held : longest;
   }
 
   /// l' diag(K)^-1 l
@@ -174,9 +180,11 @@ class BoundsByTurns {
   void put_bounds(QuantityBounds& bounds) {
     const double s = bounds.step;
     const BoundPair plus = pair(s), minus = pair(-s);
-    bounds.upper = of(plus.v) + excess(solved_, plus, s);
-    bounds.lower = of(minus.v) - excess(solved_, minus, s);
-    bounds.local = width_of_cells(solved_, plus, minus, s);
+    const double rounding = rounding_of(plus.v, s);
+    bounds.upper = of(plus.v) + excess(solved_, plus, s) + rounding;
+    bounds.lower = of(minus.v) - excess(solved_, minus, s) - rounding;
+    bounds.local = width_of_cells(solved_, plus, minus, s).array() +
+                   2 * rounding / solved_.topology.mesh.cell_count();
   }
 
   BoundPair pair(double t) {
@@ -270,6 +278,7 @@ class BoundsByTurns {
   BoundSettings settings_;
   VectorXd load_;         ///< l of the hat functions
   ElasticSystem system_;  ///< with other loads
+  double stress_;         ///< |sigma_h|
   double longest_ = 0;
 };
 
