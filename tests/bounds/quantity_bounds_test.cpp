@@ -28,6 +28,20 @@ Quantity<2> on_label(const Mesh& mesh, int label, const Vector2d& w) {
   return quantity;
 }
 
+/// Mean of u_x on the left quarter of the bottom of example 1.
+Quantity<2> mean_on_the_first_quarter(const Problem& problem) {
+  Quantity<2> quantity = no_quantity(problem.mesh);
+  for (Index e = 0; e < problem.mesh.boundary.cols(); ++e) {
+    const Matrix2d ends =
+        facet_points<2>(problem.mesh, problem.mesh.boundary.col(e));
+    if (problem.mesh.boundary_label[e] == bottom && ends.row(0).mean() < 20) {
+      const double half = boundary_measure<2>(problem.mesh, e) / 2 / 20;
+      quantity.tractions.col(e) << half, 0, half, 0;
+    }
+  }
+  return quantity;
+}
+
 /// int M : sigma(v) of the cells that are chosen.
 Quantity<2> stress_of(const Problem& problem, const Vector3d& M,
                       const std::function<bool(int)>& chosen) {
@@ -101,6 +115,7 @@ TEST(QuantityBounds, have_known_values_between_them_and_are_known_to_be_near) {
   };
   expect_known({0, 0.0263411, 4.60, 1.75}, mean_on_the_left);
   expect_known({2, 0.020426, 7.44, 3.20}, mean_on_the_left);
+  expect_known({2, 0.0170116, 44.9, 21.2}, mean_on_the_first_quarter);
   expect_known({0, -1.05584, 134, 71}, [](const Problem& problem) {
     return mean_stress(problem, {0, 1, 0}, {20, 10}, {40, 30});
   });

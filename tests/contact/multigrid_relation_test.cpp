@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ffcontact/contact/multigrid/step_multigrid.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/pressed_bricks.hpp"
@@ -83,12 +85,26 @@ TEST(MultigridRelation, starts_from_rows_that_are_near) {
   EXPECT_LE(warm.iterations, 5);
   EXPECT_LT(warm.iterations, cold.iterations);
   EXPECT_LE(max_norm(warm.force - cold.force), 1e-9 * max_norm(cold.force));
+}
 
-  settings.near = {-cold.force.reshaped(), 1e3 * v.reshaped()};
-  const SurfaceSolution misled = problem.solve(settings);
-  EXPECT_TRUE(misled.accepted({}));
-  EXPECT_EQ(misled.multigrid, Multigrid::used);
-  EXPECT_LE(max_norm(misled.force - cold.force), 1e-9 * max_norm(cold.force));
+/// From what is of another load, and from nonsense.
+TEST(MultigridRelation, gets_there_from_rows_that_are_far) {
+  Random random(1);
+  for (const double mu : {0.5, 2.0}) {
+    const SolidProblem problem =
+        block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::shear, mu);
+    ContactSettings settings = by(LinearSolver::multigrid);
+    const SurfaceSolution cold = problem.solve(settings);
+    for (int k = 0; k < 10; ++k) {
+      const double size = std::pow(10, k - 5);
+      settings.near = {size * random_vector(cold.force.size(), random),
+                       1e-3 * random_vector(cold.force.size(), random)};
+      const SurfaceSolution misled = problem.solve(settings);
+      EXPECT_EQ(misled.multigrid, Multigrid::used);
+      EXPECT_LE(max_norm(misled.force - cold.force),
+                1e-9 * max_norm(cold.force));
+    }
+  }
 }
 
 /// Makes the first body of a stack so many times as stiff.
