@@ -212,13 +212,20 @@ class RandomQuantity {
   std::vector<bool> chosen_;
 };
 
-Problem with_law(Problem problem, double slip_bound, const Vector2d& gap) {
-  const ContactLine& line = problem.line;
-  if (slip_bound > 0) problem.law.slip_bound = everywhere(line, slip_bound);
-  problem.law.gap.resize(line.node_count());
-  for (int i = 0; i < line.node_count(); ++i)
-    problem.law.gap[i] =
-        gap[0] + gap[1] * problem.mesh.vertices(0, line.vertex[i]);
+/// a + b x at the contact nodes.
+VectorXd linear_along(const Problem& problem, const Vector2d& a_b) {
+  const Eigen::RowVectorXd x =
+      problem.mesh.vertices.row(0)(problem.line.vertex);
+  return (a_b[0] + a_b[1] * x.array()).transpose();
+}
+
+/// @param gap, previous  as for linear_along
+Problem with_law(Problem problem, double slip_bound, const Vector2d& gap,
+                 const Vector2d& previous) {
+  if (slip_bound > 0)
+    problem.law.slip_bound = everywhere(problem.line, slip_bound);
+  problem.law.gap = linear_along(problem, gap);
+  problem.law.previous = linear_along(problem, previous);
   return problem;
 }
 
@@ -227,11 +234,12 @@ Problem with_law(Problem problem, double slip_bound, const Vector2d& gap) {
 RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
   const RandomBlock block = random_block(random);
   const double slip_bound = *rc::gen::inRange(0, 3) * *real(0, 2);
-  const Vector2d gap(*real(0, 1e-2), *real(0, 1e-3));
+  const Vector2d gap(*real(0, 1e-2), *real(0, 1e-3)),
+      previous(*real(-1e-3, 1e-3), *real(-1e-3, 1e-3));
   const RandomQuantity quantity(block.mesh, random);
   const auto solved_on = [&](int times) {
-    return Solved(
-        with_law(block.on(subdivided(block.mesh, times)), slip_bound, gap));
+    return Solved(with_law(block.on(subdivided(block.mesh, times)), slip_bound,
+                           gap, previous));
   };
   const Solved coarse = solved_on(0), fine = solved_on(2);
   const QuantityBounds wide = coarse.bounds(quantity.on(coarse.problem)),
