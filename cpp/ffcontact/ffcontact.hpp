@@ -20,11 +20,13 @@
 ///                and the coefficient at which solutions branch; the law and the solver on a surface
 ///   equilibrium  edge tractions in equilibrium, stresses linear on triangles, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
+///   bounds       strict bounds of quantities of interest, of plane bodies
 ///   sizing       optimal sizes for a wanted error, of plane bodies and solids
 ///   parallel     what several processes need
 ///
 /// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1)
 /// (of solids ContactSurface::frame), compression negative, u_n <= 0 does not penetrate.
+#include "ffcontact/bounds/quantity_bounds.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/contact/uniqueness/coulomb_constant.hpp"

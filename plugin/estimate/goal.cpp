@@ -26,23 +26,23 @@ std::string place_of_edge(const Mesh& mesh, Index edge) {
   return in_words(middle);
 }
 
-/// The middle one of three Gauss points has the mean of the others.
-void require_linear(const Mesh& mesh, const MatrixXd& at_points) {
-  const Eigen::RowVectorXd bend =
-      at_points.row(0) - 2 * at_points.row(1) + at_points.row(2);
-  Index worst = 0;
-  if (bend.size() > 0 &&
-      bend.cwiseAbs().maxCoeff(&worst) > linear_to * max_norm(at_points))
-    refuse("goaltraction= is not linear on the edge at ",
-           place_of_edge(mesh, worst),
+/// Values on the edges are off the line through those at the ends by no more than rounding,
+/// at places that no odd or even function passes.
+void require_linear(Stack stack, const std::string& name, Expression w,
+                    const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+  const std::vector<double> places = {1e-3, 0.113, 0.31,    0.5,
+                                      0.74, 0.887, 1 - 1e-3};
+  const MatrixXd values = along_boundary(stack, w, fem_mesh, mesh, places);
+  const Map<const Eigen::ArrayXd> s(places.data(), values.rows());
+  const VectorXd share =
+      (s - places.front()) / (places.back() - places.front());
+  const MatrixXd line = values.topRows(1).replicate(values.rows(), 1) +
+                        share * (values.bottomRows(1) - values.topRows(1));
+  Index point = 0, worst = 0;
+  if (values.cols() > 0 && (values - line).cwiseAbs().maxCoeff(&point, &worst) >
+                               linear_to * max_norm(values))
+    refuse(name, "= is not linear on the edge at ", place_of_edge(mesh, worst),
            ": let the mesh have a vertex where it jumps or bends");
-}
-
-Matrix4Xd tractions_of(Stack stack, const std::array<Expression, 2>& w,
-                       const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
-  for (Expression component : w)
-    require_linear(mesh, at_gauss_points(stack, component, fem_mesh, mesh));
-  return traction_moments(stack, w[0], w[1], fem_mesh, mesh);
 }
 
 BodyLoadsOfCells<2> body_loads_of(Stack stack,
@@ -58,7 +58,7 @@ BodyLoadsOfCells<2> body_loads_of(Stack stack,
   return std::move(force.loads);
 }
 
-/// (sum over cells of int q : C^-1 q)^(1/2) of its means, or so.
+/// The norm of its means.
 double size_of(const InitialStress<2>& stress, const Hooke& hooke,
                const Mesh& mesh) {
   const CellStresses<2> mean =
@@ -85,12 +85,22 @@ class GoalReader {
   void read(int body, const Hooke& hooke) {
     const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[body];
     const Mesh mesh = mesh_of(&fem_mesh);
+    require_linear("goaltraction", body);
+    const std::array<Expression, 2> w = vector_of("goaltraction", body);
     goal_.tractions.middleCols(bodies_.joined.first_boundary[body],
                                mesh.boundary.cols()) =
-        tractions_of(stack_, vector_of("goaltraction", body), fem_mesh, mesh);
+        traction_moments(stack_, w[0], w[1], fem_mesh, mesh);
     goal_.body_loads.middleCols(first_cell()[body], mesh.cells.cols()) =
         body_loads_of(stack_, vector_of("goalbodyforce", body), fem_mesh, mesh);
     read_stress(body, hooke, fem_mesh, mesh);
+  }
+
+  void require_linear(const char* name, int body) const {
+    const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[body];
+    for (Expression w : vector_of(name, body))
+      plugin::require_linear(stack_,
+                             name_of_body(name, body, bodies_.body_count()), w,
+                             fem_mesh, mesh_of(&fem_mesh));
   }
 
   Quantity<2> goal() && {
@@ -146,6 +156,13 @@ Quantity<2> read_goal(Stack stack, const NamedArguments& named,
   return std::move(reader).goal();
 }
 
+void require_linear_tractions(Stack stack, const NamedArguments& named,
+                              const PlaneBodies& bodies) {
+  const GoalReader reader(stack, named, bodies);
+  for (int k = 0; k < bodies.body_count(); ++k)
+    reader.require_linear("traction", k);
+}
+
 void require_goal(const PlaneBodies& bodies, const Quantity<2>& goal,
                   const VectorXd& given) {
   const Mesh& mesh = bodies.joined.mesh;
@@ -157,9 +174,9 @@ void require_goal(const PlaneBodies& bodies, const Quantity<2>& goal,
     return;
   const auto vertex = static_cast<int>(worst) / 2;
   refuse(
-      "q is ", given[worst], " at vertex ", vertex, " ",
-      in_words(mesh.place(vertex)), ", but goaltraction=, goalbodyforce= and ",
-      "goalstress= make ", load[worst],
+      "q is ", given[worst], " at the vertex ", in_words(mesh.place(vertex)),
+      ", but goaltraction=, goalbodyforce= and ", "goalstress= make ",
+      load[worst],
       " of it: they are the integrands of q, on the same edges and triangles");
 }
 

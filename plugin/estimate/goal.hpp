@@ -16,6 +16,11 @@ namespace ffcontact::plugin {
 Quantity<2> read_goal(Stack stack, const NamedArguments& named,
                       const PlaneBodies& bodies, const Hooke& hooke);
 
+/// @throws std::invalid_argument  if traction= of a body is not linear on an edge: stresses
+///                                are not in equilibrium with it then
+void require_linear_tractions(Stack stack, const NamedArguments& named,
+                              const PlaneBodies& bodies);
+
 /// @param given  l of the hat functions as the script has assembled it [dofs]
 /// @throws std::invalid_argument  naming the vertex where it is not that of the quantity
 void require_goal(const PlaneBodies& bodies, const Quantity<2>& goal,

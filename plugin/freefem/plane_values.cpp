@@ -203,20 +203,28 @@ MatrixXd at_quadrature_points(Stack stack, Expression expression,
   return values;
 }
 
-MatrixXd at_gauss_points(Stack stack, Expression expression,
-                         const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
-  MatrixXd values = MatrixXd::Zero(3, mesh.boundary.cols());
+MatrixXd along_boundary(Stack stack, Expression expression,
+                        const Fem2D::Mesh& fem_mesh, const Mesh& mesh,
+                        const std::vector<double>& places) {
+  MatrixXd values =
+      MatrixXd::Zero(static_cast<Index>(places.size()), mesh.boundary.cols());
   if (!expression) return values;
   PlanePoint point(stack, fem_mesh);
   for (int e = 0; e < values.cols(); ++e) {
     const bool same = point.first_vertex(e) == mesh.boundary(0, e);
-    for (int q = 0; q < 3; ++q) {
-      const Vector2d hats = FacetQuadrature<2>::hats(q);
-      point.go_to_boundary(e, hats[same ? 0 : 1]);
+    for (Index q = 0; q < values.rows(); ++q) {
+      point.go_to_boundary(e, same ? 1 - places[q] : places[q]);
       values(q, e) = point.value(expression);
     }
   }
   return values;
+}
+
+MatrixXd at_gauss_points(Stack stack, Expression expression,
+                         const Fem2D::Mesh& fem_mesh, const Mesh& mesh) {
+  std::vector<double> places;
+  for (int q = 0; q < 3; ++q) places.push_back(FacetQuadrature<2>::hats(q)[1]);
+  return along_boundary(stack, expression, fem_mesh, mesh, places);
 }
 
 Matrix4Xd traction_moments(Stack stack, Expression Fx, Expression Fy,

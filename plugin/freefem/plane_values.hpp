@@ -44,6 +44,12 @@ VectorXd at_triangles(Stack stack, Expression expression,
 MatrixXd at_quadrature_points(Stack stack, Expression expression,
                               const Fem2D::Mesh& fem_mesh);
 
+/// An expression at places of every boundary element, from 0 at its first vertex to 1 at its
+/// second (x, y, label, N), 0 where it is null [places x boundary].
+MatrixXd along_boundary(Stack stack, Expression expression,
+                        const Fem2D::Mesh& fem_mesh, const Mesh& mesh,
+                        const std::vector<double>& places);
+
 /// An expression at the three Gauss points of every boundary element, from its first
 /// vertex to its second (x, y, label, N), 0 where it is null [3 x boundary].
 MatrixXd at_gauss_points(Stack stack, Expression expression,

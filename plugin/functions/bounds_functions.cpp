@@ -74,16 +74,18 @@ class ContactBounds : public E_F0mps {
     BoundSettings settings;
     settings.steps = count(stack, "steps", settings.steps);
     settings.turns = count(stack, "turns", settings.turns);
-    if (settings.steps < 1 || settings.turns < 1)
-      refuse("steps= and turns= are 1 at least");
     settings.relaxation.steps =
         count(stack, "sweeps", *settings.relaxation.steps);
     return settings;
   }
 
-  static void require_exact(const Oscillation& data, const Estimate<2>& first) {
-    const double enough = 1e-9 * first.e / std::max(first.relative, 1e-300);
-    if (data.force > enough || data.strain > enough)
+  static void require_exact(const Oscillation& data, const SolvedBody<2>& body,
+                            const Estimate<2>& first) {
+    constexpr double rounding = 1e-9;
+    const double forces = body.body_loads.cwiseAbs().sum(),
+                 size =
+                     first.relative > 0 ? first.e / first.relative : infinity;
+    if (data.force > rounding * forces || data.strain > rounding * size)
       refuse(
           "bounds are strict for body forces that are constant in each "
           "triangle, and initial strains and stresses that are linear: give "
@@ -95,6 +97,9 @@ class ContactBounds : public E_F0mps {
     Quantity<2> goal = read_goal(stack, named_, problem, hooke);
     if (q_.empty()) return goal;
     problem.require_bodies("q", q_.size());
+    for (std::size_t k = 0; k < q_.size(); ++k)
+      problem.require_dofs("q", static_cast<int>(k),
+                           value_of<KN<double>*>(stack, q_[k])->N());
     require_goal(
         problem, goal,
         joined_displacement(problem, values_of<KN<double>*>(stack, q_)));
@@ -107,13 +112,14 @@ class ContactBounds : public E_F0mps {
     const ContactProblem& problem = plane_problem(contact);
     require_names_of_bodies(named_, quantities_of_bodies, problem.body_count());
     Judged judged = judged_of(solved_contact(contact));
+    require_linear_tractions(stack, named_, problem);
     const Oscillation data =
         read_material_and_loads(stack, named_, problem, judged.body);
     const SolvedProblem<2> solved{problem.topology(), problem.line,
                                   *judged.system, judged.body};
     const Estimate<2> first = estimate_error<2>(solved.topology, solved.contact,
                                                 solved.system, solved.body);
-    require_exact(data, first);
+    require_exact(data, judged.body, first);
     const QuantityBounds bounds =
         quantity_bounds(solved, first, goal(stack, problem, judged.body.hooke),
                         settings(stack));
@@ -130,9 +136,9 @@ class ContactBounds : public E_F0mps {
     named_.put(stack, "value", bounds.value);
     named_.put(stack, "midpoint", midpoint);
     named_.put(stack, "step", bounds.step);
-    if (!bounds.found()) return;
-    const VectorXd squares =
-        bounds.local.cwiseMax(0) / std::max(std::abs(midpoint), 1e-300);
+    VectorXd squares = VectorXd::Zero(problem.mesh.cell_count());
+    if (bounds.found() && midpoint != 0)
+      squares = bounds.local.cwiseMax(0) / std::abs(midpoint);
     put_by_bodies(stack, named_, problem.joined.first_cell, "eps",
                   squares.cwiseSqrt());
   }
@@ -145,7 +151,7 @@ class ContactBounds : public E_F0mps {
     cout << "contactbounds: ";
     if (bounds.found())
       cout << bounds.lower << " to " << bounds.upper << ", "
-           << 100 * bounds.relative_width() << " % wide, of the mesh "
+           << 100 * bounds.relative_width() << " % wide, u_h has "
            << bounds.value;
     else
       cout << "none, as " << bounds.reason;

@@ -28,8 +28,9 @@ struct SolvedSolid {
 struct PlacedAnswer {
   ContactStates state;
   Matrix3Xd place, normal;
-  Matrix3Xd pressure;  ///< [MPa]
-  Matrix3Xd moved;     ///< against the foundation or the other body [mm]
+  Matrix3Xd pressure;      ///< [MPa]
+  Matrix3Xd moved;         ///< against the foundation or the other body [mm]
+  std::vector<long> side;  ///< of each pair that these are those of
 };
 
 /// The contact of solids, as a variable of the script holds it.

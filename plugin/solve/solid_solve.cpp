@@ -107,8 +107,11 @@ PlacedAnswer placed_answer(const SolidProblem& problem,
   const Matrix3Xd moved = displacement_against_foundation(
       surface, on_layer(solved.law, pressure), found.displacement);
   return {states_for_next(problem, solved, slip_of(solved.nodes), tolerance),
-          problem.places(), surface.normal, vectors(surface, pressure),
-          vectors(surface, moved)};
+          problem.places(),
+          surface.normal,
+          vectors(surface, pressure),
+          vectors(surface, moved),
+          problem.side};
 }
 
 /// u_t without what springs back of it.
@@ -168,8 +171,9 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   Guess last = guess_at(problem, contact.last);
   solved.law = law_of(call, contact, last.state);
   const SurfaceLaw& law = solved.law;
-  // how a step slipped says little of the next one
-  if (law.previous.size() > 0) last.rows.reset();
+  // how a step slipped says little of the next one, and vectors turn with the side
+  if (law.previous.size() > 0 || problem.side != contact.last.side)
+    last.rows.reset();
   const ContactSettings settings =
       settings_of(call, contact, system, std::move(last));
   try {

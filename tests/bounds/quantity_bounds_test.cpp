@@ -130,14 +130,30 @@ TEST(QuantityBounds, are_apart_by_what_the_cells_contribute) {
   EXPECT_GE(found.local.minCoeff(), -1e-12 * width);
 }
 
-TEST(QuantityBounds, are_as_wide_as_nothing_where_supports_say_the_quantity) {
-  Problem problem = tresca_example_1(0, 8);
-  clamp(problem, top, [](const Vector2d&) { return Vector2d(0.25, -0.01); });
+TEST(QuantityBounds, are_none_where_the_mesh_knows_nothing_of_the_quantity) {
+  // the triangle in the corner has no free vertex, but its third side moves
+  Problem problem = body(rectangle(2, 2, 1, 1), material(1, 0.3));
+  clamp(problem, left);
+  clamp(problem, top);
+  add_traction(problem, right, {1, 0});
   const Solved solved(problem);
   const QuantityBounds found =
-      solved.bounds(on_label(problem.mesh, top, {1.0 / 80, 0}));
-  EXPECT_NEAR(found.lower, 0.25, 1e-12);
-  EXPECT_NEAR(found.upper, 0.25, 1e-12);
+      solved.bounds(stress_of(problem, {1, 0, 0}, [&](int t) {
+        const Vector2d x = centroid_of(problem.mesh, t);
+        return x.y() - x.x() > 0.6;
+      }));
+  EXPECT_FALSE(found.found());
+  EXPECT_FALSE(found.reason.empty());
+}
+
+TEST(QuantityBounds, are_none_where_nothing_is_loaded) {
+  Problem problem = body(rectangle(2, 2, 1, 1), material(1, 0.3));
+  clamp(problem, top);
+  const Solved solved(problem);
+  const QuantityBounds found =
+      solved.bounds(on_label(problem.mesh, left, {1, 0}));
+  EXPECT_FALSE(found.found());
+  EXPECT_EQ(found.reason, "the loads make no stresses");
 }
 
 TEST(QuantityBounds, turn_with_the_sign_and_move_with_the_constant) {
@@ -256,6 +272,18 @@ RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
   RC_ASSERT(wide.local.minCoeff() >= -rounding);
   RC_ASSERT(std::abs(wide.local.sum() - (wide.upper - wide.lower)) <=
             1e-8 * (wide.upper - wide.lower) + rounding);
+}
+
+TEST(QuantityBounds, are_refused_with_gaps_beside_which_displacements_round) {
+  Problem problem = tresca_example_1(0, 4);
+  problem.law.gap = everywhere(problem.line, 0);
+  problem.law.gap[2] = 1e10;
+  const Solved solved(problem);
+  const std::string sentence = refusal([&] {
+    solved.bounds(on_label(problem.mesh, left, {1, 0}));
+  });
+  EXPECT_NE(sentence.find("1000 times the largest displacement"),
+            std::string::npos);
 }
 
 TEST(QuantityBounds, are_refused_with_coulombs_law) {

@@ -14,6 +14,7 @@ struct BoundPair {
   VectorXd v;
   std::vector<SubcellStress<2>> tau;
   ContactDensities rho;
+  double defect = 0;  ///< of tau and rho, relative to the largest stress
 };
 
 /// int C eps(v) : eps(v), with the initial stresses, |.|^2 of a stress.

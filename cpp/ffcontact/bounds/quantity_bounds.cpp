@@ -6,26 +6,24 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/bounds/bound_pair.hpp"
 #include "ffcontact/bounds/step_search.hpp"
 #include "ffcontact/estimate/bodies/nodal_forces.hpp"
 #include "ffcontact/estimate/displacement/admissible_displacement.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Steps that are too long for any equilibrium are shortened so often, by this factor.
+/// A step that is too long for any equilibrium is shortened so often, by this factor.
 constexpr int most_shortenings = 6;
 constexpr double shortening = 4;
 constexpr double share_of_rounding = 1e-14;
-
-LinearStresses<2> times(double factor, LinearStresses<2> stress) {
-  stress.mean *= factor;
-  stress.variation *= factor;
-  return stress;
-}
+/// That is rounding beside the largest displacement.
+constexpr double penetration = 1e-12;
 
 ContactLaw with_twice_the_bound(ContactLaw law) {
   law.multiplier = Multiplier::force;
@@ -35,12 +33,38 @@ ContactLaw with_twice_the_bound(ContactLaw law) {
   return law;
 }
 
+bool has_friction(const ContactLaw& law) {
+  return law.friction.maxCoeff() > 0 || max_norm(law.between_nodes.most) > 0;
+}
+
+void require_valid(const BoundSettings& settings) {
+  if (settings.steps < 1 || settings.turns < 1)
+    refuse("steps and turns must be at least 1, got ", settings.steps, " and ",
+           settings.turns);
+  require_valid(settings.relaxation);
+}
+
+/// Rounding beside a gap counts as none, and would beside displacements.
+void require_near(const SolvedProblem<2>& solved) {
+  constexpr double most = 1e3;
+  const VectorXd& gap = solved.body.law.gap;
+  Index worst = 0;
+  if (gap.size() == 0 ||
+      gap.maxCoeff(&worst) <= most * max_norm(solved.body.displacement))
+    return;
+  const Mesh& mesh = solved.topology.mesh;
+  refuse("gap= is ", gap[worst], " at ",
+         in_words(mesh.place(solved.contact.vertex[worst])),
+         ", more than 1000 times the largest displacement: leave what nothing "
+         "touches out of label=");
+}
+
 /// @throws std::invalid_argument  where the theorem does not hold, or is not used yet
 void require_covered(const SolvedBody<2>& body) {
   const ContactLaw& law = body.law;
   if (law.bonded)
     refuse("there are no bounds of quantities of bonded bodies yet");
-  if (law.limited() || (!law.tresca() && law.friction.maxCoeff() > 0))
+  if (law.limited() || (!law.tresca() && has_friction(law)))
     refuse(
         "bounds of quantities are strict for contact without friction and for "
         "Tresca's law alone: state the contact with slipbound=, e.g. that of "
@@ -82,13 +106,23 @@ class BoundsByTurns {
 
   QuantityBounds bounds() {
     const VectorXd free = on_free_dofs(solved_.system, load_);
-    if (free.isZero(0)) return exact();
+    QuantityBounds bounds = none(0);
+    bounds.reason = reason_against(free);
+    if (!bounds.reason.empty()) return bounds;
     longest_ = longest_step(free);
     return narrowest();
   }
 
  private:
-  /// Of a step.
+  std::string reason_against(const VectorXd& free) const {
+    if (free.isZero(0))
+      return "no free vertex of the mesh moves it: prescribed displacements "
+             "say "
+             "what it is, or the mesh is too coarse";
+    return stress_ == 0 ? "the loads make no stresses" : "";
+  }
+
+  /// There are no bounds at a step yet.
   QuantityBounds none(double s) const {
     QuantityBounds bounds;
     bounds.value = of(solved_.body.displacement);
@@ -96,26 +130,19 @@ class BoundsByTurns {
     return bounds;
   }
 
-  /// Prescribed displacements say the quantity.
-  QuantityBounds exact() const {
-    QuantityBounds bounds = none(0);
-    bounds.lower = bounds.upper = bounds.value;
-    bounds.local = VectorXd::Zero(solved_.topology.mesh.cell_count());
-    return bounds;
-  }
-
   double of(const VectorXd& v) const {
     return load_.dot(v) + quantity_.constant;
   }
 
-  /// Of the terms that l(v) is summed from, and of equilibrium.
-  double rounding_of(const VectorXd& v, double s) const {
-    const double terms = load_.cwiseAbs().dot(v.cwiseAbs());
-    return share_of_rounding * (terms + stress_ * stress_ / s);
+  /// What the terms of l(v) and what is missed of equilibrium may add to a bound.
+  double rounding_of(const BoundPair& pair, double s) const {
+    const double terms = load_.cwiseAbs().dot(pair.v.cwiseAbs());
+    return share_of_rounding * terms +
+           std::max(share_of_rounding, pair.defect) * stress_ * stress_ / s;
   }
 
-  /// At which stresses under s l are twice those under the loads, where contact holds what
-  /// it touches, or six times on hat functions alone.
+  /// The step at which stresses under s l are twice those under the loads, where contact
+  /// holds what it touches, or six times on hat functions alone.
   double longest_step(const VectorXd& free) {
     const double longest = 6 * stress_ / std::sqrt(energy_of_hats(free)),
                  held = std::sqrt(std::max(0.0, held_energy(free)));
@@ -128,16 +155,23 @@ class BoundsByTurns {
     return (K > 0).select(free.array().square() / K, 0).sum();
   }
 
-  /// Of a body that is glued to what it touches, under l alone.
-  double held_energy(const VectorXd& free) {
+  /// The energy of a body that is glued to what it touches, under l alone; 0 where that
+  /// does not hold it.
+  double held_energy(const VectorXd& free) const {
     ElasticSystem alone = solved_.system;
     alone.load = free;
     alone.prescribed_value.setZero();
     const ContactLine& line = solved_.contact;
-    return free.dot(solve_contact(solved_.topology.mesh, line,
-                                  bonded_law(line.node_count()), alone,
-                                  settings_.contact)
-                        .displacement);
+    try {
+      return free.dot(solve_contact(solved_.topology.mesh, line,
+                                    bonded_law(line.node_count()), alone,
+                                    settings_.contact)
+                          .displacement);
+    } catch (const Refusal&) {
+      return 0;
+    } catch (const Failure&) {
+      return 0;
+    }
   }
 
   QuantityBounds narrowest() {
@@ -180,11 +214,11 @@ class BoundsByTurns {
   void put_bounds(QuantityBounds& bounds) {
     const double s = bounds.step;
     const BoundPair plus = pair(s), minus = pair(-s);
-    const double rounding = rounding_of(plus.v, s);
-    bounds.upper = of(plus.v) + excess(solved_, plus, s) + rounding;
-    bounds.lower = of(minus.v) - excess(solved_, minus, s) - rounding;
+    const double above = rounding_of(plus, s), below = rounding_of(minus, s);
+    bounds.upper = of(plus.v) + excess(solved_, plus, s) + above;
+    bounds.lower = of(minus.v) - excess(solved_, minus, s) - below;
     bounds.local = width_of_cells(solved_, plus, minus, s).array() +
-                   2 * rounding / solved_.topology.mesh.cell_count();
+                   (above + below) / solved_.topology.mesh.cell_count();
   }
 
   BoundPair pair(double t) {
@@ -198,23 +232,24 @@ class BoundsByTurns {
     return pair;
   }
 
-  /// That minimises the bound, but for the rounding of what keeps clear.
+  /// v minimises the bound for rho, but for the rounding that keeps it clear.
   VectorXd displacement_for(double t, const ContactDensities& rho) {
     const auto& [topology, line, system, body] = solved_;
     const VectorXd u =
         solution(with_twice_the_bound(body.law),
                  -t * load_ - nodal_forces(topology.mesh, line, rho))
             .displacement;
-    return cleared_between_nodes(
-        line, body.law,
-        admissible_displacement(line, body.law, u, system.prescribed),
-        system.prescribed);
+    VectorXd v = admissible_displacement(line, body.law, u, system.prescribed);
+    if (deepest_node(line, body.law, v).depth > penetration * max_norm(v))
+      refuse("no displacement that keeps clear was found");
+    return v;
   }
 
   /// tau and rho that nearly minimise the bound for v.
   void put_stress_for(double t, BoundPair& pair) {
     Estimate<2> estimate = estimate_under(t, pair.v);
     if (!estimate.admissible) refuse(estimate.reason);
+    pair.defect = std::max(estimate.equilibrium.largest(), estimate.cone);
     pair.rho = std::move(estimate.tractions);
     pair.tau = std::move(estimate.stress);
     if (quantity_.stress.empty()) return;
@@ -240,7 +275,7 @@ class BoundsByTurns {
     SolvedBody<2> loaded = solved_.body;
     loaded.neumann += t * quantity_.tractions;
     loaded.body_loads += t * quantity_.body_loads;
-    loaded.initial = loaded.initial + times(-t, quantity_.stress);
+    loaded.initial = loaded.initial + -t * quantity_.stress;
     return loaded;
   }
 
@@ -288,7 +323,9 @@ QuantityBounds quantity_bounds(const SolvedProblem<2>& solved,
                                const Estimate<2>& first,
                                const Quantity<2>& quantity,
                                const BoundSettings& settings) {
+  require_valid(settings);
   require_covered(solved.body);
+  require_near(solved);
   require_straight_and_admissible(solved, first);
   return BoundsByTurns(solved, first, quantity, settings).bounds();
 }

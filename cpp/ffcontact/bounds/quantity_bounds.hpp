@@ -11,7 +11,8 @@
 namespace ffcontact {
 
 struct BoundSettings {
-  /// steps s at which bounds are built at most; each is one for each bound
+  /// steps s at which bounds are built, at most; those that are too long for any equilibrium
+  /// do not count
   int steps = 8;
   /// of which one improves v for the tractions, and these and the stresses for v
   int turns = 2;
@@ -31,7 +32,7 @@ struct QuantityBounds {
   double width() const { return upper - lower; }
   double midpoint() const { return (upper + lower) / 2; }
   bool found() const { return std::isfinite(width()); }
-  /// (upper - lower) / |midpoint|, infinite where there are none.
+  /// (upper - lower) / |midpoint|; infinite where there are none, or 0 is in the middle.
   double relative_width() const {
     return width() == 0 ? 0 : width() / std::abs(found() ? midpoint() : 1);
   }
@@ -46,6 +47,8 @@ struct QuantityBounds {
 /// ones are taken.
 /// @param solved  what contactsolve found
 /// @param first   its estimate
+/// What is bounded is that of the problem on the mesh's polygon, with a gap, a load step
+/// before and prescribed displacements that are linear between its vertices.
 /// @throws std::invalid_argument  for what the theorem, or this construction, does not cover
 QuantityBounds quantity_bounds(const SolvedProblem<2>& solved,
                                const Estimate<2>& first,

@@ -11,6 +11,9 @@ void require_valid(const ContactSettings& settings, int nodes) {
     refuse("maxit must be at least 1, got ", settings.max_iterations);
   const auto given = count_of(settings.initial_state);
   if (given > 0) require_size("initial state", given, nodes);
+  if (!settings.near) return;
+  require_size("near P", settings.near->P.size(), 3 * nodes);
+  require_size("near v", settings.near->v.size(), 3 * nodes);
 }
 
 }  // namespace ffcontact

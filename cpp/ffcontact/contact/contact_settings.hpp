@@ -38,9 +38,8 @@ struct ContactSettings {
   /// the guess is that of nearest nodes of another mesh: solids in single precision have a
   /// better one of their own (coarse_start)
   bool state_of_another_mesh = false;
-  /// P and v of the nodes as they may be, e.g. of the load step before or of the nearest nodes
-  /// of another mesh: beside the states they say where nodes slip to, and multigrid starts
-  /// from them
+  /// P and v of the nodes of a problem nearby, e.g. at the nearest nodes of another mesh.
+  /// Multigrid starts from them, which say where nodes slip to, before it tries the states
   std::optional<ContactRows> near{};
   std::shared_ptr<const CondensedStiffness>
       stiffness;  ///< of an earlier solution with this K and line; null: factorise

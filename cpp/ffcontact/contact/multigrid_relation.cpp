@@ -16,7 +16,7 @@ namespace {
 
 /// Newton is given this many linear systems.
 constexpr int most_multigrid_systems = 60;
-/// And so many from rows that may be near, before it starts from sticking nodes.
+/// And so many from rows that may be near, before it starts from states.
 constexpr int most_near_systems = 10;
 /// Residuals of the systems' solutions: of the first one, of those far from the answer, and
 /// the least that single precision has.
@@ -49,7 +49,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
                                                      limits.max_iterations)));
     const int left = limits.max_iterations - best.iterations;
     if (best.status != ContactStatus::converged && left > 0)
-      best.add(answer_from(all_stick(stated_.cones.node_count()),
+      best.add(answer_from(settings.first_states(stated_.cones.node_count()),
                            limits.with_at_most(left)));
     return {std::move(best), {}};
   }
@@ -119,7 +119,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
     return {packed(diagonal), position, held};
   }
 
-  /// Of what a row follows, as springs beside each other.
+  /// Of what a row follows, whose springs are in series with its own.
   double compliance_followed(const VectorXd& K, int row) const {
     double sum = 0;
     for (const auto& link :
@@ -188,7 +188,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   LawScales least_scales() const {
     constexpr double share_of_loads = 1e-4;
     const VectorXd given = given_forces();
-    const VectorXd K = stated_.system.stiffness.diagonal();
+    const VectorXf& K = step_.diagonal_of_all();
     double motion = 0;
     for (Index k = 0; k < given.size(); ++k)
       if (K[k] > 0) motion = std::max(motion, std::abs(given[k]) / K[k]);

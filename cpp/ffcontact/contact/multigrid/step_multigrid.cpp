@@ -87,6 +87,10 @@ StepMultigrid::StepMultigrid(const ElasticSystem& system,
   for (int i = 0; i < node_count(); ++i)
     if (vertex_[i] >= 0)
       diagonal_[i] = multigrid_.matrix().block(vertex_[i], vertex_[i]);
+  diagonal_of_all_.resize(system.dof_count());
+  for (int v = 0; v < multigrid_.matrix().rows(); ++v)
+    block_of<3>(diagonal_of_all_, v) =
+        multigrid_.matrix().block(v, v).diagonal();
 }
 
 double StepMultigrid::stiffness(int row) const {

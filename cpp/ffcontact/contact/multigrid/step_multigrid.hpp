@@ -21,8 +21,8 @@ struct SurfaceUnknowns {
   VectorXi of_row;  ///< k of each row, or -1 where it is held [3 p]
 };
 
-/// Has every row that is not held an unknown of its own? Not where nodes share a vertex,
-/// where contact vertices follow each other, nor those that are fixed what moves.
+/// Has every row that is not held an unknown of its own? It has not where nodes share a
+/// vertex, where contact vertices follow each other, and where a fixed one faces what moves.
 bool has_own_unknowns(const SurfaceTrace& trace);
 
 /// @param trace  with own unknowns
@@ -44,6 +44,8 @@ class StepMultigrid {
 
   /// Of K on its diagonal at each row that is not held [3 p].
   double stiffness(int row) const;
+  /// The diagonal of K, 0 at unknowns that stand for nothing.
+  const VectorXf& diagonal_of_all() const { return diagonal_of_all_; }
 
   /// w (1 - e e') of a slipping node, 0 of others.
   static Matrix2d slip_stiffness(const SurfaceEquations& equations, int node);
@@ -76,6 +78,7 @@ class StepMultigrid {
   const SurfaceUnknowns& unknowns_;
   std::vector<int> vertex_;  ///< of each node, -1 where all rows are held
   std::vector<SingleBlock<3, 3>> diagonal_;  ///< of K at it
+  VectorXf diagonal_of_all_;
   std::vector<Node> known_;
   SmoothedAggregation<3> multigrid_;
 };

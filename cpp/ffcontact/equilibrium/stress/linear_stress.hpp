@@ -43,6 +43,13 @@ struct LinearStresses {
 template <int d>
 LinearStresses<d> operator+(LinearStresses<d> a, const LinearStresses<d>& b);
 
+template <int d>
+LinearStresses<d> operator*(double factor, LinearStresses<d> stress) {
+  stress.mean *= factor;
+  stress.variation *= factor;
+  return stress;
+}
+
 /// A linear stress by its values at the vertices of a cell: at the corners of the subcells.
 template <int d>
 SubcellStress<d> subcell_values(const VertexStress<d>& at_vertices);
