@@ -19,13 +19,6 @@ namespace {
 /// Beside the largest value: more is not rounding.
 constexpr double linear_to = 1e-9;
 
-std::string place_of_edge(const Mesh& mesh, Index edge) {
-  const Vector2d middle = (mesh.vertices.col(mesh.boundary(0, edge)) +
-                           mesh.vertices.col(mesh.boundary(1, edge))) /
-                          2;
-  return in_words(middle);
-}
-
 /// Values on the edges are off the line through those at the ends by no more than rounding,
 /// at places that no odd or even function passes.
 void require_linear(Stack stack, const std::string& name, Expression w,
@@ -41,8 +34,11 @@ void require_linear(Stack stack, const std::string& name, Expression w,
   Index point = 0, worst = 0;
   if (values.cols() > 0 && (values - line).cwiseAbs().maxCoeff(&point, &worst) >
                                linear_to * max_norm(values))
-    refuse(name, "= is not linear on the edge at ", place_of_edge(mesh, worst),
-           ": let the mesh have a vertex where it jumps or bends");
+    refuse(
+        name, "= is not linear on the edge at ",
+        in_words(
+            facet_points<2>(mesh, mesh.boundary.col(worst)).rowwise().mean()),
+        ": let the mesh have a vertex where it jumps or bends");
 }
 
 BodyLoadsOfCells<2> body_loads_of(Stack stack,
@@ -97,10 +93,10 @@ class GoalReader {
 
   void require_linear(const char* name, int body) const {
     const Fem2D::Mesh& fem_mesh = *bodies_.fem_meshes[body];
+    const Mesh mesh = mesh_of(&fem_mesh);
+    const std::string own = name_of_body(name, body, bodies_.body_count());
     for (Expression w : vector_of(name, body))
-      plugin::require_linear(stack_,
-                             name_of_body(name, body, bodies_.body_count()), w,
-                             fem_mesh, mesh_of(&fem_mesh));
+      if (w) plugin::require_linear(stack_, own, w, fem_mesh, mesh);
   }
 
   Quantity<2> goal() && {
@@ -175,8 +171,7 @@ void require_goal(const PlaneBodies& bodies, const Quantity<2>& goal,
   const auto vertex = static_cast<int>(worst) / 2;
   refuse(
       "q is ", given[worst], " at the vertex ", in_words(mesh.place(vertex)),
-      ", but goaltraction=, goalbodyforce= and ", "goalstress= make ",
-      load[worst],
+      ", but goaltraction=, goalbodyforce= and goalstress= make ", load[worst],
       " of it: they are the integrands of q, on the same edges and triangles");
 }
 

@@ -102,10 +102,12 @@ VectorXd slip_of(const SolidResults& nodes) {
 PlacedAnswer placed_answer(const SolidProblem& problem,
                            const SolvedSolid& solved, double tolerance) {
   const ContactSurface& surface = problem.surface;
-  const SurfaceSolution& found = solved.solution;
-  const Matrix3Xd pressure = lumped_pressures(surface, found.force);
-  const Matrix3Xd moved = displacement_against_foundation(
-      surface, on_layer(solved.law, pressure), found.displacement);
+  const SolidResults& nodes = solved.nodes;
+  Matrix3Xd pressure(3, surface.node_count()), moved(3, surface.node_count());
+  pressure << nodes.pn.transpose(), nodes.pt1.transpose(),
+      nodes.pt2.transpose();
+  moved << -nodes.gap.transpose(), nodes.slip1.transpose(),
+      nodes.slip2.transpose();
   return {states_for_next(problem, solved, slip_of(solved.nodes), tolerance),
           problem.places(),
           surface.normal,
