@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <set>
+
 #include "ffcontact/contact/law/cone_correction.hpp"
 #include "ffcontact/estimate/error/contact_edges.hpp"
 #include "ffcontact/estimate/error/contact_error.hpp"
@@ -16,7 +19,7 @@ namespace {
 
 using namespace test;
 
-std::vector<double> relax(Equilibrated& fields, int steps,
+std::vector<double> relax(Equilibrated& fields, std::optional<int> steps,
                           double tightness = 0) {
   return relax_facets<2>({fields.difference()}, {steps, tightness},
                          fields.moments);
@@ -234,6 +237,27 @@ TEST(FacetRelaxation,
     if (enough) break;
   }
   EXPECT_EQ(relax(some, 10, 0.02).size(), expected + 1);
+}
+
+TEST(FacetRelaxation, without_a_number_goes_on_after_a_second_step_of_a_tenth) {
+  std::set<std::size_t> counts;
+  for (double nu : {0.3, 0.45, 0.49, 0.499}) {
+    const Problem problem =
+        without_contact(smooth_solution(nu), rectangle(8, 8, 2, 2));
+    Equilibrated all = equilibrated(problem, solved_without_contact(problem),
+                                    {Matrix2Xd(2, 0), Matrix2Xd(2, 0)}),
+                 some = all;
+    std::vector<double> e{std::sqrt(elastic_square(problem, all))};
+    for (double fall : relax(all, 12))
+      e.push_back(std::sqrt(e.back() * e.back() - fall));
+    std::size_t last = 2;
+    double worth = 0.1;
+    for (; last < 12 && e[last] < (1 - worth) * e[last - 1]; ++last)
+      worth = 0.02;
+    EXPECT_EQ(relax(some, std::nullopt).size(), last) << "nu " << nu;
+    counts.insert(last);
+  }
+  EXPECT_GT(counts.size(), 2u);
 }
 
 TEST(FacetRelaxation, without_steps_changes_nothing) {

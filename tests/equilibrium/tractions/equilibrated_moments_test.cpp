@@ -71,6 +71,43 @@ RC_GTEST_PROP(EdgeMoments, of_a_constant_stress_are_its_tractions,
   }
 }
 
+/// Those around a vertex inside leave one number a component free: what a force adds that
+/// goes around it. It is such that stresses beside long edges of small triangles do not
+/// grow: the sum of (z - z_0) (areas beside the edge) / length^2 around it is 0.
+RC_GTEST_PROP(EdgeMoments, are_nearest_to_the_mean_in_stresses,
+              (Random random)) {
+  Problem problem = body(irregular(5, 4, 50, 4, random), material(1, 0.3));
+  for (int label : {top, left, right}) clamp(problem, label);
+  const int contacts = problem.line.edge_count();
+  const BoundaryTractions boundary = boundary_tractions(
+      problem.mesh, problem.edges, prescribed_dofs(problem.A), problem.neumann,
+      problem.line,
+      {Matrix2Xd::Zero(2, contacts), Matrix2Xd::Zero(2, contacts)});
+  const Topology<2> topology = topology_of(problem.mesh);
+  const Edges& edges = topology.facets;
+  const Matrix3Xd stress = random_matrix(3, problem.mesh.cell_count(), random);
+  const EdgeMoments moments =
+      equilibrated_moments(topology, stress, body_loads(problem), boundary);
+  for (int v = 0; v < topology.ridges.count(); ++v) {
+    if (topology.ridges.on_boundary[v]) continue;
+    Vector2d sum = Vector2d::Zero(), terms = sum;
+    for (int e : topology.ridges.facets_of(v)) {
+      const int t = edges.cells(0, e), other = edges.cells(1, e);
+      const double length = facet_measure(topology.mesh, edges, e),
+                   beside = signed_area(topology.mesh, t) +
+                            signed_area(topology.mesh, other);
+      const Vector2d off = moments.col(e).segment<2>(2 * edges.place_of(v, e)) -
+                           length / 2 *
+                               traction((stress.col(t) + stress.col(other)) / 2,
+                                        edge_normal(topology.mesh, edges, e));
+      const Vector2d term = off * beside / (length * length);
+      sum += edges.vertices(1, e) == v ? term : (-term).eval();
+      terms += term.cwiseAbs();
+    }
+    RC_ASSERT(sum.norm() < 1e-9 * terms.norm());
+  }
+}
+
 TEST(EdgeMoments, a_spoiled_moment_is_out_of_balance) {
   const Problem problem = example_1(Multiplier::force, 4);
   Equilibrated fields = equilibrated(problem, solved(problem));

@@ -71,6 +71,21 @@ class RidgeForm {
   MatrixXd A_;
 };
 
+/// Adds Z_i' H Z_j of a facet around one ridge with one around another.
+template <int d>
+void add_coupling(int i, int j, const FacetMatrix<d>& H, MatrixXd& A) {
+  constexpr int wrench = CompositeElement<d>::wrench,
+                modes = CompositeElement<d>::modes;
+  const int of_i = wrench + modes * i, of_j = wrench + modes * j;
+  A.topLeftCorner<wrench, wrench>() +=
+      H.template topLeftCorner<wrench, wrench>();
+  A.block<wrench, modes>(0, of_j) += H.template topRightCorner<wrench, modes>();
+  A.block<modes, wrench>(of_i, 0) +=
+      H.template bottomLeftCorner<modes, wrench>();
+  A.block<modes, modes>(of_i, of_j) +=
+      H.template bottomRightCorner<modes, modes>();
+}
+
 }  // namespace
 
 template <int d>
@@ -127,6 +142,30 @@ MatrixXd ridge_form(const FacetTopology<d>& topology, int ridge,
   for (int i = 0; i < count; ++i)
     form.add_own(i, shifted<d>(shifts[i], own[i], shifts[i]));
   return std::move(form).full();
+}
+
+template <int d>
+MatrixXd coupling_form(const FacetTopology<d>& topology, int a,
+                       const WrenchShift<d>* shifts_a, int b,
+                       const WrenchShift<d>* shifts_b,
+                       const FacetForms<d>& forms) {
+  MatrixXd A = MatrixXd::Zero(unknowns_around<d>(topology.ridges, a),
+                              unknowns_around<d>(topology.ridges, b));
+  const std::vector<Wedge> around_b = wedges_of<d>(topology, b);
+  for (const Wedge& of_a : wedges_of<d>(topology, a))
+    for (const Wedge& of_b : around_b) {
+      if (of_a.cell != of_b.cell) continue;
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j)
+          add_coupling<d>(
+              of_a.place[i], of_b.place[j],
+              shifted<d>(shifts_a[of_a.place[i]],
+                         forms.block(of_a.cell, of_a.local[i], of_b.local[j])
+                             .template cast<double>(),
+                         shifts_b[of_b.place[j]]),
+              A);
+    }
+  return A;
 }
 
 template <int d>
@@ -232,6 +271,10 @@ template WrenchShifts<FFCONTACT_DIMENSION> shifts_around(
 template MatrixXd ridge_form(const FacetTopology<FFCONTACT_DIMENSION>&, int,
                              const WrenchShift<FFCONTACT_DIMENSION>*,
                              const FacetForms<FFCONTACT_DIMENSION>&);
+template MatrixXd coupling_form(const FacetTopology<FFCONTACT_DIMENSION>&, int,
+                                const WrenchShift<FFCONTACT_DIMENSION>*, int,
+                                const WrenchShift<FFCONTACT_DIMENSION>*,
+                                const FacetForms<FFCONTACT_DIMENSION>&);
 template MatrixXd ridge_conditions(const FacetTopology<FFCONTACT_DIMENSION>&,
                                    int, const WrenchShift<FFCONTACT_DIMENSION>*,
                                    const KnownTractions<FFCONTACT_DIMENSION>&,

@@ -45,6 +45,14 @@ template <int d>
 MatrixXd ridge_form(const FacetTopology<d>& topology, int ridge,
                     const WrenchShift<d>* shifts, const FacetForms<d>& forms);
 
+/// Z_a' H Z_b of two ridges, over the cells at both.
+/// @param shifts_a, shifts_b  of the facets around each
+template <int d>
+MatrixXd coupling_form(const FacetTopology<d>& topology, int a,
+                       const WrenchShift<d>* shifts_a, int b,
+                       const WrenchShift<d>* shifts_b,
+                       const FacetForms<d>& forms);
+
 /// Rows that are zero for corrections that leave known boundary tractions alone.
 /// @param shifts      of the m facets
 /// @param directions  known alone

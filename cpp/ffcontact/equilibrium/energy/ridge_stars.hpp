@@ -4,18 +4,23 @@
 #include <memory>
 #include <vector>
 
-#include "ffcontact/equilibrium/energy/facet_share.hpp"
 #include "ffcontact/equilibrium/energy/ridge_form.hpp"
+#include "ffcontact/equilibrium/energy/ridge_lines.hpp"
 
 namespace ffcontact {
 
-/// The additive solves of all ridge stars, z = sum over the ridges of Z A^-1 Z' g.
+/// The additive solves of all lines of ridge stars, z = sum over the lines of Z A^-1 Z' g.
 ///
 /// The self-equilibrated corrections of the facets around a ridge are one wrench w that
 /// all of them carry and the modes of each: x = (w, y_1, .., y_m), A = Z' H Z
 /// [(r + (d^2 - r) m)^2] with Z of wrench_shift. At a boundary ridge only those x count
 /// that leave known tractions of its two boundary facets alone; where nothing is left the
 /// ridge has no part.
+///
+/// Most ridges are a line by themselves (short_edge_lines). In a line of several each star has
+/// cells in common with the next one alone: A is block tridiagonal, and so is its factor.
+/// The modes of the facet between two stars are of both, so that A is singular; what a
+/// pivot of nothing belongs to stays 0.
 ///
 /// Factors (tiled_factor) are kept in single precision: they only steer. x is not, so that
 /// last digits of g, as several processes leave them, turn last digits of z alone. Each
@@ -39,15 +44,29 @@ class RidgeStars {
   /// What a ridge adds: basis x with x = A^-1 basis' (Z' g), basis the identity if empty.
   struct Star {
     MatrixXd basis;
-    int size;  ///< of A; 0: nothing is free
+    int size = 0;  ///< of A; 0: nothing is free
   };
 
-  Star star(int ridge, const FacetTractions<d>& boundary,
-            const FacetForms<d>& forms, float* factor) const;
   void place_facets();
+  void place_factors();
+  // of the star at a place in lines_
+  int size_at(int place) const { return stars_[lines_.ridge[place]].size; }
+  float* factor_at(int place) const {
+    return factors_.get() + first_of_factor_[place];
+  }
+  int below(int line, int place) const;
+  MatrixXd form_of(int ridge, const FacetTractions<d>& boundary,
+                   const FacetForms<d>& forms);
+  MatrixXd coupling_of(int a, int b, const FacetForms<d>& forms) const;
+  void factor_alone(int place, const FacetTractions<d>& boundary,
+                    const FacetForms<d>& forms);
+  void factor_line(int line, const FacetTractions<d>& boundary,
+                   const FacetForms<d>& forms);
   void restrict_to(int ridge, const FacetColumns<d>& g, double* x) const;
-  void solve(int ridge, double* x) const;
+  void restrict_to_free(int ridge, const FacetColumns<d>& g, double* x) const;
+  void put_parts(int ridge, const double* x);
   FacetVector<d> of_facet(int ridge, int facet, const double* x) const;
+  void solve_line(int line, const FacetColumns<d>& g, double* x);
 
   const FacetTopology<d> topology_;
   const FacetShare& share_;
@@ -56,9 +75,10 @@ class RidgeStars {
       place_;  ///< of a facet around each of its ridges [d x facets]
   WrenchShifts<d> shifts_;
   FacetColumns<d> parts_;  ///< what the ridge has for the facet
-  std::vector<Star> stars_;
-  int largest_ = 0;                     ///< unknowns of a star, in whole tiles
-  std::vector<Index> first_of_factor_;  ///< all ridges in a row
+  RidgeLines lines_;
+  std::vector<Star> stars_;             ///< of each ridge
+  int largest_ = 0;                     ///< unknowns of a line, in whole tiles
+  std::vector<Index> first_of_factor_;  ///< line by line, star by star
   std::unique_ptr<float[]> factors_;
 };
 

@@ -18,11 +18,14 @@ constexpr int tiled(int n) {
   return (n + tile_size - 1) / tile_size * tile_size;
 }
 
-/// Numbers in the factor of n unknowns.
-constexpr Index factor_size(int n) {
-  const Index tiles = tiled(n) / tile_size;
-  return numbers_in_tile * tiles * (tiles + 1) / 2;
+/// Numbers in the columns of n unknowns, with rows of `below` more.
+constexpr Index front_size(int n, int below) {
+  const Index own = tiled(n) / tile_size, all = own + tiled(below) / tile_size;
+  return numbers_in_tile * (all * (all + 1) - (all - own) * (all - own + 1)) /
+         2;
 }
+/// Numbers in the factor of n unknowns.
+constexpr Index factor_size(int n) { return front_size(n, 0); }
 
 /// A tile as it is multiplied.
 template <class Scalar>
@@ -31,13 +34,22 @@ Matrix4d tile_at(const Scalar* numbers) {
       .template cast<double>();
 }
 
-/// @param L       lower triangle of n unknowns
-/// @param factor  [factor_size(n)]
+/// The columns of the first unknowns, whose tiles are whole; those after them begin a new
+/// tile.
+/// @param L       lower triangle of n unknowns and the rows below it [.. x n]; an infinite
+///                pivot makes its unknown 0
+/// @param factor  [front_size(n, rows below)]
 void put_tiles(const Ref<const MatrixXd>& L, float* factor);
 
 /// x <- A^-1 x
 /// @param n  unknowns
 /// @param x  [tiled(n)], what is beyond n unknowns finite
 void solve_tiles(const float* factor, int n, double* x);
+
+/// The two halves of the same, front by front: x <- L^-1 x in ascending order, then x <-
+/// L'^-1 x in descending order.
+/// @param x  [tiled(n) + tiled(below)], from the first unknown of the front on
+void eliminate_tiles(const float* factor, int n, int below, double* x);
+void substitute_tiles(const float* factor, int n, int below, double* x);
 
 }  // namespace ffcontact

@@ -9,6 +9,32 @@ namespace ffcontact {
 
 namespace {
 
+/// The numbers that a relaxation in the plane and in space differ by.
+template <int d>
+struct RelaxationRule {
+  /// Steps of the descent in one of the relaxation: two lower e of plane bodies as much as
+  /// one of Gauss-Seidel over the stars with the best combination after each.
+  static constexpr int descents = d == 2 ? 2 : 1;
+  /// Steps between two passes over the contact ridges.
+  static constexpr int steps_of_a_round = d == 2 ? 1 : 3;
+  /// A pass that lowers e^2 by less than this part is the last one: where all of the
+  /// surface slips there is little to be had. In the plane passes cost next to nothing, and
+  /// go on.
+  static constexpr double tightness_of_passes = d == 2 ? 0 : 2e-3;
+  /// A star that lowers e^2 by less than this part of what it was at first may as well
+  /// stay.
+  static constexpr double least_part_of_a_star = d == 2 ? 0 : 1e-8;
+  /// Steps where no number is given: `usual_steps`, further ones if the last
+  /// `steps_judged` of these lowered e by the first part, and from then on while that many
+  /// lower it by the second, up to `most_steps`. Stretched cells and nearly incompressible
+  /// bodies need them.
+  static constexpr int usual_steps = d == 2 ? 2 : 16,
+                       most_steps = d == 2 ? 12 : 96,
+                       steps_judged = d == 2 ? 1 : 4;
+  static constexpr double worth_further_steps = d == 2 ? 0.1 : 0.03,
+                          worth_going_on = 0.02;
+};
+
 /// @param e  before the first and after every step
 template <int d>
 bool more_steps(const RelaxationSettings& settings,
@@ -18,9 +44,10 @@ bool more_steps(const RelaxationSettings& settings,
   if (settings.steps) return steps < *settings.steps;
   if (steps < Rule::usual_steps) return true;
   if (steps >= Rule::most_steps) return false;
-  return steps % Rule::steps_judged != 0 ||
-         e[steps] <
-             (1 - Rule::worth_further_steps) * e[steps - Rule::steps_judged];
+  if (steps % Rule::steps_judged != 0) return true;
+  const double worth = steps == Rule::usual_steps ? Rule::worth_further_steps
+                                                  : Rule::worth_going_on;
+  return e[steps] < (1 - worth) * e[steps - Rule::steps_judged];
 }
 
 template <int d>

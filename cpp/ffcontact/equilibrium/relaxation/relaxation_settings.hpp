@@ -8,9 +8,8 @@
 namespace ffcontact {
 
 struct RelaxationSettings {
-  /// at most; fewer where one no longer lowers e. Without a number 2 in the plane; in space
-  /// 16 and, as nearly incompressible bodies need, further ones while four of them lower e
-  /// by 3 %, up to 32
+  /// at most; fewer where one no longer lowers e. Without a number 2 in the plane, 16 in
+  /// space, and further ones while these are worth their time
   std::optional<int> steps{};
   /// stop when the last step lowered e by less than this fraction; 0: do all steps
   double tightness = 0;

@@ -72,9 +72,17 @@ class StarGraph {
       arcs_.push_back(
           {facet, k,
            facets.on_boundary(facet) ? -1 : static_cast<int>(other - cells),
-           d * facets.place_of(vertex, facet),
-           d == 2 ? 1 : facet_measure(mesh, facets, facet)});
+           d * facets.place_of(vertex, facet), weight(mesh, facets, facet)});
     }
+  }
+  static double weight(const SimplexMesh<d>& mesh, const Facets<d>& facets,
+                       int facet) {
+    const double area = facet_measure(mesh, facets, facet);
+    if constexpr (d == 3) return area;
+    double beside = 0;
+    for (int t : facets.cells.col(facet))
+      if (t >= 0) beside += signed_volume(mesh, t);
+    return area * area / beside;
   }
 
   /// The lowest cell that each of them hangs together with.

@@ -14,8 +14,10 @@ namespace ffcontact {
 /// which makes every cell balanced in force and moment, since rigid motions are
 /// combinations of phi_i e. Per component this is a graph: cells are its nodes, facets its
 /// arcs; in the plane it is a chain or a ring. Of the solutions the one nearest to z0 =
-/// A/d (mean of both stresses) n in the norm with weights 1/w is taken, w = 1 in the plane,
-/// A in space:
+/// A/d (mean of both stresses) n in the norm with weights 1/w is taken. In the plane w =
+/// A^2 / (areas beside the edge), so that the norm is that of the stresses that forces on
+/// edges cause: otherwise the short edges of stretched triangles get forces of the long
+/// ones. In space w = A:
 ///     z = z0 + W N' (N W N')^+ (q - N z0),   N the incidence of the arcs not known, W = diag(w).
 /// Where no free boundary facet ends a star, the equations fit one another if nothing is
 /// missing at i (NodalResidual); what is missing all its cells share.

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/equilibrium/energy/short_edge_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ffcontact/base/unions.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+constexpr double least_strength = 2, least_part_of_strongest = 0.5;
+
+double cotangent(const Vector2d& a, const Vector2d& b) {
+  return a.dot(b) / std::abs(a[0] * b[1] - a[1] * b[0]);
+}
+
+/// k of each edge.
+VectorXd strengths(const FacetTopology<2>& topology) {
+  VectorXd k = VectorXd::Zero(topology.facets.count());
+  for (int t = 0; t < topology.mesh.cell_count(); ++t) {
+    const CellCorners<2> corners = topology.corners(t);
+    for (int i = 0; i < 3; ++i) {
+      const VectorOf<2> apex = corners.col(i);
+      k[topology.facets.of_cell(i, t)] +=
+          cotangent(corners.col((i + 1) % 3) - apex,
+                    corners.col((i + 2) % 3) - apex) /
+          2;
+    }
+  }
+  return k;
+}
+
+/// Vertices of a share all of whose cells are its own.
+Flags inside(const FacetTopology<2>& topology, const FacetShare& share) {
+  Flags inside = share.ridge;
+  for (int t = 0; t < topology.mesh.cell_count(); ++t)
+    if (!share.cell[t])
+      for (int f : topology.facets.of_cell.col(t))
+        for (int v : topology.ridges.of_facet.col(f)) inside[v] = 0;
+  return inside;
+}
+
+constexpr int none = -1;
+
+/// Lines that grow together, edge by edge.
+class GrowingLines {
+ public:
+  explicit GrowingLines(const FacetTopology<2>& topology)
+      : topology_(topology),
+        beside_(Matrix2Xi::Constant(2, topology.ridges.count(), none)),
+        line_(topology.ridges.count()),
+        size_(topology.ridges.count(), 1) {}
+
+  /// Joins the lines of the ends of an edge where these end there, and no other vertices
+  /// of the lines have cells in common.
+  void join(int edge) {
+    int a = topology_.ridges.of_facet(0, edge),
+        b = topology_.ridges.of_facet(1, edge);
+    if (in_one_line(a, b) || !is_end(a) || !is_end(b)) return;
+    if (size(a) > size(b)) std::swap(a, b);
+    if (!are_apart(a, b)) return;
+    const int together = size(a) + size(b);
+    link(a, b);
+    link(b, a);
+    line_.join(a, b);
+    size(a) = together;
+  }
+
+  /// Those of the vertices of a share.
+  RidgeLines lines(const FacetShare& share) const {
+    RidgeLines lines;
+    Flags listed(share.ridge.size(), 0);
+    for (int v = 0; v < count_of(listed); ++v) {
+      if (!share.ridge[v] || listed[v] || !is_end(v)) continue;
+      for_line_from(v, [&](int member) {
+        lines.ridge.push_back(member);
+        listed[member] = 1;
+      });
+      lines.end_line();
+    }
+    return lines;
+  }
+
+ private:
+  int& size(int v) { return size_[line_.root(v)]; }
+  bool in_one_line(int a, int b) { return line_.root(a) == line_.root(b); }
+  bool is_end(int v) const { return beside_(1, v) == none; }
+  void link(int v, int other) {
+    beside_(beside_(0, v) == none ? 0 : 1, v) = other;
+  }
+  /// From an end to the other one.
+  template <class OfMember>
+  void for_line_from(int v, const OfMember& of_member) const {
+    for (int before = none; v != none;) {
+      of_member(v);
+      const int next = beside_(0, v) == before ? beside_(1, v) : beside_(0, v);
+      before = v;
+      v = next;
+    }
+  }
+  /// But for a and b themselves, has no vertex of a's line a neighbour in that of b?
+  bool are_apart(int a, int b) {
+    bool apart = true;
+    for_line_from(a, [&](int v) {
+      for (int edge : topology_.ridges.facets_of(v))
+        for (int other : topology_.ridges.of_facet.col(edge))
+          apart = apart && (!in_one_line(other, b) || (v == a && other == b));
+    });
+    return apart;
+  }
+
+  const FacetTopology<2> topology_;
+  Matrix2Xi beside_;       ///< what comes before and after in the line
+  Unions line_;            ///< of each vertex
+  std::vector<int> size_;  ///< of each line, by its root
+};
+
+/// k of the edges, and the largest at each vertex.
+class Strengths {
+ public:
+  explicit Strengths(const FacetTopology<2>& topology)
+      : k_(strengths(topology)),
+        largest_(VectorXd::Zero(topology.ridges.count())) {
+    for (int e = 0; e < topology.facets.count(); ++e)
+      for (int v : topology.ridges.of_facet.col(e))
+        largest_[v] = std::max(largest_[v], k_[e]);
+  }
+  double operator[](int edge) const { return k_[edge]; }
+  bool is_strong(int edge, int end) const {
+    return k_[edge] >= least_strength &&
+           k_[edge] >= least_part_of_strongest * largest_[end];
+  }
+
+ private:
+  VectorXd k_, largest_;
+};
+
+/// Edges that lines may go along, the strongest first.
+std::vector<int> strong_edges(const FacetTopology<2>& topology,
+                              const FacetShare& share) {
+  const Strengths k(topology);
+  const Flags free = inside(topology, share);
+  const auto may_join = [&](int edge, int end) {
+    return free[end] && k.is_strong(edge, end);
+  };
+  std::vector<int> edges;
+  for (int e = 0; e < topology.facets.count(); ++e) {
+    const auto ends = topology.ridges.of_facet.col(e);
+    if (may_join(e, ends[0]) && may_join(e, ends[1])) edges.push_back(e);
+  }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](int e, int f) { return k[e] > k[f]; });
+  return edges;
+}
+
+}  // namespace
+
+RidgeLines short_edge_lines(const FacetTopology<2>& topology,
+                            const FacetShare& share) {
+  const std::vector<int> edges = strong_edges(topology, share);
+  if (edges.empty()) return single_ridges(share);
+  GrowingLines growing(topology);
+  for (int e : edges) growing.join(e);
+  return growing.lines(share);
+}
+
+}  // namespace ffcontact

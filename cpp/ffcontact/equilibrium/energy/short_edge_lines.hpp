@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ffcontact/equilibrium/energy/ridge_lines.hpp"
+
+namespace ffcontact {
+
+/// The vertices of a share, each in one line.
+///
+/// Where triangles are stretched by an aspect q the stars of vertices at the ends of their
+/// short edges depend on each other q^4 times as much as others do, and what each does
+/// alone takes q^2 steps of a descent to tell along the line. The measure of an edge is
+/// what couples its ends in Laplace's equation,
+///     k = (cot a + cot b) / 2,   a, b the angles opposite to it,
+/// about q on short edges, 1/q on long ones, 0.6 among equilateral triangles. Edges with k
+/// >= 2 that are at least half as strong as every other at their ends make lines, the
+/// strongest first, as long as only neighbours in a line have cells in common.
+///
+/// A line does not leave the cells of its share: the stars at its border, which several
+/// solve, are solved by each for themselves. No more than these depend on the processes.
+RidgeLines short_edge_lines(const FacetTopology<2>& topology,
+                            const FacetShare& share);
+
+}  // namespace ffcontact
