@@ -11,30 +11,31 @@ namespace ffcontact {
 
 namespace {
 
-constexpr double least_strength = 2, least_part_of_strongest = 0.5;
+constexpr double least_strength = 2;
 
 double cotangent(const Vector2d& a, const Vector2d& b) {
   return a.dot(b) / std::abs(a[0] * b[1] - a[1] * b[0]);
 }
 
+/// Of the angle at a corner.
+double cotangent(const CellCorners<2>& corners, int k) {
+  const Vector2d apex = corners.col(k);
+  return cotangent(corners.col((k + 1) % 3) - apex,
+                   corners.col((k + 2) % 3) - apex);
+}
+
 /// k of each edge.
 VectorXd strengths(const FacetTopology<2>& topology) {
   VectorXd k = VectorXd::Zero(topology.facets.count());
-  for (int t = 0; t < topology.mesh.cell_count(); ++t) {
-    const CellCorners<2> corners = topology.corners(t);
-    for (int i = 0; i < 3; ++i) {
-      const VectorOf<2> apex = corners.col(i);
-      k[topology.facets.of_cell(i, t)] +=
-          cotangent(corners.col((i + 1) % 3) - apex,
-                    corners.col((i + 2) % 3) - apex) /
-          2;
-    }
-  }
+  for (int t = 0; t < topology.mesh.cell_count(); ++t)
+    for (int i = 0; i < 3; ++i)
+      k[topology.facets.of_cell(i, t)] += cotangent(topology.corners(t), i) / 2;
   return k;
 }
 
 /// Vertices of a share all of whose cells are its own.
-Flags inside(const FacetTopology<2>& topology, const FacetShare& share) {
+Flags vertices_inside(const FacetTopology<2>& topology,
+                      const FacetShare& share) {
   Flags inside = share.ridge;
   for (int t = 0; t < topology.mesh.cell_count(); ++t)
     if (!share.cell[t])
@@ -118,38 +119,16 @@ class GrowingLines {
   std::vector<int> size_;  ///< of each line, by its root
 };
 
-/// k of the edges, and the largest at each vertex.
-class Strengths {
- public:
-  explicit Strengths(const FacetTopology<2>& topology)
-      : k_(strengths(topology)),
-        largest_(VectorXd::Zero(topology.ridges.count())) {
-    for (int e = 0; e < topology.facets.count(); ++e)
-      for (int v : topology.ridges.of_facet.col(e))
-        largest_[v] = std::max(largest_[v], k_[e]);
-  }
-  double operator[](int edge) const { return k_[edge]; }
-  bool is_strong(int edge, int end) const {
-    return k_[edge] >= least_strength &&
-           k_[edge] >= least_part_of_strongest * largest_[end];
-  }
-
- private:
-  VectorXd k_, largest_;
-};
-
 /// Edges that lines may go along, the strongest first.
 std::vector<int> strong_edges(const FacetTopology<2>& topology,
                               const FacetShare& share) {
-  const Strengths k(topology);
-  const Flags free = inside(topology, share);
-  const auto may_join = [&](int edge, int end) {
-    return free[end] && k.is_strong(edge, end);
-  };
+  const VectorXd k = strengths(topology);
+  const Flags inside = vertices_inside(topology, share);
   std::vector<int> edges;
   for (int e = 0; e < topology.facets.count(); ++e) {
     const auto ends = topology.ridges.of_facet.col(e);
-    if (may_join(e, ends[0]) && may_join(e, ends[1])) edges.push_back(e);
+    if (k[e] >= least_strength && inside[ends[0]] && inside[ends[1]])
+      edges.push_back(e);
   }
   std::stable_sort(edges.begin(), edges.end(),
                    [&](int e, int f) { return k[e] > k[f]; });

@@ -13,8 +13,8 @@ namespace ffcontact {
 /// what couples its ends in Laplace's equation,
 ///     k = (cot a + cot b) / 2,   a, b the angles opposite to it,
 /// about q on short edges, 1/q on long ones, 0.6 among equilateral triangles. Edges with k
-/// >= 2 that are at least half as strong as every other at their ends make lines, the
-/// strongest first, as long as only neighbours in a line have cells in common.
+/// >= 2 make lines, the strongest first, as long as only neighbours in a line have cells in
+/// common.
 ///
 /// A line does not leave the cells of its share: the stars at its border, which several
 /// solve, are solved by each for themselves. No more than these depend on the processes.
