@@ -260,6 +260,9 @@ RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
   const Solved coarse = solved_on(0), fine = solved_on(2);
   const QuantityBounds wide = coarse.bounds(quantity.on(coarse.problem)),
                        narrow = fine.bounds(quantity.on(fine.problem));
+  // some random quantities are of vertices that all are prescribed
+  RC_PRE(wide.reason.find("no free vertex of the mesh moves it") ==
+         std::string::npos);
   RC_ASSERT(wide.reason.empty());
   RC_ASSERT(narrow.reason.empty());
   const double rounding = 1e-9 * (std::abs(wide.lower) + std::abs(wide.upper));
