@@ -46,12 +46,11 @@ RC_GTEST_PROP(Slivers, keep_equilibrium_and_cone, (Random random)) {
 }
 
 /// Steps converge to the same e; on the way to it the order in which contact stars are relaxed,
-/// and single precision in flat ones, matter: after 64 steps e of 4100 cases differed by up to
-/// 5 % but for three, of which one had 16 %, and 4 % after 400 steps.
+/// and single precision in flat ones, matter: after 64 steps e of 4100 random cases differed by
+/// up to 5 % but for three, which differed by up to 16 %. So the cases are given.
 TEST(Slivers, do_not_depend_on_numbers) {
-  constexpr int cases = 60, most_far = 1;
+  constexpr int cases = 100;
   const RelaxationSettings many{64};
-  int far = 0;
   for (int seed = 1; seed <= cases; ++seed) {
     Random random(seed);
     const SolidMesh mesh = slivers(random);
@@ -61,9 +60,8 @@ TEST(Slivers, do_not_depend_on_numbers) {
                                                       BlockCase::shear, 0.5),
                                         many);
     EXPECT_LT(std::abs(first.history[0] / second.history[0] - 1), 1e-4);
-    far += std::abs(first.e / second.e - 1) > 0.05;
+    EXPECT_LT(std::abs(first.e / second.e - 1), 0.05) << "seed " << seed;
   }
-  EXPECT_LE(far, most_far);
 }
 
 /// Held by friction and contact alone but for one side that is guided.

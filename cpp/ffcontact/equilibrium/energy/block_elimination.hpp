@@ -6,8 +6,8 @@
 namespace ffcontact {
 
 /// A = L L' of a symmetric positive semidefinite matrix whose blocks are coupled with the
-/// next ones alone, block by block. A pivot below 1e-11 of what its diagonal was is that of
-/// a dependent unknown: it becomes infinite, and the rest of its column 0.
+/// next ones alone, block by block. A pivot below 1e-11 of its diagonal entry before the
+/// elimination is that of a dependent unknown: it becomes infinite, and what is below it 0.
 class BlockElimination {
  public:
   explicit BlockElimination(const MatrixXd& first)
@@ -15,8 +15,8 @@ class BlockElimination {
 
   /// The block after the present one, and what couples it with that [next x present].
   void append(const MatrixXd& next, const MatrixXd& coupling);
-  /// The columns of L of the present block, lower triangle and the rows of the next one,
-  /// which takes its place.
+  /// The columns of L of the present block, its lower triangle (what is above it means
+  /// nothing) and the rows of the next one, which takes its place.
   MatrixXd eliminated();
 
  private:

@@ -52,13 +52,15 @@ MatrixXd RidgeStars<d>::form_of(int ridge, const FacetTractions<d>& boundary,
 template <int d>
 MatrixXd RidgeStars<d>::coupling_of(int a, int b,
                                     const FacetForms<d>& forms) const {
+  const int rows = stars_[b].size, columns = stars_[a].size;
+  if (rows == 0 || columns == 0) return MatrixXd::Zero(rows, columns);
   const std::vector<int>& start = topology_.ridges.facet_start;
   MatrixXd A = coupling_form<d>(topology_, b, shifts_.data() + start[b], a,
                                 shifts_.data() + start[a], forms);
   const MatrixXd &of_a = stars_[a].basis, &of_b = stars_[b].basis;
   if (of_a.size() > 0) A = (A * of_a).eval();
   if (of_b.size() > 0) A = (of_b.transpose() * A).eval();
-  return A.topLeftCorner(stars_[b].size, stars_[a].size);
+  return A;
 }
 
 template <int d>
@@ -105,7 +107,7 @@ RidgeStars<d>::RidgeStars(const FacetTopology<d>& topology,
       stars_(topology.ridges.count()) {
   place_facets();
   place_factors();
-#pragma omp parallel for
+#pragma omp parallel for schedule(guided)
   for (int l = 0; l < lines_.count(); ++l) factor_line(l, boundary, forms);
 }
 
@@ -169,7 +171,7 @@ void RidgeStars<d>::restrict_to_free(int ridge, const FacetColumns<d>& g,
   }
   VectorXd all(basis.rows());
   restrict_to(ridge, g, all.data());
-  Map<VectorXd>(x, size) = basis.transpose() * all;
+  Map<VectorXd>(x, size).noalias() = basis.transpose() * all;
 }
 
 /// What a ridge has for one of its facets: Z basis x.
@@ -236,7 +238,7 @@ void RidgeStars<d>::operator()(const FacetColumns<d>& g, FacetColumns<d>& z) {
 #pragma omp parallel
   {
     VectorXd x = VectorXd::Zero(largest_);
-#pragma omp for
+#pragma omp for schedule(guided)
     for (int l = 0; l < lines_.count(); ++l) solve_line(l, g, x.data());
 #pragma omp for
     for (int f = 0; f < topology_.facets.count(); ++f) {

@@ -17,10 +17,11 @@ namespace ffcontact {
 /// that leave known tractions of its two boundary facets alone; where nothing is left the
 /// ridge has no part.
 ///
-/// Most ridges are a line by themselves (short_edge_lines). In a line of several each star has
-/// cells in common with the next one alone: A is block tridiagonal, and so is its factor.
-/// The modes of the facet between two stars are of both, so that A is singular; what a
-/// pivot of nothing belongs to stays 0.
+/// Most ridges are a line by themselves (short_edge_lines); where their Cholesky factor
+/// fails they have no part. In a line of several each star has cells in common with the
+/// one before and the next one alone: A is block tridiagonal, and so is its factor. The
+/// modes of the facet between two stars are of both, so that A is singular; unknowns whose
+/// pivot vanishes stay 0 (BlockElimination).
 ///
 /// Factors (tiled_factor) are kept in single precision: they only steer. x is not, so that
 /// last digits of g, as several processes leave them, turn last digits of z alone. Each
@@ -41,7 +42,8 @@ class RidgeStars {
   using Element = CompositeElement<d>;
   static constexpr int wrench = Element::wrench, modes = Element::modes;
 
-  /// What a ridge adds: basis x with x = A^-1 basis' (Z' g), basis the identity if empty.
+  /// The corrections Z basis x of a ridge, basis the identity where it is empty and
+  /// something is free.
   struct Star {
     MatrixXd basis;
     int size = 0;  ///< of A; 0: nothing is free

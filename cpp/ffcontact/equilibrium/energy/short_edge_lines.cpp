@@ -76,9 +76,10 @@ class GrowingLines {
     Flags listed(share.ridge.size(), 0);
     for (int v = 0; v < count_of(listed); ++v) {
       if (!share.ridge[v] || listed[v] || !is_end(v)) continue;
-      for_line_from(v, [&](int member) {
+      all_of_line(v, [&](int member) {
         lines.ridge.push_back(member);
         listed[member] = 1;
+        return true;
       });
       lines.end_line();
     }
@@ -92,25 +93,30 @@ class GrowingLines {
   void link(int v, int other) {
     beside_(beside_(0, v) == none ? 0 : 1, v) = other;
   }
-  /// From an end to the other one.
-  template <class OfMember>
-  void for_line_from(int v, const OfMember& of_member) const {
+  /// What comes after v in its line, or none.
+  int after(int v, int before) const {
+    return beside_(beside_(0, v) == before ? 1 : 0, v);
+  }
+  /// From an end to the other one, or to the first member for which it does not hold.
+  template <class Holds>
+  bool all_of_line(int v, const Holds& holds) const {
     for (int before = none; v != none;) {
-      of_member(v);
-      const int next = beside_(0, v) == before ? beside_(1, v) : beside_(0, v);
+      if (!holds(v)) return false;
+      const int next = after(v, before);
       before = v;
       v = next;
     }
+    return true;
   }
   /// But for a and b themselves, has no vertex of a's line a neighbour in that of b?
   bool are_apart(int a, int b) {
-    bool apart = true;
-    for_line_from(a, [&](int v) {
+    return all_of_line(a, [&](int v) {
+      bool apart = true;
       for (int edge : topology_.ridges.facets_of(v))
         for (int other : topology_.ridges.of_facet.col(edge))
           apart = apart && (!in_one_line(other, b) || (v == a && other == b));
+      return apart;
     });
-    return apart;
   }
 
   const FacetTopology<2> topology_;

@@ -80,9 +80,4 @@ void substitute_tiles(const float* factor, int n, int below, double* x) {
   }
 }
 
-void solve_tiles(const float* factor, int n, double* x) {
-  eliminate_tiles(factor, n, 0, x);
-  substitute_tiles(factor, n, 0, x);
-}
-
 }  // namespace ffcontact

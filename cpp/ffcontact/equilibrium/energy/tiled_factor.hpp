@@ -34,21 +34,17 @@ Matrix4d tile_at(const Scalar* numbers) {
       .template cast<double>();
 }
 
-/// The columns of the first unknowns, whose tiles are whole; those after them begin a new
-/// tile.
-/// @param L       lower triangle of n unknowns and the rows below it [.. x n]; an infinite
-///                pivot makes its unknown 0
+/// n columns of L in tiles; the rows below the n-th begin a new tile.
+/// @param L       the lower triangle and the rows below it [.. x n]; an infinite pivot, with
+///                0 below it, makes its unknown 0
 /// @param factor  [front_size(n, rows below)]
 void put_tiles(const Ref<const MatrixXd>& L, float* factor);
 
-/// x <- A^-1 x
-/// @param n  unknowns
-/// @param x  [tiled(n)], what is beyond n unknowns finite
-void solve_tiles(const float* factor, int n, double* x);
-
-/// The two halves of the same, front by front: x <- L^-1 x in ascending order, then x <-
-/// L'^-1 x in descending order.
-/// @param x  [tiled(n) + tiled(below)], from the first unknown of the front on
+/// x <- A^-1 x in two halves, front by front: x <- L^-1 x in ascending order, then x <- L'^-1
+/// x in descending order.
+/// @param n      unknowns of the front
+/// @param below  rows below it, 0 for the last front
+/// @param x      [tiled(n) + tiled(below)], what is beyond the unknowns finite
 void eliminate_tiles(const float* factor, int n, int below, double* x);
 void substitute_tiles(const float* factor, int n, int below, double* x);
 

@@ -78,11 +78,14 @@ class StarGraph {
   static double weight(const SimplexMesh<d>& mesh, const Facets<d>& facets,
                        int facet) {
     const double area = facet_measure(mesh, facets, facet);
-    if constexpr (d == 3) return area;
-    double beside = 0;
-    for (int t : facets.cells.col(facet))
-      if (t >= 0) beside += signed_volume(mesh, t);
-    return area * area / beside;
+    if constexpr (d == 3) {
+      return area;
+    } else {
+      double beside = 0;
+      for (int t : facets.cells.col(facet))
+        if (t >= 0) beside += signed_area(mesh, t);
+      return area * area / beside;
+    }
   }
 
   /// The lowest cell that each of them hangs together with.

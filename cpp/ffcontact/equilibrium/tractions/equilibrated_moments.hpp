@@ -16,8 +16,8 @@ namespace ffcontact {
 /// arcs; in the plane it is a chain or a ring. Of the solutions the one nearest to z0 =
 /// A/d (mean of both stresses) n in the norm with weights 1/w is taken. In the plane w =
 /// A^2 / (areas beside the edge), so that the norm is that of the stresses that forces on
-/// edges cause: otherwise the short edges of stretched triangles get forces of the long
-/// ones. In space w = A:
+/// edges cause: with w = 1 forces on the short edges of stretched triangles would be as
+/// large as those on long ones. In space w = A:
 ///     z = z0 + W N' (N W N')^+ (q - N z0),   N the incidence of the arcs not known, W = diag(w).
 /// Where no free boundary facet ends a star, the equations fit one another if nothing is
 /// missing at i (NodalResidual); what is missing all its cells share.
