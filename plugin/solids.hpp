@@ -67,6 +67,7 @@ class Solids {
 
   /// meshquality [tetrahedra].
   virtual VectorXd quality(pmesh3 mesh) const = 0;
+  virtual VectorXd mean_edges(pmesh3 mesh) const = 0;
 
   /// contactmesh.
   /// @param corner  [rad]

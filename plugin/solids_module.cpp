@@ -2,6 +2,7 @@
 // The module ffcontact_solids.
 #include "ffcontact/mesh/cell_quality.hpp"
 #include "ffcontact/mesh/ridges.hpp"
+#include "ffcontact/sizing/cell_shape.hpp"
 //
 #include "estimate/material_and_loads.hpp"
 #include "estimate/solid_error.hpp"
@@ -110,6 +111,9 @@ class SolidsModule : public Solids {
 
   VectorXd quality(pmesh3 mesh) const override {
     return cell_quality(solid_mesh_of(mesh));
+  }
+  VectorXd mean_edges(pmesh3 mesh) const override {
+    return ffcontact::mean_edges(solid_mesh_of(mesh));
   }
 
   pmesh3 remeshed(Stack stack, pmesh3 mesh, const Ref<const VectorXd>& size,

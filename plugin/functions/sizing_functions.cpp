@@ -47,13 +47,15 @@ class OptimalSizeFunction : public E_F0mps {
   static NamedArguments::Table table(const basicAC_F0& arguments) {
     NamedArguments::Table table = for_bodies(sizes_of_bodies, arguments);
     table.insert(table.end(), {{"target", &typeid(double)},
+                               {"part", &typeid(double)},
                                {"hmin", &typeid(double)},
                                {"hmax", &typeid(double)},
                                {"gradation", &typeid(double)},
                                {"largeststep", &typeid(double)},
                                {"verbosity", &typeid(long)},
                                {"wanted", &typeid(double*)},
-                               {"predicted", &typeid(double*)}});
+                               {"predicted", &typeid(double*)},
+                               {"spread", &typeid(double*)}});
     return table;
   }
 
@@ -71,6 +73,7 @@ class OptimalSizeFunction : public E_F0mps {
   SizeSettings settings(Stack stack) const {
     SizeSettings settings;
     settings.target = named_.number(stack, "target", settings.target);
+    settings.part = named_.number(stack, "part", settings.part);
     settings.smallest = named_.number(stack, "hmin", settings.smallest);
     settings.largest = named_.number(stack, "hmax", settings.largest);
     settings.gradation = named_.number(stack, "gradation", settings.gradation);
@@ -142,6 +145,7 @@ class OptimalSizeFunction : public E_F0mps {
     }
     named_.put(stack, "wanted", optimal.wanted);
     named_.put(stack, "predicted", optimal.predicted_error);
+    named_.put(stack, "spread", optimal.spread);
   }
 
   template <int dim>

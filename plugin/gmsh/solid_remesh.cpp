@@ -10,6 +10,7 @@
 #include "ffcontact/mesh/near_origin.hpp"
 #include "ffcontact/mesh/remeshing/surface_curvature.hpp"
 //
+#include "freefem/vertex_sizes.hpp"
 #include "gmsh/gmsh_model.hpp"
 #include "gmsh/gmsh_run.hpp"
 
@@ -21,15 +22,6 @@ namespace {
 double scale_to_hundred(const SolidMesh& mesh) {
   const double extent = box_sides(mesh.vertices).maxCoeff();
   return std::exp2(std::round(std::log2(100 / extent)));
-}
-
-void require_sizes(const SolidMesh& mesh, const Ref<const VectorXd>& size) {
-  if (size.size() != mesh.vertex_count())
-    refuse("size has ", size.size(), " values where ", mesh.vertex_count(),
-           ", one a vertex, are needed");
-  require_finite("size", size);
-  if (size.minCoeff() <= 0)
-    refuse("sizes must be positive, but one is ", size.minCoeff());
 }
 
 /// Sizes with which smooth surfaces turn by less than they may.
@@ -80,7 +72,7 @@ void put_labels(const ModelMesh& fine, const SolidMesh& old,
 
 Solid remeshed(Solid solid, const Ref<const VectorXd>& size, double corner) {
   SolidMesh& mesh = solid.mesh;
-  require_sizes(mesh, size);
+  require_vertex_sizes(size, mesh.vertex_count());
   take_from_near_origin(mesh);
   const Facets<3> faces = facets_of(mesh);
   const SurfaceModel model = surface_model(mesh, faces, solid.regions, corner);

@@ -42,6 +42,13 @@ TEST(CellShape, of_halves_of_squares_and_sixths_of_cubes) {
   EXPECT_NEAR(sixths.maxCoeff(), exact, 1e-15);
 }
 
+TEST(CellShape, mean_edges_are_the_roots_of_mean_squares) {
+  EXPECT_NEAR(mean_edges(rectangle(1, 1, 3, 4))[0], std::sqrt(50 / 3.0), 1e-14);
+  // of a sixth of a cube: three sides, two diagonals of squares, that of the cube
+  EXPECT_NEAR(mean_edges(brick({1, 1, 1}, {2, 2, 2}))[0],
+              2 * std::sqrt(10 / 6.0), 1e-14);
+}
+
 TEST(CellShape, size_is_the_edge_of_the_regular_simplex) {
   EXPECT_NEAR(size_of_volume<2>(regular_volume<2>() * 49), 7, 1e-14);
   EXPECT_NEAR(size_of_volume<3>(regular_volume<3>() * 343), 7, 1e-14);

@@ -97,7 +97,7 @@ TEST(SolidSize, of_an_even_mesh_counts_regular_tetrahedra_of_the_wanted_error) {
         n * std::pow(quality / 0.9 * error.norm() / result.wanted, 3);
     EXPECT_NEAR(result.predicted_count / expected, 1, 1e-9);
     const double h =
-        std::cbrt(512 / (result.predicted_count * std::sqrt(2) / 12));
+        std::cbrt(512 / (result.predicted_count * std::sqrt(2) / 12)) / 0.9;
     EXPECT_NEAR(result.size.minCoeff() / h, 1, 1e-9);
     EXPECT_NEAR(result.size.maxCoeff() / h, 1, 1e-9);
   }

@@ -31,15 +31,23 @@ double size_of_volume(double volume) {
 }
 
 template <int dim>
-VectorXd shape_quality(const SimplexMesh<dim>& mesh) {
+VectorXd mean_edges(const SimplexMesh<dim>& mesh) {
   return VectorXd::NullaryExpr(mesh.cells.cols(), [&](int t) {
-    return size_of_volume<dim>(signed_volume(mesh, t)) /
-           std::sqrt(mean_of_squared_sides(mesh, t));
+    return std::sqrt(mean_of_squared_sides(mesh, t));
   });
+}
+
+template <int dim>
+VectorXd shape_quality(const SimplexMesh<dim>& mesh) {
+  const VectorXd sizes = VectorXd::NullaryExpr(mesh.cells.cols(), [&](int t) {
+    return size_of_volume<dim>(signed_volume(mesh, t));
+  });
+  return sizes.cwiseQuotient(mean_edges(mesh));
 }
 
 template double regular_volume<FFCONTACT_DIMENSION>();
 template double size_of_volume<FFCONTACT_DIMENSION>(double);
+template VectorXd mean_edges(const SimplexMesh<FFCONTACT_DIMENSION>&);
 template VectorXd shape_quality(const SimplexMesh<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

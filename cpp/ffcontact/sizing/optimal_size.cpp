@@ -15,17 +15,22 @@ namespace ffcontact {
 
 namespace {
 
-/// What is asked for, in parts of the target: far from it, and at it.
-constexpr double part_far = 0.92, part_at = 0.85;
+/// What is asked for, in parts of the target: far from it, and of a mesh just above it.
+constexpr double part_far = 0.975, part_at = 0.92;
 /// A mesh is far from the target when it is off by more than this, as a part of it.
 constexpr double closeness = 0.15;
 
 /// eps above which cells grow by this factor at most
 constexpr double too_large = 0.5, most_growth = 2;
 
-/// shape_quality of the cells that meshers make, which errors of new meshes have
+/// Means of steep sizes on coarse cells, bounds and gradation change the error that is
+/// predicted: all sizes are scaled, by this at most, until it is the wanted one.
+constexpr double most_scaled = 1.3;
+constexpr int passes = 4;
+
+/// shape_quality of the cells that meshers make
 template <int dim>
-constexpr double usual_quality = dim == 2 ? 1 : 0.9;
+constexpr double usual_quality = dim == 2 ? 0.97 : 0.9;
 
 /// Zero of an increasing function, bracketed outwards from 0 and halved.
 double increasing_zero(const std::function<double(double)>& f) {
@@ -63,6 +68,8 @@ void require_bounds(double smallest, double largest) {
 
 void require_valid(const SizeSettings& settings) {
   require_target(settings.target);
+  if (!(settings.part >= 0) || !std::isfinite(settings.part))
+    refuse("part must not be negative, got ", settings.part);
   if (!(settings.largest_step > 1))
     refuse("the largest step must exceed 1, got ", settings.largest_step);
   if (!(settings.gradation > 0))
@@ -102,14 +109,31 @@ double predicted_cells(const SimplexMesh<dim>& mesh, const VectorXd& size) {
                   [&](int t) {
                     return signed_volume(mesh, t) * density(mesh, size, t);
                   }) /
-         regular_volume<dim>();
+         (regular_volume<dim>() * std::pow(usual_quality<dim>, dim));
 }
 
-/// Mean size on a cell in parts of its own.
+/// Standard deviation of log r_E over the new cells.
 template <int dim>
-double size_ratio(const SimplexMesh<dim>& mesh, const VectorXd& size, int t) {
-  return std::pow(density(mesh, size, t), -1.0 / dim) /
-         size_of_volume<dim>(signed_volume(mesh, t));
+double spread_of(const VectorXd& ratio) {
+  const Eigen::ArrayXd log_ratio = ratio.array().log(),
+                       weight = ratio.array().pow(-dim) /
+                                ratio.array().pow(-dim).sum();
+  const double mean = (weight * log_ratio).sum();
+  return std::sqrt((weight * (log_ratio - mean).square()).sum());
+}
+
+/// Mean of h^2 on a cell, where h is linear, in parts of its own size: what the squared
+/// error goes with. Where sizes are steep it is more than that of the mean size.
+template <int dim>
+double squared_ratio(const SimplexMesh<dim>& mesh, const VectorXd& size,
+                     int t) {
+  double sum = 0, squares = 0;
+  for (const int v : mesh.cells.col(t)) {
+    sum += size[v];
+    squares += size[v] * size[v];
+  }
+  return (squares + sum * sum) / ((dim + 1) * (dim + 2)) /
+         std::pow(size_of_volume<dim>(signed_volume(mesh, t)), 2);
 }
 
 /// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
@@ -118,8 +142,8 @@ double predicted_error(const SimplexMesh<dim>& mesh, const VectorXd& size,
                        const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const double ratio = size_ratio(mesh, size, t);
-    square += std::pow(local_error[t] * std::pow(ratio, rate[t]), 2);
+    square += std::pow(local_error[t], 2) *
+              std::pow(squared_ratio(mesh, size, t), rate[t]);
   }
   return std::sqrt(square);
 }
@@ -132,11 +156,16 @@ VectorXd bounded_size(const VectorXd& size, double extent,
   return size.cwiseMax(smallest).cwiseMin(largest);
 }
 
+/// Of a mesh that is above the target by `miss`, as a part of it.
+double part_asked(double miss) {
+  if (miss < 0) return part_far;
+  return part_at + std::min(1.0, miss / closeness) * (part_far - part_at);
+}
+
 /// The error to ask for on the way to the target.
 double wanted_error(double now, const SizeSettings& settings) {
-  const double distance =
-      std::min(1.0, std::abs(now / settings.target - 1) / closeness);
-  const double part = part_at + distance * (part_far - part_at);
+  const double part =
+      settings.part > 0 ? settings.part : part_asked(now / settings.target - 1);
   return std::max(part * settings.target, now / settings.largest_step);
 }
 
@@ -175,21 +204,27 @@ OptimalSize optimal_size(const SimplexMesh<dim>& mesh,
   require_rates(rates, mesh.cell_count());
   require_nonnegative("eps_E", local_error);
   require_valid(settings);
-  const VectorXd error =
-      local_error.cwiseProduct(shape_quality(mesh)) / usual_quality<dim>;
+  const VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
   result.wanted = wanted_error(local_error.norm(), settings);
   result.ratio = size_ratios<dim>(error, rates, result.wanted);
+  result.spread = spread_of<dim>(result.ratio);
   result.cautious = local_error.norm() > too_large;
   if (result.cautious) result.ratio = result.ratio.cwiseMin(most_growth);
 
-  result.size =
-      graded_size(mesh, edges,
-                  bounded_size(vertex_sizes(mesh, result.ratio),
-                               box_sides(mesh.vertices).maxCoeff(), settings),
-                  settings.gradation);
+  const VectorXd sizes = vertex_sizes(mesh, result.ratio);
+  const double extent = box_sides(mesh.vertices).maxCoeff(),
+               most = result.cautious ? 1 : most_scaled;
+  double scale = 1;
+  for (int pass = 0; pass < passes; ++pass) {
+    result.size =
+        graded_size(mesh, edges, bounded_size(scale * sizes, extent, settings),
+                    settings.gradation);
+    result.predicted_error = predicted_error(mesh, result.size, error, rates);
+    scale = std::clamp(scale * result.wanted / result.predicted_error,
+                       1 / most_scaled, most);
+  }
   result.predicted_count = predicted_cells(mesh, result.size);
-  result.predicted_error = predicted_error(mesh, result.size, error, rates);
   return result;
 }
 
