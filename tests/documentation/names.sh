@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# names.sh TOP: every function of the plugin and of ffcontact.idp, and every result of a contact, has its name in the reference,
+# names.sh TOP: every function of the plugin, the functions of ffcontact.idp that make meshes, and every result of a contact, has its name in the reference,
 # and every named parameter in a page whose headings have the file's function (those of contact_statement.cpp: the contact's).
 # "Conventions" and "Several bodies" belong to all functions. Every page with blocks of FreeFEM is in a test.
 set -euo pipefail
@@ -17,7 +17,7 @@ text_of() {
 }
 
 mapfile -t sources < <(find plugin -name '*.cpp' | sort)
-for function in $(for file in "${sources[@]}"; do words "$file" 'Global\.Add\(' ', "\('; done) $(words edp/ffcontact.idp 'func mesh ' '\('); do
+for function in $(for file in "${sources[@]}"; do words "$file" 'Global\.Add\(' ', "\('; done) $(words edp/ffcontact_meshes.idp 'func mesh3? ' '\(') contactadapt; do
   grep -q "\b$function(" "${pages[@]}" || missing "the function $function"
 done
 nodal=$(words "$(find plugin -name nodal_results.hpp)" '\{' ',\s+(&NodalResults|nullptr)')

@@ -122,18 +122,20 @@ double spread_of(const VectorXd& ratio) {
   return std::sqrt((weight * (log_ratio - mean).square()).sum());
 }
 
-/// Mean of h^2 on a cell, where h is linear, in parts of its own size: what the squared
-/// error goes with. Where sizes are steep it is more than that of the mean size.
+double squared(double x) { return x * x; }
+
+/// Mean of h^2 on a cell, where h is linear: what the squared error goes with. Where sizes
+/// are steep it is more than the square of the mean size.
 template <int dim>
-double squared_ratio(const SimplexMesh<dim>& mesh, const VectorXd& size,
-                     int t) {
-  double sum = 0, squares = 0;
-  for (const int v : mesh.cells.col(t)) {
-    sum += size[v];
-    squares += size[v] * size[v];
-  }
-  return (squares + sum * sum) / ((dim + 1) * (dim + 2)) /
-         std::pow(size_of_volume<dim>(signed_volume(mesh, t)), 2);
+double mean_square(const SimplexMesh<dim>& mesh, const VectorXd& size, int t) {
+  const Matrix<double, dim + 1, 1> h = size(mesh.cells.col(t));
+  return (h.squaredNorm() + squared(h.sum())) / ((dim + 1) * (dim + 2));
+}
+
+/// The size of a cell.
+template <int dim>
+double size_of(const SimplexMesh<dim>& mesh, int t) {
+  return size_of_volume<dim>(signed_volume(mesh, t));
 }
 
 /// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
@@ -142,8 +144,8 @@ double predicted_error(const SimplexMesh<dim>& mesh, const VectorXd& size,
                        const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    square += std::pow(local_error[t], 2) *
-              std::pow(squared_ratio(mesh, size, t), rate[t]);
+    const double ratio = mean_square(mesh, size, t) / squared(size_of(mesh, t));
+    square += squared(local_error[t]) * std::pow(ratio, rate[t]);
   }
   return std::sqrt(square);
 }
@@ -167,6 +169,12 @@ double wanted_error(double now, const SizeSettings& settings) {
   const double part =
       settings.part > 0 ? settings.part : part_asked(now / settings.target - 1);
   return std::max(part * settings.target, now / settings.largest_step);
+}
+
+/// Of all sizes, so that the error that is predicted becomes the wanted one.
+double next_scale(double scale, const OptimalSize& result) {
+  return std::clamp(scale * result.wanted / result.predicted_error,
+                    1 / most_scaled, result.cautious ? 1 : most_scaled);
 }
 
 }  // namespace
@@ -213,16 +221,14 @@ OptimalSize optimal_size(const SimplexMesh<dim>& mesh,
   if (result.cautious) result.ratio = result.ratio.cwiseMin(most_growth);
 
   const VectorXd sizes = vertex_sizes(mesh, result.ratio);
-  const double extent = box_sides(mesh.vertices).maxCoeff(),
-               most = result.cautious ? 1 : most_scaled;
+  const double extent = box_sides(mesh.vertices).maxCoeff();
   double scale = 1;
   for (int pass = 0; pass < passes; ++pass) {
     result.size =
         graded_size(mesh, edges, bounded_size(scale * sizes, extent, settings),
                     settings.gradation);
     result.predicted_error = predicted_error(mesh, result.size, error, rates);
-    scale = std::clamp(scale * result.wanted / result.predicted_error,
-                       1 / most_scaled, most);
+    scale = next_scale(scale, result);
   }
   result.predicted_count = predicted_cells(mesh, result.size);
   return result;
