@@ -6,10 +6,12 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/mesh/crossings.hpp"
 //
 #include "problem/coulomb.hpp"
 #include "problem/result_names.hpp"
 #include "solve/load_step.hpp"
+#include "solve/locking.hpp"
 #include "solve/solve_report.hpp"
 #include "solve/stated_tool.hpp"
 
@@ -107,6 +109,16 @@ ContactLaw law_of(const SolveCall& call, const Contact& contact,
                      [&] { return slid(line, *contact.solved); });
 }
 
+/// Quadrangles cut by both diagonals do not lock.
+void warn_that_triangles_lock(const Mesh& mesh, const ElasticSystem& system) {
+  constexpr double crossed = 0.2;
+  if (crossing_share(mesh) < crossed)
+    warn_that_cells_lock(
+        mesh, system, "triangles",
+        "quadrangles cut by both diagonals, as of square(n, n, "
+        "flags=1), do not lock");
+}
+
 ContactSettings settings_of(const SolveCall& call, const Contact& contact,
                             const ElasticSystem& system, ContactStates last) {
   ContactSettings settings = settings_of(call, std::move(last), 2);
@@ -134,6 +146,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
   const ElasticSystem& system = *solved.system;
+  warn_that_triangles_lock(problem.mesh, system);
   // and stays: what a solution left belongs to its line
   if (!contact.solved) problem.choose_sides(system);
   const ContactStates last = last_states(contact);

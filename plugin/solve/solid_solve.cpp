@@ -8,6 +8,7 @@
 #include "problem/contact_type.hpp"
 #include "problem/result_names.hpp"
 #include "solve/load_step.hpp"
+#include "solve/locking.hpp"
 #include "solve/solve_report.hpp"
 #include "solve/stated_tool.hpp"
 
@@ -168,6 +169,8 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
   const ElasticSystem& system = *solved.system;
+  warn_that_cells_lock(problem.mesh, system, "tetrahedra",
+                       "refine until eps is small");
   // and stays: what a solution left belongs to its surface
   if (!contact.solved) problem.choose_sides(system);
   Guess last = guess_at(problem, contact.last);

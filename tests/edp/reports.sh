@@ -178,8 +178,7 @@ prints_what_it_expects "$1" $script
 printed=$("$1" $script -level 0)
 [ -z "$printed" ] || fails "printed at verbosity 0: $printed"
 
-# What statements say at verbosity 1 of the curves of plane bodies, and warn of at any verbosity, once each: a solid's surface that fits
-# what it faces.
+# What statements say at verbosity 1 of the curves of plane bodies, and what is warned of at any verbosity: cells that lock.
 script=doubts.edp
 cat >$script <<'EOF'
 include "ffcontact.idp"
@@ -260,5 +259,39 @@ contact S3(P, B, label1=5, label2=6, friction=0.1, gap=R - r);
 expect("contact: label 5 of mesh 1" + smooth + "normals and its gap");
 contact S4(P, F, label1=5, label2=6, friction=0.1);
 verbosity = 0;
+
+// Cells that lock: once in a run, of triangles and of tetrahedra; not where quadrangles are cut by both diagonals, and not at nu 0.48
+real G = 1;
+func int solved(mesh & T, real nu) {
+  real lambda = 2*G*nu/(1 - 2*nu);
+  fespace Vh(T, [P1, P1]);
+  Vh [u, v];
+  varf body([u, v], [r, s]) = int2d(T)(lambda*(dx(u) + dy(v))*(dx(r) + dy(s))
+      + 2*G*(dx(u)*dx(r) + dy(v)*dy(s) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s)))) + on(3, u=0, v=-0.01);
+  matrix A = body(Vh, Vh);
+  real[int] b = body(0, Vh);
+  contact C(T, label=1, friction=0);
+  return contactsolve(C, A, b, u[]);
+}
+mesh Tcrossed = square(6, 6, flags=1), Tl = square(6, 6);
+solved(Tcrossed, 0.4999);
+solved(Tl, 0.48);
+expect("contactsolve: the material is nearly incompressible (nu 0.4999), and linear triangles lock: *flags=1), do not lock; or take nu 0.48");
+solved(Tl, 0.4999);
+solved(Tl, 0.4999);
+mesh3 Tt = cube(3, 3, 3);
+for (int k = 0; k < 3; ++k) {
+  real nu = k == 0 ? 0.48 : 0.495, lambda = 2*G*nu/(1 - 2*nu);
+  fespace Vt(Tt, [P1, P1, P1]);
+  Vt [u, v, w];
+  varf body([u, v, w], [r, s, q]) = int3d(Tt)(lambda*(dx(u) + dy(v) + dz(w))*(dx(r) + dy(s) + dz(q))
+      + 2*G*(dx(u)*dx(r) + dy(v)*dy(s) + dz(w)*dz(q)) + G*((dy(u) + dx(v))*(dy(r) + dx(s))
+      + (dz(v) + dy(w))*(dz(s) + dy(q)) + (dx(w) + dz(u))*(dx(q) + dz(r)))) + on(6, u=0, v=0, w=-0.01);
+  matrix A = body(Vt, Vt);
+  real[int] b = body(0, Vt);
+  contact C(Tt, label=5, friction=0);
+  if (k == 1) expect("contactsolve: the material is nearly incompressible (nu 0.495), and linear tetrahedra lock: *; or take nu 0.48");
+  contactsolve(C, A, b, u[]);
+}
 EOF
 prints_what_it_expects "$1" $script
