@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "support/cells.hpp"
 #include "support/meshes.hpp"
 #include "support/random.hpp"
 #include "support/solids.hpp"
@@ -59,6 +60,12 @@ RC_GTEST_PROP(Incompressibility, is_that_of_the_least_compressible_part,
   for (int t = 0; t < mesh.cell_count(); ++t)
     if (centroid_of(mesh, t)[0] > 4) hooke[t] = isotropic(500, 1);
   RC_ASSERT(std::abs(told<2>(mesh, hooke) / 500 - 1) < 1e-5);
+}
+
+TEST(Incompressibility, is_told_by_a_single_triangle) {
+  CellCorners<2> corners;
+  corners << 0, 3, 1, 0, 0.5, 2;
+  EXPECT_NEAR(told(single_triangle(corners), 77, 1) / 77, 1, 1e-9);
 }
 
 TEST(Incompressibility, is_not_told_by_other_materials) {

@@ -32,7 +32,7 @@ const auto& reference_map() {
 
 /// Least height over longest edge below which a cell is thin.
 template <int d>
-constexpr double thin = d == 2 ? 0.06 : 0.01;
+constexpr double thin = d == 2 ? 0.0175 : 0.01;
 
 template <int d>
 double longest_edge(const CellCorners<d>& corners) {
