@@ -65,7 +65,7 @@ class MeshQuality : public E_F0mps {
       const VectorXd quality = quality_of(Th);
       named_.put(stack, "mean", quality.mean());
       named_.put(stack, "quality", quality);
-      named_.put(stack, "edge", edges_of(Th));
+      if (named_.given("edge")) named_.put(stack, "edge", edges_of(Th));
       return SetAny<double>(quality.minCoeff());
     });
   }

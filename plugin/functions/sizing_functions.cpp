@@ -55,7 +55,8 @@ class OptimalSizeFunction : public E_F0mps {
                                {"verbosity", &typeid(long)},
                                {"wanted", &typeid(double*)},
                                {"predicted", &typeid(double*)},
-                               {"spread", &typeid(double*)}});
+                               {"spread", &typeid(double*)},
+                               {"error", &typeid(double*)}});
     return table;
   }
 
@@ -146,6 +147,7 @@ class OptimalSizeFunction : public E_F0mps {
     named_.put(stack, "wanted", optimal.wanted);
     named_.put(stack, "predicted", optimal.predicted_error);
     named_.put(stack, "spread", optimal.spread);
+    named_.put(stack, "error", optimal.error);
   }
 
   template <int dim>

@@ -109,14 +109,16 @@ ContactLaw law_of(const SolveCall& call, const Contact& contact,
                      [&] { return slid(line, *contact.solved); });
 }
 
-/// Quadrangles cut by both diagonals do not lock.
-void warn_that_triangles_lock(const Mesh& mesh, const ElasticSystem& system) {
-  constexpr double crossed = 0.2;
-  if (crossing_share(mesh) < crossed)
-    warn_that_cells_lock(
-        mesh, system, "triangles",
-        "quadrangles cut by both diagonals, as of square(n, n, "
-        "flags=1), do not lock");
+void warn_that_triangles_lock(const ContactProblem& problem,
+                              const ElasticSystem& system) {
+  constexpr double crossed = 0.4;  // of triangles that do not
+  const auto may_lock = [&](int first, int end) {
+    return crossing_share(problem.mesh, first, end) < crossed;
+  };
+  warn_that_cells_lock(problem.mesh, system, problem.joined.first_vertex,
+                       may_lock, "triangles",
+                       "use quadrangles cut by both diagonals, or "
+                       "square(n, n, flags=1), which do not lock");
 }
 
 ContactSettings settings_of(const SolveCall& call, const Contact& contact,
@@ -146,7 +148,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
   const ElasticSystem& system = *solved.system;
-  warn_that_triangles_lock(problem.mesh, system);
+  warn_that_triangles_lock(problem, system);
   // and stays: what a solution left belongs to its line
   if (!contact.solved) problem.choose_sides(system);
   const ContactStates last = last_states(contact);

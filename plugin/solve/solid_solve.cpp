@@ -169,8 +169,9 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
   const ElasticSystem& system = *solved.system;
-  warn_that_cells_lock(problem.mesh, system, "tetrahedra",
-                       "refine until eps is small");
+  warn_that_cells_lock(
+      problem.mesh, system, problem.joined.first_vertex,
+      [](int, int) { return true; }, "tetrahedra", "refine until eps is small");
   // and stays: what a solution left belongs to its surface
   if (!contact.solved) problem.choose_sides(system);
   Guess last = guess_at(problem, contact.last);

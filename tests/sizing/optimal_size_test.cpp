@@ -235,6 +235,16 @@ RC_GTEST_PROP(OptimalSize, has_the_wanted_error_though_sizes_are_steep,
                      1) < 1e-10);
 }
 
+TEST(OptimalSize, of_a_mesh_without_error_is_that_of_its_cells) {
+  const Mesh mesh = rectangle(4, 4, 4, 4);
+  const OptimalSize result = optimal_size(mesh, edges_of(mesh).vertices,
+                                          VectorXd::Zero(32), {}, target(0.1));
+  const double h = size_of_cell(mesh, 0);
+  EXPECT_NEAR(result.size.minCoeff(), h, 1e-12);
+  EXPECT_NEAR(result.size.maxCoeff(), h, 1e-12);
+  EXPECT_EQ(result.error, 0);
+}
+
 TEST(OptimalSize, asks_for_the_part_of_the_target_that_is_given) {
   Random random(3);
   const Sized sized(random);

@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -36,13 +37,20 @@ void add_cell(const SimplexMesh<dim>& mesh, int t, int corner,
   }
 }
 
+/// One of so many vertices is asked.
+int stride_of(int vertices) { return 1 + vertices / most_asked; }
+
+bool is_asked(int vertex, int first, int end) {
+  return vertex >= first && vertex < end &&
+         (vertex - first) % stride_of(end - first) == 0;
+}
+
 template <int dim>
-EdgeBlocks<dim> edge_blocks(const SimplexMesh<dim>& mesh) {
-  const int stride = 1 + mesh.vertex_count() / most_asked;
+EdgeBlocks<dim> edge_blocks(const SimplexMesh<dim>& mesh, int first, int end) {
   EdgeBlocks<dim> blocks;
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k <= dim; ++k)
-      if (mesh.cells(k, t) % stride == 0) add_cell(mesh, t, k, blocks);
+      if (is_asked(mesh.cells(k, t), first, end)) add_cell(mesh, t, k, blocks);
   return blocks;
 }
 
@@ -89,9 +97,10 @@ double bulk_over_shear(const Block<dim>& K, const Block<dim>& N) {
 
 template <int dim>
 double largest_bulk_over_shear(const SimplexMesh<dim>& mesh,
-                               const ElasticSystem& system) {
+                               const ElasticSystem& system, int first,
+                               int end) {
   double largest = 0;
-  for (const auto& [edge, N] : edge_blocks(mesh))
+  for (const auto& [edge, N] : edge_blocks(mesh, first, end))
     if (const auto [i, j] = edge; are_free<dim>(system, i, j))
       largest = std::max(
           largest,
@@ -100,6 +109,6 @@ double largest_bulk_over_shear(const SimplexMesh<dim>& mesh,
 }
 
 template double largest_bulk_over_shear(const SimplexMesh<FFCONTACT_DIMENSION>&,
-                                        const ElasticSystem&);
+                                        const ElasticSystem&, int, int);
 
 }  // namespace ffcontact

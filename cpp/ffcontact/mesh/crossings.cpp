@@ -2,22 +2,42 @@
 #include "ffcontact/mesh/crossings.hpp"
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 namespace ffcontact {
 
 namespace {
 
-/// Unit vectors along the sides of some triangles that begin at a vertex.
-std::vector<Vector2d> directions(const Mesh& mesh,
-                                 const std::vector<int>& cells, int vertex) {
-  std::vector<Vector2d> directions;
+std::vector<std::vector<int>> cells_at_vertices(const Mesh& mesh) {
+  std::vector<std::vector<int>> cells(mesh.vertex_count());
+  for (int t = 0; t < mesh.cell_count(); ++t)
+    for (const int v : mesh.cells.col(t)) cells[v].push_back(t);
+  return cells;
+}
+
+/// The vertices that share triangles with one, once each.
+std::set<int> neighbours(const Mesh& mesh, const std::vector<int>& cells,
+                         int vertex) {
+  std::set<int> neighbours;
   for (const int t : cells)
     for (const int w : mesh.cells.col(t))
-      if (w != vertex)
-        directions.emplace_back(
-            (mesh.vertices.col(w) - mesh.vertices.col(vertex)).normalized());
+      if (w != vertex) neighbours.insert(w);
+  return neighbours;
+}
+
+std::vector<Vector2d> directions(const Mesh& mesh,
+                                 const std::set<int>& neighbours, int vertex) {
+  std::vector<Vector2d> directions;
+  for (const int w : neighbours)
+    directions.emplace_back(
+        (mesh.vertices.col(w) - mesh.vertices.col(vertex)).normalized());
   return directions;
+}
+
+/// On the boundary a vertex has one neighbour more than triangles.
+bool is_inside(const std::set<int>& neighbours, const std::vector<int>& cells) {
+  return !cells.empty() && neighbours.size() == cells.size();
 }
 
 /// Has a direction its opposite?
@@ -35,15 +55,16 @@ bool are_lines(const std::vector<Vector2d>& directions) {
 
 }  // namespace
 
-double crossing_share(const Mesh& mesh) {
-  std::vector<std::vector<int>> cells(mesh.vertex_count());
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (const int v : mesh.cells.col(t)) cells[v].push_back(t);
-  int crossings = 0;
-  for (int v = 0; v < mesh.vertex_count(); ++v)
-    crossings +=
-        cells[v].size() == 4 && are_lines(directions(mesh, cells[v], v));
-  return static_cast<double>(crossings) / mesh.cell_count();
+double crossing_share(const Mesh& mesh, int first, int end) {
+  const auto cells = cells_at_vertices(mesh);
+  double inside = 0, crossings = 0;
+  for (int v = first; v < end; ++v) {
+    const std::set<int> around = neighbours(mesh, cells[v], v);
+    if (!is_inside(around, cells[v])) continue;
+    ++inside;
+    crossings += around.size() == 4 && are_lines(directions(mesh, around, v));
+  }
+  return inside > 0 ? crossings / inside : 0;
 }
 
 }  // namespace ffcontact

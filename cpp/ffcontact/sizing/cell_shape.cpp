@@ -38,15 +38,20 @@ VectorXd mean_edges(const SimplexMesh<dim>& mesh) {
 }
 
 template <int dim>
+double size_of_cell(const SimplexMesh<dim>& mesh, int cell) {
+  return size_of_volume<dim>(signed_volume(mesh, cell));
+}
+
+template <int dim>
 VectorXd shape_quality(const SimplexMesh<dim>& mesh) {
-  const VectorXd sizes = VectorXd::NullaryExpr(mesh.cells.cols(), [&](int t) {
-    return size_of_volume<dim>(signed_volume(mesh, t));
-  });
+  const VectorXd sizes = VectorXd::NullaryExpr(
+      mesh.cells.cols(), [&](int t) { return size_of_cell(mesh, t); });
   return sizes.cwiseQuotient(mean_edges(mesh));
 }
 
 template double regular_volume<FFCONTACT_DIMENSION>();
 template double size_of_volume<FFCONTACT_DIMENSION>(double);
+template double size_of_cell(const SimplexMesh<FFCONTACT_DIMENSION>&, int);
 template VectorXd mean_edges(const SimplexMesh<FFCONTACT_DIMENSION>&);
 template VectorXd shape_quality(const SimplexMesh<FFCONTACT_DIMENSION>&);
 

@@ -11,9 +11,13 @@ namespace ffcontact {
 template <int dim>
 double regular_volume();
 
-/// Edge length of the regular simplex of a volume [mm]: the size of a cell.
+/// Edge length of the regular simplex of a volume [mm].
 template <int dim>
 double size_of_volume(double volume);
+
+/// That of a cell's volume [mm].
+template <int dim>
+double size_of_cell(const SimplexMesh<dim>& mesh, int cell);
 
 /// Root of the mean of the squared edges of each cell [mm]: the error of a linear element
 /// of a given volume goes with it.

@@ -84,7 +84,7 @@ VectorXd vertex_sizes(const SimplexMesh<dim>& mesh, const VectorXd& ratio) {
   VectorXd density = VectorXd::Zero(mesh.vertices.cols()), weight = density;
   for (int t = 0; t < mesh.cell_count(); ++t) {
     const double volume = signed_volume(mesh, t),
-                 h = ratio[t] * size_of_volume<dim>(volume);
+                 h = ratio[t] * size_of_cell(mesh, t);
     for (const int v : mesh.cells.col(t)) {
       density[v] += volume * std::pow(h, -dim);
       weight[v] += volume;
@@ -122,20 +122,14 @@ double spread_of(const VectorXd& ratio) {
   return std::sqrt((weight * (log_ratio - mean).square()).sum());
 }
 
-double squared(double x) { return x * x; }
+double square_of(double x) { return x * x; }
 
 /// Mean of h^2 on a cell, where h is linear: what the squared error goes with. Where sizes
 /// are steep it is more than the square of the mean size.
 template <int dim>
 double mean_square(const SimplexMesh<dim>& mesh, const VectorXd& size, int t) {
   const Matrix<double, dim + 1, 1> h = size(mesh.cells.col(t));
-  return (h.squaredNorm() + squared(h.sum())) / ((dim + 1) * (dim + 2));
-}
-
-/// The size of a cell.
-template <int dim>
-double size_of(const SimplexMesh<dim>& mesh, int t) {
-  return size_of_volume<dim>(signed_volume(mesh, t));
+  return (h.squaredNorm() + square_of(h.sum())) / ((dim + 1) * (dim + 2));
 }
 
 /// (sum eps_E^2 r^(2 q_E))^(1/2) for the sizes that bounds and gradation have left.
@@ -144,8 +138,9 @@ double predicted_error(const SimplexMesh<dim>& mesh, const VectorXd& size,
                        const VectorXd& local_error, const VectorXd& rate) {
   double square = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    const double ratio = mean_square(mesh, size, t) / squared(size_of(mesh, t));
-    square += squared(local_error[t]) * std::pow(ratio, rate[t]);
+    const double ratio =
+        mean_square(mesh, size, t) / square_of(size_of_cell(mesh, t));
+    square += square_of(local_error[t]) * std::pow(ratio, rate[t]);
   }
   return std::sqrt(square);
 }
@@ -173,6 +168,7 @@ double wanted_error(double now, const SizeSettings& settings) {
 
 /// Of all sizes, so that the error that is predicted becomes the wanted one.
 double next_scale(double scale, const OptimalSize& result) {
+  if (result.predicted_error == 0) return scale;
   return std::clamp(scale * result.wanted / result.predicted_error,
                     1 / most_scaled, result.cautious ? 1 : most_scaled);
 }
@@ -214,10 +210,11 @@ OptimalSize optimal_size(const SimplexMesh<dim>& mesh,
   require_valid(settings);
   const VectorXd error = local_error.cwiseProduct(shape_quality(mesh));
   OptimalSize result;
-  result.wanted = wanted_error(local_error.norm(), settings);
+  result.error = local_error.norm();
+  result.wanted = wanted_error(result.error, settings);
   result.ratio = size_ratios<dim>(error, rates, result.wanted);
   result.spread = spread_of<dim>(result.ratio);
-  result.cautious = local_error.norm() > too_large;
+  result.cautious = result.error > too_large;
   if (result.cautious) result.ratio = result.ratio.cwiseMin(most_growth);
 
   const VectorXd sizes = vertex_sizes(mesh, result.ratio);

@@ -53,8 +53,9 @@ struct SizeSettings {
 /// which is 0 of an optimal mesh, 0.1 to 0.35 of one that optimal_size has made, 0.5 to 0.9
 /// of even meshes.
 struct OptimalSize {
-  VectorXd ratio;  ///< r_E per cell [-]
-  VectorXd size;   ///< h per vertex [mm]: edge length, bounded and graded
+  VectorXd ratio;    ///< r_E per cell [-]
+  VectorXd size;     ///< h per vertex [mm]: edge length, bounded and graded
+  double error = 0;  ///< eps of this mesh
   bool cautious = false;  ///< eps is above 1/2, and r_E is at most 2
   /// eps_0 of this step: 0.92 to 0.975 of the target, or a value on the way to it
   double wanted = 0;
