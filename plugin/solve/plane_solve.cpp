@@ -148,12 +148,13 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
   const ElasticSystem& system = *solved.system;
-  warn_that_triangles_lock(problem, system);
   // and stays: what a solution left belongs to its line
   if (!contact.solved) problem.choose_sides(system);
   const ContactStates last = last_states(contact);
   solved.law = law_of(call, contact, last);
   const ContactSettings settings = settings_of(call, contact, system, last);
+  // a system that is at hand has been asked
+  if (!settings.stiffness) warn_that_triangles_lock(problem, system);
   try {
     solve(call, problem, settings, solved);
   } catch (const NoEquilibrium& none) {

@@ -169,9 +169,6 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
   const ElasticSystem& system = *solved.system;
-  warn_that_cells_lock(
-      problem.mesh, system, problem.joined.first_vertex,
-      [](int, int) { return true; }, "tetrahedra", "refine until eps is small");
   // and stays: what a solution left belongs to its surface
   if (!contact.solved) problem.choose_sides(system);
   Guess last = guess_at(problem, contact.last);
@@ -182,6 +179,12 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
     last.rows.reset();
   const ContactSettings settings =
       settings_of(call, contact, system, std::move(last));
+  // a system that is at hand has been asked
+  if (!settings.stiffness)
+    warn_that_cells_lock(
+        problem.mesh, system, problem.joined.first_vertex,
+        [](int, int) { return true; }, "tetrahedra",
+        "refine until eps is small");
   try {
     solved.solution =
         solve_contact(problem.mesh, problem.surface, law, system, settings);
