@@ -57,11 +57,12 @@ RC_GTEST_PROP(JohnsonMercier, is_in_equilibrium_on_thin_cells,
   RC_ASSERT(defect_of_thin_cell<3>(height, random) < 1e-10);
 }
 
-/// By Piola's map rounding grows with the square of the aspect.
+/// By Piola's map rounding grows with the square of the aspect: by 9.4e-15 at most in a million
+/// samples under Prescott's kernel of OpenBLAS, by 6.1e-15 under Haswell's.
 RC_GTEST_PROP(JohnsonMercier, keeps_its_digits_on_stretched_triangles,
               (Random random)) {
   const double height = *real(0.0177, 0.1);
-  RC_ASSERT(defect_of_thin_cell<2>(height, random) < 6e-15 / (height * height));
+  RC_ASSERT(defect_of_thin_cell<2>(height, random) < 1.5e-14 / (height * height));
 }
 
 template <int d>
