@@ -22,7 +22,7 @@ struct TwoPairs {
   Topology<2> topology = topology_of(problem.mesh);
   ElasticSystem system = problem.system();
   SolvedBody<2> body;
-  BoundPair plus, minus;
+  BoundPair<2> plus, minus;
 
   TwoPairs() {
     problem.law.slip_bound = everywhere(problem.line, 0.2);
@@ -39,7 +39,7 @@ struct TwoPairs {
     return solve_contact(problem.mesh, problem.line, problem.law, system);
   }
 
-  BoundPair pair(double t) {
+  BoundPair<2> pair(double t) {
     SolvedBody<2> other = solved_body(problem, solution(t));
     other.neumann += t * quantity.tractions;
     const Estimate<2> estimate =

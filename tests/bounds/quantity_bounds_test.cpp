@@ -7,6 +7,7 @@
 
 #include "support/estimates.hpp"
 #include "support/nested_reference.hpp"
+#include "support/quantities.hpp"
 #include "support/refusals.hpp"
 
 namespace ffcontact {
@@ -14,23 +15,9 @@ namespace {
 
 using namespace test;
 
-Quantity<2> no_quantity(const Mesh& mesh) {
-  return {BodyLoadsOfCells<2>::Zero(6, mesh.cells.cols()),
-          {},
-          Matrix4Xd::Zero(4, mesh.boundary.cols())};
-}
-
-/// int w . v over the edges of a label.
-Quantity<2> on_label(const Mesh& mesh, int label, const Vector2d& w) {
-  Quantity<2> quantity = no_quantity(mesh);
-  VectorXd load = VectorXd::Zero(2 * mesh.vertices.cols());
-  add_traction(mesh, label, w, load, quantity.tractions);
-  return quantity;
-}
-
 /// Mean of u_x on the left quarter of the bottom of example 1.
 Quantity<2> mean_on_the_first_quarter(const Problem& problem) {
-  Quantity<2> quantity = no_quantity(problem.mesh);
+  Quantity<2> quantity = no_quantity<2>(problem.mesh);
   for (Index e = 0; e < problem.mesh.boundary.cols(); ++e) {
     const Matrix2d ends =
         facet_points<2>(problem.mesh, problem.mesh.boundary.col(e));
@@ -45,7 +32,7 @@ Quantity<2> mean_on_the_first_quarter(const Problem& problem) {
 /// int M : sigma(v) of the cells that are chosen.
 Quantity<2> stress_of(const Problem& problem, const Vector3d& M,
                       const std::function<bool(int)>& chosen) {
-  Quantity<2> quantity = no_quantity(problem.mesh);
+  Quantity<2> quantity = no_quantity<2>(problem.mesh);
   CellStresses<2> q = CellStresses<2>::Zero(3, problem.mesh.cells.cols());
   for (int t = 0; t < problem.mesh.cell_count(); ++t)
     if (chosen(t)) q.col(t) = problem.hooke[t] * M;
@@ -80,7 +67,7 @@ struct Solved {
   }
   QuantityBounds bounds(const Quantity<2>& quantity,
                         const BoundSettings& settings = {}) const {
-    return quantity_bounds(as_problem(), estimate(), quantity, settings);
+    return quantity_bounds<2>(as_problem(), estimate(), quantity, settings);
   }
 };
 
@@ -111,7 +98,7 @@ void expect_known(const KnownBounds& known,
 
 TEST(QuantityBounds, have_known_values_between_them_and_are_known_to_be_near) {
   const auto mean_on_the_left = [](const Problem& problem) {
-    return on_label(problem.mesh, left, {1.0 / 40, 0});
+    return on_label<2>(problem.mesh, left, {1.0 / 40, 0});
   };
   expect_known({0, 0.0263411, 4.60, 1.75}, mean_on_the_left);
   expect_known({2, 0.020426, 7.44, 3.20}, mean_on_the_left);
@@ -151,14 +138,14 @@ TEST(QuantityBounds, are_none_where_nothing_is_loaded) {
   clamp(problem, top);
   const Solved solved(problem);
   const QuantityBounds found =
-      solved.bounds(on_label(problem.mesh, left, {1, 0}));
+      solved.bounds(on_label<2>(problem.mesh, left, {1, 0}));
   EXPECT_FALSE(found.found());
   EXPECT_EQ(found.reason, "the loads make no stresses");
 }
 
 TEST(QuantityBounds, turn_with_the_sign_and_move_with_the_constant) {
   const Solved solved(tresca_example_1(2, 8));
-  Quantity<2> quantity = on_label(solved.problem.mesh, left, {1.0 / 40, 0});
+  Quantity<2> quantity = on_label<2>(solved.problem.mesh, left, {1.0 / 40, 0});
   const QuantityBounds found = solved.bounds(quantity);
   quantity.tractions *= -1;
   quantity.constant = 3;
@@ -171,7 +158,7 @@ TEST(QuantityBounds, turn_with_the_sign_and_move_with_the_constant) {
 TEST(QuantityBounds, have_what_the_mesh_knows_exactly_between_them) {
   const Solved solved(example_2(Multiplier::force, 0, 4));
   const QuantityBounds found =
-      solved.bounds(on_label(solved.problem.mesh, top, {0, 1}));
+      solved.bounds(on_label<2>(solved.problem.mesh, top, {0, 1}));
   // u_y = -5 y (1 - nu^2) / E
   const double exact = -5 * 40 * 40 * (1 - 0.2 * 0.2) / 13e3;
   EXPECT_LE(found.lower, exact);
@@ -181,7 +168,7 @@ TEST(QuantityBounds, have_what_the_mesh_knows_exactly_between_them) {
 
 TEST(QuantityBounds, are_the_same_in_any_units) {
   const Quantity<2> mean =
-      on_label(tresca_example_1(2, 8).mesh, left, {1.0 / 40, 0});
+      on_label<2>(tresca_example_1(2, 8).mesh, left, {1.0 / 40, 0});
   const QuantityBounds in_mm = Solved(tresca_example_1(2, 8)).bounds(mean);
   for (const double unit : {1e-9, 1e9}) {
     Problem problem = tresca_example_1(2 * unit, 8);
@@ -207,13 +194,13 @@ class RandomQuantity {
   }
 
   Quantity<2> on(const Problem& problem) const {
-    if (kind_ == 0) return on_label(problem.mesh, left, w_);
-    if (kind_ == 1) return on_label(problem.mesh, bottom, w_);
+    if (kind_ == 0) return on_label<2>(problem.mesh, left, w_);
+    if (kind_ == 1) return on_label<2>(problem.mesh, bottom, w_);
     const int children =
         problem.mesh.cell_count() / static_cast<int>(chosen_.size());
     const auto chosen = [&](int t) { return chosen_[t / children]; };
     if (kind_ == 2) return stress_of(problem, M_, chosen);
-    Quantity<2> quantity = no_quantity(problem.mesh);
+    Quantity<2> quantity = no_quantity<2>(problem.mesh);
     for (int t = 0; t < problem.mesh.cell_count(); ++t)
       if (chosen(t))
         quantity.body_loads.col(t) =
@@ -283,7 +270,7 @@ TEST(QuantityBounds, are_refused_with_gaps_beside_which_displacements_round) {
   problem.law.gap[2] = 1e10;
   const Solved solved(problem);
   const std::string sentence = refusal([&] {
-    solved.bounds(on_label(problem.mesh, left, {1, 0}));
+    solved.bounds(on_label<2>(problem.mesh, left, {1, 0}));
   });
   EXPECT_NE(sentence.find("1000 times the largest displacement"),
             std::string::npos);
@@ -292,7 +279,7 @@ TEST(QuantityBounds, are_refused_with_gaps_beside_which_displacements_round) {
 TEST(QuantityBounds, are_refused_with_coulombs_law) {
   const Solved solved(example_1(Multiplier::force, 4));
   EXPECT_EQ(refusal([&] {
-              solved.bounds(on_label(solved.problem.mesh, left, {1, 0}));
+              solved.bounds(on_label<2>(solved.problem.mesh, left, {1, 0}));
             }),
             "bounds of quantities are strict for contact without friction and "
             "for Tresca's law alone: state the contact with slipbound=, e.g. "

@@ -3,35 +3,40 @@
 
 #include <vector>
 
-#include "ffcontact/bounds/quantity.hpp"
-#include "ffcontact/estimate/bodies/solved_body.hpp"
+#include "ffcontact/bounds/contact_of_bounds.hpp"
 
 namespace ffcontact {
 
 /// What one bound of a quantity is made of: v that is kinematically admissible, tau in
 /// equilibrium with the loads and t l, and its contact tractions rho in the cone.
+template <int d>
 struct BoundPair {
   VectorXd v;
-  std::vector<SubcellStress<2>> tau;
-  ContactDensities rho;
+  std::vector<SubcellStress<d>> tau;
+  FacetDensities<d> rho;
   double defect = 0;  ///< of tau and rho, relative to the largest stress
 };
 
 /// int C eps(v) : eps(v), with the initial stresses, |.|^2 of a stress.
-double energy_of(const SolvedProblem<2>& solved, const VectorXd& v);
+template <int d>
+double energy_of(const SolvedProblem<d>& solved, const VectorXd& v);
 
 /// l(u) <= upper, for t = s, and -l(u) <= upper with t = -s and -l in place of l:
 ///     upper = l(v) + 1 / (2 s) ( |tau - C eps(v)|^2 / 2 + 2 Psi(v, rho) ),
 ///     Psi = int k |v_t| + rho_t v_t + rho_n (v_n - gap)
 /// for Tresca's law and without friction [theory_of_bounds.md]. This
 /// is the second term; C eps(v) with the initial stresses.
-double excess(const SolvedProblem<2>& solved, const BoundPair& pair, double s);
+template <int d>
+double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
+              double s);
 
 /// upper - lower of a pair of bounds as contributions of the cells, which are not negative:
 ///     |d+ + d-|^2 / (8 s) + |h+ - h-|^2 / (8 s) + sum over all four pairs of Psi(v, rho) / (2 s),
 /// d = tau - C eps(v), h = tau + C eps(v); with u = (v+ + v-) / 2 and z = (v- - v+) / (2 s)
 /// the first is the error of u, the second that of z, which answers to l.
-VectorXd width_of_cells(const SolvedProblem<2>& solved, const BoundPair& plus,
-                        const BoundPair& minus, double s);
+template <int d>
+VectorXd width_of_cells(const SolvedProblem<d>& solved,
+                        const BoundPair<d>& plus, const BoundPair<d>& minus,
+                        double s);
 
 }  // namespace ffcontact

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/estimate/admissible_pair.hpp"
 
 namespace ffcontact {
 
 /// @param first  the estimate of what was solved
 /// @throws std::invalid_argument  where quantities have no strict bounds (theory_of_bounds.md),
 ///                                or their construction does not cover the problem yet
-void require_boundable(const SolvedProblem<2>& solved,
-                       const Estimate<2>& first);
+template <int d>
+void require_boundable(const SolvedProblem<d>& solved,
+                       const Estimate<d>& first);
 
 }  // namespace ffcontact

@@ -30,6 +30,7 @@ VectorXd load_of(const SimplexMesh<d>& mesh, const Quantity<d>& quantity) {
   return load;
 }
 
-template VectorXd load_of(const SimplexMesh<2>&, const Quantity<2>&);
+template VectorXd load_of(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                          const Quantity<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

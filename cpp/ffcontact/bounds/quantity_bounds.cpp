@@ -9,8 +9,7 @@
 #include "ffcontact/bounds/bound_pair.hpp"
 #include "ffcontact/bounds/boundable_problem.hpp"
 #include "ffcontact/bounds/step_search.hpp"
-#include "ffcontact/estimate/bodies/nodal_forces.hpp"
-#include "ffcontact/estimate/displacement/admissible_displacement.hpp"
+#include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -24,14 +23,6 @@ constexpr double share_of_rounding = 1e-14;
 /// That is rounding beside the largest displacement.
 constexpr double penetration = 1e-12;
 
-ContactLaw with_twice_the_bound(ContactLaw law) {
-  law.multiplier = Multiplier::force;
-  law.slip_bound *= 2;
-  law.between_nodes.least *= 2;
-  law.between_nodes.most *= 2;
-  return law;
-}
-
 void require_valid(const BoundSettings& settings) {
   if (settings.steps < 1 || settings.turns < 1)
     refuse("steps and turns must be at least 1, got ", settings.steps, " and ",
@@ -39,10 +30,11 @@ void require_valid(const BoundSettings& settings) {
   require_valid(settings.relaxation);
 }
 
+template <int d>
 class BoundsByTurns {
  public:
-  BoundsByTurns(const SolvedProblem<2>& solved, const Estimate<2>& first,
-                const Quantity<2>& quantity, const BoundSettings& settings)
+  BoundsByTurns(const SolvedProblem<d>& solved, const Estimate<d>& first,
+                const Quantity<d>& quantity, const BoundSettings& settings)
       : solved_(solved),
         first_(first),
         quantity_(quantity),
@@ -83,7 +75,7 @@ class BoundsByTurns {
   }
 
   /// What the terms of l(v) and what is missed of equilibrium may add to a bound.
-  double rounding_of(const BoundPair& pair, double s) const {
+  double rounding_of(const BoundPair<d>& pair, double s) const {
     const double terms = load_.cwiseAbs().dot(pair.v.cwiseAbs());
     return share_of_rounding * terms +
            std::max(share_of_rounding, pair.defect) * stress_ * stress_ / s;
@@ -103,23 +95,14 @@ class BoundsByTurns {
     return (K > 0).select(free.array().square() / K, 0).sum();
   }
 
-  /// The energy of a body that is glued to what it touches, under l alone; 0 where that
-  /// does not hold it.
+  /// The energy under l alone of bodies whose contact does not move; 0 where there is no
+  /// factor to know it by.
   double held_energy(const VectorXd& free) const {
-    ElasticSystem alone = solved_.system;
-    alone.load = free;
-    alone.prescribed_value.setZero();
-    const ContactLine& line = solved_.contact;
-    try {
-      return free.dot(solve_contact(solved_.topology.mesh, line,
-                                    bonded_law(line.node_count()), alone,
-                                    settings_.contact)
-                          .displacement);
-    } catch (const Refusal&) {
-      return 0;
-    } catch (const Failure&) {
-      return 0;
-    }
+    if (!settings_.contact.stiffness) return 0;
+    const CondensedStiffness& stiffness = *settings_.contact.stiffness;
+    CondensedStiffness::Load load = stiffness.condensed(free);
+    const VectorXd held = VectorXd::Zero(load.on_kept.size());
+    return free.dot(stiffness.extended(std::move(load), held));
   }
 
   QuantityBounds narrowest() {
@@ -161,7 +144,7 @@ class BoundsByTurns {
 
   void put_bounds(QuantityBounds& bounds) {
     const double s = bounds.step;
-    const BoundPair plus = pair(s), minus = pair(-s);
+    const BoundPair<d> plus = pair(s), minus = pair(-s);
     const double above = rounding_of(plus, s), below = rounding_of(minus, s);
     bounds.upper = of(plus.v) + excess(solved_, plus, s) + above;
     bounds.lower = of(minus.v) - excess(solved_, minus, s) - below;
@@ -169,9 +152,9 @@ class BoundsByTurns {
                    (above + below) / solved_.topology.mesh.cell_count();
   }
 
-  BoundPair pair(double t) {
-    BoundPair pair;
-    pair.rho = first_.tractions;
+  BoundPair<d> pair(double t) {
+    BoundPair<d> pair;
+    pair.rho = facet_densities(first_);
     for (int turn = 0; turn < settings_.turns; ++turn) {
       pair.v = displacement_for(t, pair.rho);
       put_stress_for(t, pair);
@@ -181,83 +164,65 @@ class BoundsByTurns {
   }
 
   /// v minimises the bound for rho, but for the rounding that keeps it clear.
-  VectorXd displacement_for(double t, const ContactDensities& rho) {
-    const auto& [topology, line, system, body] = solved_;
-    const VectorXd u =
-        solution(with_twice_the_bound(body.law),
-                 -t * load_ - nodal_forces(topology.mesh, line, rho))
-            .displacement;
-    VectorXd v = admissible_displacement(line, body.law, u, system.prescribed);
-    if (deepest_node(line, body.law, v).depth > penetration * max_norm(v))
+  VectorXd displacement_for(double t, const FacetDensities<d>& rho) {
+    VectorXd v =
+        cleared<d>(solved_, solution(with_twice_the_bound<d>(solved_.body.law),
+                                     -t * load_ - nodal_forces<d>(solved_, rho))
+                                .displacement);
+    if (depth_of<d>(solved_, v) > penetration * max_norm(v))
       refuse("no displacement that keeps clear was found");
     return v;
   }
 
   /// tau and rho that nearly minimise the bound for v.
-  void put_stress_for(double t, BoundPair& pair) {
-    Estimate<2> estimate = estimate_under(t, pair.v);
+  void put_stress_for(double t, BoundPair<d>& pair) {
+    const SolvedBody<d> body = loaded_body(t, pair.v);
+    EstimateSettings<d> settings;
+    settings.relaxation = settings_.relaxation;
+    const Estimate<d> estimate = estimate_error<d>(
+        solved_.topology, solved_.contact, solved_.system, body, settings);
     if (!estimate.admissible) refuse(estimate.reason);
     pair.defect = std::max(estimate.equilibrium.largest(), estimate.cone);
-    pair.rho = std::move(estimate.tractions);
-    pair.tau = std::move(estimate.stress);
-    if (quantity_.stress.empty()) return;
+    pair.rho = facet_densities(estimate);
+    pair.tau.resize(solved_.topology.mesh.cell_count());
     for (std::size_t k = 0; k < pair.tau.size(); ++k)
-      pair.tau[k] += t * subcell_values<2>(
-                             quantity_.stress.at_vertices(static_cast<int>(k)));
+      pair.tau[k] = stress_in(static_cast<int>(k), t, body, estimate);
   }
 
-  /// Of contact under L + t l; q counts as an initial stress.
-  Estimate<2> estimate_under(double t, const VectorXd& v) {
-    const auto& [topology, line, system, body] = solved_;
-    SolvedBody<2> other = loaded_body(t);
-    other.law = reflected(v);
-    const ContactSolution found = solution(other.law, t * load_);
-    other.displacement = found.displacement;
-    other.multipliers = found.pressure;
-    EstimateSettings<2> settings;
-    settings.relaxation = settings_.relaxation;
-    return estimate_error<2>(topology, line, system, other, settings);
+  SubcellStress<d> stress_in(int cell, double t, const SolvedBody<d>& body,
+                             const Estimate<d>& estimate) const {
+    SubcellStress<d> stress = stress_of(solved_.topology, estimate, body, cell);
+    if (!quantity_.stress.empty())
+      stress += t * subcell_values<d>(quantity_.stress.at_vertices(cell));
+    return stress;
   }
 
-  SolvedBody<2> loaded_body(double t) const {
-    SolvedBody<2> loaded = solved_.body;
+  /// Contact under L + t l, reflected at v; q counts as an initial stress.
+  SolvedBody<d> loaded_body(double t, const VectorXd& v) {
+    SolvedBody<d> loaded = solved_.body;
     loaded.neumann += t * quantity_.tractions;
     loaded.body_loads += t * quantity_.body_loads;
     loaded.initial = loaded.initial + -t * quantity_.stress;
+    loaded.law = reflected<d>(solved_, v);
+    const auto found = solution(loaded.law, t * load_);
+    loaded.displacement = found.displacement;
+    loaded.multipliers = multipliers_of(found);
     return loaded;
   }
 
-  /// The law with gap and load step before on the other side of what v has.
-  ContactLaw reflected(const VectorXd& v) const {
-    const ContactLine& line = solved_.contact;
-    ContactLaw law = solved_.body.law;
-    law.multiplier = Multiplier::force;
-    const Matrix2Xd moved = contact_components(line, v);
-    law.gap = reflected(law.gap, moved.row(0));
-    law.previous = reflected(law.previous, moved.row(1));
-    return law;
-  }
-  /// 2 given - moved; nothing given is 0.
-  static VectorXd reflected(const VectorXd& given,
-                            const Eigen::RowVectorXd& moved) {
-    if (given.size() == 0) return -moved.transpose();
-    return 2 * given - moved.transpose();
-  }
-
   /// Under further loads.
-  ContactSolution solution(const ContactLaw& law, const VectorXd& more) {
+  auto solution(const LawOfContact<d>& law, const VectorXd& more) {
     system_.load =
         solved_.system.load + on_free_dofs(solved_.system, VectorXd(more));
-    ContactSolution found =
-        solve_contact(solved_.topology.mesh, solved_.contact, law, system_,
-                      settings_.contact);
+    auto found = solve_contact(solved_.topology.mesh, solved_.contact, law,
+                               system_, settings_.contact);
     settings_.contact.stiffness = found.stiffness;
     return found;
   }
 
-  const SolvedProblem<2>& solved_;
-  const Estimate<2>& first_;
-  const Quantity<2>& quantity_;
+  const SolvedProblem<d>& solved_;
+  const Estimate<d>& first_;
+  const Quantity<d>& quantity_;
   BoundSettings settings_;
   VectorXd load_;         ///< l of the hat functions
   ElasticSystem system_;  ///< with other loads
@@ -267,13 +232,19 @@ class BoundsByTurns {
 
 }  // namespace
 
-QuantityBounds quantity_bounds(const SolvedProblem<2>& solved,
-                               const Estimate<2>& first,
-                               const Quantity<2>& quantity,
+template <int d>
+QuantityBounds quantity_bounds(const SolvedProblem<d>& solved,
+                               const Estimate<d>& first,
+                               const Quantity<d>& quantity,
                                const BoundSettings& settings) {
   require_valid(settings);
   require_boundable(solved, first);
-  return BoundsByTurns(solved, first, quantity, settings).bounds();
+  return BoundsByTurns<d>(solved, first, quantity, settings).bounds();
 }
+
+template QuantityBounds quantity_bounds(
+    const SolvedProblem<FFCONTACT_DIMENSION>&,
+    const Estimate<FFCONTACT_DIMENSION>&, const Quantity<FFCONTACT_DIMENSION>&,
+    const BoundSettings&);
 
 }  // namespace ffcontact

@@ -20,7 +20,8 @@ struct BoundSettings {
   ContactSettings contact{};
 };
 
-/// lower <= l(u) <= upper for the exact solution u of the problem on the mesh's polygon.
+/// lower <= l(u) <= upper for the exact solution u of the problem on the mesh's polygon or
+/// polyhedron.
 struct QuantityBounds {
   double lower = -infinity, upper = infinity;
   double value = 0;  ///< l(u_h)
@@ -47,12 +48,13 @@ struct QuantityBounds {
 /// ones are taken.
 /// @param solved  what contactsolve found
 /// @param first   its estimate
-/// What is bounded is that of the problem on the mesh's polygon, with a gap, a load step
+/// What is bounded is that of the problem on the mesh's polygon or polyhedron, with a gap, a load step
 /// before and prescribed displacements that are linear between its vertices.
 /// @throws std::invalid_argument  for what the theorem, or this construction, does not cover
-QuantityBounds quantity_bounds(const SolvedProblem<2>& solved,
-                               const Estimate<2>& first,
-                               const Quantity<2>& quantity,
+template <int d>
+QuantityBounds quantity_bounds(const SolvedProblem<d>& solved,
+                               const Estimate<d>& first,
+                               const Quantity<d>& quantity,
                                const BoundSettings& settings = {});
 
 }  // namespace ffcontact

@@ -61,7 +61,12 @@ struct Estimate<3> : PairError {
   SurfaceTractions face_tractions;
 };
 
-/// sigma_hat at the corners of the subtetrahedra of one tetrahedron [MPa].
+/// sigma_hat at the corners of the subcells of one cell [MPa].
+inline const SubcellStress<2>& stress_of(const Topology<2>&,
+                                         const Estimate<2>& estimate,
+                                         const SolvedBody<2>&, int cell) {
+  return estimate.stress[cell];
+}
 inline SubcellStress<3> stress_of(const Topology<3>& topology,
                                   const Estimate<3>& estimate,
                                   const SolvedBody<3>& body, int cell) {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <type_traits>
+
+#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/estimate/admissible_pair.hpp"
+
+namespace ffcontact {
+
+/// What bounds ask of the contact: lines and surfaces answer each in their own way.
+
+/// Contact tractions rho, linear along each contact facet [MPa].
+template <int d>
+using FacetDensities =
+    std::conditional_t<d == 2, ContactDensities, SurfaceTractions>;
+
+/// r_hat of an estimate.
+inline const ContactDensities& facet_densities(const Estimate<2>& estimate) {
+  return estimate.tractions;
+}
+inline const SurfaceTractions& facet_densities(const Estimate<3>& estimate) {
+  return estimate.face_tractions;
+}
+
+/// Multipliers of a solution, as in SolvedBody.
+inline const Matrix2Xd& multipliers_of(const ContactSolution& solution) {
+  return solution.pressure;
+}
+inline const Matrix3Xd& multipliers_of(const SurfaceSolution& solution) {
+  return solution.force;
+}
+
+/// 2 given - moved; nothing given is 0.
+template <class Given>
+Given on_the_other_side(const Given& given, const Given& moved) {
+  return given.size() > 0 ? Given(2 * given - moved) : Given(-moved);
+}
+
+/// int rho phi on all dofs [N]: rho on the contact's body, -rho on the opposite one.
+template <int d>
+VectorXd nodal_forces(const SolvedProblem<d>& solved,
+                      const FacetDensities<d>& rho);
+
+/// 2 Psi(v, rho) on the contact facets (excess), at least: it is exact in the plane, and in
+/// space has FaceCosts for |v_t|, which is a bound that depends on v alone.
+template <int d>
+VectorXd twice_psi(const SolvedProblem<d>& solved, const VectorXd& v,
+                   const FacetDensities<d>& rho);
+
+/// What belongs to the contact facets, added to their cells.
+template <int d>
+void add_to_cells(const SolvedProblem<d>& solved, const VectorXd& on_facets,
+                  VectorXd& local);
+
+/// Nodal forces under twice the bound of Tresca's law.
+template <int d>
+LawOfContact<d> with_twice_the_bound(LawOfContact<d> law);
+
+/// Nodal forces, with gap and load step before on the other side of what v has: 2 gap -
+/// v_n, 2 previous - v_t.
+template <int d>
+LawOfContact<d> reflected(const SolvedProblem<d>& solved, const VectorXd& v);
+
+/// The smallest change of v that keeps clear, at vertices that supports leave free.
+template <int d>
+VectorXd cleared(const SolvedProblem<d>& solved, const VectorXd& v);
+/// How deep v is where it is deepest [mm].
+template <int d>
+double depth_of(const SolvedProblem<d>& solved, const VectorXd& v);
+
+/// What the theorem, or the construction, does not cover of the contact; one sentence, or
+/// empty.
+template <int d>
+std::string reason_against_bounds(const SolvedProblem<d>& solved,
+                                  const Estimate<d>& first);
+
+}  // namespace ffcontact
