@@ -17,6 +17,7 @@
 namespace ffcontact::plugin {
 
 struct SolidProblem;
+struct BoundsCall;
 
 /// The value of contact(Th, ...), for an assignment: null is what there is not.
 struct ContactStatement {
@@ -48,6 +49,10 @@ class Solids {
   /// @param judge  for plane bodies
   virtual double error(Stack stack, const NamedArguments& named,
                        Contact& contact, const JudgePlane& judge) const = 0;
+
+  /// contactbounds; returns the relative width.
+  virtual double bounds(const BoundsCall& call,
+                        const SolidContact& contact) const = 0;
 
   /// optimalsize.
   /// @param arrays  eps_E and q_E of all cells

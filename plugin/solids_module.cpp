@@ -4,9 +4,9 @@
 #include "ffcontact/mesh/ridges.hpp"
 #include "ffcontact/sizing/cell_shape.hpp"
 //
+#include "estimate/bounds_call.hpp"
 #include "estimate/material_and_loads.hpp"
 #include "estimate/solid_error.hpp"
-#include "estimate/solid_loads.hpp"
 #include "freefem/new_mesh.hpp"
 #include "gmsh/gmsh_program.hpp"
 #include "gmsh/solid_remesh.hpp"
@@ -70,11 +70,11 @@ class SolidsModule : public Solids {
                const JudgePlane& judge) const override {
     const ReadPlane plane = [&](const PlaneBodies& bodies,
                                 SolvedBody<2>& body) {
-      return read_material_and_loads(stack, named, bodies, body);
+      return read_material_and_loads<2>(stack, named, bodies, body);
     };
     const ReadSolids read = [&](const SolidBodies& bodies,
                                 SolvedBody<3>& body) {
-      return read_material_and_loads(stack, named, bodies, body);
+      return read_material_and_loads<3>(stack, named, bodies, body);
     };
     if (!contact.shared) return solid_error(stack, named, *contact.solid, read);
     SharedContact& shared = *contact.shared;
@@ -84,6 +84,11 @@ class SolidsModule : public Solids {
                           return solid_error(stack, named, *contact.solid,
                                              whole, relax_shared(shared));
                         });
+  }
+
+  double bounds(const BoundsCall& call,
+                const SolidContact& contact) const override {
+    return solid_bounds(call, contact);
   }
 
   OptimalSize sizes(const SolidProblem& problem,

@@ -1,29 +1,173 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <string>
 #include <vector>
 
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/bounds/quantity.hpp"
+#include "ffcontact/linear/norms.hpp"
 //
-#include "problem/plane_bodies.hpp"
+#include "estimate/material_and_loads.hpp"
 
 namespace ffcontact::plugin {
+
+/// Beside the largest value: more is not rounding.
+constexpr double linear_to = 1e-9;
+
+/// In the words of messages.
+template <int d>
+constexpr const char* a_cell = d == 2 ? "triangle" : "tetrahedron";
+template <int d>
+constexpr const char* cells = d == 2 ? "triangles" : "tetrahedra";
+template <int d>
+constexpr const char* a_facet = d == 2 ? "edge" : "face";
+template <int d>
+constexpr const char* facets = d == 2 ? "edges" : "faces";
+
+/// Places on a facet that no odd or even function passes; the first d are near its vertices.
+template <int d>
+Matrix<double, d, Dynamic> places_of_a_facet() {
+  Matrix<double, d, Dynamic> hats;
+  if constexpr (d == 2) {
+    hats.resize(2, 7);
+    hats.row(1) << 1e-3, 1 - 1e-3, 0.113, 0.31, 0.5, 0.74, 0.887;
+    hats.row(0) = 1 - hats.row(1).array();
+  } else {
+    const std::vector<Vector3d> places = {{1 - 2e-3, 1e-3, 1e-3},
+                                          {0.74, 0.15, 0.11},
+                                          {0.577, 0.31, 0.113},
+                                          {0.31, 0.577, 0.113}};
+    hats.resize(3, 12);
+    for (int q = 0; q < 12; ++q)
+      for (int k = 0; k < 3; ++k) hats((k + q) % 3, q) = places[q / 3][k];
+  }
+  return hats;
+}
+
+/// @throws std::invalid_argument  if w is off the linear function through its values near the
+///                                vertices of a boundary element by more than rounding
+template <int d>
+void require_linear(Stack stack, const std::string& name, Expression w,
+                    const PartOf<d>& part) {
+  const Matrix<double, d, Dynamic> hats = places_of_a_facet<d>();
+  const MatrixXd values = along_boundary<d>(stack, w, part, hats);
+  const MatrixOf<d> first = hats.template leftCols<d>().transpose();
+  const MatrixXd linear =
+      hats.transpose() * first.inverse() * values.topRows(d);
+  Index point = 0, worst = 0;
+  if (values.cols() == 0 ||
+      (values - linear).cwiseAbs().maxCoeff(&point, &worst) <=
+          linear_to * max_norm(values))
+    return;
+  const auto vertices = part.mesh.boundary.col(part.first_boundary + worst);
+  refuse(name, "= is not linear on the ", a_facet<d>, " at ",
+         in_words(facet_points<d>(part.mesh, vertices).rowwise().mean()),
+         ": let the mesh have ", d == 2 ? "a vertex" : "edges",
+         " where it jumps or bends");
+}
+
+/// @throws std::invalid_argument  if traction= of a body is not linear on a boundary
+///                                element: stresses are not in equilibrium with it then
+template <int d>
+void require_linear(Stack stack, const NamedArguments& named,
+                    const BodiesOf<d>& bodies, const char* parameter) {
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    const BodyReader<d> reader(stack, named, bodies, k);
+    for (Expression w : reader.list(parameter))
+      if (w) require_linear<d>(stack, reader.name(parameter), w, reader.part());
+  }
+}
+
+/// The norm of the means of stresses of one body.
+template <int d>
+double size_of(const InitialStress<d>& stress, const HookeTensors<d>& hooke,
+               const PartOf<d>& part) {
+  const CellStresses<d> mean =
+      LinearStresses<d>::of_values(stress.at_vertices).mean;
+  double sum = 0;
+  for (int t = 0; t < mean.cols(); ++t)
+    sum += signed_volume(part.mesh, part.first_cell + t) *
+           mean.col(t).dot(hooke[t].inverse() * mean.col(t));
+  return std::sqrt(sum);
+}
+
+/// goalstress= of one body at the vertices of its cells.
+template <int d>
+typename LinearStresses<d>::Values goal_stress(Stack stack,
+                                               const BodyReader<d>& reader,
+                                               const HookeTensors<d>& hooke) {
+  const InitialStress<d> read = initial_stress_of<d>(
+      stack, VoigtExpression<d>{},
+      reader.template list<voigt_size<d>>("goalstress"), hooke, reader.part());
+  if (read.oscillation > linear_to * size_of<d>(read, hooke, reader.part()))
+    refuse("goalstress= is not linear in each ", a_cell<d>,
+           ": let the mesh have ", facets<d>, " where it jumps, or choose ",
+           cells<d>, " by region");
+  return read.at_vertices;
+}
+
+template <int d>
+BodyLoadsOfCells<d> goal_body_loads(const BodyReader<d>& reader) {
+  BodyForce<d> force = reader.force("goalbodyforce");
+  if (force.oscillation > linear_to * force.loads.cwiseAbs().sum())
+    refuse("goalbodyforce= varies within ", cells<d>,
+           ": give it as a constant of each, and let the mesh have ", facets<d>,
+           " where it jumps");
+  return std::move(force.loads);
+}
 
 /// Reads the quantity of interest l of all bodies: goaltraction= w, goalbodyforce= p,
 /// goalstress= q and goalconstant=.
 /// @param hooke  of all cells
-/// @throws std::invalid_argument  if w is not linear on an edge, or p or q in a triangle
-Quantity<2> read_goal(Stack stack, const NamedArguments& named,
-                      const PlaneBodies& bodies, const Hooke& hooke);
-
-/// @throws std::invalid_argument  if traction= of a body is not linear on an edge: stresses
-///                                are not in equilibrium with it then
-void require_linear_tractions(Stack stack, const NamedArguments& named,
-                              const PlaneBodies& bodies);
+/// @throws std::invalid_argument  if w is not linear on a boundary element, p not constant or
+///                                q not linear in a cell
+template <int d>
+Quantity<d> read_goal(Stack stack, const NamedArguments& named,
+                      const BodiesOf<d>& bodies, const HookeTensors<d>& hooke) {
+  const auto& joined = bodies.joined;
+  require_linear<d>(stack, named, bodies, "goaltraction");
+  Quantity<d> goal;
+  goal.body_loads.resize(d * (d + 1), joined.first_cell.back());
+  goal.tractions.resize(d * d, joined.first_boundary.back());
+  goal.constant = named.number(stack, "goalconstant", 0);
+  typename LinearStresses<d>::Values stress;
+  stress.setZero(Eigen::NoChange, joined.first_cell.back());
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    const BodyReader<d> reader(stack, named, bodies, k);
+    const FacetColumns<d> tractions = reader.tractions("goaltraction");
+    goal.tractions.middleCols(joined.first_boundary[k], tractions.cols()) =
+        tractions;
+    const BodyLoadsOfCells<d> loads = goal_body_loads<d>(reader);
+    const int first = joined.first_cell[k];
+    goal.body_loads.middleCols(first, loads.cols()) = loads;
+    if (!named.given(reader.name("goalstress"))) continue;
+    const auto own = hooke.begin() + first;
+    stress.middleCols(first, loads.cols()) =
+        goal_stress<d>(stack, reader, {own, own + loads.cols()});
+  }
+  if (!stress.isZero(0)) goal.stress = LinearStresses<d>::of_values(stress);
+  return goal;
+}
 
 /// @param given  l of the hat functions as the script has assembled it [dofs]
 /// @throws std::invalid_argument  naming the vertex where it is not that of the quantity
-void require_goal(const PlaneBodies& bodies, const Quantity<2>& goal,
-                  const VectorXd& given);
+template <int d>
+void require_goal(const SimplexMesh<d>& mesh, const Quantity<d>& goal,
+                  const VectorXd& given) {
+  const VectorXd load = load_of(mesh, goal);
+  require_size("q", given.size(), load.size());
+  constexpr double same = 1e-10;
+  Index worst;
+  if ((given - load).cwiseAbs().maxCoeff(&worst) <= same * max_norm(given))
+    return;
+  refuse("q is ", given[worst], " at the vertex ",
+         in_words(mesh.place(static_cast<int>(worst) / d)),
+         ", but goaltraction=, goalbodyforce= and goalstress= make ",
+         load[worst], " of it: they are the integrands of q, on the same ",
+         facets<d>, " and ", cells<d>);
+}
 
 }  // namespace ffcontact::plugin

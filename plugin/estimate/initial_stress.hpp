@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/LU>
 #include <array>
+#include <cmath>
+#include <string>
+#include <vector>
 
-#include "estimate/sampled_stress.hpp"
+#include "ffcontact/equilibrium/stress/linear_stress.hpp"
+//
 #include "freefem/arguments.hpp"
-#include "freefem/solid_part.hpp"
+#include "freefem/body_values.hpp"
 
 namespace ffcontact::plugin {
 
@@ -13,18 +18,47 @@ namespace ffcontact::plugin {
 template <int d>
 using VoigtExpression = std::array<Expression, voigt_size<d>>;
 
+/// tau0 = sigma0 - C eps0 on the cells of one body.
+template <int d>
+struct InitialStress {
+  /// the linear function on each cell that is nearest to tau0, by the quadrature that
+  /// FreeFEM's int2d or int3d uses by default, so that its means are those of the script's
+  /// loads
+  typename LinearStresses<d>::Values at_vertices;
+  /// |tau0 less its linear part|, |tau|^2 = int C^-1 tau : tau
+  double oscillation;
+};
+
 /// @param strain  eps0 with engineering shear
 /// @param stress  sigma0 [MPa]
-InitialStress<2> initial_stress_of(Stack stack,
-                                   const VoigtExpression<2>& strain,
-                                   const VoigtExpression<2>& stress,
-                                   const Hooke& hooke,
-                                   const Fem2D::Mesh& fem_mesh);
-InitialStress<3> initial_stress_of(Stack stack,
-                                   const VoigtExpression<3>& strain,
-                                   const VoigtExpression<3>& stress,
-                                   const HookeTensors<3>& hooke,
-                                   const SolidPart& solid);
+template <int d>
+InitialStress<d> initial_stress_of(Stack stack,
+                                   const VoigtExpression<d>& strain,
+                                   const VoigtExpression<d>& stress,
+                                   const HookeTensors<d>& hooke,
+                                   const PartOf<d>& part) {
+  const CellQuadrature<d> quadrature = cell_quadrature<d>();
+  const auto& [phi, weights] = quadrature;
+  const MatrixXd weighted = weights.asDiagonal() * phi.transpose();
+  const Matrix<double, d + 1, d + 1> mass = phi * weighted;
+  const MatrixXd to_vertices = weighted * mass.inverse();
+  InitialStress<d> result;
+  result.at_vertices.resize(Eigen::NoChange, cell_count<d>(part));
+  double square = 0;
+  PointOf<d> point(stack, part);
+  for (int t = 0; t < result.at_vertices.cols(); ++t) {
+    const CellStresses<d> tau = in_cell<d>(point, t, stress, phi) -
+                                hooke[t] * in_cell<d>(point, t, strain, phi);
+    const VertexStress<d> at_vertices = tau * to_vertices;
+    result.at_vertices.col(t) = at_vertices.reshaped();
+    const CellStresses<d> beyond = tau - at_vertices * phi,
+                          compliant = hooke[t].inverse() * beyond;
+    square += signed_volume(part.mesh, part.first_cell + t) *
+              beyond.cwiseProduct(compliant).colwise().sum().dot(weights);
+  }
+  result.oscillation = std::sqrt(square);
+  return result;
+}
 
 /// Initial stresses of the bodies, joined; empty where none has any.
 template <int d>
@@ -34,10 +68,8 @@ class InitialStresses {
   explicit InitialStresses(const std::vector<int>& first) : first_(first) {}
 
   /// Reads those of body k. @return their oscillation
-  /// @param fem_mesh  as for initial_stress_of
-  template <class FemMesh>
   double read(Stack stack, const NamedArguments& named, int k,
-              const HookeTensors<d>& hooke, const FemMesh& fem_mesh) {
+              const HookeTensors<d>& hooke, const PartOf<d>& part) {
     const VoigtExpression<d> strain = components(named, "initialstrain", k),
                              stress = components(named, "initialstress", k);
     if (!strain[0] && !stress[0]) return 0;
@@ -45,7 +77,7 @@ class InitialStresses {
       values_.setZero(LinearStresses<d>::Values::RowsAtCompileTime,
                       first_.back());
     const InitialStress<d> own =
-        initial_stress_of(stack, strain, stress, hooke, fem_mesh);
+        initial_stress_of<d>(stack, strain, stress, hooke, part);
     values_.middleCols(first_[k], first_[k + 1] - first_[k]) = own.at_vertices;
     return own.oscillation;
   }

@@ -1,19 +1,136 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+#include <type_traits>
+
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/estimate/bodies/solved_body.hpp"
+//
+#include "estimate/initial_stress.hpp"
 #include "estimate/oscillation.hpp"
-#include "ffcontact/estimate/estimate.hpp"
+#include "estimate/springs.hpp"
 #include "problem/plane_bodies.hpp"
+#include "problem/solid_bodies.hpp"
 
 namespace ffcontact::plugin {
+
+template <int d>
+using BodiesOf = std::conditional_t<d == 2, PlaneBodies, SolidBodies>;
+
+/// Reads what a script says of each body, by the names of its parameters.
+template <int d>
+class BodyReader {
+ public:
+  /// @param body  of all
+  BodyReader(Stack stack, const NamedArguments& named,
+             const BodiesOf<d>& bodies, int body)
+      : stack_(stack),
+        named_(named),
+        part_(bodies.part(body)),
+        bodies_(bodies.body_count()) {}
+
+  std::string name(const char* parameter) const {
+    return name_of_body(parameter, part_.body, bodies_);
+  }
+  /// The components of a list, null where it is not given.
+  template <int size = d>
+  std::array<Expression, size> list(const char* parameter) const {
+    std::array<Expression, size> components;
+    for (int c = 0; c < size; ++c)
+      components[c] = named_.component(name(parameter), c, size);
+    return components;
+  }
+  const PartOf<d>& part() const { return part_; }
+
+  /// lambda= and G=, or hooke=.
+  HookeTensors<d> hooke() const {
+    const Expression lambda = named_.expression(name("lambda")),
+                     G = named_.expression(name("G"));
+    const bool lame = lambda && G;
+    if (lame == named_.given(name("hooke")))
+      refuse("give either ", name("lambda"), "= and ", name("G"),
+             "= (Lame's constants) or ", name("hooke"),
+             d == 2 ? "=[C11, C12, C13, C22, C23, C33]"
+                    : "=[C11, C12, ..., C16, C22, ..., C66]");
+    return lame ? isotropic_by(lambda, G) : general();
+  }
+
+  FacetColumns<d> tractions(const char* parameter) const {
+    return traction_moments<d>(stack_, list(parameter), part_);
+  }
+  BodyForce<d> force(const char* parameter) const {
+    return body_force_loads<d>(stack_, list(parameter), part_);
+  }
+
+ private:
+  /// C = lambda 1 x 1 + 2 G I on each cell.
+  HookeTensors<d> isotropic_by(Expression lambda, Expression G) const {
+    const VectorXd lambdas = at_cells<d>(stack_, lambda, part_),
+                   Gs = at_cells<d>(stack_, G, part_);
+    HookeTensors<d> hooke(Gs.size());
+    for (Index t = 0; t < Gs.size(); ++t)
+      hooke[t] = isotropic<d>(lambdas[t], Gs[t]);
+    return hooke;
+  }
+
+  /// From the values of the upper triangle, row by row.
+  HookeTensors<d> general() const {
+    constexpr int rows = voigt_size<d>, count = rows * (rows + 1) / 2;
+    const std::array<Expression, count> C = list<count>("hooke");
+    HookeTensors<d> hooke(cell_count<d>(part_));
+    int place = 0;
+    for (int row = 0; row < rows; ++row)
+      for (int column = row; column < rows; ++column) {
+        const VectorXd values = at_cells<d>(stack_, C[place++], part_);
+        for (Index t = 0; t < values.size(); ++t)
+          hooke[t](row, column) = hooke[t](column, row) = values[t];
+      }
+    return hooke;
+  }
+
+  Stack stack_;
+  const NamedArguments& named_;
+  PartOf<d> part_;
+  int bodies_;
+};
 
 /// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
 /// (initialstrain=, initialstress=), loads (traction=, bodyforce=) and springs (spring=,
 /// rest=) of all bodies into what is judged.
 /// @throws std::invalid_argument  if a body has not one elastic law, or springs at rest
 ///                                and none
+template <int d>
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
-                                    const PlaneBodies& bodies,
-                                    SolvedBody<2>& body);
+                                    const BodiesOf<d>& bodies,
+                                    SolvedBody<d>& body) {
+  const auto& joined = bodies.joined;
+  body.neumann.resize(d * d, joined.first_boundary.back());
+  body.body_loads.resize(d * (d + 1), joined.first_cell.back());
+  Oscillation all;
+  InitialStresses<d> initial(joined.first_cell);
+  Springs<d> springs(joined.first_boundary.back());
+  for (int k = 0; k < bodies.body_count(); ++k) {
+    const BodyReader<d> reader(stack, named, bodies, k);
+    const HookeTensors<d> hooke = reader.hooke();
+    body.hooke.insert(body.hooke.end(), hooke.begin(), hooke.end());
+    const FacetColumns<d> tractions = reader.tractions("traction");
+    body.neumann.middleCols(joined.first_boundary[k], tractions.cols()) =
+        tractions;
+    const BodyForce<d> force = reader.force("bodyforce");
+    body.body_loads.middleCols(joined.first_cell[k], force.loads.cols()) =
+        force.loads;
+    springs.read(named, k, bodies.body_count(), joined.first_boundary[k],
+                 [&](Expression expression) {
+                   return along_boundary<d>(stack, expression, reader.part(),
+                                            facet_quadrature_hats<d>());
+                 });
+    all.add({force.oscillation,
+             initial.read(stack, named, k, hooke, reader.part())});
+  }
+  body.initial = initial.joined();
+  body.springs = std::move(springs.joined);
+  return all;
+}
 
 }  // namespace ffcontact::plugin

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "estimate/judged.hpp"
-#include "estimate/material_and_loads.hpp"
+#include "estimate/oscillation.hpp"
 #include "problem/contact_problem.hpp"
 
 namespace ffcontact::plugin {

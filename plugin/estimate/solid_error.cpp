@@ -124,6 +124,8 @@ void put_bound(Stack stack, const NamedArguments& named,
        << stuck_in_words(stuck) << endl;
 }
 
+}  // namespace
+
 SolvedBody<3> judged_body(const SolvedSolid& solved) {
   SolvedBody<3> body;
   body.displacement = solved.solution.displacement;
@@ -132,8 +134,6 @@ SolvedBody<3> judged_body(const SolvedSolid& solved) {
   body.stiffness = solved.solution.stiffness;
   return body;
 }
-
-}  // namespace
 
 double solid_error(Stack stack, const NamedArguments& named,
                    SolidContact& contact, const ReadSolids& read,

@@ -13,6 +13,9 @@ namespace ffcontact::plugin {
 using ReadSolids =
     std::function<Oscillation(const SolidBodies& bodies, SolvedBody<3>& body)>;
 
+/// What contactsolve found, without its elastic law and its loads.
+SolvedBody<3> judged_body(const SolvedSolid& solved);
+
 /// contacterror(C, ...) for the contact of a mesh3 that contactsolve has solved.
 /// The contact keeps what was made of it.
 /// @return eps

@@ -24,8 +24,9 @@ class SolidPoint : public PointEvaluator {
     point().set(Th_, tetrahedron(hat), hat, tetrahedron,
                 Th_.be(place.column).lab, R3(n.x(), n.y(), n.z()), side);
   }
-  void go_to_tetrahedron(int t, const R3& hat = R3(0.25, 0.25, 0.25)) {
+  void go_to_cell(int t, const Vector4d& hats) {
     const Fem2D::Tet& tetrahedron = Th_[t];
+    const R3 hat(hats[1], hats[2], hats[3]);
     point().set(Th_, tetrahedron(hat), hat, tetrahedron, tetrahedron.lab);
   }
 

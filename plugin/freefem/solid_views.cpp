@@ -6,7 +6,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 //
-#include "freefem/solid_point.hpp"
+#include "freefem/body_values.hpp"
 
 namespace ffcontact::plugin {
 
@@ -84,17 +84,6 @@ std::vector<FacePlace> places_faced(
     }
   }
   return places;
-}
-
-VectorXd at_boundary(Stack stack, Expression expression, const SolidPart& part,
-                     const std::vector<BoundaryPlace<3>>& places) {
-  VectorXd values(count_of(places));
-  SolidPoint point(stack, part);
-  for (int i = 0; i < count_of(places); ++i) {
-    point.go_to(places[i]);
-    values[i] = point.value(expression);
-  }
-  return values;
 }
 
 VectorXd at_places(Stack stack, Expression expression, const SolidPart& part,

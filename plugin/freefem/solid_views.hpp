@@ -28,10 +28,6 @@ std::vector<FacePlace> places_faced(const ContactSurface& part,
                                     const ContactSurface& whole,
                                     const std::vector<FacingPolygon>& polygons);
 
-/// An expression at places of a solid's boundary.
-VectorXd at_boundary(Stack stack, Expression expression, const SolidPart& part,
-                     const std::vector<BoundaryPlace<3>>& places);
-
 /// An expression of the script at places of a solid; x, y, z, N, label and region are
 /// those of the faces.
 /// @return an array of `otherwise` where the expression is null

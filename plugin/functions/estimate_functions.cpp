@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
 //
+#include "estimate/material_and_loads.hpp"
 #include "estimate/plane_error.hpp"
 #include "freefem/guard.hpp"
 #include "parallel/shared_contact.hpp"
@@ -127,7 +128,7 @@ class ContactErrorFunction : public E_F0mps {
 
   ReadPlane plane_reader(Stack stack) const {
     return [this, stack](const PlaneBodies& bodies, SolvedBody<2>& body) {
-      return read_material_and_loads(stack, named_, bodies, body);
+      return read_material_and_loads<2>(stack, named_, bodies, body);
     };
   }
 

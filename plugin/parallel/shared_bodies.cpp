@@ -3,6 +3,8 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/parallel/system_parts.hpp"
+//
+#include "freefem/body_values.hpp"
 
 namespace ffcontact::plugin {
 
@@ -142,7 +144,7 @@ VectorXd PlacesOfTeam<dim>::values_of(
     int rank, Expression expression, int body,
     const std::vector<BoundaryPlace<dim>>& places) const {
   if (rank == 0)
-    return at_boundary(stack_, expression, shared_.own.part(body), places);
+    return at_boundary<dim>(stack_, expression, shared_.own.part(body), places);
   std::vector<int> column;
   MatrixXd weights(dim, count_of(places));
   for (const BoundaryPlace<dim>& place : places) {
@@ -166,7 +168,7 @@ VectorXd values_here(Stack stack, const NamedArguments& named,
   const auto weights = packet.take<MatrixXd>();
   std::vector<BoundaryPlace<dim>> places;
   for (int e : column) places.push_back({e, weights.col(count_of(places))});
-  return at_boundary(stack, expression, shared.own.part(body), places);
+  return at_boundary<dim>(stack, expression, shared.own.part(body), places);
 }
 
 template struct SharedBodies<2>;

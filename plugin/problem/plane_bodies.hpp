@@ -7,7 +7,7 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
 #include "freefem/held_mesh.hpp"
-#include "freefem/plane_values.hpp"
+#include "freefem/plane_part.hpp"
 #include "freefem/views.hpp"
 #include "problem/body_dofs.hpp"
 
@@ -28,8 +28,12 @@ struct PlaneBodies : BodyDofs {
       : BodyDofs(2, whole.first_vertex), joined(std::move(whole)) {}
 
   BodyPart part(int body, const PlacesElsewhere<2>* elsewhere = nullptr) const {
-    return {joined.mesh, elsewhere ? nullptr : &*fem_meshes[body], body,
-            joined.first_boundary[body], elsewhere};
+    return {joined.mesh,
+            elsewhere ? nullptr : &*fem_meshes[body],
+            body,
+            joined.first_cell[body],
+            joined.first_boundary[body],
+            elsewhere};
   }
 
  private:

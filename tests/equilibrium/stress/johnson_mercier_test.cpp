@@ -62,7 +62,8 @@ RC_GTEST_PROP(JohnsonMercier, is_in_equilibrium_on_thin_cells,
 RC_GTEST_PROP(JohnsonMercier, keeps_its_digits_on_stretched_triangles,
               (Random random)) {
   const double height = *real(0.0177, 0.1);
-  RC_ASSERT(defect_of_thin_cell<2>(height, random) < 1.5e-14 / (height * height));
+  RC_ASSERT(defect_of_thin_cell<2>(height, random) <
+            1.5e-14 / (height * height));
 }
 
 template <int d>

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "ffcontact/bounds/quantity_bounds.hpp"
+//
+#include "freefem/arguments.hpp"
+#include "problem/contact_type.hpp"
+#include "problem/solid_contact.hpp"
+
+namespace ffcontact::plugin {
+
+/// A call of contactbounds.
+struct BoundsCall {
+  Stack stack;
+  const NamedArguments& named;
+  const std::vector<Expression>& q;  ///< of each body, or none
+
+  BoundSettings settings() const {
+    BoundSettings settings;
+    settings.steps = count("steps", settings.steps);
+    settings.turns = count("turns", settings.turns);
+    settings.relaxation.steps = count("sweeps", *settings.relaxation.steps);
+    return settings;
+  }
+  bool reports() const {
+    return named.verbosity_level(stack) >= 1 && mpirank == 0;
+  }
+
+ private:
+  int count(const char* name, int otherwise) const {
+    return static_cast<int>(named.integer(stack, name, otherwise));
+  }
+};
+
+/// contactbounds of what contactsolve found, of plane bodies and of solids.
+/// @return (upper - lower) / |midpoint|
+double plane_bounds(const BoundsCall& call, const Contact& contact);
+double solid_bounds(const BoundsCall& call, const SolidContact& contact);
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "ffcontact/estimate/estimate.hpp"
+//
+#include "estimate/bounds_call.hpp"
+#include "estimate/estimate_outputs.hpp"
+#include "estimate/goal.hpp"
+#include "freefem/stopwatch.hpp"
+#include "problem/systems.hpp"
+
+namespace ffcontact::plugin {
+
+template <int d>
+void require_exact(const Oscillation& data, const SolvedBody<d>& body,
+                   const Estimate<d>& first) {
+  constexpr double rounding = 1e-9;
+  const double forces = body.body_loads.cwiseAbs().sum(),
+               size = first.relative > 0 ? first.e / first.relative : infinity;
+  if (data.force > rounding * forces || data.strain > rounding * size)
+    refuse(
+        "bounds are strict for body forces that are constant in each cell, and "
+        "initial strains and stresses that are linear: give bodyforce= and the "
+        "varf such ones");
+}
+
+template <int d>
+Quantity<d> checked_goal(const BoundsCall& call, const BodiesOf<d>& bodies,
+                         const HookeTensors<d>& hooke) {
+  Quantity<d> goal = read_goal<d>(call.stack, call.named, bodies, hooke);
+  if (call.q.empty()) return goal;
+  bodies.require_bodies("q", call.q.size());
+  const auto given = values_of<KN<double>*>(call.stack, call.q);
+  for (std::size_t k = 0; k < given.size(); ++k)
+    bodies.require_dofs("q", static_cast<int>(k), given[k]->N());
+  require_goal<d>(bodies.joined.mesh, goal, joined_displacement(bodies, given));
+  return goal;
+}
+
+inline void put(const BoundsCall& call, const std::vector<int>& first_cell,
+                const QuantityBounds& bounds) {
+  const auto& [stack, named, q] = call;
+  const double midpoint = bounds.found() ? bounds.midpoint() : bounds.value;
+  named.put(stack, "lower", bounds.lower);
+  named.put(stack, "upper", bounds.upper);
+  named.put(stack, "value", bounds.value);
+  named.put(stack, "midpoint", midpoint);
+  named.put(stack, "step", bounds.step);
+  VectorXd squares = VectorXd::Zero(first_cell.back());
+  if (bounds.found() && midpoint != 0)
+    squares = bounds.local.cwiseMax(0) / std::abs(midpoint);
+  put_by_bodies(stack, named, first_cell, "eps", squares.cwiseSqrt());
+}
+
+inline void report(const QuantityBounds& bounds, double seconds) {
+  cout << "contactbounds: ";
+  if (bounds.found())
+    cout << bounds.lower << " to " << bounds.upper << ", "
+         << 100 * bounds.relative_width() << " % wide, u_h has "
+         << bounds.value;
+  else
+    cout << "none, as " << bounds.reason;
+  cout << ", " << seconds << " s" << endl;
+}
+
+/// @param body  what contactsolve found, without its elastic law and its loads
+template <int d>
+double bounds_of(const BoundsCall& call, const BodiesOf<d>& bodies,
+                 const Topology<d>& topology, const LineOrSurface<d>& contact,
+                 const ElasticSystem& system, SolvedBody<d> body) {
+  const Stopwatch watch;
+  require_linear<d>(call.stack, call.named, bodies, "traction");
+  const Oscillation data =
+      read_material_and_loads<d>(call.stack, call.named, bodies, body);
+  const SolvedProblem<d> solved{topology, contact, system, body};
+  const Estimate<d> first = estimate_error<d>(topology, contact, system, body);
+  require_exact<d>(data, body, first);
+  const QuantityBounds bounds = quantity_bounds<d>(
+      solved, first, checked_goal<d>(call, bodies, body.hooke),
+      call.settings());
+  put(call, bodies.joined.first_cell, bounds);
+  if (call.reports()) report(bounds, watch.seconds());
+  return bounds.relative_width();
+}
+
+}  // namespace ffcontact::plugin

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "estimate/bounds_of.hpp"
+#include "estimate/solid_error.hpp"
+#include "problem/result_names.hpp"
+
+namespace ffcontact::plugin {
+
+double solid_bounds(const BoundsCall& call, const SolidContact& contact) {
+  if (!contact.solved) refuse_unsolved();
+  const SolidProblem& problem = *contact.problem;
+  return bounds_of<3>(call, problem, topology_of(problem.mesh), problem.surface,
+                      *contact.solved->system, judged_body(*contact.solved));
+}
+
+}  // namespace ffcontact::plugin
