@@ -17,11 +17,13 @@ struct BoundsCall {
   const NamedArguments& named;
   const std::vector<Expression>& q;  ///< of each body, or none
 
-  BoundSettings settings() const {
+  /// @param sweeps  that are right if the script says nothing
+  /// @param steps   of relaxation in each of them
+  BoundSettings settings(int sweeps, int steps) const {
     BoundSettings settings;
     settings.steps = count("steps", settings.steps);
     settings.turns = count("turns", settings.turns);
-    settings.relaxation.steps = count("sweeps", *settings.relaxation.steps);
+    settings.relaxation.steps = steps * count("sweeps", sweeps);
     return settings;
   }
   bool reports() const {

@@ -68,9 +68,10 @@ inline void report(const QuantityBounds& bounds, double seconds) {
 
 /// @param body  what contactsolve found, without its elastic law and its loads
 template <int d>
-double bounds_of(const BoundsCall& call, const BodiesOf<d>& bodies,
-                 const Topology<d>& topology, const LineOrSurface<d>& contact,
-                 const ElasticSystem& system, SolvedBody<d> body) {
+double bounds_of(const BoundsCall& call, const BoundSettings& settings,
+                 const BodiesOf<d>& bodies, const Topology<d>& topology,
+                 const LineOrSurface<d>& contact, const ElasticSystem& system,
+                 SolvedBody<d> body) {
   const Stopwatch watch;
   require_linear<d>(call.stack, call.named, bodies, "traction");
   const Oscillation data =
@@ -79,8 +80,7 @@ double bounds_of(const BoundsCall& call, const BodiesOf<d>& bodies,
   const Estimate<d> first = estimate_error<d>(topology, contact, system, body);
   require_exact<d>(data, body, first);
   const QuantityBounds bounds = quantity_bounds<d>(
-      solved, first, checked_goal<d>(call, bodies, body.hooke),
-      call.settings());
+      solved, first, checked_goal<d>(call, bodies, body.hooke), settings);
   put(call, bodies.joined.first_cell, bounds);
   if (call.reports()) report(bounds, watch.seconds());
   return bounds.relative_width();

@@ -21,8 +21,6 @@ namespace ffcontact::plugin {
 
 namespace {
 
-/// Steps of the relaxation in what the script calls a sweep.
-constexpr int steps_of_a_sweep = 4;
 /// Sweeps at most when the script asks for a tightness and not for a number of sweeps.
 constexpr int most_sweeps_in_space = 20;
 

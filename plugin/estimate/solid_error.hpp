@@ -13,6 +13,9 @@ namespace ffcontact::plugin {
 using ReadSolids =
     std::function<Oscillation(const SolidBodies& bodies, SolvedBody<3>& body)>;
 
+/// Steps of the relaxation of solids in what the script calls a sweep.
+constexpr int steps_of_a_sweep = 4;
+
 /// What contactsolve found, without its elastic law and its loads.
 SolvedBody<3> judged_body(const SolvedSolid& solved);
 

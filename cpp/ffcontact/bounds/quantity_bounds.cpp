@@ -19,6 +19,7 @@ namespace {
 /// A step that is too long for any equilibrium is shortened so often, by this factor.
 constexpr int most_shortenings = 6;
 constexpr double shortening = 4;
+constexpr Index most_dofs_of_a_factor = 200000;
 constexpr double share_of_rounding = 1e-14;
 /// That is rounding beside the largest displacement.
 constexpr double penetration = 1e-12;
@@ -50,6 +51,7 @@ class BoundsByTurns {
     QuantityBounds bounds = none(0);
     bounds.reason = reason_against(free);
     if (!bounds.reason.empty()) return bounds;
+    factorise();
     longest_ = longest_step(free);
     return narrowest();
   }
@@ -72,6 +74,16 @@ class BoundsByTurns {
 
   double of(const VectorXd& v) const {
     return load_.dot(v) + quantity_.constant;
+  }
+
+  /// What multigrid has solved: bounds take dozens of contact problems with one matrix, and a
+  /// factor pays where it has room.
+  void factorise() {
+    if (settings_.contact.stiffness ||
+        free_dof_count(system_) > most_dofs_of_a_factor)
+      return;
+    settings_.contact.linear = LinearSolver::direct;
+    solution(solved_.body.law, VectorXd::Zero(load_.size()));
   }
 
   /// What the terms of l(v) and what is missed of equilibrium may add to a bound.
