@@ -22,33 +22,28 @@ VectorXd energies(const SolvedProblem<d>& solved, const OfCell& of) {
   return result;
 }
 
-/// C eps(v) with the initial stresses.
+/// At the corners of the subcells.
 template <int d>
-class StressOf {
- public:
-  StressOf(const SolvedProblem<d>& solved, const VectorXd& v)
-      : stress_(total_stresses(solved.topology.mesh, solved.body, v)) {}
-  SubcellStress<d> operator()(int t) const {
-    return subcell_values<d>(stress_.at_vertices(t));
-  }
-
- private:
-  LinearStresses<d> stress_;
-};
+SubcellStress<d> in_cell(const LinearStresses<d>& stress, int t) {
+  return subcell_values<d>(stress.at_vertices(t));
+}
 
 }  // namespace
 
 template <int d>
 double energy_of(const SolvedProblem<d>& solved, const VectorXd& v) {
-  return energies(solved, StressOf<d>(solved, v)).sum();
+  const LinearStresses<d> sigma =
+      total_stresses(solved.topology.mesh, solved.body, v);
+  return energies(solved, [&](int t) { return in_cell(sigma, t); }).sum();
 }
 
 template <int d>
 double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
               double s) {
-  const StressOf<d> sigma(solved, pair.v);
+  const LinearStresses<d> sigma =
+      total_stresses(solved.topology.mesh, solved.body, pair.v);
   const VectorXd squares = energies(solved, [&](int t) -> SubcellStress<d> {
-    return pair.tau[t] - sigma(t);
+    return pair.tau[t] - in_cell(sigma, t);
   });
   return squares.sum() / (4 * s) +
          twice_psi<d>(solved, pair.v, pair.rho).sum() / (2 * s);
@@ -58,16 +53,19 @@ template <int d>
 VectorXd width_of_cells(const SolvedProblem<d>& solved,
                         const BoundPair<d>& plus, const BoundPair<d>& minus,
                         double s) {
-  const StressOf<d> above(solved, plus.v), below(solved, minus.v);
-  VectorXd local =
-      energies(solved,
-               [&](int t) -> SubcellStress<d> {
-                 return plus.tau[t] + minus.tau[t] - above(t) - below(t);
-               }) /
-          (8 * s) +
-      energies(solved, [&](int t) -> SubcellStress<d> {
-        return plus.tau[t] - minus.tau[t] + above(t) - below(t);
-      }) / (8 * s);
+  const SimplexMesh<d>& mesh = solved.topology.mesh;
+  const LinearStresses<d> above = total_stresses(mesh, solved.body, plus.v),
+                          below = total_stresses(mesh, solved.body, minus.v);
+  VectorXd local = energies(solved,
+                            [&](int t) -> SubcellStress<d> {
+                              return plus.tau[t] + minus.tau[t] -
+                                     in_cell(above, t) - in_cell(below, t);
+                            }) /
+                       (8 * s) +
+                   energies(solved, [&](int t) -> SubcellStress<d> {
+                     return plus.tau[t] - minus.tau[t] + in_cell(above, t) -
+                            in_cell(below, t);
+                   }) / (8 * s);
   for (const BoundPair<d>* of_v : {&plus, &minus})
     for (const BoundPair<d>* of_rho : {&plus, &minus}) {
       const VectorXd part = twice_psi<d>(solved, of_v->v, of_rho->rho);
