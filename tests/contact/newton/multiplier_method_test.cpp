@@ -27,7 +27,9 @@ void expect_newtons_answer(const SolidProblem& problem) {
       multiplier_method(contact, stiffness, law, trace.held, {1000});
   RC_ASSERT(minimum.status == ContactStatus::converged);
   RC_ASSERT(minimum.violation <= 1e-10);
-  RC_ASSERT((minimum.v - newton.v).norm() <= 1e-8 * newton.v.norm());
+  // where all nodes stick v is 0 but for the rounding of bodies that move by 1e-3 mm
+  constexpr double rounding = 1e-15;
+  RC_ASSERT((minimum.v - newton.v).norm() <= 1e-8 * newton.v.norm() + rounding);
   RC_ASSERT((minimum.P - newton.P).norm() <= 1e-8 * newton.P.norm());
 }
 
