@@ -4,17 +4,14 @@
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
 //
-#include "freefem/arguments.hpp"
 #include "freefem/body_values.hpp"
 
 namespace ffcontact::plugin {
 
-/// Components of an expression in Voigt's order, null where it is not given.
+/// Components of an expression in Voigt's order, all of them null where it is not given.
 template <int d>
 using VoigtExpression = std::array<Expression, voigt_size<d>>;
 
@@ -64,21 +61,20 @@ InitialStress<d> initial_stress_of(Stack stack,
 template <int d>
 class InitialStresses {
  public:
-  /// @param first  cell of each body, and the number of all
-  explicit InitialStresses(const std::vector<int>& first) : first_(first) {}
+  /// @param cells  of all bodies
+  explicit InitialStresses(int cells) : cells_(cells) {}
 
-  /// Reads those of body k. @return their oscillation
-  double read(Stack stack, const NamedArguments& named, int k,
-              const HookeTensors<d>& hooke, const PartOf<d>& part) {
-    const VoigtExpression<d> strain = components(named, "initialstrain", k),
-                             stress = components(named, "initialstress", k);
+  /// Those of one body, as for initial_stress_of. @return their oscillation
+  double add(Stack stack, const VoigtExpression<d>& strain,
+             const VoigtExpression<d>& stress, const HookeTensors<d>& hooke,
+             const PartOf<d>& part) {
     if (!strain[0] && !stress[0]) return 0;
     if (values_.cols() == 0)
-      values_.setZero(LinearStresses<d>::Values::RowsAtCompileTime,
-                      first_.back());
+      values_.setZero(LinearStresses<d>::Values::RowsAtCompileTime, cells_);
     const InitialStress<d> own =
         initial_stress_of<d>(stack, strain, stress, hooke, part);
-    values_.middleCols(first_[k], first_[k + 1] - first_[k]) = own.at_vertices;
+    values_.middleCols(part.first_cell, own.at_vertices.cols()) =
+        own.at_vertices;
     return own.oscillation;
   }
 
@@ -88,17 +84,7 @@ class InitialStresses {
   }
 
  private:
-  VoigtExpression<d> components(const NamedArguments& named, const char* name,
-                                int k) const {
-    const auto bodies = static_cast<int>(first_.size()) - 1;
-    const std::string own = name_of_body(name, k, bodies);
-    VoigtExpression<d> result;
-    for (int c = 0; c < voigt_size<d>; ++c)
-      result[c] = named.component(own, c, voigt_size<d>);
-    return result;
-  }
-
-  const std::vector<int>& first_;
+  int cells_;
   typename LinearStresses<d>::Values values_;  ///< at the vertices of all cells
 };
 

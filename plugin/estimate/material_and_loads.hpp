@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <type_traits>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
@@ -10,13 +9,9 @@
 #include "estimate/initial_stress.hpp"
 #include "estimate/oscillation.hpp"
 #include "estimate/springs.hpp"
-#include "problem/plane_bodies.hpp"
-#include "problem/solid_bodies.hpp"
+#include "problem/bodies_of.hpp"
 
 namespace ffcontact::plugin {
-
-template <int d>
-using BodiesOf = std::conditional_t<d == 2, PlaneBodies, SolidBodies>;
 
 /// Reads what a script says of each body, by the names of its parameters.
 template <int d>
@@ -108,7 +103,7 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
   body.neumann.resize(d * d, joined.first_boundary.back());
   body.body_loads.resize(d * (d + 1), joined.first_cell.back());
   Oscillation all;
-  InitialStresses<d> initial(joined.first_cell);
+  InitialStresses<d> initial(joined.first_cell.back());
   Springs<d> springs(joined.first_boundary.back());
   for (int k = 0; k < bodies.body_count(); ++k) {
     const BodyReader<d> reader(stack, named, bodies, k);
@@ -120,13 +115,12 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
     const BodyForce<d> force = reader.force("bodyforce");
     body.body_loads.middleCols(joined.first_cell[k], force.loads.cols()) =
         force.loads;
-    springs.read(named, k, bodies.body_count(), joined.first_boundary[k],
-                 [&](Expression expression) {
-                   return along_boundary<d>(stack, expression, reader.part(),
-                                            facet_quadrature_hats<d>());
-                 });
-    all.add({force.oscillation,
-             initial.read(stack, named, k, hooke, reader.part())});
+    springs.read(stack, named, bodies.body_count(), reader.part());
+    const double strain =
+        initial.add(stack, reader.template list<voigt_size<d>>("initialstrain"),
+                    reader.template list<voigt_size<d>>("initialstress"), hooke,
+                    reader.part());
+    all.add({force.oscillation, strain});
   }
   body.initial = initial.joined();
   body.springs = std::move(springs.joined);

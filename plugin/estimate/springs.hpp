@@ -8,6 +8,7 @@
 #include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
 //
 #include "freefem/arguments.hpp"
+#include "freefem/body_values.hpp"
 
 namespace ffcontact::plugin {
 
@@ -18,16 +19,16 @@ class Springs {
   /// @param columns  of the joined boundary
   explicit Springs(Index columns) : columns_(columns) {}
 
-  /// Of body k.
-  /// @param first_column  of its boundary
-  /// @param at_points     at_points(expression) at the points of FacetQuadrature, 0 where
-  ///                      the expression is null [points x own boundary]
+  /// Of one body.
   /// @throws std::invalid_argument  for springs at rest and none, and other lists
-  template <class AtPoints>
-  void read(const NamedArguments& named, int k, int bodies, Index first_column,
-            const AtPoints& at_points) {
-    const std::string spring = name_of_body("spring", k, bodies),
-                      rest = name_of_body("rest", k, bodies);
+  void read(Stack stack, const NamedArguments& named, int bodies,
+            const PartOf<d>& part) {
+    const auto at_points = [&](Expression expression) {
+      return along_boundary<d>(stack, expression, part,
+                               facet_quadrature_hats<d>());
+    };
+    const std::string spring = name_of_body("spring", part.body, bodies),
+                      rest = name_of_body("rest", part.body, bodies);
     if (!named.given(spring)) {
       if (named.given(rest)) refuse(rest, "= is for ", spring, "=");
       return;
@@ -35,10 +36,11 @@ class Springs {
     if (joined.empty()) joined = BoundarySprings<d>(columns_);
     const std::array<Expression, components> K = stiffness_of(named, spring);
     for (int c = 0; c < components; ++c)
-      put_rows(at_points(K[c]), c, components, first_column, joined.stiffness);
+      put_rows(at_points(K[c]), c, components, part.first_boundary,
+               joined.stiffness);
     for (int c = 0; c < d; ++c)
-      put_rows(at_points(named.component(rest, c, d)), c, d, first_column,
-               joined.rest);
+      put_rows(at_points(named.component(rest, c, d)), c, d,
+               part.first_boundary, joined.rest);
   }
 
   BoundarySprings<d> joined;

@@ -21,7 +21,7 @@ using PartOf = std::conditional_t<d == 2, BodyPart, SolidPart>;
 template <int d>
 using PointOf = std::conditional_t<d == 2, PlanePoint, SolidPoint>;
 
-/// Components, null where they are not given.
+/// Components, all of them null where they are not given.
 template <int d>
 using VectorExpression = std::array<Expression, d>;
 
@@ -126,8 +126,8 @@ FacetColumns<d> traction_moments(Stack stack, const VectorExpression<d>& F,
   const Matrix<double, d, Dynamic> hats = facet_quadrature_hats<d>();
   FacetColumns<d> moments =
       FacetColumns<d>::Zero(d * d, boundary_count<d>(part));
+  if (!F[0]) return moments;
   for (int c = 0; c < d; ++c) {
-    if (!F[c]) continue;
     const MatrixXd values = along_boundary<d>(stack, F[c], part, hats);
     for (int f = 0; f < values.cols(); ++f) {
       const double measure =
@@ -141,16 +141,17 @@ FacetColumns<d> traction_moments(Stack stack, const VectorExpression<d>& F,
   return moments;
 }
 
-/// Components at points of one cell, 0 where they are null [size x points].
+/// Components at points of one cell, 0 where they are not given [size x points].
 template <int d, std::size_t size>
 Matrix<double, static_cast<int>(size), Dynamic> in_cell(
     PointOf<d>& point, int t, const std::array<Expression, size>& expression,
     const Matrix<double, d + 1, Dynamic>& hats) {
   Matrix<double, static_cast<int>(size), Dynamic> values(size, hats.cols());
+  if (!expression[0]) return values.setZero();
   for (Index q = 0; q < hats.cols(); ++q) {
     point.go_to_cell(t, hats.col(q));
     for (std::size_t c = 0; c < size; ++c)
-      values(c, q) = expression[c] ? point.value(expression[c]) : 0;
+      values(c, q) = point.value(expression[c]);
   }
   return values;
 }

@@ -8,8 +8,7 @@
 //
 #include "freefem/arguments.hpp"
 #include "parallel/team.hpp"
-#include "problem/plane_bodies.hpp"
-#include "problem/solid_bodies.hpp"
+#include "problem/bodies_of.hpp"
 
 namespace ffcontact::plugin {
 
@@ -18,13 +17,11 @@ template <int dim>
 struct OfDimension;
 template <>
 struct OfDimension<2> {
-  using Bodies = PlaneBodies;
   using FemMesh = pmesh;
   static Mesh mesh_of(pmesh mesh) { return plugin::mesh_of(mesh); }
 };
 template <>
 struct OfDimension<3> {
-  using Bodies = SolidBodies;
   using FemMesh = pmesh3;
   static SolidMesh mesh_of(pmesh3 mesh) { return solid_mesh_of(mesh); }
 };
@@ -33,7 +30,7 @@ struct OfDimension<3> {
 /// all parts are in the whole.
 template <int dim>
 struct SharedBodies {
-  typename OfDimension<dim>::Bodies own;
+  BodiesOf<dim> own;
   /// of each body, without its whole mesh; process 0 only, as all that follows
   std::vector<MeshParts<dim>> parts;
   /// of each process: its joined vertices, cells and boundary columns in the joined whole

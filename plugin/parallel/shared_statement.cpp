@@ -76,8 +76,7 @@ SharedStatement<dim> state_shared(
   contact.team = team;
   std::optional<SharedBodies<dim>> bodies;
   const auto own = [&] {
-    bodies.emplace(SharedBodies<dim>{
-        typename OfDimension<dim>::Bodies(meshes), {}, {}, {}, {}});
+    bodies.emplace(SharedBodies<dim>{BodiesOf<dim>(meshes), {}, {}, {}, {}});
     return part_packet<dim>(stack, named, meshes, *bodies);
   };
   together(
