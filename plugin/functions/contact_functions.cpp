@@ -42,17 +42,17 @@ class ContactSolve : public E_F0mps {
  private:
   static NamedArguments::Table table() {
     NamedArguments::Table table = {
-        {"multiplier", &typeid(string*)},  {"solver", &typeid(string*)},
-        {"schur", &typeid(string*)},       {"maxit", &typeid(long)},
-        {"tol", &typeid(double)},          {"initial", &typeid(KN_<long>)},
-        {"loadstep", &typeid(bool)},       {"verbosity", &typeid(long)},
-        {"node", &typeid(KN<long>*)},      {"abscissa", &typeid(KN<double>*)},
-        {"state", &typeid(KN<long>*)},     {"violation", &typeid(double*)},
-        {"push", &typeid(E_Array)},        {"moment", &typeid(double)},
-        {"about", &typeid(E_Array)},       {"guide", &typeid(E_Array)},
-        {"tool", &typeid(KN<double>*)},    {"status", &typeid(long*)},
-        {"history", &typeid(KN<double>*)}, {"opennodes", &typeid(long*)},
-        {"sticknodes", &typeid(long*)},    {"slipnodes", &typeid(long*)}};
+        {"multiplier", &typeid(string*)},   {"solver", &typeid(string*)},
+        {"maxit", &typeid(long)},           {"tol", &typeid(double)},
+        {"initial", &typeid(KN_<long>)},    {"loadstep", &typeid(bool)},
+        {"verbosity", &typeid(long)},       {"node", &typeid(KN<long>*)},
+        {"abscissa", &typeid(KN<double>*)}, {"state", &typeid(KN<long>*)},
+        {"violation", &typeid(double*)},    {"push", &typeid(E_Array)},
+        {"moment", &typeid(double)},        {"about", &typeid(E_Array)},
+        {"guide", &typeid(E_Array)},        {"tool", &typeid(KN<double>*)},
+        {"status", &typeid(long*)},         {"history", &typeid(KN<double>*)},
+        {"opennodes", &typeid(long*)},      {"sticknodes", &typeid(long*)},
+        {"slipnodes", &typeid(long*)}};
     for (const NodalArray& array : nodal_arrays)
       table.push_back({array.name, &typeid(KN<double>*)});
     return table;

@@ -50,11 +50,9 @@ class MpiProcesses : public Processes {
     return bytes;
   }
 
-  std::unique_ptr<SharedFactor> factorised(
-      MatrixPart part, int rows, int kept, Precision precision,
-      SchurStorage storage) const override {
-    return mumps_factor(of_factors_, std::move(part), rows, kept, precision,
-                        storage);
+  std::unique_ptr<SharedFactor> factorised(MatrixPart part, int rows, int kept,
+                                           Precision precision) const override {
+    return mumps_factor(of_factors_, std::move(part), rows, kept, precision);
   }
 
  private:

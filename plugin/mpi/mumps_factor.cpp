@@ -55,32 +55,11 @@ struct Mumps<float> {
   static void run(Data& data) { smumps_c(&data); }
 };
 
-/// Rows and columns that Schur's complement is dealt in at a time.
-constexpr int length_of_runs = 64;
-
-/// The processes as a grid, row by row, as square as their number allows.
-struct Grid {
-  int rows = 1, columns = 1;
-
-  explicit Grid(MPI_Comm communicator) {
-    int count = 1;
-    MPI_Comm_size(communicator, &count);
-    for (int k = 2; k * k <= count; ++k)
-      if (count % k == 0) rows = k;
-    columns = count / rows;
-  }
-};
-
 template <class Scalar>
 class MumpsFactor : public SharedFactor {
  public:
-  MumpsFactor(MPI_Comm communicator, MatrixPart part, int rows, int kept,
-              SchurStorage storage)
-      : communicator_(communicator),
-        rows_(rows),
-        kept_(kept),
-        storage_(storage),
-        grid_(communicator) {
+  MumpsFactor(MPI_Comm communicator, MatrixPart part, int rows, int kept)
+      : communicator_(communicator), rows_(rows), kept_(kept) {
     MPI_Comm_rank(communicator, &rank_);
     mumps_.par = host_works;
     mumps_.sym = positive_definite;
@@ -106,14 +85,6 @@ class MumpsFactor : public SharedFactor {
     mirror_lower(schur_);
     const auto schur = std::move(schur_);
     return schur.template cast<double>();
-  }
-
-  SchurBlock take_block() override {
-    return {
-        dealt_numbers(kept_, length_of_runs, rank_ / grid_.columns, grid_.rows),
-        dealt_numbers(kept_, length_of_runs, rank_ % grid_.columns,
-                      grid_.columns),
-        std::move(schur_)};
   }
 
   /// The load on the kept rows goes past MUMPS, which would round it.
@@ -161,12 +132,12 @@ class MumpsFactor : public SharedFactor {
 
   void settle() {
     constexpr int silent = 0, distributed_entries = 3, given_order = 1,
-                  on_host = 1, by_blocks = 3, sequential = 1;
+                  on_host = 1, sequential = 1;
     for (int output : {1, 2, 3, 4}) control(output) = silent;
     control(7) = given_order;
     control(14) = first_reserve;
     control(18) = distributed_entries;
-    control(19) = storage_ == SchurStorage::whole ? on_host : by_blocks;
+    control(19) = on_host;
     control(28) = sequential;
   }
 
@@ -217,20 +188,14 @@ class MumpsFactor : public SharedFactor {
     std::iota(list_.begin(), list_.end(), rows_ - kept_ + 2);
     mumps_.size_schur = kept_;
     mumps_.listvar_schur = list_.data();
-    mumps_.nprow = grid_.rows;
-    mumps_.npcol = grid_.columns;
-    mumps_.mblock = mumps_.nblock = length_of_runs;
   }
 
-  /// Of the analysis each process knows the size of its block. One that has no memory
-  /// says so to all, who would wait for it.
+  /// Process 0, if it has no memory, says so to all, who would wait for it.
   void make_room_for_schur() {
-    const bool whole = storage_ == SchurStorage::whole;
     const Index host = rank_ == 0 ? kept_ : 0;
     int there = 1, everywhere = 1;
     try {
-      schur_.setZero(whole ? host : mumps_.schur_mloc,
-                     whole ? host : mumps_.schur_nloc);
+      schur_.setZero(host, host);
     } catch (const std::bad_alloc&) {
       there = 0;
     }
@@ -264,8 +229,6 @@ class MumpsFactor : public SharedFactor {
   MPI_Comm communicator_;
   typename Mumps<Scalar>::Data mumps_{};
   int rank_ = 0, rows_, kept_;
-  SchurStorage storage_;
-  Grid grid_;
   std::vector<int> list_;
   Matrix<Scalar, Dynamic, Dynamic> schur_;
   Values solution_, reduced_;
@@ -276,13 +239,12 @@ class MumpsFactor : public SharedFactor {
 
 std::unique_ptr<SharedFactor> mumps_factor(MPI_Comm communicator,
                                            MatrixPart part, int rows, int kept,
-                                           Precision precision,
-                                           SchurStorage storage) {
+                                           Precision precision) {
   if (precision == Precision::single)
     return std::make_unique<MumpsFactor<float>>(communicator, std::move(part),
-                                                rows, kept, storage);
+                                                rows, kept);
   return std::make_unique<MumpsFactor<double>>(communicator, std::move(part),
-                                               rows, kept, storage);
+                                               rows, kept);
 }
 
 }  // namespace ffcontact::plugin

@@ -7,9 +7,7 @@
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/elastic/factor/precision.hpp"
-#include "ffcontact/elastic/factor/schur_products.hpp"
 #include "ffcontact/parallel/messages.hpp"
-#include "ffcontact/parallel/schur_block.hpp"
 
 namespace ffcontact::plugin {
 
@@ -29,8 +27,6 @@ class SharedFactor {
 
   /// Schur's complement of the kept rows [kept x kept] on process 0; nothing elsewhere.
   virtual MatrixXd take_schur() = 0;
-  /// This process's block of one that is distributed, in the factor's precision.
-  virtual SchurBlock take_block() = 0;
   /// g = b_c - K_ci K_ii^-1 b_i of a load that process 0 gives [kept].
   virtual VectorXd condensed(const VectorXd& load) = 0;
   /// x with these x_c that balances the last load on the other rows, on process 0.
@@ -40,13 +36,11 @@ class SharedFactor {
 /// Processes that solve one problem together.
 class Processes : public Messages {
  public:
-  /// @param rows     of the whole matrix, and how many of them are kept
-  /// @param storage  of Schur's complement
+  /// @param rows  of the whole matrix, and how many of them are kept
   /// @throws std::runtime_error  on all processes, if the matrix is not positive definite
   ///                             or memory is missing on one
   virtual std::unique_ptr<SharedFactor> factorised(
-      MatrixPart part, int rows, int kept, Precision precision,
-      SchurStorage storage) const = 0;
+      MatrixPart part, int rows, int kept, Precision precision) const = 0;
 };
 
 /// Makes processes of a script's communicator (mpiCommWorld).

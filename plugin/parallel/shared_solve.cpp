@@ -111,10 +111,9 @@ SharedSystem joined_system(const SharedContact& contact,
     systems.push_back(system_in(packets[r], dim));
   const auto factorise = [&contact, &bodies, &own](const ElasticSystem& system,
                                                    const std::vector<int>& kept,
-                                                   Precision precision,
-                                                   SchurStorage storage) {
+                                                   Precision precision) {
     return std::make_shared<const SharedStiffness>(
-        contact.team, bodies.dofs(), own, system, kept, precision, storage);
+        contact.team, bodies.dofs(), own, system, kept, precision);
   };
   return {joined_parts(systems, bodies.vertex), factorise};
 }

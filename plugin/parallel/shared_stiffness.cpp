@@ -18,43 +18,16 @@ namespace {
 /// What each process has to know of an order.
 std::vector<FactorOrder> orders_of(const std::vector<std::vector<int>>& dofs,
                                    const std::vector<int>& order, int kept,
-                                   Precision precision, SchurStorage storage,
-                                   const VectorXd& scale) {
+                                   Precision precision, const VectorXd& scale) {
   const std::vector<int> place = places(order, scale.size());
   std::vector<FactorOrder> orders;
   for (const std::vector<int>& own : dofs) {
-    FactorOrder of_part{count_of(order), kept, precision,
-                        storage,         {},   scale(own)};
+    FactorOrder of_part{count_of(order), kept, precision, {}, scale(own)};
     for (int dof : own) of_part.place.push_back(place[dof]);
     orders.push_back(std::move(of_part));
   }
   return orders;
 }
-
-/// S = R^-1 S' R^-1 of the S' that processes hold.
-class TeamSchur : public SchurProducts {
- public:
-  TeamSchur(std::shared_ptr<const Team> team, long factor, const VectorXd& R)
-      : team_(std::move(team)), factor_(factor), inverse_(R.cwiseInverse()) {}
-
-  Index size() const override { return inverse_.size(); }
-  VectorXd product(const VectorXd& x) const override {
-    return inverse_.cwiseProduct(
-        team_->schur_product(factor_, inverse_.cwiseProduct(x)));
-  }
-  MatrixXd congruent(const SparseMatrix& R) const override {
-    return team_->schur_congruent(factor_, inverse_.asDiagonal() * R);
-  }
-  SparseMatrix diagonal_blocks(const std::vector<int>& group) const override {
-    return inverse_.asDiagonal() *
-           team_->schur_diagonal_blocks(factor_, group) * inverse_.asDiagonal();
-  }
-
- private:
-  std::shared_ptr<const Team> team_;
-  long factor_;
-  VectorXd inverse_;
-};
 
 }  // namespace
 
@@ -80,19 +53,16 @@ SharedStiffness::SharedStiffness(std::shared_ptr<Team> team,
                                  const ElasticSystem& own,
                                  const ElasticSystem& system,
                                  const std::vector<int>& kept,
-                                 Precision precision, SchurStorage storage)
+                                 Precision precision)
     : team_(std::move(team)),
       precision_(precision),
-      storage_(storage),
       kept_(count_of(kept)),
-      order_(elimination_order(
-          system, required_kept(system, kept, storage, team_->count()))),
+      order_(elimination_order(system, required_kept(system, kept))),
       scale_(inverse_roots(system)) {
   std::tie(factor_, schur_) = team_->factorise(
-      orders_of(dofs, order_, count_of(kept), precision, storage, scale_),
+      orders_of(dofs, order_, count_of(kept), precision, scale_),
       [&own](const FactorOrder& order) { return matrix_part(own, order); });
-  if (storage == SchurStorage::whole)
-    schur_ = unscaled(std::move(schur_), scale_(kept));
+  schur_ = unscaled(std::move(schur_), scale_(kept));
   require_regular(system);
 }
 
@@ -108,13 +78,6 @@ void SharedStiffness::require_regular(const ElasticSystem& system) const {
   const VectorXd found = extended(condensed(system.stiffness * u), kept);
   const VectorXd wrong = (found - u)(order_).cwiseQuotient(scale_(order_));
   if (!(max_norm(wrong) <= much)) fail_as_singular();
-}
-
-std::unique_ptr<const SchurProducts> SharedStiffness::products() const {
-  if (storage_ == SchurStorage::whole)
-    return std::make_unique<const WholeSchur>(schur_);
-  return std::make_unique<const TeamSchur>(team_, factor_,
-                                           scale_(order_).tail(kept_count()));
 }
 
 CondensedStiffness::Load SharedStiffness::condensed(

@@ -15,17 +15,11 @@ class SharedStiffness : public CondensedStiffness {
   SharedStiffness(std::shared_ptr<Team> team,
                   const std::vector<std::vector<int>>& dofs,
                   const ElasticSystem& own, const ElasticSystem& system,
-                  const std::vector<int>& kept, Precision precision,
-                  SchurStorage storage);
+                  const std::vector<int>& kept, Precision precision);
   ~SharedStiffness() override;
 
   Precision precision() const override { return precision_; }
-  SchurStorage storage() const override { return storage_; }
-  const MatrixXd& schur() const override {
-    require_whole(storage_);
-    return schur_;
-  }
-  std::unique_ptr<const SchurProducts> products() const override;
+  const MatrixXd& schur() const override { return schur_; }
   Load condensed(const Ref<const VectorXd>& load) const override;
   VectorXd extended(Load load, const Ref<const VectorXd>& kept) const override;
 
@@ -35,7 +29,6 @@ class SharedStiffness : public CondensedStiffness {
 
   std::shared_ptr<Team> team_;
   Precision precision_;
-  SchurStorage storage_;
   Index kept_;
   std::vector<int> order_;  ///< the free dofs, the kept ones last
   VectorXd scale_;          ///< diag(K)^-1/2 [all dofs]

@@ -19,21 +19,7 @@ MakeProcesses& maker() {
 
 void put(Packet& packet, const FactorOrder& order) {
   packet.put(order.rows).put(order.kept).put(order.precision);
-  packet.put(order.storage);
   packet.put(order.place).put(order.scale);
-}
-
-void put(Packet& packet, const SparseMatrix& matrix) {
-  Triplets entries;
-  for (Index j = 0; j < matrix.cols(); ++j)
-    for (SparseMatrix::InnerIterator e(matrix, j); e; ++e)
-      entries.emplace_back(e.row(), e.col(), e.value());
-  packet.put(matrix.rows()).put(matrix.cols()).put(entries);
-}
-
-SparseMatrix matrix_in(Packet& packet) {
-  const auto rows = packet.take<Index>(), columns = packet.take<Index>();
-  return packed(rows, columns, packet.take<Triplets>());
 }
 
 FactorOrder order_in(Packet& packet) {
@@ -41,7 +27,6 @@ FactorOrder order_in(Packet& packet) {
   order.rows = packet.take<int>();
   order.kept = packet.take<int>();
   order.precision = packet.take<Precision>();
-  order.storage = packet.take<SchurStorage>();
   order.place = packet.take<std::vector<int>>();
   order.scale = packet.take<VectorXd>();
   return order;
@@ -81,19 +66,12 @@ void Team::release(int rank, const Packet& results) const {
 }
 
 void Team::make(long number, MatrixPart part, const FactorOrder& order) {
-  auto factor = processes_->factorised(std::move(part), order.rows, order.kept,
-                                       order.precision, order.storage);
-  if (order.storage == SchurStorage::distributed)
-    blocks_[number] = factor->take_block();
-  factors_[number] = std::move(factor);
+  factors_[number] = processes_->factorised(std::move(part), order.rows,
+                                            order.kept, order.precision);
 }
 
 void Team::forget(const std::vector<long>& factors) {
-  for (long factor : factors) {
-    factors_.erase(factor);
-    blocks_.erase(factor);
-    rows_.erase(factor);
-  }
+  for (long factor : factors) factors_.erase(factor);
 }
 
 std::pair<long, MatrixXd> Team::factorise(
@@ -112,60 +90,11 @@ std::pair<long, MatrixXd> Team::factorise(
   tell_all(Word::factorise);
   forget(discarded);
   make(number, std::move(part), orders[0]);
-  if (orders[0].storage == SchurStorage::whole)
-    return {number, factor_of(number).take_schur()};
-  rows_[number] = {block_of(number).row};
-  for (int r = 1; r < count(); ++r)
-    rows_[number].push_back(answer_of(r).take<std::vector<int>>());
-  return {number, MatrixXd()};
+  return {number, factor_of(number).take_schur()};
 }
 
 SharedFactor& Team::factor_of(long number) const {
   return *entry_of(factors_, number, "factor of this number");
-}
-
-const SchurBlock& Team::block_of(long number) const {
-  return entry_of(blocks_, number, "block of this number");
-}
-
-VectorXd Team::schur_product(long factor, const VectorXd& x) const {
-  tell_all(Word::multiply, Packet().put(factor).put(x));
-  const auto& rows = entry_of(rows_, factor, "rows of this factor");
-  VectorXd y = VectorXd::Zero(x.size());
-  y(rows[0]) += product_part(block_of(factor), x);
-  for (int r = 1; r < count(); ++r) y(rows[r]) += answer_of(r).take<VectorXd>();
-  return y;
-}
-
-MatrixXd Team::schur_congruent(long factor, const SparseMatrix& R) const {
-  Packet packet;
-  packet.put(factor);
-  put(packet, R);
-  tell_all(Word::reduce, packet);
-  MatrixXd sum = congruent_part(block_of(factor), R);
-  for (int r = 1; r < count(); ++r) sum += answer_of(r).take<MatrixXd>();
-  return sum;
-}
-
-SparseMatrix Team::schur_diagonal_blocks(long factor,
-                                         const std::vector<int>& group) const {
-  tell_all(Word::show_diagonal, Packet().put(factor).put(group));
-  Triplets entries = diagonal_part(block_of(factor), group);
-  for (int r = 1; r < count(); ++r) {
-    const auto others = answer_of(r).take<Triplets>();
-    entries.insert(entries.end(), others.begin(), others.end());
-  }
-  return packed(count_of(group), count_of(group), entries);
-}
-
-void Team::answer_about_schur(Word word, Packet& packet) const {
-  const SchurBlock& block = block_of(packet.take<long>());
-  if (word == Word::multiply)
-    answer(Packet().put(product_part(block, packet.take<VectorXd>())));
-  else if (word == Word::reduce)
-    answer(Packet().put(congruent_part(block, matrix_in(packet))));
-  else
-    answer(Packet().put(diagonal_part(block, packet.take<std::vector<int>>())));
 }
 
 VectorXd Team::condensed(long factor, const VectorXd& load) const {
@@ -232,14 +161,8 @@ Packet Team::served(const Service& service) {
       case Word::factorise:
         forget(discarded);
         make(number, std::exchange(part, {}), order);
-        if (order.storage == SchurStorage::whole)
-          factor_of(number).take_schur();
-        else
-          answer(Packet().put(block_of(number).row));
+        factor_of(number).take_schur();
         break;
-      case Word::multiply:
-      case Word::reduce:
-      case Word::show_diagonal: answer_about_schur(word, packet); break;
       case Word::condense: factor_of(packet.take<long>()).condensed({}); break;
       case Word::extend: factor_of(packet.take<long>()).extended({}); break;
       case Word::share:

@@ -21,7 +21,6 @@ namespace ffcontact::plugin {
 struct FactorOrder {
   int rows, kept;
   Precision precision;
-  SchurStorage storage;
   std::vector<int> place;  ///< of each dof; -1: it has none
   VectorXd scale;
 };
@@ -54,21 +53,13 @@ class Team {
   void release(int rank, const Packet& results) const;
   /// @param orders  of each process
   /// @param own     the part of process 0
-  /// @return the factor's number, and Schur's complement where it is whole
+  /// @return the factor's number, and Schur's complement
   /// @throws std::runtime_error  as Processes::factorised
   std::pair<long, MatrixXd> factorise(
       const std::vector<FactorOrder>& orders,
       const std::function<MatrixPart(const FactorOrder&)>& own);
   VectorXd condensed(long factor, const VectorXd& load) const;
   VectorXd extended(long factor, const VectorXd& kept) const;
-  /// @name Schur's complement that is distributed, as SchurProducts; what processes find
-  /// is added in their order
-  /// @{
-  VectorXd schur_product(long factor, const VectorXd& x) const;
-  MatrixXd schur_congruent(long factor, const SparseMatrix& R) const;
-  SparseMatrix schur_diagonal_blocks(long factor,
-                                     const std::vector<int>& group) const;
-  /// @}
   /// It goes when the next one is made.
   void discard(long factor) noexcept;
   /// relax_facets by all.
@@ -99,9 +90,6 @@ class Team {
     factorise,
     condense,
     extend,
-    multiply,
-    reduce,
-    show_diagonal,
     share,
     relax,
     done,
@@ -115,14 +103,9 @@ class Team {
   void make(long number, MatrixPart part, const FactorOrder& order);
   void forget(const std::vector<long>& factors);
   SharedFactor& factor_of(long number) const;
-  const SchurBlock& block_of(long number) const;
-  void answer_about_schur(Word word, Packet& packet) const;
 
   std::unique_ptr<Processes> processes_;
   std::map<long, std::unique_ptr<SharedFactor>> factors_;
-  std::map<long, SchurBlock> blocks_;  ///< of those that are distributed
-  /// the rows of all processes' blocks, on process 0
-  std::map<long, std::vector<std::vector<int>>> rows_;
   std::vector<long> discarded_;
   long last_ = 0;
 };

@@ -124,10 +124,6 @@ void warn_that_triangles_lock(const ContactProblem& problem,
 ContactSettings settings_of(const SolveCall& call, const Contact& contact,
                             const ElasticSystem& system, ContactStates last) {
   ContactSettings settings = settings_of(call, std::move(last), 2);
-  if (settings.storage == SchurStorage::distributed)
-    refuse(
-        "schur=\"distributed\" is for solids: lines of plane bodies have few "
-        "contact dofs");
   if (contact.solved && is_same(*contact.solved->system, system))
     settings.stiffness = contact.solved->solution.stiffness;
   return settings;

@@ -149,12 +149,8 @@ ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
     settings.state_of_another_mesh = !contact.solved;
     settings.near = std::move(last.rows);
   }
-  if (contact.solved && is_same(*contact.solved->system, system)) {
-    const auto& stiffness = contact.solved->solution.stiffness;
-    if (stiffness && (!call.named.given("schur") ||
-                      stiffness->storage() == settings.storage))
-      settings.stiffness = stiffness;
-  }
+  if (contact.solved && is_same(*contact.solved->system, system))
+    settings.stiffness = contact.solved->solution.stiffness;
   return settings;
 }
 

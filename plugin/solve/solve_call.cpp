@@ -78,8 +78,7 @@ void put_solver(Stack stack, const NamedArguments& named, int dim,
         "solved by a factor");
   if (chosen == Solver::fixed_point)
     settings.solver = ContactSolver::fixed_point;
-  if (chosen == Solver::direct || named.given("schur"))
-    settings.linear = LinearSolver::direct;
+  if (chosen == Solver::direct) settings.linear = LinearSolver::direct;
   if (chosen == Solver::multigrid) settings.linear = LinearSolver::multigrid;
 }
 
@@ -115,9 +114,6 @@ ContactSettings settings_of(const SolveCall& call, ContactStates states,
   const NamedArguments& named = call.named;
   ContactSettings settings;
   put_solver(stack, named, dim, settings);
-  settings.storage = named.choice(stack, "schur", settings.storage,
-                                  {{"whole", SchurStorage::whole},
-                                   {"distributed", SchurStorage::distributed}});
   settings.max_iterations =
       static_cast<int>(named.integer(stack, "maxit", settings.max_iterations));
   settings.tolerance = named.number(stack, "tol", settings.tolerance);

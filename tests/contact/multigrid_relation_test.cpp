@@ -197,7 +197,7 @@ TEST(MultigridRelation, is_refused_where_nodes_share_a_vertex) {
   EXPECT_EQ(refusal([&] { problem.solve(by(LinearSolver::multigrid)); }),
             "solver=\"multigrid\" is for solids whose contact surfaces have "
             "no edges and move where they face what moves, without "
-            "compliance=, on one process: leave it out");
+            "compliance=: leave it out");
 }
 
 }  // namespace

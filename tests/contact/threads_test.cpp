@@ -23,14 +23,14 @@ TEST(Threads, do_not_change_a_digit_of_contact) {
   }
 }
 
-/// Large enough for threads to share the factor; in both precisions, and by products.
+/// Large enough for threads to share the factor; in both precisions, and by multigrid.
 TEST(Threads, do_not_change_a_digit_of_contact_of_solids) {
   const SolidProblem problem =
       block_problem(brick({24, 12, 12}, {80, 40, 40}), BlockCase::press_x, 0.5);
-  ContactSettings in_double, in_single, by_products;
+  ContactSettings in_double, in_single, by_multigrid;
   in_single.single_precision_from = 0;
-  by_products.storage = SchurStorage::distributed;
-  for (const ContactSettings& settings : {in_double, in_single, by_products}) {
+  by_multigrid.linear = LinearSolver::multigrid;
+  for (const ContactSettings& settings : {in_double, in_single, by_multigrid}) {
     const auto solve = [&] { return problem.solve(settings); };
     const SurfaceSolution one = on_threads(1, solve),
                           two = on_threads(2, solve);

@@ -36,10 +36,9 @@ std::shared_ptr<const CondensedStiffness> prepared_stiffness(
   tell(settings.report,
        {"factorisation", 0, "dofs", static_cast<double>(system.dof_count())});
   if (settings.factorise)
-    return settings.factorise(system, contact_dofs, precision,
-                              settings.storage);
-  return std::make_shared<const CondensedStiffness>(
-      system, contact_dofs, precision, settings.storage, settings.report);
+    return settings.factorise(system, contact_dofs, precision);
+  return std::make_shared<const CondensedStiffness>(system, contact_dofs,
+                                                    precision, settings.report);
 }
 
 /// By the chosen solver, from the chosen states.

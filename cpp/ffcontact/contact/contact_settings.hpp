@@ -46,11 +46,8 @@ struct ContactSettings {
   /// factorises K for kept dofs where it is not done on this machine alone; null: here
   std::function<std::shared_ptr<const CondensedStiffness>(
       const ElasticSystem& system, const std::vector<int>& kept,
-      Precision precision, SchurStorage storage)>
+      Precision precision)>
       factorise{};
-  /// of Schur's complement; a surface takes distributed by itself where the whole has no
-  /// room, and solves by products alone then (ProductRelation): forces as multipliers
-  SchurStorage storage = SchurStorage::whole;
   /// free dofs from which on a solid that prescribed displacements hold is factored in
   /// single precision, and its answer corrected
   int single_precision_from = 30000;

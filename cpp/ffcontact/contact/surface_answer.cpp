@@ -2,7 +2,6 @@
 #include "ffcontact/contact/surface_answer.hpp"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
@@ -26,23 +25,21 @@ int systems_left(const NewtonSettings& limits, const ActiveSetResult& answer) {
   return found ? 0 : limits.max_iterations - answer.iterations;
 }
 
-/// Newton from the given states, or from rows near the answer, and where these lead
-/// nowhere from sticking nodes.
-template <class Relation, class Start>
-ActiveSetResult newton_answer(Relation& relation, const NodalLaw& law,
-                              const Flags& held, const Start& start,
+/// Newton from the given states, and where these lead nowhere from sticking nodes.
+ActiveSetResult newton_answer(const CondensedContact& contact,
+                              const NodalLaw& law, const Flags& held,
+                              const ContactStates& start,
                               const NewtonSettings& limits) {
   const ContactStates stick = all_stick(law.node_count());
   const auto first_of = [&limits](int left) {
     return limits.with_at_most(std::min(most_newton_systems, left));
   };
-  ActiveSetResult best = surface_newton(relation, law, held, start,
+  ActiveSetResult best = surface_newton(contact, law, held, start,
                                         first_of(limits.max_iterations));
   const int left = limits.max_iterations - best.iterations;
-  if (best.status == ContactStatus::converged || left <= 0) return best;
-  if constexpr (std::is_same_v<Start, ContactStates>)
-    if (start == stick) return best;
-  best.add(surface_newton(relation, law, held, stick, first_of(left)));
+  if (best.status == ContactStatus::converged || left <= 0 || start == stick)
+    return best;
+  best.add(surface_newton(contact, law, held, stick, first_of(left)));
   return best;
 }
 
@@ -61,31 +58,6 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
               : surface_newton(contact, law, held,
                                settings.first_states(law.node_count()), solver,
                                limits);
-}
-
-FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
-                                const Flags& held,
-                                const std::optional<ContactRows>& near,
-                                const ContactSettings& settings) {
-  const ContactStates start = settings.first_states(law.node_count());
-  NewtonSettings limits{settings.max_iterations, settings.tolerance,
-                        settings.report};
-  FixedPointResult result;
-  if (settings.solver == ContactSolver::newton) {
-    result.answer = near ? newton_answer(relation, law, held, *near, limits)
-                         : newton_answer(relation, law, held, start, limits);
-    const int left = systems_left(limits, result.answer);
-    if (left == 0) return result;
-    limits = limits.with_at_most(left);
-  }
-  FixedPointResult fixed =
-      surface_fixed_point(relation, law, held, start, limits);
-  result.history = std::move(fixed.history);
-  if (settings.solver == ContactSolver::newton)
-    result.answer.add(std::move(fixed.answer));
-  else
-    result.answer = std::move(fixed.answer);
-  return result;
 }
 
 FixedPointResult surface_answer(const CondensedContact& contact,

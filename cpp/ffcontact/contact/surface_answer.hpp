@@ -33,12 +33,4 @@ ActiveSetResult rough_answer(const CondensedContact& contact,
                              const ContactSettings& settings,
                              StepSolver& solver);
 
-/// On a relation without dense matrices: surface_newton from near or the chosen states, then
-/// from sticking nodes, then surface_fixed_point; or the latter alone. Paths of friction
-/// and springs need factors, which there are not.
-FixedPointResult product_answer(NewtonRelation& relation, const NodalLaw& law,
-                                const Flags& held,
-                                const std::optional<ContactRows>& near,
-                                const ContactSettings& settings);
-
 }  // namespace ffcontact

@@ -8,9 +8,8 @@
 
 namespace ffcontact {
 
-/// The relation between P and v of a stated surface, and the law solved on it, whatever
-/// form Schur's complement has: CondensedContact, or ProductRelation where it is
-/// distributed.
+/// The relation between P and v of a stated surface, and the law solved on it: by
+/// CondensedContact, or by multigrid_relation.
 class SurfaceRelation {
  public:
   virtual ~SurfaceRelation() = default;

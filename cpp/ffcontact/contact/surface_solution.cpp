@@ -12,12 +12,10 @@
 #include "ffcontact/contact/checks/surface_balance.hpp"
 #include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
-#include "ffcontact/contact/matrix_free/product_relation.hpp"
 #include "ffcontact/contact/multigrid/step_multigrid.hpp"
 #include "ffcontact/contact/multigrid_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
-#include "ffcontact/elastic/factor/scaled_stiffness.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -208,7 +206,7 @@ SurfaceSolution balanced(const SolidMesh& mesh, const StatedSurface& stated,
 
 bool can_take_multigrid(const StatedSurface& stated) {
   return stated.settings.solver == ContactSolver::newton &&
-         !stated.settings.factorise && has_own_unknowns(stated.trace);
+         has_own_unknowns(stated.trace);
 }
 
 /// Where it is asked for, or pays and there is no factor yet.
@@ -218,8 +216,8 @@ bool takes_multigrid(const StatedSurface& stated) {
   if (settings.linear == LinearSolver::multigrid && !can)
     refuse(
         "solver=\"multigrid\" is for solids whose contact surfaces have no "
-        "edges and move where they face what moves, without compliance=, on "
-        "one process: leave it out");
+        "edges and move where they face what moves, without compliance=: "
+        "leave it out");
   if (settings.linear != LinearSolver::automatic)
     return settings.linear == LinearSolver::multigrid;
   return can && !settings.stiffness &&
@@ -260,32 +258,18 @@ SurfaceSolution factored_solution(const SolidMesh& mesh,
                   }));
 }
 
-/// Distributed where that is asked for or where one matrix has no room.
-SchurStorage storage_of(const ContactSettings& settings, int kept) {
-  if (settings.stiffness) return settings.stiffness->storage();
-  const bool has_room =
-      has_room_for_schur(kept, SchurStorage::whole, memory_of_the_machine());
-  return has_room ? settings.storage : SchurStorage::distributed;
-}
-
 }  // namespace
 
 SurfaceSolution solve_contact(const SolidMesh& mesh,
                               const ContactSurface& surface,
                               const SurfaceLaw& law,
                               const ElasticSystem& system,
-                              const ContactSettings& given) {
-  require_sound(mesh, surface, law, system, given);
+                              const ContactSettings& settings) {
+  require_sound(mesh, surface, law, system, settings);
   SurfaceTrace trace = surface_trace(surface, law, system);
   trace.trace.free_motions =
       unheld_motions(mesh, system)(trace.trace.kept_dofs, Eigen::all);
   require_clear(mesh, surface, law, system, trace.held);
-  ContactSettings settings = given;
-  settings.storage = storage_of(given, count_of(trace.trace.kept_dofs));
-  if (law.layer.given() && settings.storage == SchurStorage::distributed)
-    refuse(
-        "compliance= needs Schur's complement as a whole, which is distributed "
-        "or has no room: leave schur= out, or take a coarser mesh");
   const StatedSurface stated{surface, law, system, settings, trace};
   if (!takes_multigrid(stated)) return factored_solution(mesh, stated);
   if (std::optional<SurfaceSolution> solution =

@@ -22,13 +22,12 @@ struct Condensed {
   CondensedStiffness stiffness;
   MatrixXd S;
 
-  Condensed(const SolidMesh& mesh, bool held, Precision precision,
-            SchurStorage storage = SchurStorage::whole)
+  Condensed(const SolidMesh& mesh, bool held, Precision precision)
       : system(system_of(mesh, held)),
         kept(free_dofs_at(vertices_on(mesh, low_z), system)),
         motions(free_rigid_motions(mesh, system.prescribed)(kept, Eigen::all)),
-        stiffness(system, kept, precision, storage),
-        S(CondensedStiffness(system, kept, precision).schur()) {}
+        stiffness(system, kept, precision),
+        S(stiffness.schur()) {}
 
   static ElasticSystem system_of(const SolidMesh& mesh, bool held) {
     RowMatrix A = ffcontact::stiffness(
@@ -76,19 +75,6 @@ TEST(SchurSolver, steps_do_not_grow_with_the_number_of_dofs) {
       const VectorXd g = random_vector(count_of(body.kept), random);
       EXPECT_GT(body.residual(solver.solve(g), g), 1e-10);  // not by a factor
     }
-}
-
-/// Nothing but products, of whatever precision: no factor, and more steps.
-RC_GTEST_PROP(SchurSolver, solves_by_products_alone, (Random random)) {
-  const bool held = *rc::gen::arbitrary<bool>(),
-             full = *rc::gen::arbitrary<bool>();
-  const Condensed body(irregular_solid(random), held,
-                       full ? Precision::full : Precision::single,
-                       SchurStorage::distributed);
-  const SchurSolver solver(body.system, body.kept, body.stiffness, body.motions,
-                           1);
-  const VectorXd g = random_vector(count_of(body.kept), random);
-  RC_ASSERT(body.residual(solver.solve(g), g) < 1.1e-5);
 }
 
 /// A factor is exact.

@@ -15,7 +15,7 @@ namespace ffcontact {
 /// continuously with s, so that steps which are short enough arrive; with Coulomb's law
 /// the solutions may turn back in s (friction_path).
 ///
-/// It needs products alone. A body that friction alone holds has no start.
+/// A body that friction alone holds has no start.
 /// @param held  of surface_trace [3 p]
 /// @return      converged at s = 1, or not with a violation that is infinite
 ActiveSetResult raised_friction(NewtonRelation& relation, const NodalLaw& law,

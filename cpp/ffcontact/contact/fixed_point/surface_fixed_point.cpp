@@ -37,10 +37,12 @@ ActiveSetResult with_given_bound(NewtonRelation& relation, const NodalLaw& law,
 
 }  // namespace
 
-FixedPointResult surface_fixed_point(NewtonRelation& relation,
+FixedPointResult surface_fixed_point(const CondensedContact& contact,
                                      const NodalLaw& law, const Flags& held,
                                      ContactStates state,
                                      const NewtonSettings& settings) {
+  StepSolver solver;
+  CondensedRelation relation(contact, solver);
   FixedPointResult result;
   ActiveSetResult& best = result.answer;
   best.violation = infinity;
@@ -65,15 +67,6 @@ FixedPointResult surface_fixed_point(NewtonRelation& relation,
   }
   result.history = g.history();
   return result;
-}
-
-FixedPointResult surface_fixed_point(const CondensedContact& contact,
-                                     const NodalLaw& law, const Flags& held,
-                                     ContactStates state,
-                                     const NewtonSettings& settings) {
-  StepSolver solver;
-  CondensedRelation relation(contact, solver);
-  return surface_fixed_point(relation, law, held, std::move(state), settings);
 }
 
 }  // namespace ffcontact

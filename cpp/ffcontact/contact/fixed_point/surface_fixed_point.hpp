@@ -5,7 +5,6 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/fixed_point/fixed_point.hpp"
-#include "ffcontact/contact/newton/newton_relation.hpp"
 
 namespace ffcontact {
 
@@ -16,11 +15,5 @@ FixedPointResult surface_fixed_point(const CondensedContact& contact,
                                      const NodalLaw& law, const Flags& held,
                                      ContactStates state,
                                      const NewtonSettings& settings = {});
-
-/// Likewise on any relation.
-FixedPointResult surface_fixed_point(NewtonRelation& relation,
-                                     const NodalLaw& law, const Flags& held,
-                                     ContactStates state,
-                                     const NewtonSettings& settings);
 
 }  // namespace ffcontact

@@ -63,12 +63,9 @@ class Coarse {
     put_law(law);
   }
 
-  SparseMatrix prolongation(const std::vector<int>& primary) const {
-    return selected_rows(R_, primary);
-  }
-
-  std::optional<ContactRows> rows(const CoarseRelation& relation) {
-    put_relation(relation);
+  std::optional<ContactRows> rows(const CondensedContact& contact) {
+    const SparseMatrix Q = selected_rows(R_, contact.primary);
+    put_relation(congruent(contact.S, Q), Q.transpose() * contact.g);
     StepSolver solver(coarse_, held_);
     const ContactStates sticking = all_stick(law_.node_count());
     const ActiveSetResult answer =
@@ -79,8 +76,8 @@ class Coarse {
   }
 
  private:
-  void put_relation(const CoarseRelation& relation) {
-    const auto& [S, g] = relation;
+  /// Of v = Q v_a on the primary rows: F_a = S v_a - g.
+  void put_relation(const MatrixXd& S, const VectorXd& g) {
     const double least = no_stiffness * S.diagonal().maxCoeff();
     held_.assign(S.rows(), 0);
     std::vector<int> moving;
@@ -137,21 +134,10 @@ class Coarse {
 
 }  // namespace
 
-std::optional<ContactRows> coarse_start(
-    const std::vector<int>& primary,
-    const std::function<CoarseRelation(const SparseMatrix& Q)>& relation,
-    const NodalLaw& law, const ContactSurface& surface) {
-  Coarse coarse(law, surface);
-  return coarse.rows(relation(coarse.prolongation(primary)));
-}
-
 std::optional<ContactRows> coarse_start(const CondensedContact& contact,
                                         const NodalLaw& law,
                                         const ContactSurface& surface) {
-  const auto relation = [&contact](const SparseMatrix& Q) {
-    return CoarseRelation{congruent(contact.S, Q), Q.transpose() * contact.g};
-  };
-  return coarse_start(contact.primary, relation, law, surface);
+  return Coarse(law, surface).rows(contact);
 }
 
 }  // namespace ffcontact

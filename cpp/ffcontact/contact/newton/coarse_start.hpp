@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,19 +27,5 @@ namespace ffcontact {
 std::optional<ContactRows> coarse_start(const CondensedContact& contact,
                                         const NodalLaw& law,
                                         const ContactSurface& surface);
-
-/// Of v = Q v_a on the primary rows: F_a = S v_a - g.
-struct CoarseRelation {
-  MatrixXd S;
-  VectorXd g;
-};
-
-/// The same on another form of the relation.
-/// @param primary  rows [f]
-/// @param relation  that of a Q [f x 3a]
-std::optional<ContactRows> coarse_start(
-    const std::vector<int>& primary,
-    const std::function<CoarseRelation(const SparseMatrix& Q)>& relation,
-    const NodalLaw& law, const ContactSurface& surface);
 
 }  // namespace ffcontact

@@ -96,11 +96,9 @@ struct CondensedStiffness::Factor {
   std::vector<int> place;  ///< of each dof in it; -1 where prescribed
   AnyCholesky cholesky;
   MatrixXd schur;
-  SchurStorage storage;
 
   Factor(const ElasticSystem& system, const std::vector<int>& kept_dofs,
-         Precision precision, SchurStorage schur_storage,
-         const ProgressReport& report)
+         Precision precision, const ProgressReport& report)
       : kept(kept_dofs),
         scale(inverse_roots(system)),
         order(elimination_order(system, kept)),
@@ -108,8 +106,7 @@ struct CondensedStiffness::Factor {
         cholesky(factorised(
             Eliminated{system.stiffness, order, place, scale}.lower_triangle(),
             static_cast<int>(kept.size()), precision, report)),
-        schur(schur_of(cholesky, scale(kept))),
-        storage(schur_storage) {}
+        schur(schur_of(cholesky, scale(kept))) {}
 
   Index kept_count() const { return static_cast<Index>(kept.size()); }
 
@@ -139,11 +136,9 @@ struct CondensedStiffness::Factor {
 CondensedStiffness::CondensedStiffness(const ElasticSystem& system,
                                        const std::vector<int>& kept,
                                        Precision precision,
-                                       SchurStorage storage,
                                        const ProgressReport& report)
-    : factor_(std::make_unique<Factor>(system,
-                                       required_kept(system, kept, storage),
-                                       precision, storage, report)) {}
+    : factor_(std::make_unique<Factor>(system, required_kept(system, kept),
+                                       precision, report)) {}
 
 CondensedStiffness::CondensedStiffness() = default;
 CondensedStiffness::~CondensedStiffness() = default;
@@ -157,16 +152,7 @@ Precision CondensedStiffness::precision() const {
              : Precision::single;
 }
 
-SchurStorage CondensedStiffness::storage() const { return factor_->storage; }
-
-const MatrixXd& CondensedStiffness::schur() const {
-  require_whole(storage());
-  return factor_->schur;
-}
-
-std::unique_ptr<const SchurProducts> CondensedStiffness::products() const {
-  return std::make_unique<const WholeSchur>(factor_->schur);
-}
+const MatrixXd& CondensedStiffness::schur() const { return factor_->schur; }
 
 CondensedStiffness::Load CondensedStiffness::condensed(
     const Ref<const VectorXd>& load) const {

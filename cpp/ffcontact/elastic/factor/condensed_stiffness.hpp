@@ -8,7 +8,6 @@
 #include "ffcontact/base/progress.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/elastic/factor/precision.hpp"
-#include "ffcontact/elastic/factor/schur_products.hpp"
 
 namespace ffcontact {
 
@@ -38,15 +37,13 @@ class CondensedStiffness {
 
   /// @param kept  free dofs to keep, without repetition; the order is that of all vectors
   ///              and matrices of kept dofs
-  /// @param storage  distributed: S is for products() alone, as of one process of several
-  /// @param report   as that of PartialCholesky
+  /// @param report  as that of PartialCholesky
   /// @throws std::invalid_argument  if a kept dof is prescribed or out of range, or by
   ///                                require_room_for_schur
   /// @throws std::runtime_error     if K_ii is not positive definite: a part of the body
   ///                                is held by nothing, or, in single precision, nearly
   CondensedStiffness(const ElasticSystem& system, const std::vector<int>& kept,
                      Precision precision = Precision::full,
-                     SchurStorage storage = SchurStorage::whole,
                      const ProgressReport& report = {});
   virtual ~CondensedStiffness();
   CondensedStiffness(CondensedStiffness&&) noexcept;
@@ -54,20 +51,11 @@ class CondensedStiffness {
 
   virtual Precision precision() const;
 
-  virtual SchurStorage storage() const;
-
-  /// Are systems with it solved to rounding, by dense factors of double precision? Others
-  /// are corrected.
-  bool is_exact() const {
-    return precision() == Precision::full && storage() == SchurStorage::whole;
-  }
+  /// Are systems with it solved to rounding? Others are corrected.
+  bool is_exact() const { return precision() == Precision::full; }
 
   /// S [kept x kept].
-  /// @throws std::invalid_argument  if it is distributed
   virtual const MatrixXd& schur() const;
-
-  /// S wherever it is; as long as this is there.
-  virtual std::unique_ptr<const SchurProducts> products() const;
 
   /// For a load on all dofs. The solution obeys S u_c = g + contact forces.
   virtual Load condensed(const Ref<const VectorXd>& load) const;

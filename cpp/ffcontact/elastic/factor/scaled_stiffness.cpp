@@ -26,40 +26,28 @@ void require_free(const ElasticSystem& system, int dof) {
     refuse("kept dof ", dof, " is prescribed or does not exist");
 }
 
-/// Of double precision [bytes].
-double memory_for_schur(int kept, SchurStorage storage, int processes) {
-  const double copies = storage == SchurStorage::whole ? 3 : 2.0 / processes;
-  return copies * kept * kept * sizeof(double);
-}
-
-}  // namespace
-
+/// [bytes]
 double memory_of_the_machine() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
          static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-bool has_room_for_schur(int kept, SchurStorage storage, double memory,
-                        int processes) {
-  return memory_for_schur(kept, storage, processes) <= memory / 2;
-}
+}  // namespace
 
-void require_room_for_schur(int kept, SchurStorage storage, double memory,
-                            int processes) {
-  constexpr double gigabyte = 1e9;
-  if (!has_room_for_schur(kept, storage, memory, processes))
+void require_room_for_schur(int kept, double memory) {
+  constexpr double gigabyte = 1e9, copies = 3;
+  const double needed = copies * kept * kept * sizeof(double);
+  if (needed > memory / 2)
     refuse(kept, " free dofs where bodies may touch need dense matrices of ",
-           memory_for_schur(kept, storage, processes) / gigabyte,
-           " GB, more than half of the memory (", memory / gigabyte,
+           needed / gigabyte, " GB, more than half of the memory (",
+           memory / gigabyte,
            " GB): state contact on a smaller part of the boundary, or on a "
            "coarser mesh");
 }
 
 const std::vector<int>& required_kept(const ElasticSystem& system,
-                                      const std::vector<int>& kept,
-                                      SchurStorage storage, int processes) {
-  require_room_for_schur(count_of(kept), storage, memory_of_the_machine(),
-                         processes);
+                                      const std::vector<int>& kept) {
+  require_room_for_schur(count_of(kept), memory_of_the_machine());
   Flags met(system.dof_count(), 0);
   for (int dof : kept) {
     require_free(system, dof);

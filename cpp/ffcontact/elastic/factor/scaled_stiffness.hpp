@@ -4,34 +4,22 @@
 #include <vector>
 
 #include "ffcontact/elastic/elastic_system.hpp"
-#include "ffcontact/elastic/factor/schur_products.hpp"
 
 /// What every factor of K that stops before kept dofs has in common, whoever makes it: it
 /// is one of R K R with R = diag(K)^-1/2, so that units, and materials or cells that
 /// differ by any factor, do not count as singular.
 namespace ffcontact {
 
-/// @param memory     of the machine [bytes]
-/// @param processes  that share it
-/// @return is Schur's complement on so many dofs less than half of it, in the three
-///         copies that dense algebra works with, or the two that products are left with?
-bool has_room_for_schur(int kept, SchurStorage storage, double memory,
-                        int processes = 1);
-
-/// @throws std::invalid_argument  if it has not
-void require_room_for_schur(int kept, SchurStorage storage, double memory,
-                            int processes = 1);
-
-/// [bytes]
-double memory_of_the_machine();
+/// @param memory  of the machine [bytes]
+/// @throws std::invalid_argument  if Schur's complement on so many dofs takes more than half
+///                                of it in the three copies that dense algebra works with
+void require_room_for_schur(int kept, double memory);
 
 /// The kept dofs themselves.
-/// @param processes  that share Schur's complement
 /// @throws std::invalid_argument  if a kept dof is prescribed, out of range or listed
 ///                                twice, or by require_room_for_schur on this machine
 const std::vector<int>& required_kept(const ElasticSystem& system,
-                                      const std::vector<int>& kept,
-                                      SchurStorage storage, int processes = 1);
+                                      const std::vector<int>& kept);
 
 /// R [all dofs]: K_ii^-1/2; 1 where the dof is prescribed, or where nothing holds it, which
 /// shows in the factor.

@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/base/require.hpp"
+#include "ffcontact/linear/dense/congruent.hpp"
 #include "ffcontact/linear/dense/products.hpp"
+#include "ffcontact/linear/dense/symmetric_product.hpp"
 #include "ffcontact/linear/iterative/aggregates.hpp"
 #include "ffcontact/linear/iterative/conjugate_gradients.hpp"
 
@@ -46,8 +47,8 @@ SparseMatrix neighbours(const ElasticSystem& system,
   return packed(count, count, pairs);
 }
 
-}  // namespace
-
+/// R = 1 from an aggregate of neighbouring vertices to the kept dofs of these, one column a
+/// component [kept x components of aggregates].
 SparseMatrix aggregated_motions(const ElasticSystem& system,
                                 const std::vector<int>& kept) {
   const KeptVertices vertices(system, kept);
@@ -63,22 +64,22 @@ SparseMatrix aggregated_motions(const ElasticSystem& system,
   return packed(count_of(kept), count_of(column), entries);
 }
 
+}  // namespace
+
 struct SchurSolver::TwoLevels {
   VectorXd inverse_diagonal;
   SparseMatrix R;
   DenseCholesky coarse;
 
-  TwoLevels(const SchurProducts& S, const VectorXd& diagonal,
-            const MatrixXd& motions, SparseMatrix prolonged)
+  TwoLevels(const MatrixXd& S, const MatrixXd& motions, SparseMatrix prolonged)
       : inverse_diagonal(
-            (diagonal + motions.rowwise().squaredNorm()).cwiseInverse()),
+            (S.diagonal() + motions.rowwise().squaredNorm()).cwiseInverse()),
         R(std::move(prolonged)),
         coarse(coarse_matrix(S, motions)) {}
 
-  MatrixXd coarse_matrix(const SchurProducts& S,
-                         const MatrixXd& motions) const {
+  MatrixXd coarse_matrix(const MatrixXd& S, const MatrixXd& motions) const {
     const MatrixXd Z = R.transpose() * motions;
-    MatrixXd matrix = S.congruent(R);
+    MatrixXd matrix = congruent(S, R);
     add_square(Z, matrix);
     return matrix;
   }
@@ -93,17 +94,13 @@ SchurSolver::SchurSolver(const ElasticSystem& system,
                          const std::vector<int>& kept,
                          const CondensedStiffness& stiffness,
                          const MatrixXd& motions, int most_steps)
-    : stiffness_(stiffness),
-      S_(stiffness.products()),
-      most_steps_(most_steps),
-      motions_(motions) {
-  const VectorXd diagonal = S_->diagonal();
+    : S_(stiffness.schur()), most_steps_(most_steps), motions_(motions) {
   if (motions.cols() > 0)
-    motions_ *=
-        std::sqrt(diagonal.mean() / motions.colwise().squaredNorm().mean());
+    motions_ *= std::sqrt(S_.diagonal().mean() /
+                          motions.colwise().squaredNorm().mean());
   if (stiffness.is_exact()) return;
   auto two_levels = std::make_unique<const TwoLevels>(
-      *S_, diagonal, motions_, aggregated_motions(system, kept));
+      S_, motions_, aggregated_motions(system, kept));
   if (two_levels->coarse.is_positive_definite())
     preconditioner_ = std::move(two_levels);
 }
@@ -114,28 +111,18 @@ VectorXd SchurSolver::solve(const VectorXd& g) const {
   if (preconditioner_ && direct_.size() == 0) {
     const auto product = [&](const VectorXd& x) -> VectorXd {
       const VectorXd along = motions_.transpose() * x;
-      return S_->product(x) + motions_ * along;
+      return symmetric_product(S_, x) + motions_ * along;
     };
     const auto x = conjugate_gradients(product, *preconditioner_, g,
-                                       {tolerance, steps_allowed()});
+                                       {tolerance, most_steps_});
     if (x) return *x;
   }
   if (direct_.size() == 0) direct_ = DenseCholesky(regular_matrix());
   return direct_.solve(g);
 }
 
-int SchurSolver::steps_allowed() const {
-  constexpr int without_factor = 1000;
-  return stiffness_.storage() == SchurStorage::whole ? most_steps_
-                                                     : without_factor;
-}
-
 MatrixXd SchurSolver::regular_matrix() const {
-  if (stiffness_.storage() != SchurStorage::whole)
-    throw Failure(
-        "conjugate gradients with the distributed Schur complement do not "
-        "converge");
-  MatrixXd regular = stiffness_.schur();
+  MatrixXd regular = S_;
   add_square(motions_, regular);
   return regular;
 }

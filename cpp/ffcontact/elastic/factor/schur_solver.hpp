@@ -9,11 +9,6 @@
 
 namespace ffcontact {
 
-/// R = 1 from an aggregate of neighbouring vertices to the kept dofs of these, one column a
-/// component [kept x components of aggregates].
-SparseMatrix aggregated_motions(const ElasticSystem& system,
-                                const std::vector<int>& kept);
-
 /// u_c of (S + s Z Z') u_c = g, with the Schur complement S of CondensedStiffness: regular
 /// where contact alone holds the rigid motions Z. s is the mean of diag(S) over that of
 /// |Z_k|^2, so that what they add is of the size of S.
@@ -25,8 +20,7 @@ SparseMatrix aggregated_motions(const ElasticSystem& system,
 /// of order 1, as it takes displacements to tractions: such an R needs no smoothing, and
 /// steps do not grow with the number of dofs (26 to 30 for 243 to 3267 kept ones, held or
 /// not, where the diagonal alone takes 43 to 178). That is n^2 in place of n^3 / 3
-/// operations. Where they are not enough, as for nu of 0.499, Cholesky's factor is made; of
-/// a distributed S there is none, and they go on.
+/// operations. Where they are not enough, as for nu of 0.499, Cholesky's factor is made.
 class SchurSolver {
  public:
   /// @param kept       of the stiffness
@@ -38,17 +32,14 @@ class SchurSolver {
   ~SchurSolver();
 
   /// @return the same digits for every number of threads where it is not factored
-  /// @throws std::runtime_error  if S is distributed and its steps do not converge
   VectorXd solve(const VectorXd& g) const;
 
  private:
   struct TwoLevels;
 
-  int steps_allowed() const;
   MatrixXd regular_matrix() const;
 
-  const CondensedStiffness& stiffness_;
-  std::unique_ptr<const SchurProducts> S_;
+  const MatrixXd& S_;
   int most_steps_;
   MatrixXd motions_;  ///< s^(1/2) Z
   std::unique_ptr<const TwoLevels> preconditioner_;

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "ffcontact/base/require.hpp"
 #include "ffcontact/linear/dense/least_squares.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -61,10 +60,6 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
     last = size;
   }
   if (last <= 1e3 * wanted) return u;
-  if (stiffness_ && stiffness_->storage() == SchurStorage::distributed)
-    throw Failure(
-        "the distributed Schur complement does not balance the tractions to "
-        "rounding");
   return Rebalancing(system_, contact_dofs_, motions_)
       .displacement(force_change);
 }
