@@ -29,8 +29,8 @@ void require_exact(const Oscillation& data, const SolvedBody<d>& body,
 
 template <int d>
 Quantity<d> checked_goal(const BoundsCall& call, const BodiesOf<d>& bodies,
-                         const HookeTensors<d>& hooke) {
-  Quantity<d> goal = read_goal<d>(call.stack, call.named, bodies, hooke);
+                         const SolvedProblem<d>& solved) {
+  Quantity<d> goal = read_goal<d>(call.stack, call.named, bodies, solved);
   if (call.q.empty()) return goal;
   bodies.require_bodies("q", call.q.size());
   const auto given = values_of<KN<double>*>(call.stack, call.q);
@@ -80,7 +80,7 @@ double bounds_of(const BoundsCall& call, const BoundSettings& settings,
   const Estimate<d> first = estimate_error<d>(topology, contact, system, body);
   require_exact<d>(data, body, first);
   const QuantityBounds bounds = quantity_bounds<d>(
-      solved, first, checked_goal<d>(call, bodies, body.hooke), settings);
+      solved, first, checked_goal<d>(call, bodies, solved), settings);
   put(call, bodies.joined.first_cell, bounds);
   if (call.reports()) report(bounds, watch.seconds());
   return bounds.relative_width();

@@ -10,6 +10,7 @@
 #include "ffcontact/bounds/quantity.hpp"
 #include "ffcontact/linear/norms.hpp"
 //
+#include "estimate/goal_force.hpp"
 #include "estimate/material_and_loads.hpp"
 
 namespace ffcontact::plugin {
@@ -120,14 +121,16 @@ BodyLoadsOfCells<d> goal_body_loads(const BodyReader<d>& reader) {
 }
 
 /// Reads the quantity of interest l of all bodies: goaltraction= w, goalbodyforce= p,
-/// goalstress= q and goalconstant=.
-/// @param hooke  of all cells
+/// goalstress= q, goalconstant= and goalforce=, whose l is added.
+/// @param solved  with the elastic law and the loads
 /// @throws std::invalid_argument  if w is not linear on a boundary element, p not constant or
-///                                q not linear in a cell
+///                                q not linear in a cell, or as ForceWeight
 template <int d>
 Quantity<d> read_goal(Stack stack, const NamedArguments& named,
-                      const BodiesOf<d>& bodies, const HookeTensors<d>& hooke) {
+                      const BodiesOf<d>& bodies,
+                      const SolvedProblem<d>& solved) {
   const auto& joined = bodies.joined;
+  ForceWeight<d> weight(solved);
   require_linear<d>(stack, named, bodies, "goaltraction");
   Quantity<d> goal;
   goal.body_loads.resize(d * (d + 1), joined.first_cell.back());
@@ -141,14 +144,16 @@ Quantity<d> read_goal(Stack stack, const NamedArguments& named,
     goal.tractions.middleCols(joined.first_boundary[k], tractions.cols()) =
         tractions;
     const BodyLoadsOfCells<d> loads = goal_body_loads<d>(reader);
+    weight.read(stack, reader);
     const int first = joined.first_cell[k];
     goal.body_loads.middleCols(first, loads.cols()) = loads;
     if (!named.given(reader.name("goalstress"))) continue;
-    const auto own = hooke.begin() + first;
+    const auto own = solved.body.hooke.begin() + first;
     stress.middleCols(first, loads.cols()) =
         goal_stress<d>(stack, reader, {own, own + loads.cols()});
   }
   if (!stress.isZero(0)) goal.stress = LinearStresses<d>::of_values(stress);
+  weight.add_to(goal);
   return goal;
 }
 

@@ -17,7 +17,7 @@ const NamedArguments::Table quantities_of_bodies = {
     {"initialstress", &typeid(E_Array)}, {"spring", &typeid(E_Array)},
     {"rest", &typeid(E_Array)},          {"goaltraction", &typeid(E_Array)},
     {"goalbodyforce", &typeid(E_Array)}, {"goalstress", &typeid(E_Array)},
-    {"eps", &typeid(KN<double>*)}};
+    {"goalforce", &typeid(E_Array)},     {"eps", &typeid(KN<double>*)}};
 
 /// width = contactbounds(C, q, lambda=, G=, traction=, goaltraction=, lower=, upper=, ...):
 /// strict bounds of a linear quantity of the solution that contactsolve found; q, one array

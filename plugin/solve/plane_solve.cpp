@@ -124,8 +124,7 @@ void warn_that_triangles_lock(const ContactProblem& problem,
 ContactSettings settings_of(const SolveCall& call, const Contact& contact,
                             const ElasticSystem& system, ContactStates last) {
   ContactSettings settings = settings_of(call, std::move(last), 2);
-  if (contact.solved && is_same(*contact.solved->system, system))
-    settings.stiffness = contact.solved->solution.stiffness;
+  settings.stiffness = known_stiffness(contact.solved, system);
   return settings;
 }
 

@@ -149,8 +149,7 @@ ContactSettings settings_of(const SolveCall& call, const SolidContact& contact,
     settings.state_of_another_mesh = !contact.solved;
     settings.near = std::move(last.rows);
   }
-  if (contact.solved && is_same(*contact.solved->system, system))
-    settings.stiffness = contact.solved->solution.stiffness;
+  settings.stiffness = known_stiffness(contact.solved, system);
   return settings;
 }
 

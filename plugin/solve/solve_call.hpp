@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "ffcontact/contact/contact_solution.hpp"
@@ -43,6 +44,14 @@ ContactSettings settings_of(const SolveCall& call, ContactStates states,
                             int dim);
 
 bool is_same(const ElasticSystem& a, const ElasticSystem& b);
+
+/// The factor of the last solution, where it is one of this system; or null.
+template <class Solved>
+std::shared_ptr<const CondensedStiffness> known_stiffness(
+    const Solved& last, const ElasticSystem& system) {
+  if (!last || !is_same(*last->system, system)) return nullptr;
+  return last->solution.stiffness;
+}
 
 /// The displacement of each body in the script's u.
 void write_displacement(const SolveCall& call, const BodyDofs& bodies,

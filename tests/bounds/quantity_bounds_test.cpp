@@ -9,6 +9,7 @@
 #include "support/nested_reference.hpp"
 #include "support/quantities.hpp"
 #include "support/refusals.hpp"
+#include "support/springs.hpp"
 
 namespace ffcontact {
 namespace {
@@ -57,7 +58,10 @@ struct Solved {
   SolvedBody<2> body = solved_body(
       problem, solve_contact(problem.mesh, problem.line, problem.law, system));
 
-  explicit Solved(Problem any) : problem(std::move(any)) {}
+  explicit Solved(Problem any, const BoundarySprings<2>& springs = {})
+      : problem(std::move(any)) {
+    body.springs = springs;
+  }
 
   SolvedProblem<2> as_problem() const {
     return {topology, problem.line, system, body};
@@ -232,19 +236,9 @@ Problem with_law(Problem problem, double slip_bound, const Vector2d& gap,
   return problem;
 }
 
-/// The exact value is in all intervals, so that those of nested meshes meet, and the value
-/// of a finer mesh is in them but for its own error.
-RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
-  const RandomBlock block = random_block(random);
-  const double slip_bound = *rc::gen::inRange(0, 3) * *real(0, 2);
-  const Vector2d gap(*real(0, 1e-2), *real(0, 1e-3)),
-      previous(*real(-1e-3, 1e-3), *real(-1e-3, 1e-3));
-  const RandomQuantity quantity(block.mesh, random);
-  const auto solved_on = [&](int times) {
-    return Solved(with_law(block.on(subdivided(block.mesh, times)), slip_bound,
-                           gap, previous));
-  };
-  const Solved coarse = solved_on(0), fine = solved_on(2);
+/// The exact value is in the intervals of nested meshes, so that they meet.
+void require_that_they_meet(const RandomQuantity& quantity,
+                            const Solved& coarse, const Solved& fine) {
   const QuantityBounds wide = coarse.bounds(quantity.on(coarse.problem)),
                        narrow = fine.bounds(quantity.on(fine.problem));
   // some random quantities are of vertices that all are prescribed
@@ -255,13 +249,51 @@ RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
   const double rounding = 1e-9 * (std::abs(wide.lower) + std::abs(wide.upper));
   RC_ASSERT(wide.lower <= narrow.upper + rounding);
   RC_ASSERT(narrow.lower <= wide.upper + rounding);
-  RC_ASSERT(narrow.upper - narrow.lower <= wide.upper - wide.lower + rounding);
-  RC_TAG(std::clamp(static_cast<int>((wide.upper - wide.lower) /
-                                     (narrow.upper - narrow.lower)),
-                    0, 20));
+  RC_ASSERT(narrow.width() <= wide.width() + rounding);
+  RC_TAG(std::clamp(static_cast<int>(wide.width() / narrow.width()), 0, 20));
   RC_ASSERT(wide.local.minCoeff() >= -rounding);
-  RC_ASSERT(std::abs(wide.local.sum() - (wide.upper - wide.lower)) <=
-            1e-8 * (wide.upper - wide.lower) + rounding);
+  RC_ASSERT(std::abs(wide.local.sum() - wide.width()) <=
+            1e-8 * wide.width() + rounding);
+}
+
+/// The same problem with directions that turn along the line, at a rate [1/mm].
+Problem turned(Problem problem, double rate) {
+  ContactLine& line = problem.line;
+  for (int i = 0; i < line.node_count(); ++i) {
+    const double slope = rate * (problem.mesh.vertices(0, line.vertex[i]) - 3),
+                 length = std::hypot(1, slope);
+    line.normal.col(i) =
+        (line.normal.col(i) + slope * line.tangent(i)) / length;
+    problem.law.gap[i] /= length;
+    problem.law.previous[i] /= length;
+  }
+  return problem;
+}
+
+/// On straight lines and on curves, with and without springs.
+RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
+  const RandomBlock block = random_block(random);
+  const double slip_bound = *rc::gen::inRange(0, 3) * *real(0, 2),
+               rate = *rc::gen::inRange(0, 2) * *real(-0.1, 0.1);
+  const Vector2d gap(*real(0, 1e-2), *real(0, 1e-3)),
+      previous(*real(-1e-3, 1e-3), *real(-1e-3, 1e-3));
+  const MatrixXd root = 20 * random_matrix(2, *rc::gen::inRange(0, 3), random);
+  const Spring spring{root * root.transpose(), 1e-2 * random_vector(2, random)};
+  const RandomQuantity quantity(block.mesh, random);
+  const auto solved_on = [&](int times) {
+    Problem problem = turned(with_law(block.on(subdivided(block.mesh, times)),
+                                      slip_bound, gap, previous),
+                             rate);
+    BoundarySprings<2> springs;
+    if (root.cols() > 0) {
+      put_springs(
+          problem.mesh, right,
+          [&](const Vector2d&, const Vector2d&) { return spring; }, springs);
+      assemble(springs, problem);
+    }
+    return Solved(problem, springs);
+  };
+  require_that_they_meet(quantity, solved_on(0), solved_on(2));
 }
 
 TEST(QuantityBounds, are_refused_with_gaps_beside_which_displacements_round) {

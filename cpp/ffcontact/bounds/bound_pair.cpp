@@ -2,8 +2,11 @@
 #include "ffcontact/bounds/bound_pair.hpp"
 
 #include <Eigen/LU>
+#include <cmath>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
+#include "ffcontact/estimate/error/spring_parts.hpp"
 
 namespace ffcontact {
 
@@ -28,6 +31,67 @@ SubcellStress<d> in_cell(const LinearStresses<d>& stress, int t) {
   return subcell_values<d>(stress.at_vertices(t));
 }
 
+/// |tau - C eps(v)|^2 of each cell.
+template <int d>
+VectorXd differences(const SolvedProblem<d>& solved, const BoundPair<d>& pair) {
+  const LinearStresses<d> sigma =
+      total_stresses(solved.topology.mesh, solved.body, pair.v);
+  return energies(solved, [&](int t) -> SubcellStress<d> {
+    return pair.tau[t] - in_cell(sigma, t);
+  });
+}
+
+/// Of a norm to which another one adds.
+VectorXd squares_with(double oscillation, const VectorXd& squares) {
+  const double norm = std::sqrt(squares.sum());
+  if (norm == 0)
+    return VectorXd::Constant(squares.size(),
+                              oscillation * oscillation / count_of(squares));
+  return std::pow(1 + oscillation / norm, 2) * squares;
+}
+
+/// What it adds.
+template <int d>
+VectorXd oscillation_part(const SolvedProblem<d>& solved,
+                          const BoundPair<d>& pair) {
+  const VectorXd squares = differences(solved, pair);
+  return squares_with(pair.oscillation, squares) - squares;
+}
+
+/// |d+ + d-|^2 + |h+ - h-|^2 of each cell.
+template <int d>
+VectorXd stresses_apart(const SolvedProblem<d>& solved,
+                        const BoundPair<d>& plus, const BoundPair<d>& minus) {
+  const SimplexMesh<d>& mesh = solved.topology.mesh;
+  const LinearStresses<d> above = total_stresses(mesh, solved.body, plus.v),
+                          below = total_stresses(mesh, solved.body, minus.v);
+  return energies(solved,
+                  [&](int t) -> SubcellStress<d> {
+                    return plus.tau[t] + minus.tau[t] - in_cell(above, t) -
+                           in_cell(below, t);
+                  }) +
+         energies(solved, [&](int t) -> SubcellStress<d> {
+           return plus.tau[t] - minus.tau[t] + in_cell(above, t) -
+                  in_cell(below, t);
+         });
+}
+
+/// A quarter of the same of springs, with d = t + K (v - u_0), h = t - K (v - u_0), of each
+/// column of the boundary.
+template <int d>
+VectorXd springs_apart(const SimplexMesh<d>& mesh,
+                       const BoundarySprings<d>& springs,
+                       const BoundPair<d>& plus, const BoundPair<d>& minus) {
+  BoundarySprings<d> at_rest = springs;
+  at_rest.rest.setZero();
+  return spring_norms<d>(mesh, springs, (plus.v + minus.v) / 2,
+                         (plus.springs + minus.springs) / 2)
+             .difference +
+         spring_norms<d>(mesh, at_rest, (plus.v - minus.v) / 2,
+                         (minus.springs - plus.springs) / 2)
+             .difference;
+}
+
 }  // namespace
 
 template <int d>
@@ -40,12 +104,11 @@ double energy_of(const SolvedProblem<d>& solved, const VectorXd& v) {
 template <int d>
 double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
               double s) {
-  const LinearStresses<d> sigma =
-      total_stresses(solved.topology.mesh, solved.body, pair.v);
-  const VectorXd squares = energies(solved, [&](int t) -> SubcellStress<d> {
-    return pair.tau[t] - in_cell(sigma, t);
-  });
-  return squares.sum() / (4 * s) +
+  const SpringNorms springs = spring_norms<d>(
+      solved.topology.mesh, solved.body.springs, pair.v, pair.springs);
+  const double elastic =
+      squares_with(pair.oscillation, differences(solved, pair)).sum();
+  return (elastic + springs.difference.sum()) / (4 * s) +
          twice_psi<d>(solved, pair.v, pair.rho).sum() / (2 * s);
 }
 
@@ -53,19 +116,13 @@ template <int d>
 VectorXd width_of_cells(const SolvedProblem<d>& solved,
                         const BoundPair<d>& plus, const BoundPair<d>& minus,
                         double s) {
-  const SimplexMesh<d>& mesh = solved.topology.mesh;
-  const LinearStresses<d> above = total_stresses(mesh, solved.body, plus.v),
-                          below = total_stresses(mesh, solved.body, minus.v);
-  VectorXd local = energies(solved,
-                            [&](int t) -> SubcellStress<d> {
-                              return plus.tau[t] + minus.tau[t] -
-                                     in_cell(above, t) - in_cell(below, t);
-                            }) /
-                       (8 * s) +
-                   energies(solved, [&](int t) -> SubcellStress<d> {
-                     return plus.tau[t] - minus.tau[t] + in_cell(above, t) -
-                            in_cell(below, t);
-                   }) / (8 * s);
+  VectorXd local = stresses_apart(solved, plus, minus) / (8 * s);
+  for (const BoundPair<d>* pair : {&plus, &minus})
+    local += oscillation_part(solved, *pair) / (4 * s);
+  const auto& [mesh, facets, ridges, stars] = solved.topology;
+  add_spring_parts<d>(
+      facets, springs_apart(mesh, solved.body.springs, plus, minus) / (2 * s),
+      local);
   for (const BoundPair<d>* of_v : {&plus, &minus})
     for (const BoundPair<d>* of_rho : {&plus, &minus}) {
       const VectorXd part = twice_psi<d>(solved, of_v->v, of_rho->rho);

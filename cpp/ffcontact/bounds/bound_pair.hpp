@@ -15,6 +15,11 @@ struct BoundPair {
   std::vector<SubcellStress<d>> tau;
   FacetDensities<d> rho;
   double defect = 0;  ///< of tau and rho, relative to the largest stress
+  /// moments of the tractions t of springs with tau [d^2 x boundary]; no columns without
+  FacetColumns<d> springs{d * d, 0};
+  /// PairError::oscillation: stresses in equilibrium with what rho has beyond the linear
+  /// part that tau balances, where directions turn, are at most this large
+  double oscillation = 0;
 };
 
 /// int C eps(v) : eps(v), with the initial stresses, |.|^2 of a stress.
@@ -25,7 +30,8 @@ double energy_of(const SolvedProblem<d>& solved, const VectorXd& v);
 ///     upper = l(v) + 1 / (2 s) ( |tau - C eps(v)|^2 / 2 + 2 Psi(v, rho) ),
 ///     Psi = int k |v_t| + rho_t v_t + rho_n (v_n - gap)
 /// for Tresca's law and without friction [theory_of_bounds.md]. This
-/// is the second term; C eps(v) with the initial stresses.
+/// is the second term; C eps(v) with the initial stresses. |.| contains the energy of
+/// springs, of t + K (v - u_0), and the oscillation of rho.
 template <int d>
 double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
               double s);
@@ -33,7 +39,8 @@ double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
 /// upper - lower of a pair of bounds as contributions of the cells, which are not negative:
 ///     |d+ + d-|^2 / (8 s) + |h+ - h-|^2 / (8 s) + sum over all four pairs of Psi(v, rho) / (2 s),
 /// d = tau - C eps(v), h = tau + C eps(v); with u = (v+ + v-) / 2 and z = (v- - v+) / (2 s)
-/// the first is the error of u, the second that of z, which answers to l.
+/// the first is the error of u, the second that of z, which answers to l. Oscillations add
+/// to each cell in proportion to |d|^2 there.
 template <int d>
 VectorXd width_of_cells(const SolvedProblem<d>& solved,
                         const BoundPair<d>& plus, const BoundPair<d>& minus,

@@ -44,10 +44,10 @@ void require_covered(const SolvedBody<d>& body) {
         "bounds of quantities are strict for contact without friction and for "
         "Tresca's law alone: state the contact with slipbound=, e.g. that of "
         "the pressures found, or friction=0");
-  if (law.layer.given() || !body.springs.empty() || body.tool)
+  if (law.layer.given() || body.tool)
     refuse(
-        "there are no bounds of quantities with compliance=, spring=, push= or "
-        "moment= yet");
+        "there are no bounds of quantities with compliance=, push= or moment= "
+        "yet");
 }
 
 }  // namespace

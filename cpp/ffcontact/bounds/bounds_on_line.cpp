@@ -3,7 +3,6 @@
 #include "ffcontact/estimate/bodies/nodal_forces.hpp"
 #include "ffcontact/estimate/displacement/admissible_displacement.hpp"
 #include "ffcontact/estimate/error/contact_error.hpp"
-#include "ffcontact/interface/curve_directions.hpp"
 
 namespace ffcontact {
 
@@ -46,8 +45,11 @@ ContactLaw reflected(const SolvedProblem<2>& solved, const VectorXd& v) {
 
 template <>
 VectorXd cleared(const SolvedProblem<2>& solved, const VectorXd& v) {
-  return admissible_displacement(solved.contact, solved.body.law, v,
-                                 solved.system.prescribed);
+  const auto& [topology, line, system, body] = solved;
+  return cleared_between_nodes(
+      line, body.law,
+      admissible_displacement(line, body.law, v, system.prescribed),
+      system.prescribed);
 }
 
 template <>
@@ -60,9 +62,6 @@ std::string reason_against_bounds(const SolvedProblem<2>& solved,
                                   const Estimate<2>& first) {
   if (solved.body.law.bonded)
     return "there are no bounds of quantities of bonded bodies yet";
-  if (turns(solved.contact))
-    return "there are no bounds of quantities where contact directions turn "
-           "within edges: state corner=0, and the polygon is meant";
   if (first.refinement)
     return "there are no bounds of quantities of bodies whose meshes do not "
            "match on the contact: let them have the same vertices there";

@@ -65,8 +65,11 @@ SurfaceLaw reflected(const SolvedProblem<3>& solved, const VectorXd& v) {
 template <>
 VectorXd cleared(const SolvedProblem<3>& solved, const VectorXd& v) {
   const auto& [topology, surface, system, body] = solved;
-  return admissible_displacement(topology.facets, surface, body.law, v,
-                                 system.prescribed);
+  const Facets<3>& faces = topology.facets;
+  return cleared_between_nodes(
+      faces, surface, body.law,
+      admissible_displacement(faces, surface, body.law, v, system.prescribed),
+      system.prescribed);
 }
 
 template <>
@@ -79,9 +82,6 @@ double depth_of(const SolvedProblem<3>& solved, const VectorXd& v) {
 template <>
 std::string reason_against_bounds(const SolvedProblem<3>& solved,
                                   const Estimate<3>&) {
-  if (turns(solved.contact))
-    return "there are no bounds of quantities where normals turn within "
-           "faces: give one contact direction by normal=";
   if (count_of(faces_with(solved, solved.body.displacement)) <
       solved.contact.face_count())
     return "there are no bounds of quantities of bodies whose meshes do not "

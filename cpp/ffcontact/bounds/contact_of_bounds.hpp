@@ -64,7 +64,8 @@ LawOfContact<d> with_twice_the_bound(LawOfContact<d> law);
 template <int d>
 LawOfContact<d> reflected(const SolvedProblem<d>& solved, const VectorXd& v);
 
-/// The smallest change of v that keeps clear, at vertices that supports leave free.
+/// A small change of v that keeps clear along the facets, at vertices that supports leave
+/// free.
 template <int d>
 VectorXd cleared(const SolvedProblem<d>& solved, const VectorXd& v);
 /// How deep v is where it is deepest [mm].

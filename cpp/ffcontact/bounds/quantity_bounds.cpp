@@ -196,6 +196,8 @@ class BoundsByTurns {
     if (!estimate.admissible) refuse(estimate.reason);
     pair.defect = std::max(estimate.equilibrium.largest(), estimate.cone);
     pair.rho = facet_densities(estimate);
+    pair.springs = estimate.spring_tractions;
+    pair.oscillation = estimate.oscillation;
     pair.tau.resize(solved_.topology.mesh.cell_count());
     for (std::size_t k = 0; k < pair.tau.size(); ++k)
       pair.tau[k] = stress_in(static_cast<int>(k), t, body, estimate);

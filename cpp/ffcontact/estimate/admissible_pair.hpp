@@ -59,6 +59,7 @@ struct Estimate<3> : PairError {
   Matrix3Xd tractions;
   /// r_hat at the vertices of the contact faces [MPa]
   SurfaceTractions face_tractions;
+  FaceMoments spring_tractions;  ///< as in the plane [9 x boundary]
 };
 
 /// sigma_hat at the corners of the subcells of one cell [MPa].

@@ -189,6 +189,7 @@ void put_fields(MatchedBodies<3>& bodies, RelaxedTractions<3> tractions,
   estimate.moments = std::move(tractions.moments);
   estimate.tractions = std::move(tractions.contact.densities);
   estimate.face_tractions = std::move(tractions.contact.on_faces);
+  estimate.spring_tractions = bodies.spring_tractions();
 }
 
 }  // namespace ffcontact
