@@ -48,13 +48,13 @@ struct TwoPairs {
   }
 
   double width() const {
-    const SolvedProblem<2> solved{topology, problem.line, system, body};
+    const MatchedBodies<2> bodies({topology, problem.line, system, body});
     return load_of(problem.mesh, quantity).dot(plus.v - minus.v) +
-           excess(solved, plus, s) + excess(solved, minus, s);
+           excess(bodies, plus, s) + excess(bodies, minus, s);
   }
   double of_cells() const {
-    const SolvedProblem<2> solved{topology, problem.line, system, body};
-    return width_of_cells(solved, plus, minus, s).sum();
+    const MatchedBodies<2> bodies({topology, problem.line, system, body});
+    return width_of_cells(bodies, plus, minus, s).sum();
   }
   double defect() const { return std::abs(width() / of_cells() - 1); }
 };

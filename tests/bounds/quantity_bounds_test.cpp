@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "support/bodies.hpp"
 #include "support/estimates.hpp"
 #include "support/nested_reference.hpp"
 #include "support/quantities.hpp"
@@ -237,10 +238,8 @@ Problem with_law(Problem problem, double slip_bound, const Vector2d& gap,
 }
 
 /// The exact value is in the intervals of nested meshes, so that they meet.
-void require_that_they_meet(const RandomQuantity& quantity,
-                            const Solved& coarse, const Solved& fine) {
-  const QuantityBounds wide = coarse.bounds(quantity.on(coarse.problem)),
-                       narrow = fine.bounds(quantity.on(fine.problem));
+void require_that_they_meet(const QuantityBounds& wide,
+                            const QuantityBounds& narrow) {
   // some random quantities are of vertices that all are prescribed
   RC_PRE(wide.reason.find("no free vertex of the mesh moves it") ==
          std::string::npos);
@@ -293,7 +292,62 @@ RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
     }
     return Solved(problem, springs);
   };
-  require_that_they_meet(quantity, solved_on(0), solved_on(2));
+  const Solved coarse = solved_on(0), fine = solved_on(2);
+  require_that_they_meet(coarse.bounds(quantity.on(coarse.problem)),
+                         fine.bounds(quantity.on(fine.problem)));
+}
+
+/// Two blocks whose meshes do not match, and a quantity of one of them.
+class RandomBlocks {
+ public:
+  explicit RandomBlocks(Random& random)
+      : meshes_{shifted(random_rows(random), {0, 1}), random_rows(random)},
+        slip_bound_(*rc::gen::inRange(0, 3) * *real(0, 2)),
+        shift_(1e-3 * random_vector(2, random) - Vector2d(0, 3e-3)),
+        on_side_(3 * random_vector(2, random)),
+        kind_(random() % 4),
+        w_(random_vector(2, random)) {}
+
+  QuantityBounds bounds(int times) const {
+    Bodies two =
+        bodies({subdivided(meshes_[0], times), subdivided(meshes_[1], times)},
+               {material(1e3, 0.3), material(2e3, 0.2)}, {{0, bottom, 1, top}});
+    Problem& problem = two.problem;
+    if (slip_bound_ > 0)
+      problem.law.slip_bound = everywhere(problem.line, slip_bound_);
+    clamp(problem, two.label(0, top), [&](const Vector2d&) { return shift_; });
+    clamp(problem, two.label(1, bottom));
+    add_traction(problem, two.label(1, left), on_side_);
+    const Solved solved(problem);
+    EXPECT_TRUE(solved.estimate().refinement);
+    return solved.bounds(quantity(two));
+  }
+
+ private:
+  static Mesh random_rows(Random& random) {
+    return with_random_rows(*rc::gen::inRange(2, 6), 2, 3, 1, random);
+  }
+
+  Quantity<2> quantity(const Bodies& two) const {
+    const Problem& problem = two.problem;
+    if (kind_ == 0) return on_label<2>(problem.mesh, two.label(0, left), w_);
+    if (kind_ == 1) return on_label<2>(problem.mesh, two.label(0, bottom), w_);
+    if (kind_ == 2) return on_label<2>(problem.mesh, two.label(1, top), w_);
+    return stress_of(problem, {w_[0], w_[1], 0.5},
+                     [&](int t) { return t >= two.joined.first_cell[1]; });
+  }
+
+  Mesh meshes_[2];
+  double slip_bound_;
+  Vector2d shift_, on_side_;
+  unsigned kind_;
+  Vector2d w_;
+};
+
+RC_GTEST_PROP(QuantityBounds, of_nested_bodies_that_do_not_match_meet,
+              (Random random)) {
+  const RandomBlocks blocks(random);
+  require_that_they_meet(blocks.bounds(0), blocks.bounds(2));
 }
 
 TEST(QuantityBounds, are_refused_with_gaps_beside_which_displacements_round) {

@@ -14,14 +14,14 @@ namespace {
 
 /// int X : C^-1 X on the cells, X at the corners of their subcells as `of` has it.
 template <int d, class OfCell>
-VectorXd energies(const SolvedProblem<d>& solved, const OfCell& of) {
-  const SimplexMesh<d>& mesh = solved.topology.mesh;
+VectorXd energies(const MatchedBodies<d>& bodies, const OfCell& of) {
+  const SimplexMesh<d>& mesh = bodies.topology().mesh;
   VectorXd result(mesh.cell_count());
 #pragma omp parallel for
   for (int t = 0; t < mesh.cell_count(); ++t)
     result[t] =
         energy<d>(corners_of(mesh, t),
-                  VoigtMatrix<d>(solved.body.hooke[t].inverse()), of(t));
+                  VoigtMatrix<d>(bodies.body().hooke[t].inverse()), of(t));
   return result;
 }
 
@@ -33,10 +33,10 @@ SubcellStress<d> in_cell(const LinearStresses<d>& stress, int t) {
 
 /// |tau - C eps(v)|^2 of each cell.
 template <int d>
-VectorXd differences(const SolvedProblem<d>& solved, const BoundPair<d>& pair) {
+VectorXd differences(const MatchedBodies<d>& bodies, const BoundPair<d>& pair) {
   const LinearStresses<d> sigma =
-      total_stresses(solved.topology.mesh, solved.body, pair.v);
-  return energies(solved, [&](int t) -> SubcellStress<d> {
+      total_stresses(bodies.topology().mesh, bodies.body(), pair.v);
+  return energies(bodies, [&](int t) -> SubcellStress<d> {
     return pair.tau[t] - in_cell(sigma, t);
   });
 }
@@ -52,25 +52,25 @@ VectorXd squares_with(double oscillation, const VectorXd& squares) {
 
 /// What it adds.
 template <int d>
-VectorXd oscillation_part(const SolvedProblem<d>& solved,
+VectorXd oscillation_part(const MatchedBodies<d>& bodies,
                           const BoundPair<d>& pair) {
-  const VectorXd squares = differences(solved, pair);
+  const VectorXd squares = differences(bodies, pair);
   return squares_with(pair.oscillation, squares) - squares;
 }
 
 /// |d+ + d-|^2 + |h+ - h-|^2 of each cell.
 template <int d>
-VectorXd stresses_apart(const SolvedProblem<d>& solved,
+VectorXd stresses_apart(const MatchedBodies<d>& bodies,
                         const BoundPair<d>& plus, const BoundPair<d>& minus) {
-  const SimplexMesh<d>& mesh = solved.topology.mesh;
-  const LinearStresses<d> above = total_stresses(mesh, solved.body, plus.v),
-                          below = total_stresses(mesh, solved.body, minus.v);
-  return energies(solved,
+  const SimplexMesh<d>& mesh = bodies.topology().mesh;
+  const LinearStresses<d> above = total_stresses(mesh, bodies.body(), plus.v),
+                          below = total_stresses(mesh, bodies.body(), minus.v);
+  return energies(bodies,
                   [&](int t) -> SubcellStress<d> {
                     return plus.tau[t] + minus.tau[t] - in_cell(above, t) -
                            in_cell(below, t);
                   }) +
-         energies(solved, [&](int t) -> SubcellStress<d> {
+         energies(bodies, [&](int t) -> SubcellStress<d> {
            return plus.tau[t] - minus.tau[t] + in_cell(above, t) -
                   in_cell(below, t);
          });
@@ -95,47 +95,47 @@ VectorXd springs_apart(const SimplexMesh<d>& mesh,
 }  // namespace
 
 template <int d>
-double energy_of(const SolvedProblem<d>& solved, const VectorXd& v) {
+double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v) {
   const LinearStresses<d> sigma =
-      total_stresses(solved.topology.mesh, solved.body, v);
-  return energies(solved, [&](int t) { return in_cell(sigma, t); }).sum();
+      total_stresses(bodies.topology().mesh, bodies.body(), v);
+  return energies(bodies, [&](int t) { return in_cell(sigma, t); }).sum();
 }
 
 template <int d>
-double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
+double excess(const MatchedBodies<d>& bodies, const BoundPair<d>& pair,
               double s) {
   const SpringNorms springs = spring_norms<d>(
-      solved.topology.mesh, solved.body.springs, pair.v, pair.springs);
+      bodies.topology().mesh, bodies.body().springs, pair.v, pair.springs);
   const double elastic =
-      squares_with(pair.oscillation, differences(solved, pair)).sum();
+      squares_with(pair.oscillation, differences(bodies, pair)).sum();
   return (elastic + springs.difference.sum()) / (4 * s) +
-         twice_psi<d>(solved, pair.v, pair.rho).sum() / (2 * s);
+         twice_psi<d>(bodies, pair.v, pair.rho).sum() / (2 * s);
 }
 
 template <int d>
-VectorXd width_of_cells(const SolvedProblem<d>& solved,
+VectorXd width_of_cells(const MatchedBodies<d>& bodies,
                         const BoundPair<d>& plus, const BoundPair<d>& minus,
                         double s) {
-  VectorXd local = stresses_apart(solved, plus, minus) / (8 * s);
+  VectorXd local = stresses_apart(bodies, plus, minus) / (8 * s);
   for (const BoundPair<d>* pair : {&plus, &minus})
-    local += oscillation_part(solved, *pair) / (4 * s);
-  const auto& [mesh, facets, ridges, stars] = solved.topology;
+    local += oscillation_part(bodies, *pair) / (4 * s);
+  const auto& [mesh, facets, ridges, stars] = bodies.topology();
   add_spring_parts<d>(
-      facets, springs_apart(mesh, solved.body.springs, plus, minus) / (2 * s),
+      facets, springs_apart(mesh, bodies.body().springs, plus, minus) / (2 * s),
       local);
   for (const BoundPair<d>* of_v : {&plus, &minus})
     for (const BoundPair<d>* of_rho : {&plus, &minus}) {
-      const VectorXd part = twice_psi<d>(solved, of_v->v, of_rho->rho);
-      add_to_cells<d>(solved, part / (4 * s), local);
+      const VectorXd part = twice_psi<d>(bodies, of_v->v, of_rho->rho);
+      add_to_cells<d>(bodies, part / (4 * s), local);
     }
   return local;
 }
 
-template double energy_of(const SolvedProblem<FFCONTACT_DIMENSION>&,
+template double energy_of(const MatchedBodies<FFCONTACT_DIMENSION>&,
                           const VectorXd&);
-template double excess(const SolvedProblem<FFCONTACT_DIMENSION>&,
+template double excess(const MatchedBodies<FFCONTACT_DIMENSION>&,
                        const BoundPair<FFCONTACT_DIMENSION>&, double);
-template VectorXd width_of_cells(const SolvedProblem<FFCONTACT_DIMENSION>&,
+template VectorXd width_of_cells(const MatchedBodies<FFCONTACT_DIMENSION>&,
                                  const BoundPair<FFCONTACT_DIMENSION>&,
                                  const BoundPair<FFCONTACT_DIMENSION>&, double);
 

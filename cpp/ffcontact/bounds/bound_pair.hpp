@@ -7,8 +7,9 @@
 
 namespace ffcontact {
 
-/// What one bound of a quantity is made of: v that is kinematically admissible, tau in
-/// equilibrium with the loads and t l, and its contact tractions rho in the cone.
+/// What one bound of a quantity is made of, on bodies whose traces match: v that is
+/// kinematically admissible, tau in equilibrium with the loads and t l, and its contact
+/// tractions rho in the cone.
 template <int d>
 struct BoundPair {
   VectorXd v;
@@ -24,7 +25,7 @@ struct BoundPair {
 
 /// int C eps(v) : eps(v), with the initial stresses, |.|^2 of a stress.
 template <int d>
-double energy_of(const SolvedProblem<d>& solved, const VectorXd& v);
+double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v);
 
 /// l(u) <= upper, for t = s, and -l(u) <= upper with t = -s and -l in place of l:
 ///     upper = l(v) + 1 / (2 s) ( |tau - C eps(v)|^2 / 2 + 2 Psi(v, rho) ),
@@ -33,7 +34,7 @@ double energy_of(const SolvedProblem<d>& solved, const VectorXd& v);
 /// is the second term; C eps(v) with the initial stresses. |.| contains the energy of
 /// springs, of t + K (v - u_0), and the oscillation of rho.
 template <int d>
-double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
+double excess(const MatchedBodies<d>& bodies, const BoundPair<d>& pair,
               double s);
 
 /// upper - lower of a pair of bounds as contributions of the cells, which are not negative:
@@ -42,7 +43,7 @@ double excess(const SolvedProblem<d>& solved, const BoundPair<d>& pair,
 /// the first is the error of u, the second that of z, which answers to l. Oscillations add
 /// to each cell in proportion to |d|^2 there.
 template <int d>
-VectorXd width_of_cells(const SolvedProblem<d>& solved,
+VectorXd width_of_cells(const MatchedBodies<d>& bodies,
                         const BoundPair<d>& plus, const BoundPair<d>& minus,
                         double s);
 

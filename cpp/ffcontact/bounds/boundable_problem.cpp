@@ -55,7 +55,7 @@ void require_covered(const SolvedBody<d>& body) {
 template <int d>
 void require_boundable(const SolvedProblem<d>& solved,
                        const Estimate<d>& first) {
-  const std::string reason = reason_against_bounds(solved, first);
+  const std::string reason = reason_against_bounds(solved);
   if (!reason.empty()) refuse(reason);
   require_covered(solved.body);
   require_near(solved);

@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/bounds/contact_of_bounds.hpp"
-#include "ffcontact/estimate/bodies/nodal_forces.hpp"
 #include "ffcontact/estimate/displacement/admissible_displacement.hpp"
 #include "ffcontact/estimate/error/contact_error.hpp"
 
 namespace ffcontact {
 
 template <>
-VectorXd nodal_forces(const SolvedProblem<2>& solved,
+VectorXd nodal_forces(const MatchedBodies<2>& bodies,
                       const ContactDensities& rho) {
-  return nodal_forces(solved.topology.mesh, solved.contact, rho);
+  return bodies.solved_forces(rho);
 }
 
 template <>
-VectorXd twice_psi(const SolvedProblem<2>& solved, const VectorXd& v,
+VectorXd twice_psi(const MatchedBodies<2>& bodies, const VectorXd& v,
                    const ContactDensities& rho) {
-  return contact_error(solved.contact, solved.body.law, rho, v);
+  return contact_error(bodies.contact(), bodies.body().law, rho, v);
 }
 
 template <>
-void add_to_cells(const SolvedProblem<2>& solved, const VectorXd& on_facets,
+void add_to_cells(const MatchedBodies<2>& bodies, const VectorXd& on_facets,
                   VectorXd& local) {
-  add_to_cells(solved.topology.facets, solved.contact, on_facets, local);
+  add_to_cells(bodies.topology().facets, bodies.contact(), on_facets, local);
 }
 
 template <>
@@ -44,27 +43,23 @@ ContactLaw reflected(const SolvedProblem<2>& solved, const VectorXd& v) {
 }
 
 template <>
-VectorXd cleared(const SolvedProblem<2>& solved, const VectorXd& v) {
-  const auto& [topology, line, system, body] = solved;
+VectorXd cleared(const MatchedBodies<2>& bodies, const VectorXd& v) {
+  const ContactLine& line = bodies.contact();
+  const ContactLaw& law = bodies.body().law;
   return cleared_between_nodes(
-      line, body.law,
-      admissible_displacement(line, body.law, v, system.prescribed),
-      system.prescribed);
+      line, law, admissible_displacement(line, law, v, bodies.prescribed()),
+      bodies.prescribed());
 }
 
 template <>
-double depth_of(const SolvedProblem<2>& solved, const VectorXd& v) {
-  return deepest_node(solved.contact, solved.body.law, v).depth;
+double depth_of(const MatchedBodies<2>& bodies, const VectorXd& v) {
+  return deepest_node(bodies.contact(), bodies.body().law, v).depth;
 }
 
 template <>
-std::string reason_against_bounds(const SolvedProblem<2>& solved,
-                                  const Estimate<2>& first) {
+std::string reason_against_bounds(const SolvedProblem<2>& solved) {
   if (solved.body.law.bonded)
     return "there are no bounds of quantities of bonded bodies yet";
-  if (first.refinement)
-    return "there are no bounds of quantities of bodies whose meshes do not "
-           "match on the contact: let them have the same vertices there";
   return "";
 }
 

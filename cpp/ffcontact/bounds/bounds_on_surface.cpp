@@ -10,20 +10,21 @@ namespace ffcontact {
 namespace {
 
 /// With the motion of v.
-std::vector<ContactFacet<3>> faces_with(const SolvedProblem<3>& solved,
+std::vector<ContactFacet<3>> faces_with(const MatchedBodies<3>& bodies,
                                         const VectorXd& v) {
-  const auto& [topology, surface, system, body] = solved;
-  return contact_faces(topology.mesh, topology.facets, surface, body.law, v);
+  const Topology<3>& topology = bodies.topology();
+  return contact_faces(topology.mesh, topology.facets, bodies.contact(),
+                       bodies.body().law, v);
 }
 
 }  // namespace
 
 template <>
-VectorXd nodal_forces(const SolvedProblem<3>& solved,
+VectorXd nodal_forces(const MatchedBodies<3>& bodies,
                       const SurfaceTractions& rho) {
-  const auto& [mesh, faces, ridges, stars] = solved.topology;
+  const auto& [mesh, faces, ridges, stars] = bodies.topology();
   FaceMoments moments = FaceMoments::Zero(9, faces.count());
-  put_moments(faces_with(solved, solved.body.displacement), rho, moments);
+  put_moments(faces_with(bodies, bodies.body().displacement), rho, moments);
   VectorXd forces = VectorXd::Zero(3 * mesh.vertices.cols());
   for (int f = 0; f < faces.count(); ++f)
     for (int k = 0; k < 3; ++k)
@@ -33,17 +34,17 @@ VectorXd nodal_forces(const SolvedProblem<3>& solved,
 }
 
 template <>
-VectorXd twice_psi(const SolvedProblem<3>& solved, const VectorXd& v,
+VectorXd twice_psi(const MatchedBodies<3>& bodies, const VectorXd& v,
                    const SurfaceTractions& rho) {
-  return contact_error(faces_with(solved, v), rho);
+  return contact_error(faces_with(bodies, v), rho);
 }
 
 template <>
-void add_to_cells(const SolvedProblem<3>& solved, const VectorXd& on_facets,
+void add_to_cells(const MatchedBodies<3>& bodies, const VectorXd& on_facets,
                   VectorXd& local) {
-  const Facets<3>& faces = solved.topology.facets;
+  const Facets<3>& faces = bodies.topology().facets;
   for (int m = 0; m < on_facets.size(); ++m)
-    local[faces.cells(0, solved.contact.face[m])] += on_facets[m];
+    local[faces.cells(0, bodies.contact().face[m])] += on_facets[m];
 }
 
 template <>
@@ -63,26 +64,27 @@ SurfaceLaw reflected(const SolvedProblem<3>& solved, const VectorXd& v) {
 }
 
 template <>
-VectorXd cleared(const SolvedProblem<3>& solved, const VectorXd& v) {
-  const auto& [topology, surface, system, body] = solved;
-  const Facets<3>& faces = topology.facets;
+VectorXd cleared(const MatchedBodies<3>& bodies, const VectorXd& v) {
+  const Facets<3>& faces = bodies.topology().facets;
+  const ContactSurface& surface = bodies.contact();
+  const SurfaceLaw& law = bodies.body().law;
+  const Flags& prescribed = bodies.prescribed();
   return cleared_between_nodes(
-      faces, surface, body.law,
-      admissible_displacement(faces, surface, body.law, v, system.prescribed),
-      system.prescribed);
+      faces, surface, law,
+      admissible_displacement(faces, surface, law, v, prescribed), prescribed);
 }
 
 template <>
-double depth_of(const SolvedProblem<3>& solved, const VectorXd& v) {
-  return deepest_node(solved.topology.facets, solved.contact, solved.body.law,
-                      v)
+double depth_of(const MatchedBodies<3>& bodies, const VectorXd& v) {
+  return deepest_node(bodies.topology().facets, bodies.contact(),
+                      bodies.body().law, v)
       .depth;
 }
 
 template <>
-std::string reason_against_bounds(const SolvedProblem<3>& solved,
-                                  const Estimate<3>&) {
-  if (count_of(faces_with(solved, solved.body.displacement)) <
+std::string reason_against_bounds(const SolvedProblem<3>& solved) {
+  const MatchedBodies<3> bodies(solved);
+  if (count_of(faces_with(bodies, solved.body.displacement)) <
       solved.contact.face_count())
     return "there are no bounds of quantities of bodies whose meshes do not "
            "match on the contact: let them have the same triangles there";

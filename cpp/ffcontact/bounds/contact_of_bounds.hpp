@@ -7,6 +7,7 @@
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/estimate/admissible_pair.hpp"
+#include "ffcontact/estimate/bodies/matched_bodies.hpp"
 
 namespace ffcontact {
 
@@ -39,20 +40,21 @@ Given on_the_other_side(const Given& given, const Given& moved) {
   return given.size() > 0 ? Given(2 * given - moved) : Given(-moved);
 }
 
-/// int rho phi on all dofs [N]: rho on the contact's body, -rho on the opposite one.
+/// int rho phi on the dofs of the solved bodies [N]: rho on the contact's body, -rho on the
+/// opposite one.
 template <int d>
-VectorXd nodal_forces(const SolvedProblem<d>& solved,
+VectorXd nodal_forces(const MatchedBodies<d>& bodies,
                       const FacetDensities<d>& rho);
 
 /// 2 Psi(v, rho) on the contact facets (excess), at least: it is exact in the plane, and in
 /// space has FaceCosts for |v_t|, which is a bound that depends on v alone.
 template <int d>
-VectorXd twice_psi(const SolvedProblem<d>& solved, const VectorXd& v,
+VectorXd twice_psi(const MatchedBodies<d>& bodies, const VectorXd& v,
                    const FacetDensities<d>& rho);
 
 /// What belongs to the contact facets, added to their cells.
 template <int d>
-void add_to_cells(const SolvedProblem<d>& solved, const VectorXd& on_facets,
+void add_to_cells(const MatchedBodies<d>& bodies, const VectorXd& on_facets,
                   VectorXd& local);
 
 /// Nodal forces under twice the bound of Tresca's law.
@@ -67,15 +69,14 @@ LawOfContact<d> reflected(const SolvedProblem<d>& solved, const VectorXd& v);
 /// A small change of v that keeps clear along the facets, at vertices that supports leave
 /// free.
 template <int d>
-VectorXd cleared(const SolvedProblem<d>& solved, const VectorXd& v);
+VectorXd cleared(const MatchedBodies<d>& bodies, const VectorXd& v);
 /// How deep v is where it is deepest [mm].
 template <int d>
-double depth_of(const SolvedProblem<d>& solved, const VectorXd& v);
+double depth_of(const MatchedBodies<d>& bodies, const VectorXd& v);
 
 /// What the theorem, or the construction, does not cover of the contact; one sentence, or
 /// empty.
 template <int d>
-std::string reason_against_bounds(const SolvedProblem<d>& solved,
-                                  const Estimate<d>& first);
+std::string reason_against_bounds(const SolvedProblem<d>& solved);
 
 }  // namespace ffcontact

@@ -37,12 +37,15 @@ class BoundsByTurns {
   BoundsByTurns(const SolvedProblem<d>& solved, const Estimate<d>& first,
                 const Quantity<d>& quantity, const BoundSettings& settings)
       : solved_(solved),
+        bodies_(solved),
         first_(first),
         quantity_(quantity),
+        matched_(matched(solved, quantity)),
         settings_(settings),
         load_(load_of(solved.topology.mesh, quantity)),
+        matched_load_(load_of(bodies_.topology().mesh, matched_)),
         system_(solved.system),
-        stress_(std::sqrt(energy_of(solved, solved.body.displacement))) {
+        stress_(std::sqrt(energy_of(bodies_, bodies_.body().displacement))) {
     settings_.contact.stiffness = solved.body.stiffness;
   }
 
@@ -57,6 +60,19 @@ class BoundsByTurns {
   }
 
  private:
+  /// The quantity on bodies whose traces match.
+  static Quantity<d> matched(const SolvedProblem<d>& solved,
+                             const Quantity<d>& quantity) {
+    SolvedBody<d> body = solved.body;
+    body.neumann = quantity.tractions;
+    body.body_loads = quantity.body_loads;
+    body.initial = quantity.stress;
+    const MatchedBodies<d> bodies(
+        {solved.topology, solved.contact, solved.system, body});
+    return {bodies.body().body_loads, bodies.body().initial,
+            bodies.body().neumann, quantity.constant};
+  }
+
   std::string reason_against(const VectorXd& free) const {
     if (free.isZero(0))
       return "no free vertex of the mesh moves it: prescribed displacements "
@@ -67,13 +83,13 @@ class BoundsByTurns {
   /// There are no bounds at a step yet.
   QuantityBounds none(double s) const {
     QuantityBounds bounds;
-    bounds.value = of(solved_.body.displacement);
+    bounds.value = of(bodies_.body().displacement);
     bounds.step = s;
     return bounds;
   }
 
   double of(const VectorXd& v) const {
-    return load_.dot(v) + quantity_.constant;
+    return matched_load_.dot(v) + matched_.constant;
   }
 
   /// What multigrid has solved: bounds take dozens of contact problems with one matrix, and a
@@ -88,7 +104,7 @@ class BoundsByTurns {
 
   /// What the terms of l(v) and what is missed of equilibrium may add to a bound.
   double rounding_of(const BoundPair<d>& pair, double s) const {
-    const double terms = load_.cwiseAbs().dot(pair.v.cwiseAbs());
+    const double terms = matched_load_.cwiseAbs().dot(pair.v.cwiseAbs());
     return share_of_rounding * terms +
            std::max(share_of_rounding, pair.defect) * stress_ * stress_ / s;
   }
@@ -158,10 +174,11 @@ class BoundsByTurns {
     const double s = bounds.step;
     const BoundPair<d> plus = pair(s), minus = pair(-s);
     const double above = rounding_of(plus, s), below = rounding_of(minus, s);
-    bounds.upper = of(plus.v) + excess(solved_, plus, s) + above;
-    bounds.lower = of(minus.v) - excess(solved_, minus, s) - below;
-    bounds.local = width_of_cells(solved_, plus, minus, s).array() +
-                   (above + below) / solved_.topology.mesh.cell_count();
+    bounds.upper = of(plus.v) + excess(bodies_, plus, s) + above;
+    bounds.lower = of(minus.v) - excess(bodies_, minus, s) - below;
+    bounds.local =
+        bodies_.sums_of_parts(width_of_cells(bodies_, plus, minus, s)).array() +
+        (above + below) / solved_.topology.mesh.cell_count();
   }
 
   BoundPair<d> pair(double t) {
@@ -177,11 +194,10 @@ class BoundsByTurns {
 
   /// v minimises the bound for rho, but for the rounding that keeps it clear.
   VectorXd displacement_for(double t, const FacetDensities<d>& rho) {
-    VectorXd v =
-        cleared<d>(solved_, solution(with_twice_the_bound<d>(solved_.body.law),
-                                     -t * load_ - nodal_forces<d>(solved_, rho))
-                                .displacement);
-    if (depth_of<d>(solved_, v) > penetration * max_norm(v))
+    const auto found = solution(with_twice_the_bound<d>(solved_.body.law),
+                                -t * load_ - nodal_forces<d>(bodies_, rho));
+    VectorXd v = cleared<d>(bodies_, bodies_.fields(found.displacement));
+    if (depth_of<d>(bodies_, v) > penetration * max_norm(v))
       refuse("no displacement that keeps clear was found");
     return v;
   }
@@ -198,7 +214,7 @@ class BoundsByTurns {
     pair.rho = facet_densities(estimate);
     pair.springs = estimate.spring_tractions;
     pair.oscillation = estimate.oscillation;
-    pair.tau.resize(solved_.topology.mesh.cell_count());
+    pair.tau.resize(bodies_.topology().mesh.cell_count());
     for (std::size_t k = 0; k < pair.tau.size(); ++k)
       pair.tau[k] = stress_in(static_cast<int>(k), t, body, estimate);
   }
@@ -206,18 +222,18 @@ class BoundsByTurns {
   SubcellStress<d> stress_in(int cell, double t, const SolvedBody<d>& body,
                              const Estimate<d>& estimate) const {
     SubcellStress<d> stress = stress_of(solved_.topology, estimate, body, cell);
-    if (!quantity_.stress.empty())
-      stress += t * subcell_values<d>(quantity_.stress.at_vertices(cell));
+    if (!matched_.stress.empty())
+      stress += t * subcell_values<d>(matched_.stress.at_vertices(cell));
     return stress;
   }
 
-  /// Contact under L + t l, reflected at v; q counts as an initial stress.
+  /// Contact under L + t l, reflected at v, whose vertices of the solved bodies come first; q counts as an initial stress.
   SolvedBody<d> loaded_body(double t, const VectorXd& v) {
     SolvedBody<d> loaded = solved_.body;
     loaded.neumann += t * quantity_.tractions;
     loaded.body_loads += t * quantity_.body_loads;
     loaded.initial = loaded.initial + -t * quantity_.stress;
-    loaded.law = reflected<d>(solved_, v);
+    loaded.law = reflected<d>(solved_, v.head(load_.size()));
     const auto found = solution(loaded.law, t * load_);
     loaded.displacement = found.displacement;
     loaded.multipliers = multipliers_of(found);
@@ -235,10 +251,13 @@ class BoundsByTurns {
   }
 
   const SolvedProblem<d>& solved_;
+  MatchedBodies<d> bodies_;
   const Estimate<d>& first_;
   const Quantity<d>& quantity_;
+  Quantity<d> matched_;  ///< the quantity on the matched bodies
   BoundSettings settings_;
-  VectorXd load_;         ///< l of the hat functions
+  VectorXd load_;  ///< l of the hat functions of the solved bodies
+  VectorXd matched_load_;
   ElasticSystem system_;  ///< with other loads
   double stress_;         ///< |sigma_h|
   double longest_ = 0;
