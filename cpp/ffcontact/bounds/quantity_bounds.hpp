@@ -48,8 +48,9 @@ struct QuantityBounds {
 /// ones are taken.
 /// @param solved  what contactsolve found
 /// @param first   its estimate
-/// What is bounded is that of the problem on the mesh's polygon or polyhedron, with a gap,
-/// a load step before and prescribed displacements that are linear between its vertices.
+/// What is bounded is that of the problem on the mesh's polygon or polyhedron, with contact
+/// directions, a gap, a load step before and prescribed displacements that are linear between
+/// its vertices.
 /// @throws std::invalid_argument  for what the theorem, or this construction, does not cover
 template <int d>
 QuantityBounds quantity_bounds(const SolvedProblem<d>& solved,
