@@ -68,9 +68,11 @@ class ForceWeight {
   void hold(int vertex, const VectorOf<d>& normal) {
     constexpr double least = 1e-9;
     for (int c = 0; c < d; ++c)
-      if (body_.law.slip_bound.size() > 0 || std::abs(normal[c]) > least)
+      if (has_friction() || std::abs(normal[c]) > least)
         held_[d * vertex + c] = 1;
   }
+
+  bool has_friction() const { return body_.law.slip_bound.size() > 0; }
 
   void hold_by_springs() {
     for (Index f = 0; f < mesh_.boundary.cols(); ++f)

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
+#include "ffcontact/estimate/contact_steps.hpp"
 #include "ffcontact/estimate/error/spring_parts.hpp"
 
 namespace ffcontact {
@@ -126,7 +127,7 @@ VectorXd width_of_cells(const MatchedBodies<d>& bodies,
   for (const BoundPair<d>* of_v : {&plus, &minus})
     for (const BoundPair<d>* of_rho : {&plus, &minus}) {
       const VectorXd part = twice_psi<d>(bodies, of_v->v, of_rho->rho);
-      add_to_cells<d>(bodies, part / (4 * s), local);
+      add_contact_part<d>(bodies, part / (4 * s), local);
     }
   return local;
 }

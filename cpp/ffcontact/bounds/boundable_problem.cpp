@@ -3,7 +3,6 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/words.hpp"
-#include "ffcontact/bounds/contact_of_bounds.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -37,6 +36,9 @@ void require_near(const SolvedProblem<d>& solved) {
 template <int d>
 void require_covered(const SolvedBody<d>& body) {
   const LawOfContact<d>& law = body.law;
+  if constexpr (d == 2)
+    if (law.bonded)
+      refuse("there are no bounds of quantities of bonded bodies yet");
   const bool tresca = law.slip_bound.size() > 0,
              limited = law.shear_limit.size() > 0;
   if (limited || (!tresca && has_friction<d>(law)))
@@ -55,8 +57,6 @@ void require_covered(const SolvedBody<d>& body) {
 template <int d>
 void require_boundable(const SolvedProblem<d>& solved,
                        const Estimate<d>& first) {
-  const std::string reason = reason_against_bounds(solved);
-  if (!reason.empty()) refuse(reason);
   require_covered(solved.body);
   require_near(solved);
   if (!first.admissible)

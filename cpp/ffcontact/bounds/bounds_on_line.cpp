@@ -18,12 +18,6 @@ VectorXd twice_psi(const MatchedBodies<2>& bodies, const VectorXd& v,
 }
 
 template <>
-void add_to_cells(const MatchedBodies<2>& bodies, const VectorXd& on_facets,
-                  VectorXd& local) {
-  add_to_cells(bodies.topology().facets, bodies.contact(), on_facets, local);
-}
-
-template <>
 ContactLaw with_twice_the_bound<2>(ContactLaw law) {
   law.multiplier = Multiplier::force;
   law.slip_bound *= 2;
@@ -49,18 +43,6 @@ VectorXd cleared(const MatchedBodies<2>& bodies, const VectorXd& v) {
   return cleared_between_nodes(
       line, law, admissible_displacement(line, law, v, bodies.prescribed()),
       bodies.prescribed());
-}
-
-template <>
-double depth_of(const MatchedBodies<2>& bodies, const VectorXd& v) {
-  return deepest_node(bodies.contact(), bodies.body().law, v).depth;
-}
-
-template <>
-std::string reason_against_bounds(const SolvedProblem<2>& solved) {
-  if (solved.body.law.bonded)
-    return "there are no bounds of quantities of bonded bodies yet";
-  return "";
 }
 
 }  // namespace ffcontact

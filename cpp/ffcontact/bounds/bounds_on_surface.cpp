@@ -17,14 +17,25 @@ std::vector<ContactFacet<3>> faces_with(const MatchedBodies<3>& bodies,
                        bodies.body().law, v);
 }
 
+/// Of rho alone, on all faces.
+FaceMoments moments_of(const MatchedBodies<3>& bodies,
+                       const SurfaceDensities& rho) {
+  FaceMoments moments =
+      bodies.boundary_with(rho.nodal).moments -
+      bodies.boundary_with(Matrix3Xd::Zero(3, rho.nodal.cols())).moments;
+  const auto contact = faces_with(bodies, bodies.body().displacement);
+  put_moments(contact, rho.on_faces(Eigen::all, surface_faces(contact)),
+              moments);
+  return moments;
+}
+
 }  // namespace
 
 template <>
 VectorXd nodal_forces(const MatchedBodies<3>& bodies,
-                      const SurfaceTractions& rho) {
+                      const SurfaceDensities& rho) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
-  FaceMoments moments = FaceMoments::Zero(9, faces.count());
-  put_moments(faces_with(bodies, bodies.body().displacement), rho, moments);
+  const FaceMoments moments = moments_of(bodies, rho);
   VectorXd forces = VectorXd::Zero(3 * mesh.vertices.cols());
   for (int f = 0; f < faces.count(); ++f)
     for (int k = 0; k < 3; ++k)
@@ -35,16 +46,10 @@ VectorXd nodal_forces(const MatchedBodies<3>& bodies,
 
 template <>
 VectorXd twice_psi(const MatchedBodies<3>& bodies, const VectorXd& v,
-                   const SurfaceTractions& rho) {
-  return contact_error(faces_with(bodies, v), rho);
-}
-
-template <>
-void add_to_cells(const MatchedBodies<3>& bodies, const VectorXd& on_facets,
-                  VectorXd& local) {
-  const Facets<3>& faces = bodies.topology().facets;
-  for (int m = 0; m < on_facets.size(); ++m)
-    local[faces.cells(0, bodies.contact().face[m])] += on_facets[m];
+                   const SurfaceDensities& rho) {
+  const auto& [mesh, faces, ridges, stars] = bodies.topology();
+  return contact_error(mesh, faces, bodies.contact(), bodies.body().law,
+                       faces_with(bodies, v), {rho.nodal, rho.on_faces}, v);
 }
 
 template <>
@@ -72,23 +77,6 @@ VectorXd cleared(const MatchedBodies<3>& bodies, const VectorXd& v) {
   return cleared_between_nodes(
       faces, surface, law,
       admissible_displacement(faces, surface, law, v, prescribed), prescribed);
-}
-
-template <>
-double depth_of(const MatchedBodies<3>& bodies, const VectorXd& v) {
-  return deepest_node(bodies.topology().facets, bodies.contact(),
-                      bodies.body().law, v)
-      .depth;
-}
-
-template <>
-std::string reason_against_bounds(const SolvedProblem<3>& solved) {
-  const MatchedBodies<3> bodies(solved);
-  if (count_of(faces_with(bodies, solved.body.displacement)) <
-      solved.contact.face_count())
-    return "there are no bounds of quantities of bodies whose meshes do not "
-           "match on the contact: let them have the same triangles there";
-  return "";
 }
 
 }  // namespace ffcontact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
 #include <type_traits>
 
 #include "ffcontact/contact/contact_solution.hpp"
@@ -13,17 +12,23 @@ namespace ffcontact {
 
 /// What bounds ask of the contact: lines and surfaces answer each in their own way.
 
+/// As TractionFields.
+struct SurfaceDensities {
+  Matrix3Xd nodal;
+  SurfaceTractions on_faces;
+};
+
 /// Contact tractions rho, linear along each contact facet [MPa].
 template <int d>
 using FacetDensities =
-    std::conditional_t<d == 2, ContactDensities, SurfaceTractions>;
+    std::conditional_t<d == 2, ContactDensities, SurfaceDensities>;
 
 /// r_hat of an estimate.
-inline const ContactDensities& facet_densities(const Estimate<2>& estimate) {
+inline ContactDensities facet_densities(const Estimate<2>& estimate) {
   return estimate.tractions;
 }
-inline const SurfaceTractions& facet_densities(const Estimate<3>& estimate) {
-  return estimate.face_tractions;
+inline SurfaceDensities facet_densities(const Estimate<3>& estimate) {
+  return {estimate.tractions, estimate.face_tractions};
 }
 
 /// Multipliers of a solution, as in SolvedBody.
@@ -52,11 +57,6 @@ template <int d>
 VectorXd twice_psi(const MatchedBodies<d>& bodies, const VectorXd& v,
                    const FacetDensities<d>& rho);
 
-/// What belongs to the contact facets, added to their cells.
-template <int d>
-void add_to_cells(const MatchedBodies<d>& bodies, const VectorXd& on_facets,
-                  VectorXd& local);
-
 /// Nodal forces under twice the bound of Tresca's law.
 template <int d>
 LawOfContact<d> with_twice_the_bound(LawOfContact<d> law);
@@ -70,13 +70,5 @@ LawOfContact<d> reflected(const SolvedProblem<d>& solved, const VectorXd& v);
 /// free.
 template <int d>
 VectorXd cleared(const MatchedBodies<d>& bodies, const VectorXd& v);
-/// How deep v is where it is deepest [mm].
-template <int d>
-double depth_of(const MatchedBodies<d>& bodies, const VectorXd& v);
-
-/// What the theorem, or the construction, does not cover of the contact; one sentence, or
-/// empty.
-template <int d>
-std::string reason_against_bounds(const SolvedProblem<d>& solved);
 
 }  // namespace ffcontact

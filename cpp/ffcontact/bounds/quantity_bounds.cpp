@@ -9,6 +9,7 @@
 #include "ffcontact/bounds/bound_pair.hpp"
 #include "ffcontact/bounds/boundable_problem.hpp"
 #include "ffcontact/bounds/step_search.hpp"
+#include "ffcontact/estimate/contact_steps.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -197,7 +198,7 @@ class BoundsByTurns {
     const auto found = solution(with_twice_the_bound<d>(solved_.body.law),
                                 -t * load_ - nodal_forces<d>(bodies_, rho));
     VectorXd v = cleared<d>(bodies_, bodies_.fields(found.displacement));
-    if (depth_of<d>(bodies_, v) > penetration * max_norm(v))
+    if (deepest_node<d>(bodies_, v).depth > penetration * max_norm(v))
       refuse("no displacement that keeps clear was found");
     return v;
   }

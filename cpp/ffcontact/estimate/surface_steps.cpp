@@ -105,15 +105,9 @@ VectorXd contact_part_of(const MatchedBodies<3>& bodies,
                          const Compared<3>& compared,
                          const RelaxedTractions<3>& tractions) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
-  const ContactSurface& surface = bodies.contact();
-  VectorXd part = surface.against_a_body()
-                      ? facing_contact_error(mesh, faces, surface, compared.law,
-                                             fields_of(tractions.contact),
-                                             compared.displacement)
-                      : VectorXd::Zero(surface.face_count());
-  part(surface_faces(tractions.facets)) = contact_error(
-      tractions.facets, tractions_on(tractions.facets, tractions));
-  return part;
+  return contact_error(mesh, faces, bodies.contact(), compared.law,
+                       tractions.facets, fields_of(tractions.contact),
+                       compared.displacement);
 }
 
 template <>

@@ -40,14 +40,13 @@ inline Vector3i nodes_of(const ContactSurface& surface, int face) {
 /// Calls of_facet(mesh facet, contact facet) for the mesh facets of the contact facets, and
 /// for those of other bodies that these face, which may come several times.
 template <class OfFacet>
-void for_touching_facets(const ContactLine& line, const OfFacet& of_facet) {
+void for_touching_facets(const ContactLine& line, OfFacet&& of_facet) {
   for (int e = 0; e < line.edge_count(); ++e) of_facet(line.edge[e], e);
   for (const FacingPiece& piece : line.pieces)
     of_facet(piece.opposite_edge, piece.contact_edge);
 }
 template <class OfFacet>
-void for_touching_facets(const ContactSurface& surface,
-                         const OfFacet& of_facet) {
+void for_touching_facets(const ContactSurface& surface, OfFacet&& of_facet) {
   for (int m = 0; m < surface.face_count(); ++m) of_facet(surface.face[m], m);
   for (const FacingPolygon& polygon : surface.polygons)
     of_facet(polygon.opposite_face, polygon.contact_face);

@@ -58,6 +58,20 @@ VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
   });
 }
 
+VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
+                       const ContactSurface& surface, const SurfaceLaw& law,
+                       const std::vector<ContactFacet<3>>& contact,
+                       const TractionFields& traction,
+                       const Ref<const VectorXd>& displacement) {
+  VectorXd part = surface.against_a_body()
+                      ? facing_contact_error(mesh, faces, surface, law,
+                                             traction, displacement)
+                      : VectorXd::Zero(surface.face_count());
+  const VectorXi given = surface_faces(contact);
+  part(given) = contact_error(contact, traction.on_faces(Eigen::all, given));
+  return part;
+}
+
 double cone_violation(const std::vector<ContactFacet<3>>& contact,
                       const SurfaceTractions& tractions) {
   return largest_over(tractions.cols(), [&](int m) {

@@ -20,6 +20,15 @@ namespace ffcontact {
 VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
                        const SurfaceTractions& tractions);
 
+/// On all faces of a surface: on the given ones, and by facing_contact_error on others that
+/// face another body.
+/// @param displacement  with which the given faces move
+VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
+                       const ContactSurface& surface, const SurfaceLaw& law,
+                       const std::vector<ContactFacet<3>>& contact,
+                       const TractionFields& traction,
+                       const Ref<const VectorXd>& displacement);
+
 /// Largest of r_n and |r_t| less its bound on any face [MPa]; 0 in the cone.
 double cone_violation(const std::vector<ContactFacet<3>>& contact,
                       const SurfaceTractions& tractions);
