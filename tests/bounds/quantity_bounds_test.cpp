@@ -237,22 +237,12 @@ Problem with_law(Problem problem, double slip_bound, const Vector2d& gap,
   return problem;
 }
 
-/// The exact value is in the intervals of nested meshes, so that they meet.
-void require_that_they_meet(const QuantityBounds& wide,
-                            const QuantityBounds& narrow) {
-  // some random quantities are of vertices that all are prescribed
+/// Some random quantities are of vertices that all are prescribed.
+void require_that_they_meet_if_any(const QuantityBounds& wide,
+                                   const QuantityBounds& narrow) {
   RC_PRE(wide.reason.find("no free vertex of the mesh moves it") ==
          std::string::npos);
-  RC_ASSERT(wide.reason.empty());
-  RC_ASSERT(narrow.reason.empty());
-  const double rounding = 1e-9 * (std::abs(wide.lower) + std::abs(wide.upper));
-  RC_ASSERT(wide.lower <= narrow.upper + rounding);
-  RC_ASSERT(narrow.lower <= wide.upper + rounding);
-  RC_ASSERT(narrow.width() <= wide.width() + rounding);
-  RC_TAG(std::clamp(static_cast<int>(wide.width() / narrow.width()), 0, 20));
-  RC_ASSERT(wide.local.minCoeff() >= -rounding);
-  RC_ASSERT(std::abs(wide.local.sum() - wide.width()) <=
-            1e-8 * wide.width() + rounding);
+  require_that_they_meet(wide, narrow);
 }
 
 /// The same problem with directions that turn along the line, at a rate [1/mm].
@@ -293,8 +283,8 @@ RC_GTEST_PROP(QuantityBounds, of_nested_meshes_meet, (Random random)) {
     return Solved(problem, springs);
   };
   const Solved coarse = solved_on(0), fine = solved_on(2);
-  require_that_they_meet(coarse.bounds(quantity.on(coarse.problem)),
-                         fine.bounds(quantity.on(fine.problem)));
+  require_that_they_meet_if_any(coarse.bounds(quantity.on(coarse.problem)),
+                                fine.bounds(quantity.on(fine.problem)));
 }
 
 /// Two blocks whose meshes do not match, and a quantity of one of them.

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/bounds/quantity.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "ffcontact/bounds/quantity_bounds.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
+#include "support/random.hpp"
 
 /// Quantities of interest that the tests share.
 namespace ffcontact::test {
@@ -22,6 +26,21 @@ Quantity<d> on_label(const SimplexMesh<d>& mesh, int label,
   VectorXd load = VectorXd::Zero(d * mesh.vertices.cols());
   add_traction(mesh, label, w, load, quantity.tractions);
   return quantity;
+}
+
+/// The exact value is in the intervals of nested meshes, so that they meet.
+inline void require_that_they_meet(const QuantityBounds& wide,
+                                   const QuantityBounds& narrow) {
+  RC_ASSERT(wide.reason == "");
+  RC_ASSERT(narrow.reason == "");
+  const double rounding = 1e-9 * (std::abs(wide.lower) + std::abs(wide.upper));
+  RC_ASSERT(wide.lower <= narrow.upper + rounding);
+  RC_ASSERT(narrow.lower <= wide.upper + rounding);
+  RC_ASSERT(narrow.width() <= wide.width() + rounding);
+  RC_TAG(std::clamp(static_cast<int>(wide.width() / narrow.width()), 0, 20));
+  RC_ASSERT(wide.local.minCoeff() >= -rounding);
+  RC_ASSERT(std::abs(wide.local.sum() - wide.width()) <=
+            1e-8 * wide.width() + rounding);
 }
 
 }  // namespace ffcontact::test

@@ -55,6 +55,8 @@ VectorXd squares_with(double oscillation, const VectorXd& squares) {
 template <int d>
 VectorXd oscillation_part(const MatchedBodies<d>& bodies,
                           const BoundPair<d>& pair) {
+  if (pair.oscillation == 0)
+    return VectorXd::Zero(bodies.topology().mesh.cell_count());
   const VectorXd squares = differences(bodies, pair);
   return squares_with(pair.oscillation, squares) - squares;
 }
@@ -66,15 +68,13 @@ VectorXd stresses_apart(const MatchedBodies<d>& bodies,
   const SimplexMesh<d>& mesh = bodies.topology().mesh;
   const LinearStresses<d> above = total_stresses(mesh, bodies.body(), plus.v),
                           below = total_stresses(mesh, bodies.body(), minus.v);
-  return energies(bodies,
-                  [&](int t) -> SubcellStress<d> {
-                    return plus.tau[t] + minus.tau[t] - in_cell(above, t) -
-                           in_cell(below, t);
-                  }) +
-         energies(bodies, [&](int t) -> SubcellStress<d> {
-           return plus.tau[t] - minus.tau[t] + in_cell(above, t) -
-                  in_cell(below, t);
-         });
+  const auto with_sign = [&](double sign) {
+    return energies(bodies, [&, sign](int t) -> SubcellStress<d> {
+      return plus.tau[t] - in_cell(below, t) +
+             sign * (minus.tau[t] - in_cell(above, t));
+    });
+  };
+  return with_sign(1) + with_sign(-1);
 }
 
 /// A quarter of the same of springs, with d = t + K (v - u_0), h = t - K (v - u_0), of each

@@ -20,9 +20,11 @@ std::vector<ContactFacet<3>> faces_with(const MatchedBodies<3>& bodies,
 /// Of rho alone, on all faces.
 FaceMoments moments_of(const MatchedBodies<3>& bodies,
                        const SurfaceDensities& rho) {
+  const auto& [mesh, faces, ridges, stars] = bodies.topology();
+  const FaceTractions none{KnownComponents::Constant(3, faces.count(), false),
+                           FaceMoments::Zero(9, faces.count())};
   FaceMoments moments =
-      bodies.boundary_with(rho.nodal).moments -
-      bodies.boundary_with(Matrix3Xd::Zero(3, rho.nodal.cols())).moments;
+      with_contact(none, mesh, faces, bodies.contact(), rho.nodal).moments;
   const auto contact = faces_with(bodies, bodies.body().displacement);
   put_moments(contact, rho.on_faces(Eigen::all, surface_faces(contact)),
               moments);

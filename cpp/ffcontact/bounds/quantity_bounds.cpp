@@ -41,7 +41,7 @@ class BoundsByTurns {
         bodies_(solved),
         first_(first),
         quantity_(quantity),
-        matched_(matched(solved, quantity)),
+        matched_(matched(quantity)),
         settings_(settings),
         load_(load_of(solved.topology.mesh, quantity)),
         matched_load_(load_of(bodies_.topology().mesh, matched_)),
@@ -62,16 +62,13 @@ class BoundsByTurns {
 
  private:
   /// The quantity on bodies whose traces match.
-  static Quantity<d> matched(const SolvedProblem<d>& solved,
-                             const Quantity<d>& quantity) {
-    SolvedBody<d> body = solved.body;
+  Quantity<d> matched(const Quantity<d>& quantity) const {
+    SolvedBody<d> body = solved_.body;
     body.neumann = quantity.tractions;
     body.body_loads = quantity.body_loads;
     body.initial = quantity.stress;
-    const MatchedBodies<d> bodies(
-        {solved.topology, solved.contact, solved.system, body});
-    return {bodies.body().body_loads, bodies.body().initial,
-            bodies.body().neumann, quantity.constant};
+    body = bodies_.matched(body);
+    return {body.body_loads, body.initial, body.neumann, quantity.constant};
   }
 
   std::string reason_against(const VectorXd& free) const {

@@ -7,7 +7,6 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/contact_settings.hpp"
 #include "ffcontact/contact/fixed_point/fixed_point.hpp"
-#include "ffcontact/contact/newton/newton_relation.hpp"
 #include "ffcontact/contact/newton/step_solver.hpp"
 
 namespace ffcontact {

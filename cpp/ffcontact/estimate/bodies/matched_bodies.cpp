@@ -14,11 +14,16 @@ MatchedBodies<2>::MatchedBodies(const SolvedProblem<2>& solved)
       spring_moments<2>(topology.mesh, body.springs, body.displacement);
   if (line.matches()) return;
   refinement_ = common_refinement(topology.mesh, topology.facets, line);
-  cut_ = Cut{
-      topology_of(refinement_->mesh, refinement_->edges),
-      refined_prescribed(*refinement_, system.prescribed),
-      refined_body(topology.mesh, topology.facets, line, body, *refinement_)};
+  cut_ =
+      Cut{topology_of(refinement_->mesh, refinement_->edges),
+          refined_prescribed(*refinement_, system.prescribed), matched(body)};
   springs_ = matched_moments(solved_springs_);
+}
+
+SolvedBody<2> MatchedBodies<2>::matched(const SolvedBody<2>& solved) const {
+  if (!refinement_) return solved;
+  const auto& [mesh, edges, ridges, stars] = solved_.topology;
+  return refined_body(mesh, edges, solved_.contact, solved, *refinement_);
 }
 
 Matrix4Xd MatchedBodies<2>::matched_moments(const Matrix4Xd& solved) const {

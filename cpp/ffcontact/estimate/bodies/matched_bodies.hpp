@@ -64,6 +64,9 @@ class MatchedBodies<2> {
   /// Nodal forces of contact tractions on the dofs of the solved mesh [N/mm].
   VectorXd solved_forces(const ContactDensities& densities) const;
 
+  /// Law and loads of a body on the solved mesh on the matched one.
+  SolvedBody<2> matched(const SolvedBody<2>& solved) const;
+
   /// Values at the nodes of the solved line at those of the matched one [2 x p].
   Matrix2Xd nodal_values(const Matrix2Xd& solved) const;
 
@@ -138,6 +141,7 @@ class MatchedBodies<3> {
                       const FaceTractions&) const {
     return solved;
   }
+  SolvedBody<3> matched(SolvedBody<3> solved) const { return solved; }
   MatrixXd fields(MatrixXd solved) const { return solved; }
   VectorXd sums_of_parts(VectorXd values) const { return values; }
 

@@ -20,8 +20,8 @@ namespace ffcontact {
 VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
                        const SurfaceTractions& tractions);
 
-/// On all faces of a surface: on the given ones, and by facing_contact_error on others that
-/// face another body.
+/// The same on all faces of a surface: on the given ones, and by facing_contact_error on
+/// others that face another body [N mm].
 /// @param displacement  with which the given faces move
 VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
                        const ContactSurface& surface, const SurfaceLaw& law,
