@@ -11,6 +11,7 @@
 #include "ffcontact/base/words.hpp"
 #include "ffcontact/bounds/quantity.hpp"
 #include "ffcontact/interface/weights_by_node.hpp"
+#include "ffcontact/linear/norms.hpp"
 //
 #include "estimate/material_and_loads.hpp"
 
@@ -91,23 +92,26 @@ class ForceWeight {
   /// @param values  [vertices x facets of the body]
   void put(const BodyReader<d>& reader, int c, const MatrixXd& values,
            bool holding) {
+    constexpr double same = 1e-12;
     Flags known(weight_.size(), 0);
     const int first = reader.part().first_boundary;
+    const double rounding = same * max_norm(values);
     for (Index f = 0; f < values.cols(); ++f) {
       if (holds(first + f, c) != holding) continue;
       for (int k = 0; k < d; ++k) {
         const int dof = d * mesh_.boundary(k, first + f) + c;
-        if (holding && known[dof]) require_same(reader, dof, values(k, f));
+        if (holding && known[dof])
+          require_same(reader, dof, values(k, f), rounding);
         known[dof] = 1;
         weight_[dof] = values(k, f);
       }
     }
   }
 
-  void require_same(const BodyReader<d>& reader, int dof, double other) const {
-    constexpr double same = 1e-12;
+  void require_same(const BodyReader<d>& reader, int dof, double other,
+                    double rounding) const {
     const double one = weight_[dof];
-    if (std::abs(one - other) > same * std::abs(one))
+    if (std::abs(one - other) > rounding)
       refuse(reader.name("goalforce"), "= is ", one, " and ", other,
              " on two supports that meet at ", in_words(mesh_.place(dof / d)),
              ": such a force depends on the mesh; let the weight be the same "
