@@ -4,11 +4,31 @@
 
 namespace ffcontact::plugin {
 
+namespace {
+
+/// mu kappa, and what it rests on.
+double friction_share(const BoundsCall& call, const ContactLine& line,
+                      Judged& judged) {
+  const StuckNodes stuck = stuck_nodes_of(call.stack, call.named);
+  judged.factorise(line);
+  const auto [kappa, friction] = coulomb_constant_of(line, judged, stuck);
+  if (call.reports())
+    cout << "contactbounds: mu kappa " << friction * kappa << ", "
+         << stuck_in_words(stuck)
+         << ", strict if the exact solution slips the way u_h does" << endl;
+  return friction * kappa;
+}
+
+}  // namespace
+
 double plane_bounds(const BoundsCall& call, const Contact& contact) {
   const ContactProblem& problem = plane_problem(contact);
-  const Judged judged = judged_of(solved_contact(contact));
-  return bounds_of<2>(call, call.settings(8, 1), problem, problem.topology(),
-                      problem.line, *judged.system, judged.body);
+  Judged judged = judged_of(solved_contact(contact));
+  BoundSettings settings = call.settings(8, 1);
+  if (call.named.flag(call.stack, "coulomb"))
+    settings.friction_share = friction_share(call, problem.line, judged);
+  return bounds_of<2>(call, settings, problem, problem.topology(), problem.line,
+                      *judged.system, judged.body);
 }
 
 }  // namespace ffcontact::plugin

@@ -56,6 +56,8 @@ class ContactBounds : public E_F0mps {
                                {"steps", &typeid(long)},
                                {"turns", &typeid(long)},
                                {"sweeps", &typeid(long)},
+                               {"coulomb", &typeid(bool)},
+                               {"stick", &typeid(string*)},
                                {"verbosity", &typeid(long)}});
     return table;
   }

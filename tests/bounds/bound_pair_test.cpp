@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/bounds/coulomb_on_line.hpp"
 #include "ffcontact/bounds/quantity.hpp"
 #include "support/estimates.hpp"
 #include "support/random.hpp"
@@ -47,16 +48,22 @@ struct TwoPairs {
     return {solution(-t).displacement, estimate.stress, estimate.tractions};
   }
 
-  double width() const {
-    const MatchedBodies<2> bodies({topology, problem.line, system, body});
-    return load_of(problem.mesh, quantity).dot(plus.v - minus.v) +
-           excess(bodies, plus, s) + excess(bodies, minus, s);
+  MatchedBodies<2> bodies() const {
+    return MatchedBodies<2>({topology, problem.line, system, body});
   }
-  double of_cells() const {
-    const MatchedBodies<2> bodies({topology, problem.line, system, body});
-    return width_of_cells(bodies, plus, minus, s).sum();
+  double defect(const CoulombTerms<2>* coulomb = nullptr) const {
+    const double width = load_of(problem.mesh, quantity).dot(plus.v - minus.v) +
+                         excess(bodies(), plus, s, coulomb) +
+                         excess(bodies(), minus, s, coulomb),
+                 of_cells =
+                     width_of_cells(bodies(), plus, minus, s, coulomb).sum();
+    return std::abs(width / of_cells - 1);
   }
-  double defect() const { return std::abs(width() / of_cells() - 1); }
+  CoulombTerms<2> coulomb(double share) const {
+    return coulomb_terms(
+        bodies(), estimate_error<2>(topology, problem.line, system, body),
+        share);
+  }
 };
 
 TEST(BoundPair, contributions_add_up_whatever_v_is) {
@@ -67,6 +74,39 @@ TEST(BoundPair, contributions_add_up_whatever_v_is) {
       pairs.system, 1e-4 * random_vector(pairs.plus.v.size(), random));
   pairs.plus.v += more;
   EXPECT_LT(pairs.defect(), 1e-10);
+}
+
+TEST(BoundPair, contributions_add_up_with_coulombs_law) {
+  const TwoPairs pairs;
+  const CoulombTerms<2> coulomb = pairs.coulomb(0.4);
+  EXPECT_LT(pairs.defect(&coulomb), 1e-10);
+}
+
+/// Of the known pair the excess is that of e; what v is away from u_hat costs its energy.
+TEST(BoundPair, coulombs_law_adds_what_is_away_from_the_known_pair) {
+  const TwoPairs pairs;
+  const double m = 0.4, s = pairs.s;
+  const CoulombTerms<2> none = pairs.coulomb(0), coulomb = pairs.coulomb(m);
+  BoundPair<2> pair = coulomb.known;
+  const auto added = [&] {
+    return excess(pairs.bodies(), pair, s, &coulomb) -
+           excess(pairs.bodies(), pair, s, &none);
+  };
+  const Estimate<2> estimate = estimate_error<2>(
+      pairs.topology, pairs.problem.line, pairs.system, pairs.body);
+  const double square = estimate.e * estimate.e,
+               of_pair = excess(pairs.bodies(), pair, s, &none),
+               elastic = 2 * (square - 2 * s * of_pair);
+  EXPECT_NEAR(of_pair, excess(pairs.bodies(), pair, s), 1e-12 * of_pair);
+  EXPECT_NEAR(added(), m / (4 * s) * elastic, 1e-12 * of_pair);
+  Random random(1);
+  const VectorXd w =
+      on_free_dofs(pairs.system, 1e-4 * random_vector(pair.v.size(), random));
+  pair.v += w;
+  const double energy =
+      w.dot(stiffness(pairs.problem.mesh, pairs.problem.hooke) * w);
+  EXPECT_NEAR(added(), m / (4 * s) * (elastic + energy / (1 - m)),
+              1e-12 * energy);
 }
 
 /// They rest on equilibrium with the loads, with l and with the tractions.

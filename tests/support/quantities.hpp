@@ -28,19 +28,26 @@ Quantity<d> on_label(const SimplexMesh<d>& mesh, int label,
   return quantity;
 }
 
-/// The exact value is in the intervals of nested meshes, so that they meet.
-inline void require_that_they_meet(const QuantityBounds& wide,
-                                   const QuantityBounds& narrow) {
-  RC_ASSERT(wide.reason == "");
-  RC_ASSERT(narrow.reason == "");
+/// The exact value is in both intervals, so that they meet.
+inline void require_that_they_meet(const QuantityBounds& one,
+                                   const QuantityBounds& other) {
+  RC_ASSERT(one.reason == "");
+  RC_ASSERT(other.reason == "");
+  const double rounding = 1e-9 * (std::abs(one.lower) + std::abs(one.upper));
+  RC_ASSERT(one.lower <= other.upper + rounding);
+  RC_ASSERT(other.lower <= one.upper + rounding);
+  RC_ASSERT(one.local.minCoeff() >= -rounding);
+  RC_ASSERT(std::abs(one.local.sum() - one.width()) <=
+            1e-8 * one.width() + rounding);
+}
+
+/// Those of nested meshes.
+inline void require_that_they_narrow(const QuantityBounds& wide,
+                                     const QuantityBounds& narrow) {
+  require_that_they_meet(wide, narrow);
   const double rounding = 1e-9 * (std::abs(wide.lower) + std::abs(wide.upper));
-  RC_ASSERT(wide.lower <= narrow.upper + rounding);
-  RC_ASSERT(narrow.lower <= wide.upper + rounding);
   RC_ASSERT(narrow.width() <= wide.width() + rounding);
   RC_TAG(std::clamp(static_cast<int>(wide.width() / narrow.width()), 0, 20));
-  RC_ASSERT(wide.local.minCoeff() >= -rounding);
-  RC_ASSERT(std::abs(wide.local.sum() - wide.width()) <=
-            1e-8 * wide.width() + rounding);
 }
 
 }  // namespace ffcontact::test

@@ -77,20 +77,88 @@ VectorXd stresses_apart(const MatchedBodies<d>& bodies,
   return with_sign(1) + with_sign(-1);
 }
 
+/// u_0 = 0
+template <int d>
+BoundarySprings<d> at_rest(BoundarySprings<d> springs) {
+  springs.rest.setZero();
+  return springs;
+}
+
 /// A quarter of the same of springs, with d = t + K (v - u_0), h = t - K (v - u_0), of each
 /// column of the boundary.
 template <int d>
 VectorXd springs_apart(const SimplexMesh<d>& mesh,
                        const BoundarySprings<d>& springs,
                        const BoundPair<d>& plus, const BoundPair<d>& minus) {
-  BoundarySprings<d> at_rest = springs;
-  at_rest.rest.setZero();
   return spring_norms<d>(mesh, springs, (plus.v + minus.v) / 2,
                          (plus.springs + minus.springs) / 2)
              .difference +
-         spring_norms<d>(mesh, at_rest, (plus.v - minus.v) / 2,
+         spring_norms<d>(mesh, at_rest(springs), (plus.v - minus.v) / 2,
                          (minus.springs - plus.springs) / 2)
              .difference;
+}
+
+/// 2 Psi on the contact facets.
+template <int d>
+VectorXd twice_psi(const MatchedBodies<d>& bodies, const VectorXd& v,
+                   const FacetDensities<d>& rho,
+                   const CoulombTerms<d>* coulomb) {
+  if (!coulomb) return twice_psi<d>(bodies, bodies.body().law, v, rho);
+  return twice_psi<d>(bodies, coulomb->frictionless, v, rho) +
+         coulomb->friction;
+}
+
+/// |h - h_hat|^2 of each cell.
+template <int d>
+VectorXd changes(const MatchedBodies<d>& bodies, const BoundPair<d>& pair,
+                 const BoundPair<d>& known) {
+  const LinearStresses<d> moved(
+      stresses(bodies.topology().mesh, bodies.body().hooke, pair.v - known.v));
+  return energies(bodies, [&](int t) -> SubcellStress<d> {
+    return pair.tau[t] - known.tau[t] + in_cell(moved, t);
+  });
+}
+
+/// The same of springs, of each column of the boundary.
+template <int d>
+VectorXd changes_of_springs(const MatchedBodies<d>& bodies,
+                            const BoundPair<d>& pair,
+                            const BoundPair<d>& known) {
+  return spring_norms<d>(bodies.topology().mesh, at_rest(bodies.body().springs),
+                         known.v - pair.v, pair.springs - known.springs)
+      .difference;
+}
+
+/// |d_hat|^2 + |h - h_hat|^2 / (1 - m) of each cell.
+template <int d>
+VectorXd distances(const MatchedBodies<d>& bodies, const BoundPair<d>& pair,
+                   const CoulombTerms<d>& coulomb) {
+  const auto& [mesh, facets, ridges, stars] = bodies.topology();
+  const BoundPair<d>& known = coulomb.known;
+  const double weight = 1 / (1 - coulomb.share);
+  VectorXd local =
+      differences(bodies, known) + weight * changes(bodies, pair, known);
+  add_spring_parts<d>(
+      facets,
+      spring_norms<d>(mesh, bodies.body().springs, known.v, known.springs)
+              .difference +
+          weight * changes_of_springs(bodies, pair, known),
+      local);
+  return local;
+}
+
+template <int d>
+double sum_of_distances(const MatchedBodies<d>& bodies,
+                        const BoundPair<d>& pair,
+                        const CoulombTerms<d>* coulomb) {
+  if (!coulomb) return 0;
+  return coulomb->share * distances(bodies, pair, *coulomb).sum();
+}
+
+/// Without what is below 0, and the same sum.
+VectorXd positive_shares(const VectorXd& local) {
+  const VectorXd positive = local.cwiseMax(0);
+  return positive.isZero(0) ? local : local.sum() / positive.sum() * positive;
 }
 
 }  // namespace
@@ -104,40 +172,47 @@ double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v) {
 
 template <int d>
 double excess(const MatchedBodies<d>& bodies, const BoundPair<d>& pair,
-              double s) {
+              double s, const CoulombTerms<d>* coulomb) {
   const SpringNorms springs = spring_norms<d>(
       bodies.topology().mesh, bodies.body().springs, pair.v, pair.springs);
   const double elastic =
       squares_with(pair.oscillation, differences(bodies, pair)).sum();
-  return (elastic + springs.difference.sum()) / (4 * s) +
-         twice_psi<d>(bodies, pair.v, pair.rho).sum() / (2 * s);
+  return (elastic + springs.difference.sum() +
+          sum_of_distances(bodies, pair, coulomb)) /
+             (4 * s) +
+         twice_psi<d>(bodies, pair.v, pair.rho, coulomb).sum() / (2 * s);
 }
 
 template <int d>
 VectorXd width_of_cells(const MatchedBodies<d>& bodies,
                         const BoundPair<d>& plus, const BoundPair<d>& minus,
-                        double s) {
+                        double s, const CoulombTerms<d>* coulomb) {
   VectorXd local = stresses_apart(bodies, plus, minus) / (8 * s);
-  for (const BoundPair<d>* pair : {&plus, &minus})
+  for (const BoundPair<d>* pair : {&plus, &minus}) {
     local += oscillation_part(bodies, *pair) / (4 * s);
+    if (coulomb)
+      local += coulomb->share / (4 * s) * distances(bodies, *pair, *coulomb);
+  }
   const auto& [mesh, facets, ridges, stars] = bodies.topology();
   add_spring_parts<d>(
       facets, springs_apart(mesh, bodies.body().springs, plus, minus) / (2 * s),
       local);
   for (const BoundPair<d>* of_v : {&plus, &minus})
     for (const BoundPair<d>* of_rho : {&plus, &minus}) {
-      const VectorXd part = twice_psi<d>(bodies, of_v->v, of_rho->rho);
+      const VectorXd part = twice_psi<d>(bodies, of_v->v, of_rho->rho, coulomb);
       add_contact_part<d>(bodies, part / (4 * s), local);
     }
-  return local;
+  return coulomb ? positive_shares(local) : local;
 }
 
 template double energy_of(const MatchedBodies<FFCONTACT_DIMENSION>&,
                           const VectorXd&);
 template double excess(const MatchedBodies<FFCONTACT_DIMENSION>&,
-                       const BoundPair<FFCONTACT_DIMENSION>&, double);
+                       const BoundPair<FFCONTACT_DIMENSION>&, double,
+                       const CoulombTerms<FFCONTACT_DIMENSION>*);
 template VectorXd width_of_cells(const MatchedBodies<FFCONTACT_DIMENSION>&,
                                  const BoundPair<FFCONTACT_DIMENSION>&,
-                                 const BoundPair<FFCONTACT_DIMENSION>&, double);
+                                 const BoundPair<FFCONTACT_DIMENSION>&, double,
+                                 const CoulombTerms<FFCONTACT_DIMENSION>*);
 
 }  // namespace ffcontact

@@ -23,6 +23,18 @@ struct BoundPair {
   double oscillation = 0;
 };
 
+/// What bounds with Coulomb's law are made of beside the pair [theory_of_bounds.md]: a pair
+/// (u_hat, sigma_hat, r_hat) that is known, of which mu kappa bounds the distances to the
+/// solution. Tresca's law with the bound mu |r_hat_n| is that of the bodies then, rho is in
+/// its cone, and v keeps to v_n - gap + mu |v_t| <= mu |u_hat_t|.
+template <int d>
+struct CoulombTerms {
+  double share;  ///< mu kappa < 1
+  BoundPair<d> known;
+  LawOfContact<d> frictionless;  ///< the bodies' law without its bound
+  VectorXd friction;  ///< 2 int mu |r_hat_n| |u_hat_t| on the contact facets
+};
+
 /// int C eps(v) : eps(v), with the initial stresses, |.|^2 of a stress.
 template <int d>
 double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v);
@@ -32,19 +44,24 @@ double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v);
 ///     Psi = int k |v_t| + rho_t v_t + rho_n (v_n - gap)
 /// for Tresca's law and without friction [theory_of_bounds.md]. This
 /// is the second term; C eps(v) with the initial stresses. |.| contains the energy of
-/// springs, of t + K (v - u_0), and the oscillation of rho.
+/// springs, of t + K (v - u_0), and the oscillation of rho. With Coulomb's law Psi is
+///     int mu |r_hat_n| |u_hat_t| + rho_t v_t + rho_n (v_n - gap)
+/// and m / 2 (|d_hat|^2 + |h - h_hat|^2 / (1 - m)) is added to what is divided by 2 s, m = mu
+/// kappa, d and h as below.
+/// @param coulomb  null for other laws
 template <int d>
 double excess(const MatchedBodies<d>& bodies, const BoundPair<d>& pair,
-              double s);
+              double s, const CoulombTerms<d>* coulomb = nullptr);
 
 /// upper - lower of a pair of bounds as contributions of the cells, which are not negative:
 ///     |d+ + d-|^2 / (8 s) + |h+ - h-|^2 / (8 s) + sum over all four pairs of Psi(v, rho) / (2 s),
 /// d = tau - C eps(v), h = tau + C eps(v); with u = (v+ + v-) / 2 and z = (v- - v+) / (2 s)
 /// the first is the error of u, the second that of z, which answers to l. Oscillations add
-/// to each cell in proportion to |d|^2 there.
+/// to each cell in proportion to |d|^2 there. With Coulomb's law parts of Psi may be below 0:
+/// what cells have less than nothing is taken from the others in proportion.
 template <int d>
 VectorXd width_of_cells(const MatchedBodies<d>& bodies,
                         const BoundPair<d>& plus, const BoundPair<d>& minus,
-                        double s);
+                        double s, const CoulombTerms<d>* coulomb = nullptr);
 
 }  // namespace ffcontact

@@ -9,13 +9,6 @@ namespace ffcontact {
 
 namespace {
 
-template <int d>
-bool has_friction(const LawOfContact<d>& law) {
-  if constexpr (d == 2)
-    if (max_norm(law.between_nodes.most) > 0) return true;
-  return law.friction.maxCoeff() > 0;
-}
-
 /// Rounding beside a gap counts as none, and would beside displacements.
 template <int d>
 void require_near(const SolvedProblem<d>& solved) {
@@ -34,18 +27,19 @@ void require_near(const SolvedProblem<d>& solved) {
 
 /// @throws std::invalid_argument  where the theorem does not hold, or is not used yet
 template <int d>
-void require_covered(const SolvedBody<d>& body) {
+void require_covered(const SolvedBody<d>& body, bool for_coulomb) {
   const LawOfContact<d>& law = body.law;
   if constexpr (d == 2)
     if (law.bonded)
       refuse("there are no bounds of quantities of bonded bodies yet");
-  const bool tresca = law.slip_bound.size() > 0,
-             limited = law.shear_limit.size() > 0;
-  if (limited || (!tresca && has_friction<d>(law)))
+  const bool limited = law.shear_limit.size() > 0,
+             with_hypothesis = for_coulomb && d == 2 && !limited;
+  if (limited || (is_coulombs<d>(law) && !with_hypothesis))
     refuse(
         "bounds of quantities are strict for contact without friction and for "
         "Tresca's law alone: state the contact with slipbound=, e.g. that of "
-        "the pressures found, or friction=0");
+        "the pressures found, or friction=0; of plane bodies without a shear "
+        "limit, coulomb=true takes Coulomb's law under a hypothesis");
   if (law.layer.given() || body.tool)
     refuse(
         "there are no bounds of quantities with compliance=, push= or moment= "
@@ -55,15 +49,25 @@ void require_covered(const SolvedBody<d>& body) {
 }  // namespace
 
 template <int d>
-void require_boundable(const SolvedProblem<d>& solved,
-                       const Estimate<d>& first) {
-  require_covered(solved.body);
+bool is_coulombs(const LawOfContact<d>& law) {
+  if (law.slip_bound.size() > 0) return false;
+  if constexpr (d == 2)
+    if (max_norm(law.between_nodes.most) > 0) return true;
+  return law.friction.maxCoeff() > 0;
+}
+
+template <int d>
+void require_boundable(const SolvedProblem<d>& solved, const Estimate<d>& first,
+                       bool for_coulomb) {
+  require_covered(solved.body, for_coulomb);
   require_near(solved);
   if (!first.admissible)
     refuse("the estimate is not admissible: ", first.reason);
 }
 
 template void require_boundable(const SolvedProblem<FFCONTACT_DIMENSION>&,
-                                const Estimate<FFCONTACT_DIMENSION>&);
+                                const Estimate<FFCONTACT_DIMENSION>&, bool);
+template bool is_coulombs<FFCONTACT_DIMENSION>(
+    const LawOfContact<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

@@ -12,9 +12,9 @@ VectorXd nodal_forces(const MatchedBodies<2>& bodies,
 }
 
 template <>
-VectorXd twice_psi(const MatchedBodies<2>& bodies, const VectorXd& v,
-                   const ContactDensities& rho) {
-  return contact_error(bodies.contact(), bodies.body().law, rho, v);
+VectorXd twice_psi<2>(const MatchedBodies<2>& bodies, const ContactLaw& law,
+                      const VectorXd& v, const ContactDensities& rho) {
+  return contact_error(bodies.contact(), law, rho, v);
 }
 
 template <>
@@ -37,12 +37,18 @@ ContactLaw reflected(const SolvedProblem<2>& solved, const VectorXd& v) {
 }
 
 template <>
-VectorXd cleared(const MatchedBodies<2>& bodies, const VectorXd& v) {
-  const ContactLine& line = bodies.contact();
-  const ContactLaw& law = bodies.body().law;
+VectorXd cleared(const MatchedBodies<2>& bodies,
+                 const ContactConditions<2>& conditions, const VectorXd& v) {
+  const auto& [line, law] = conditions;
   return cleared_between_nodes(
       line, law, admissible_displacement(line, law, v, bodies.prescribed()),
       bodies.prescribed());
+}
+
+template <>
+double depth_of(const MatchedBodies<2>&, const ContactConditions<2>& conditions,
+                const VectorXd& v) {
+  return deepest_node(conditions.contact, conditions.law, v).depth;
 }
 
 }  // namespace ffcontact

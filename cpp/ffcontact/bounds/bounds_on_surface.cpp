@@ -47,10 +47,10 @@ VectorXd nodal_forces(const MatchedBodies<3>& bodies,
 }
 
 template <>
-VectorXd twice_psi(const MatchedBodies<3>& bodies, const VectorXd& v,
-                   const SurfaceDensities& rho) {
+VectorXd twice_psi<3>(const MatchedBodies<3>& bodies, const SurfaceLaw& law,
+                      const VectorXd& v, const SurfaceDensities& rho) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
-  return contact_error(mesh, faces, bodies.contact(), bodies.body().law,
+  return contact_error(mesh, faces, bodies.contact(), law,
                        faces_with(bodies, v), {rho.nodal, rho.on_faces}, v);
 }
 
@@ -71,14 +71,22 @@ SurfaceLaw reflected(const SolvedProblem<3>& solved, const VectorXd& v) {
 }
 
 template <>
-VectorXd cleared(const MatchedBodies<3>& bodies, const VectorXd& v) {
+VectorXd cleared(const MatchedBodies<3>& bodies,
+                 const ContactConditions<3>& conditions, const VectorXd& v) {
   const Facets<3>& faces = bodies.topology().facets;
-  const ContactSurface& surface = bodies.contact();
-  const SurfaceLaw& law = bodies.body().law;
+  const auto& [surface, law] = conditions;
   const Flags& prescribed = bodies.prescribed();
   return cleared_between_nodes(
       faces, surface, law,
       admissible_displacement(faces, surface, law, v, prescribed), prescribed);
+}
+
+template <>
+double depth_of(const MatchedBodies<3>& bodies,
+                const ContactConditions<3>& conditions, const VectorXd& v) {
+  return deepest_node(bodies.topology().facets, conditions.contact,
+                      conditions.law, v)
+      .depth;
 }
 
 }  // namespace ffcontact

@@ -51,11 +51,11 @@ template <int d>
 VectorXd nodal_forces(const MatchedBodies<d>& bodies,
                       const FacetDensities<d>& rho);
 
-/// 2 Psi(v, rho) on the contact facets (excess), at least: it is exact in the plane, and in
+/// 2 Psi(v, rho) of a law on the contact facets (excess), at least: it is exact in the plane, and in
 /// space has FaceCosts for |v_t|, which is a bound that depends on v alone.
 template <int d>
-VectorXd twice_psi(const MatchedBodies<d>& bodies, const VectorXd& v,
-                   const FacetDensities<d>& rho);
+VectorXd twice_psi(const MatchedBodies<d>& bodies, const LawOfContact<d>& law,
+                   const VectorXd& v, const FacetDensities<d>& rho);
 
 /// Nodal forces under twice the bound of Tresca's law.
 template <int d>
@@ -66,9 +66,22 @@ LawOfContact<d> with_twice_the_bound(LawOfContact<d> law);
 template <int d>
 LawOfContact<d> reflected(const SolvedProblem<d>& solved, const VectorXd& v);
 
+/// Where v keeps clear, and of what.
+template <int d>
+struct ContactConditions {
+  LineOrSurface<d> contact;
+  LawOfContact<d> law;
+};
+
 /// A small change of v that keeps clear along the facets, at vertices that supports leave
 /// free.
 template <int d>
-VectorXd cleared(const MatchedBodies<d>& bodies, const VectorXd& v);
+VectorXd cleared(const MatchedBodies<d>& bodies,
+                 const ContactConditions<d>& conditions, const VectorXd& v);
+
+/// How far v does not, at most.
+template <int d>
+double depth_of(const MatchedBodies<d>& bodies,
+                const ContactConditions<d>& conditions, const VectorXd& v);
 
 }  // namespace ffcontact

@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
 #include "ffcontact/bounds/bound_pair.hpp"
 #include "ffcontact/bounds/boundable_problem.hpp"
+#include "ffcontact/bounds/coulomb_on_line.hpp"
 #include "ffcontact/bounds/step_search.hpp"
-#include "ffcontact/estimate/contact_steps.hpp"
+#include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -46,15 +48,34 @@ class BoundsByTurns {
         load_(load_of(solved.topology.mesh, quantity)),
         matched_load_(load_of(bodies_.topology().mesh, matched_)),
         system_(solved.system),
-        stress_(std::sqrt(energy_of(bodies_, bodies_.body().displacement))) {
+        stress_(std::sqrt(energy_of(bodies_, bodies_.body().displacement))),
+        sought_{solved.contact, with_twice_the_bound<d>(solved.body.law)},
+        clear_{bodies_.contact(), bodies_.body().law},
+        further_load_(VectorXd::Zero(load_.size())) {
     settings_.contact.stiffness = solved.body.stiffness;
+  }
+
+  QuantityBounds none_as(std::string reason) const {
+    QuantityBounds bounds = none(0);
+    bounds.reason = std::move(reason);
+    return bounds;
+  }
+
+  /// Of bodies whose law is with_bound_of.
+  /// @param law  Coulomb's
+  void put_coulomb(const LawOfContact<d>& law) {
+    const VectorXd& u_hat = first_.displacement;
+    coulomb_ = coulomb_terms(bodies_, first_, *settings_.friction_share);
+    sought_ = clear_ = conditions_of_coulomb(solved_.contact, law, u_hat);
+    further_load_ = coulomb_->share *
+                    (nodal_forces<d>(bodies_, facet_densities(first_)) -
+                     force_residual(solved_.system, u_hat, further_load_));
   }
 
   QuantityBounds bounds() {
     const VectorXd free = on_free_dofs(solved_.system, load_);
-    QuantityBounds bounds = none(0);
-    bounds.reason = reason_against(free);
-    if (!bounds.reason.empty()) return bounds;
+    const std::string reason = reason_against(free);
+    if (!reason.empty()) return none_as(reason);
     factorise();
     longest_ = longest_step(free);
     return narrowest();
@@ -97,7 +118,7 @@ class BoundsByTurns {
         free_dof_count(system_) > most_dofs_of_a_factor)
       return;
     settings_.contact.linear = LinearSolver::direct;
-    solution(solved_.body.law, VectorXd::Zero(load_.size()));
+    solution({solved_.contact, solved_.body.law}, VectorXd::Zero(load_.size()));
   }
 
   /// What the terms of l(v) and what is missed of equilibrium may add to a bound.
@@ -172,10 +193,12 @@ class BoundsByTurns {
     const double s = bounds.step;
     const BoundPair<d> plus = pair(s), minus = pair(-s);
     const double above = rounding_of(plus, s), below = rounding_of(minus, s);
-    bounds.upper = of(plus.v) + excess(bodies_, plus, s) + above;
-    bounds.lower = of(minus.v) - excess(bodies_, minus, s) - below;
+    const CoulombTerms<d>* coulomb = coulomb_ ? &*coulomb_ : nullptr;
+    bounds.upper = of(plus.v) + excess(bodies_, plus, s, coulomb) + above;
+    bounds.lower = of(minus.v) - excess(bodies_, minus, s, coulomb) - below;
     bounds.local =
-        bodies_.sums_of_parts(width_of_cells(bodies_, plus, minus, s)).array() +
+        bodies_.sums_of_parts(width_of_cells(bodies_, plus, minus, s, coulomb))
+            .array() +
         (above + below) / solved_.topology.mesh.cell_count();
   }
 
@@ -192,10 +215,12 @@ class BoundsByTurns {
 
   /// v minimises the bound for rho, but for the rounding that keeps it clear.
   VectorXd displacement_for(double t, const FacetDensities<d>& rho) {
-    const auto found = solution(with_twice_the_bound<d>(solved_.body.law),
-                                -t * load_ - nodal_forces<d>(bodies_, rho));
-    VectorXd v = cleared<d>(bodies_, bodies_.fields(found.displacement));
-    if (deepest_node<d>(bodies_, v).depth > penetration * max_norm(v))
+    const auto found =
+        solution(sought_, further_load_ - t * load_ -
+                              VectorXd(nodal_forces<d>(bodies_, rho)));
+    VectorXd v =
+        cleared<d>(bodies_, clear_, bodies_.fields(found.displacement));
+    if (depth_of<d>(bodies_, clear_, v) > penetration * max_norm(v))
       refuse("no displacement that keeps clear was found");
     return v;
   }
@@ -232,17 +257,17 @@ class BoundsByTurns {
     loaded.body_loads += t * quantity_.body_loads;
     loaded.initial = loaded.initial + -t * quantity_.stress;
     loaded.law = reflected<d>(solved_, v.head(load_.size()));
-    const auto found = solution(loaded.law, t * load_);
+    const auto found = solution({solved_.contact, loaded.law}, t * load_);
     loaded.displacement = found.displacement;
     loaded.multipliers = multipliers_of(found);
     return loaded;
   }
 
   /// Under further loads.
-  auto solution(const LawOfContact<d>& law, const VectorXd& more) {
+  auto solution(const ContactConditions<d>& of, const VectorXd& more) {
     system_.load =
         solved_.system.load + on_free_dofs(solved_.system, VectorXd(more));
-    auto found = solve_contact(solved_.topology.mesh, solved_.contact, law,
+    auto found = solve_contact(solved_.topology.mesh, of.contact, of.law,
                                system_, settings_.contact);
     settings_.contact.stiffness = found.stiffness;
     return found;
@@ -258,8 +283,31 @@ class BoundsByTurns {
   VectorXd matched_load_;
   ElasticSystem system_;  ///< with other loads
   double stress_;         ///< |sigma_h|
+  /// under which v is sought, and which it keeps to on the matched bodies
+  ContactConditions<d> sought_, clear_;
+  VectorXd further_load_;  ///< under which v is sought
+  std::optional<CoulombTerms<d>> coulomb_{};
   double longest_ = 0;
 };
+
+template <int d>
+QuantityBounds bounds_with_coulomb(const SolvedProblem<d>& solved,
+                                   const Estimate<d>& first,
+                                   const Quantity<d>& quantity,
+                                   const BoundSettings& settings) {
+  require_coulomb_covered(solved, first);
+  const auto& [topology, contact, system, body] = solved;
+  SolvedBody<d> known = body;
+  known.law = with_bound_of(body.law, contact, first.tractions);
+  const SolvedProblem<d> problem{topology, contact, system, known};
+  BoundsByTurns<d> bounds(problem, first, quantity, settings);
+  const double share = *settings.friction_share;
+  if (!(share < 1))
+    return bounds.none_as("mu kappa is " + in_digits(share) +
+                          ", and Coulomb's law has bounds below 1 alone");
+  bounds.put_coulomb(body.law);
+  return bounds.bounds();
+}
 
 }  // namespace
 
@@ -269,7 +317,10 @@ QuantityBounds quantity_bounds(const SolvedProblem<d>& solved,
                                const Quantity<d>& quantity,
                                const BoundSettings& settings) {
   require_valid(settings);
-  require_boundable(solved, first);
+  require_boundable(solved, first, settings.friction_share.has_value());
+  if constexpr (d == 2)
+    if (is_coulombs<2>(solved.body.law))
+      return bounds_with_coulomb<d>(solved, first, quantity, settings);
   return BoundsByTurns<d>(solved, first, quantity, settings).bounds();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "ffcontact/bounds/quantity.hpp"
@@ -17,6 +18,8 @@ struct BoundSettings {
   /// of which one improves v for the tractions, and these and the stresses for v
   int turns = 2;
   RelaxationSettings relaxation{8};
+  /// mu kappa of Coulomb's law (coulomb_constant); nothing: Coulomb's law is refused
+  std::optional<double> friction_share{};
   ContactSettings contact{};
 };
 
@@ -51,6 +54,10 @@ struct QuantityBounds {
 /// What is bounded is that of the problem on the mesh's polygon or polyhedron, with contact
 /// directions, a gap, a load step before and prescribed displacements that are linear between
 /// its vertices.
+///
+/// With Coulomb's law, in the plane, the same with CoulombTerms and the conditions on v that go
+/// with them; there are none where mu kappa >= 1. The bounds are as strict as kappa: under
+/// its hypothesis on the signs of slip, and of displacements of the mesh.
 /// @throws std::invalid_argument  for what the theorem, or this construction, does not cover
 template <int d>
 QuantityBounds quantity_bounds(const SolvedProblem<d>& solved,
