@@ -66,6 +66,16 @@ inline void report(const QuantityBounds& bounds, double seconds) {
   cout << ", " << seconds << " s" << endl;
 }
 
+/// With Coulomb's law bounds are no better than the estimate that they start from.
+template <int d>
+EstimateSettings<d> settings_of_first(const BoundSettings& settings) {
+  EstimateSettings<d> of_first;
+  if (!settings.friction_share) return of_first;
+  of_first.relaxation = settings.relaxation;
+  of_first.relaxation.steps = 2 * settings.relaxation.steps.value_or(1);
+  return of_first;
+}
+
 /// @param body  what contactsolve found, without its elastic law and its loads
 template <int d>
 double bounds_of(const BoundsCall& call, const BoundSettings& settings,
@@ -77,7 +87,8 @@ double bounds_of(const BoundsCall& call, const BoundSettings& settings,
   const Oscillation data =
       read_material_and_loads<d>(call.stack, call.named, bodies, body);
   const SolvedProblem<d> solved{topology, contact, system, body};
-  const Estimate<d> first = estimate_error<d>(topology, contact, system, body);
+  const Estimate<d> first = estimate_error<d>(topology, contact, system, body,
+                                              settings_of_first<d>(settings));
   require_exact<d>(data, body, first);
   const QuantityBounds bounds = quantity_bounds<d>(
       solved, first, checked_goal<d>(call, bodies, solved), settings);

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/bounds/boundable_problem.hpp"
+//
 #include "estimate/bounds_of.hpp"
 #include "estimate/judged.hpp"
 
 namespace ffcontact::plugin {
 
 namespace {
+
+/// They gain more where mu kappa is near 1.
+constexpr int turns_with_coulombs_law = 3;
 
 /// mu kappa, and what it rests on.
 double friction_share(const BoundsCall& call, const ContactLine& line,
@@ -25,8 +30,11 @@ double plane_bounds(const BoundsCall& call, const Contact& contact) {
   const ContactProblem& problem = plane_problem(contact);
   Judged judged = judged_of(solved_contact(contact));
   BoundSettings settings = call.settings(8, 1);
-  if (call.named.flag(call.stack, "coulomb"))
+  if (call.named.flag(call.stack, "coulomb") &&
+      is_coulombs<2>(judged.body.law)) {
     settings.friction_share = friction_share(call, problem.line, judged);
+    if (!call.named.given("turns")) settings.turns = turns_with_coulombs_law;
+  }
   return bounds_of<2>(call, settings, problem, problem.topology(), problem.line,
                       *judged.system, judged.body);
 }

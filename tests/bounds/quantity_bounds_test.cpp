@@ -62,7 +62,7 @@ void expect_known(const KnownBounds& known,
     EXPECT_GT(found.upper, known.exact);
     const double wide = cells == 8 ? known.wide_with_8 : known.wide_with_16;
     EXPECT_LT(found.upper - found.lower,
-              1.15 * wide / 100 * std::abs(known.exact));
+              1.1 * wide / 100 * std::abs(known.exact));
   }
 }
 

@@ -28,6 +28,14 @@ TEST(StepSearch, finds_the_least_width_on_either_side) {
   }
 }
 
+/// Beyond a step that changes what is in contact the width grows fast.
+TEST(StepSearch, follows_the_branch_before_a_kink) {
+  const auto width = [](double s) {
+    return 1 / s + s / 2 + (s < 1.5 ? 0 : 4 * (s - 1.5));
+  };
+  EXPECT_LT(width_after(4, 100, width), 1.001 * std::sqrt(2));
+}
+
 TEST(StepSearch, goes_no_farther_than_the_longest_step) {
   StepSearch search(1.5);
   search.add(1, 1);

@@ -174,7 +174,15 @@ class BoundsByTurns {
       if (bounds.width() < best.width()) best = bounds;
       s = search.next();
     }
-    return best;
+    return polished(best);
+  }
+
+  /// With a further turn, and twice as many sweeps.
+  QuantityBounds polished(const QuantityBounds& best) {
+    ++settings_.turns;
+    settings_.relaxation.steps = 2 * settings_.relaxation.steps.value_or(1);
+    const QuantityBounds bounds = at(best.step);
+    return bounds.width() < best.width() ? bounds : best;
   }
 
   QuantityBounds at(double s) {

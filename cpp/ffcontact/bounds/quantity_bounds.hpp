@@ -50,7 +50,7 @@ struct QuantityBounds {
 /// and v once more. Any s, v and tau give bounds; of several s (StepSearch) the narrowest
 /// ones are taken.
 /// @param solved  what contactsolve found
-/// @param first   its estimate
+/// @param first   its estimate, to which bounds with Coulomb's law stay near
 /// What is bounded is that of the problem on the mesh's polygon or polyhedron, with contact
 /// directions, a gap, a load step before and prescribed displacements that are linear between
 /// its vertices.

@@ -25,15 +25,22 @@ Widths::const_iterator narrowest(const Widths& widths) {
       [](const auto& a, const auto& b) { return a.second < b.second; });
 }
 
-/// Where A / s + B s through two widths has its minimum; 0 or infinite where that falls or
-/// rises on.
-double least_of(const Widths::value_type& a, const Widths::value_type& b) {
-  const double slope = a.second * a.first - b.second * b.first,
-               B = slope / (a.first * a.first - b.first * b.first),
-               A = a.first * (a.second - B * a.first);
-  if (A <= 0) return 0;
-  return B > 0 ? std::sqrt(A / B) : infinity;
-}
+/// A / s + B s through two widths.
+struct Branch {
+  double A, B;
+
+  Branch(const Widths::value_type& a, const Widths::value_type& b) {
+    const double slope = a.second * a.first - b.second * b.first;
+    B = slope / (a.first * a.first - b.first * b.first);
+    A = a.first * (a.second - B * a.first);
+  }
+  /// Where it has its minimum; 0 or infinite where it falls or rises on.
+  double least() const {
+    if (A <= 0) return 0;
+    return B > 0 ? std::sqrt(A / B) : infinity;
+  }
+  double at(double s) const { return A / s + B * s; }
+};
 
 /// Where a parabola through the logarithms of three widths has its minimum, the one in the
 /// middle is the least; 0 where that is not worth it.
@@ -54,18 +61,24 @@ double least_of(const Widths::value_type& before,
 }  // namespace
 
 double StepSearch::next() const {
-  const auto best = narrowest(width_);
-  const double s = best->first;
-  if (best->second <= 0) return 0;
+  const auto best = narrowest(width_), after = std::next(best);
+  const double s = best->first, width = best->second;
+  if (width <= 0) return 0;
   if (width_.size() == 1) return s / 2;
   if (best == width_.begin())
-    return std::clamp(least_of(*best, *std::next(best)), s / most_change,
+    return std::clamp(Branch(*best, *after).least(), s / most_change,
                       s / least_change);
-  if (std::next(best) != width_.end())
-    return least_of(*std::prev(best), *best, *std::next(best));
-  const double longer = std::clamp(least_of(*std::prev(best), *best),
-                                   s * least_change, s * most_change);
-  return s < longest_ ? std::min(longer, longest_) : 0;
+  const Branch branch(*std::prev(best), *best);
+  const double least = branch.least();
+  if (after == width_.end())
+    return s < longest_
+               ? std::min(std::clamp(least, s * least_change, s * most_change),
+                          longest_)
+               : 0;
+  if (least > s && least < after->first &&
+      branch.at(least) < (1 - worthwhile) * width)
+    return least;
+  return least_of(*std::prev(best), *best, *after);
 }
 
 }  // namespace ffcontact

@@ -13,9 +13,10 @@ class StepSearch {
   explicit StepSearch(double longest) : longest_(longest) {}
 
   void add(double s, double width) { width_[s] = width; }
-  /// The next step to be tried: half of the first one; while the best one is the shortest or
-  /// the longest, that at which A / s + B s through it and its neighbour is least; then that
-  /// at which a parabola through the logarithms of it and both neighbours is.
+  /// The next step to be tried: half of the first one; that at which A / s + B s through the
+  /// best one and its neighbour is least, which is the shorter one if there is; where that
+  /// is beyond the longer neighbour, or gains nothing, that at which a parabola through the
+  /// logarithms of the best one and both neighbours is.
   /// @return 0 where that is not worth it
   double next() const;
 
