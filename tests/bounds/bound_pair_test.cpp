@@ -7,6 +7,7 @@
 #include "ffcontact/bounds/quantity.hpp"
 #include "support/estimates.hpp"
 #include "support/random.hpp"
+#include "support/springs.hpp"
 
 namespace ffcontact {
 namespace {
@@ -22,14 +23,23 @@ struct TwoPairs {
                        Matrix4Xd::Zero(4, problem.mesh.boundary.cols())};
   Topology<2> topology = topology_of(problem.mesh);
   ElasticSystem system = problem.system();
+  BoundarySprings<2> springs;
   SolvedBody<2> body;
   BoundPair<2> plus, minus;
 
-  TwoPairs() {
+  /// @param k  of springs on the right [MPa/mm]
+  explicit TwoPairs(double k = 0) {
     problem.law.slip_bound = everywhere(problem.line, 0.2);
+    if (k > 0) {
+      const Spring spring{k * Matrix2d::Identity(), {1e-4, 0}};
+      put_springs(
+          problem.mesh, right,
+          [&](const Vector2d&, const Vector2d&) { return spring; }, springs);
+      assemble(springs, problem);
+    }
     VectorXd load = VectorXd::Zero(problem.b.size());
     add_traction(problem.mesh, left, {1, 0.5}, load, quantity.tractions);
-    body = solved_body(problem, solution(0));
+    body = with_springs(solution(0));
     plus = pair(s);
     minus = pair(-s);
   }
@@ -40,12 +50,19 @@ struct TwoPairs {
     return solve_contact(problem.mesh, problem.line, problem.law, system);
   }
 
+  SolvedBody<2> with_springs(const ContactSolution& solution) const {
+    SolvedBody<2> solved = solved_body(problem, solution);
+    solved.springs = springs;
+    return solved;
+  }
+
   BoundPair<2> pair(double t) {
-    SolvedBody<2> other = solved_body(problem, solution(t));
+    SolvedBody<2> other = with_springs(solution(t));
     other.neumann += t * quantity.tractions;
     const Estimate<2> estimate =
         estimate_error<2>(topology, problem.line, system, other);
-    return {solution(-t).displacement, estimate.stress, estimate.tractions};
+    return {solution(-t).displacement, estimate.stress, estimate.tractions, 0,
+            estimate.spring_tractions};
   }
 
   MatchedBodies<2> bodies() const {
@@ -77,14 +94,16 @@ TEST(BoundPair, contributions_add_up_whatever_v_is) {
 }
 
 TEST(BoundPair, contributions_add_up_with_coulombs_law) {
-  const TwoPairs pairs;
-  const CoulombTerms<2> coulomb = pairs.coulomb(0.4);
-  EXPECT_LT(pairs.defect(&coulomb), 1e-10);
+  for (const double k : {0, 100}) {
+    const TwoPairs pairs(k);
+    const CoulombTerms<2> coulomb = pairs.coulomb(0.4);
+    EXPECT_LT(pairs.defect(&coulomb), 1e-10);
+  }
 }
 
 /// Of the known pair the excess is that of e; what v is away from u_hat costs its energy.
 TEST(BoundPair, coulombs_law_adds_what_is_away_from_the_known_pair) {
-  const TwoPairs pairs;
+  const TwoPairs pairs(100);
   const double m = 0.4, s = pairs.s;
   const CoulombTerms<2> none = pairs.coulomb(0), coulomb = pairs.coulomb(m);
   BoundPair<2> pair = coulomb.known;
@@ -103,8 +122,7 @@ TEST(BoundPair, coulombs_law_adds_what_is_away_from_the_known_pair) {
   const VectorXd w =
       on_free_dofs(pairs.system, 1e-4 * random_vector(pair.v.size(), random));
   pair.v += w;
-  const double energy =
-      w.dot(stiffness(pairs.problem.mesh, pairs.problem.hooke) * w);
+  const double energy = w.dot(pairs.problem.A * w);
   EXPECT_NEAR(added(), m / (4 * s) * (elastic + energy / (1 - m)),
               1e-12 * energy);
 }

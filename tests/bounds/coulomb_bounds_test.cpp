@@ -61,6 +61,19 @@ TEST(CoulombBounds, are_none_where_mu_kappa_is_not_below_1) {
   EXPECT_EQ(found.reason.substr(0, 13), "mu kappa is 1");
 }
 
+TEST(CoulombBounds, are_wider_with_a_larger_constant) {
+  const Problem problem = rubbed_example_1(0.2, 8);
+  const Solved solved(problem);
+  const auto width = [&](double share) {
+    BoundSettings settings;
+    settings.friction_share = share;
+    return solved
+        .bounds(on_label<2>(problem.mesh, left, {1.0 / 40, 0}), settings)
+        .width();
+  };
+  EXPECT_GT(width(0.6), 1.2 * width(0.3));
+}
+
 /// v = u_hat is on the boundary of the conditions where u_hat slips, and where it touches.
 TEST(CoulombBounds, are_for_displacements_that_open_as_they_slip) {
   Problem problem = rubbed_example_1(0.5, 8);

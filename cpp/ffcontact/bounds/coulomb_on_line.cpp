@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
@@ -63,25 +61,21 @@ WeightsByNode twice(const WeightsByNode& weights) {
   return both;
 }
 
-/// Of contact edges, and again of those with numbers from `edges` on.
-std::vector<FacingPiece> twice(std::vector<FacingPiece> pieces, int edges) {
-  const std::vector<FacingPiece> once = pieces;
-  for (FacingPiece piece : once) {
-    piece.contact_edge += edges;
-    pieces.push_back(piece);
-  }
-  return pieces;
-}
-
-/// Nodes and edges twice.
+/// Nodes and edges twice. Traces match: conditions at the nodes are all there are, and what
+/// faces which edge is left out.
 ContactLine twice(const ContactLine& line) {
-  const int p = line.node_count(), m = line.edge_count();
-  ContactLine both{
-      twice(line.vertex),        twice(line.normal),   twice(line.abscissa),
-      twice(line.edge_node),     twice(line.edge),     twice(line.length),
-      twice(line.part),          line.precision,       twice(line.opposite),
-      twice(line.opposite_edge), twice(line.pieces, m)};
-  both.edge_node.rightCols(m).array() += p;
+  ContactLine both{twice(line.vertex),
+                   twice(line.normal),
+                   twice(line.abscissa),
+                   twice(line.edge_node),
+                   twice(line.edge),
+                   twice(line.length),
+                   twice(line.part),
+                   line.precision,
+                   twice(line.opposite),
+                   {},
+                   {}};
+  both.edge_node.rightCols(line.edge_count()).array() += line.node_count();
   return both;
 }
 
