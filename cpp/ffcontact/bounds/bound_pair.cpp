@@ -133,17 +133,12 @@ VectorXd changes_of_springs(const MatchedBodies<d>& bodies,
 template <int d>
 VectorXd distances(const MatchedBodies<d>& bodies, const BoundPair<d>& pair,
                    const CoulombTerms<d>& coulomb) {
-  const auto& [mesh, facets, ridges, stars] = bodies.topology();
-  const BoundPair<d>& known = coulomb.known;
   const double weight = 1 / (1 - coulomb.share);
   VectorXd local =
-      differences(bodies, known) + weight * changes(bodies, pair, known);
-  add_spring_parts<d>(
-      facets,
-      spring_norms<d>(mesh, bodies.body().springs, known.v, known.springs)
-              .difference +
-          weight * changes_of_springs(bodies, pair, known),
-      local);
+      coulomb.error + weight * changes(bodies, pair, coulomb.known);
+  add_spring_parts<d>(bodies.topology().facets,
+                      weight * changes_of_springs(bodies, pair, coulomb.known),
+                      local);
   return local;
 }
 
@@ -168,6 +163,18 @@ double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v) {
   const LinearStresses<d> sigma =
       total_stresses(bodies.topology().mesh, bodies.body(), v);
   return energies(bodies, [&](int t) { return in_cell(sigma, t); }).sum();
+}
+
+template <int d>
+VectorXd error_of(const MatchedBodies<d>& bodies, const BoundPair<d>& pair) {
+  const auto& [mesh, facets, ridges, stars] = bodies.topology();
+  VectorXd local = differences(bodies, pair);
+  add_spring_parts<d>(
+      facets,
+      spring_norms<d>(mesh, bodies.body().springs, pair.v, pair.springs)
+          .difference,
+      local);
+  return local;
 }
 
 template <int d>
@@ -207,6 +214,8 @@ VectorXd width_of_cells(const MatchedBodies<d>& bodies,
 
 template double energy_of(const MatchedBodies<FFCONTACT_DIMENSION>&,
                           const VectorXd&);
+template VectorXd error_of(const MatchedBodies<FFCONTACT_DIMENSION>&,
+                           const BoundPair<FFCONTACT_DIMENSION>&);
 template double excess(const MatchedBodies<FFCONTACT_DIMENSION>&,
                        const BoundPair<FFCONTACT_DIMENSION>&, double,
                        const CoulombTerms<FFCONTACT_DIMENSION>*);

@@ -33,11 +33,16 @@ struct CoulombTerms {
   BoundPair<d> known;
   LawOfContact<d> frictionless;  ///< the bodies' law without its bound
   VectorXd friction;  ///< 2 int mu |r_hat_n| |u_hat_t| on the contact facets
+  VectorXd error;     ///< |d_hat|^2 of each cell (error_of)
 };
 
 /// int C eps(v) : eps(v), with the initial stresses, |.|^2 of a stress.
 template <int d>
 double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v);
+
+/// |tau - C eps(v)|^2 of each cell, and of the springs beside it.
+template <int d>
+VectorXd error_of(const MatchedBodies<d>& bodies, const BoundPair<d>& pair);
 
 /// l(u) <= upper, for t = s, and -l(u) <= upper with t = -s and -l in place of l:
 ///     upper = l(v) + 1 / (2 s) ( |tau - C eps(v)|^2 / 2 + 2 Psi(v, rho) ),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
@@ -183,8 +184,12 @@ CoulombTerms<2> coulomb_terms(const MatchedBodies<2>& bodies,
                               const Estimate<2>& first, double share) {
   const Matrix2Xd none = Matrix2Xd::Zero(2, bodies.contact().edge_count());
   const ContactLaw& law = bodies.body().law;
-  return {share, pair_of(first), without_bound(law),
-          twice_psi<2>(bodies, law, first.displacement, {none, none})};
+  BoundPair<2> known = pair_of(first);
+  VectorXd friction =
+      twice_psi<2>(bodies, law, first.displacement, {none, none});
+  VectorXd error = error_of(bodies, known);
+  return {share, std::move(known), without_bound(law), std::move(friction),
+          std::move(error)};
 }
 
 }  // namespace ffcontact
