@@ -8,6 +8,7 @@
 #include "estimate/material_and_loads.hpp"
 #include "estimate/solid_error.hpp"
 #include "freefem/new_mesh.hpp"
+#include "freefem/read_mesh.hpp"
 #include "gmsh/gmsh_program.hpp"
 #include "gmsh/solid_remesh.hpp"
 #include "parallel/shared_error.hpp"
@@ -34,9 +35,8 @@ ContactStatement statement_of(SharedStatement<dim> shared) {
 }
 
 template <int dim>
-ContactStatement statement(
-    Stack stack, const NamedArguments& named,
-    const std::vector<typename OfDimension<dim>::FemMesh>& meshes) {
+ContactStatement statement(Stack stack, const NamedArguments& named,
+                           const FemMeshes<dim>& meshes) {
   if (const auto team = stated_team(stack, named))
     return statement_of(state_shared<dim>(stack, named, meshes, team));
   return statement_of<dim>(
@@ -44,7 +44,7 @@ ContactStatement statement(
 }
 
 Solid solid_of(pmesh3 Th) {
-  Solid solid{solid_mesh_of(Th), VectorXi(Th->nt)};
+  Solid solid{mesh_of(Th), VectorXi(Th->nt)};
   for (int t = 0; t < Th->nt; ++t) solid.regions[t] = (*Th)[t].lab;
   return solid;
 }
@@ -68,12 +68,10 @@ class SolidsModule : public Solids {
 
   double error(Stack stack, const NamedArguments& named, Contact& contact,
                const JudgePlane& judge) const override {
-    const ReadPlane plane = [&](const PlaneBodies& bodies,
-                                SolvedBody<2>& body) {
+    const ReadPlane plane = [&](const Bodies<2>& bodies, SolvedBody<2>& body) {
       return read_material_and_loads<2>(stack, named, bodies, body);
     };
-    const ReadSolids read = [&](const SolidBodies& bodies,
-                                SolvedBody<3>& body) {
+    const ReadSolids read = [&](const Bodies<3>& bodies, SolvedBody<3>& body) {
       return read_material_and_loads<3>(stack, named, bodies, body);
     };
     if (!contact.shared) return solid_error(stack, named, *contact.solid, read);
@@ -95,7 +93,7 @@ class SolidsModule : public Solids {
                     const std::vector<VectorXd>& arrays,
                     const SizeSettings& settings) const override {
     return optimal_size(problem.mesh,
-                        ridges_of(problem.mesh, problem.faces).vertices,
+                        ridges_of(problem.mesh, problem.facets).vertices,
                         arrays[0], arrays[1], settings);
   }
 
@@ -115,10 +113,10 @@ class SolidsModule : public Solids {
   }
 
   VectorXd quality(pmesh3 mesh) const override {
-    return cell_quality(solid_mesh_of(mesh));
+    return cell_quality(mesh_of(mesh));
   }
   VectorXd mean_edges(pmesh3 mesh) const override {
-    return ffcontact::mean_edges(solid_mesh_of(mesh));
+    return ffcontact::mean_edges(mesh_of(mesh));
   }
 
   pmesh3 remeshed(Stack stack, pmesh3 mesh, const Ref<const VectorXd>& size,

@@ -28,7 +28,7 @@ void require_exact(const Oscillation& data, const SolvedBody<d>& body,
 }
 
 template <int d>
-Quantity<d> checked_goal(const BoundsCall& call, const BodiesOf<d>& bodies,
+Quantity<d> checked_goal(const BoundsCall& call, const Bodies<d>& bodies,
                          const SolvedProblem<d>& solved) {
   Quantity<d> goal = read_goal<d>(call.stack, call.named, bodies, solved);
   if (call.q.empty()) return goal;
@@ -79,7 +79,7 @@ EstimateSettings<d> settings_of_first(const BoundSettings& settings) {
 /// @param body  what contactsolve found, without its elastic law and its loads
 template <int d>
 double bounds_of(const BoundsCall& call, const BoundSettings& settings,
-                 const BodiesOf<d>& bodies, const Topology<d>& topology,
+                 const Bodies<d>& bodies, const Topology<d>& topology,
                  const LineOrSurface<d>& contact, const ElasticSystem& system,
                  SolvedBody<d> body) {
   const Stopwatch watch;

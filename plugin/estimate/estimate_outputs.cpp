@@ -16,7 +16,7 @@ double abscissa(const ContactProblem& problem,
   const Vector2d ends = problem.edge_abscissa.col(k);
   const int vertex = line.vertex[line.edge_node(end, e)];
   const double place =
-      refinement.place(problem.edges, vertex, problem.line.edge[k]);
+      refinement.place(problem.facets, vertex, problem.line.edge[k]);
   return between(ends[0], ends[1], problem.line.share(k, place));
 }
 

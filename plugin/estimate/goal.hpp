@@ -52,7 +52,7 @@ Matrix<double, d, Dynamic> places_of_a_facet() {
 ///                                vertices of a boundary element by more than rounding
 template <int d>
 void require_linear(Stack stack, const std::string& name, Expression w,
-                    const PartOf<d>& part) {
+                    const BodyPart<d>& part) {
   const Matrix<double, d, Dynamic> hats = places_of_a_facet<d>();
   const MatrixXd values = along_boundary<d>(stack, w, part, hats);
   const MatrixOf<d> first = hats.template leftCols<d>().transpose();
@@ -74,7 +74,7 @@ void require_linear(Stack stack, const std::string& name, Expression w,
 ///                                element: stresses are not in equilibrium with it then
 template <int d>
 void require_linear(Stack stack, const NamedArguments& named,
-                    const BodiesOf<d>& bodies, const char* parameter) {
+                    const Bodies<d>& bodies, const char* parameter) {
   for (int k = 0; k < bodies.body_count(); ++k) {
     const BodyReader<d> reader(stack, named, bodies, k);
     for (Expression w : reader.list(parameter))
@@ -85,7 +85,7 @@ void require_linear(Stack stack, const NamedArguments& named,
 /// The norm of the means of stresses of one body.
 template <int d>
 double size_of(const InitialStress<d>& stress, const HookeTensors<d>& hooke,
-               const PartOf<d>& part) {
+               const BodyPart<d>& part) {
   const CellStresses<d> mean =
       LinearStresses<d>::of_values(stress.at_vertices).mean;
   double sum = 0;
@@ -127,8 +127,7 @@ BodyLoadsOfCells<d> goal_body_loads(const BodyReader<d>& reader) {
 ///                                q not linear in a cell, or as ForceWeight
 template <int d>
 Quantity<d> read_goal(Stack stack, const NamedArguments& named,
-                      const BodiesOf<d>& bodies,
-                      const SolvedProblem<d>& solved) {
+                      const Bodies<d>& bodies, const SolvedProblem<d>& solved) {
   const auto& joined = bodies.joined;
   ForceWeight<d> weight(solved);
   require_linear<d>(stack, named, bodies, "goaltraction");

@@ -33,14 +33,14 @@ InitialStress<d> initial_stress_of(Stack stack,
                                    const VoigtExpression<d>& strain,
                                    const VoigtExpression<d>& stress,
                                    const HookeTensors<d>& hooke,
-                                   const PartOf<d>& part) {
+                                   const BodyPart<d>& part) {
   const CellQuadrature<d> quadrature = cell_quadrature<d>();
   const auto& [phi, weights] = quadrature;
   const MatrixXd weighted = weights.asDiagonal() * phi.transpose();
   const Matrix<double, d + 1, d + 1> mass = phi * weighted;
   const MatrixXd to_vertices = weighted * mass.inverse();
   InitialStress<d> result;
-  result.at_vertices.resize(Eigen::NoChange, cell_count<d>(part));
+  result.at_vertices.resize(Eigen::NoChange, part.cell_count());
   double square = 0;
   PointOf<d> point(stack, part);
   for (int t = 0; t < result.at_vertices.cols(); ++t) {
@@ -67,7 +67,7 @@ class InitialStresses {
   /// Those of one body, as for initial_stress_of. @return their oscillation
   double add(Stack stack, const VoigtExpression<d>& strain,
              const VoigtExpression<d>& stress, const HookeTensors<d>& hooke,
-             const PartOf<d>& part) {
+             const BodyPart<d>& part) {
     if (!strain[0] && !stress[0]) return 0;
     if (values_.cols() == 0)
       values_.setZero(LinearStresses<d>::Values::RowsAtCompileTime, cells_);

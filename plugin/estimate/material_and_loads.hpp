@@ -9,7 +9,7 @@
 #include "estimate/initial_stress.hpp"
 #include "estimate/oscillation.hpp"
 #include "estimate/springs.hpp"
-#include "problem/bodies_of.hpp"
+#include "problem/bodies.hpp"
 
 namespace ffcontact::plugin {
 
@@ -18,8 +18,8 @@ template <int d>
 class BodyReader {
  public:
   /// @param body  of all
-  BodyReader(Stack stack, const NamedArguments& named,
-             const BodiesOf<d>& bodies, int body)
+  BodyReader(Stack stack, const NamedArguments& named, const Bodies<d>& bodies,
+             int body)
       : stack_(stack),
         named_(named),
         part_(bodies.part(body)),
@@ -36,7 +36,7 @@ class BodyReader {
       components[c] = named_.component(name(parameter), c, size);
     return components;
   }
-  const PartOf<d>& part() const { return part_; }
+  const BodyPart<d>& part() const { return part_; }
 
   /// lambda= and G=, or hooke=.
   HookeTensors<d> hooke() const {
@@ -73,7 +73,7 @@ class BodyReader {
   HookeTensors<d> general() const {
     constexpr int rows = voigt_size<d>, count = rows * (rows + 1) / 2;
     const std::array<Expression, count> C = list<count>("hooke");
-    HookeTensors<d> hooke(cell_count<d>(part_));
+    HookeTensors<d> hooke(part_.cell_count());
     int place = 0;
     for (int row = 0; row < rows; ++row)
       for (int column = row; column < rows; ++column) {
@@ -86,7 +86,7 @@ class BodyReader {
 
   Stack stack_;
   const NamedArguments& named_;
-  PartOf<d> part_;
+  BodyPart<d> part_;
   int bodies_;
 };
 
@@ -97,7 +97,7 @@ class BodyReader {
 ///                                and none
 template <int d>
 Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
-                                    const BodiesOf<d>& bodies,
+                                    const Bodies<d>& bodies,
                                     SolvedBody<d>& body) {
   const auto& joined = bodies.joined;
   body.neumann.resize(d * d, joined.first_boundary.back());

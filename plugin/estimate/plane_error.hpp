@@ -11,7 +11,7 @@ namespace ffcontact::plugin {
 
 /// Reads the elastic law and the loads of plane bodies into what is judged.
 using ReadPlane =
-    std::function<Oscillation(const PlaneBodies& bodies, SolvedBody<2>& body)>;
+    std::function<Oscillation(const Bodies<2>& bodies, SolvedBody<2>& body)>;
 
 /// What is judged, without its elastic law and its loads.
 using JudgedOf = std::function<Judged()>;

@@ -9,8 +9,9 @@ double solid_bounds(const BoundsCall& call, const SolidContact& contact) {
   if (!contact.solved) refuse_unsolved();
   const SolidProblem& problem = *contact.problem;
   return bounds_of<3>(call, call.settings(4, steps_of_a_sweep), problem,
-                      topology_of(problem.mesh), problem.surface,
-                      *contact.solved->system, judged_body(*contact.solved));
+                      topology_of(problem.mesh, problem.facets),
+                      problem.surface, *contact.solved->system,
+                      judged_body(*contact.solved));
 }
 
 }  // namespace ffcontact::plugin

@@ -146,7 +146,7 @@ double solid_error(Stack stack, const NamedArguments& named,
   SolvedBody<3> body = judged_body(*contact.solved);
   const Oscillation oscillation = read(problem, body);
 
-  const Topology<3> topology = topology_of(problem.mesh);
+  const Topology<3> topology = topology_of(problem.mesh, problem.facets);
   Estimate<3> estimate = estimate_error(
       topology, problem.surface, *contact.solved->system, body, settings);
   put(stack, named, problem, estimate);

@@ -11,7 +11,7 @@ namespace ffcontact::plugin {
 
 /// Reads elastic law, initial strains and stresses and loads of solids into what is judged.
 using ReadSolids =
-    std::function<Oscillation(const SolidBodies& bodies, SolvedBody<3>& body)>;
+    std::function<Oscillation(const Bodies<3>& bodies, SolvedBody<3>& body)>;
 
 /// Steps of the relaxation of solids in what the script calls a sweep.
 constexpr int steps_of_a_sweep = 4;

@@ -22,7 +22,7 @@ class Springs {
   /// Of one body.
   /// @throws std::invalid_argument  for springs at rest and none, and other lists
   void read(Stack stack, const NamedArguments& named, int bodies,
-            const PartOf<d>& part) {
+            const BodyPart<d>& part) {
     const auto at_points = [&](Expression expression) {
       return along_boundary<d>(stack, expression, part,
                                facet_quadrature_hats<d>());

@@ -17,8 +17,6 @@
 namespace ffcontact::plugin {
 
 template <int d>
-using PartOf = std::conditional_t<d == 2, BodyPart, SolidPart>;
-template <int d>
 using PointOf = std::conditional_t<d == 2, PlanePoint, SolidPoint>;
 
 /// Components, all of them null where they are not given.
@@ -54,22 +52,13 @@ CellQuadrature<d> cell_quadrature() {
   return quadrature;
 }
 
+/// An expression at places of the body's boundary (x, y, label, N).
 template <int d>
-int cell_count(const PartOf<d>& part) {
-  return part.fem_mesh->nt;
-}
-template <int d>
-int boundary_count(const PartOf<d>& part) {
-  if constexpr (d == 2)
-    return part.fem_mesh->neb;
-  else
-    return part.fem_mesh->nbe;
-}
-
-/// An expression at places of the body's boundary (x, y, label, N), which is here.
-template <int d>
-VectorXd at_boundary(Stack stack, Expression expression, const PartOf<d>& part,
+VectorXd at_boundary(Stack stack, Expression expression,
+                     const BodyPart<d>& part,
                      const std::vector<BoundaryPlace<d>>& places) {
+  if (part.elsewhere)
+    return part.elsewhere->values(expression, part.body, places);
   VectorXd values(count_of(places));
   PointOf<d> point(stack, part);
   for (int i = 0; i < count_of(places); ++i) {
@@ -81,8 +70,8 @@ VectorXd at_boundary(Stack stack, Expression expression, const PartOf<d>& part,
 
 /// An expression at the centroid of each cell (x, y, region) [cells].
 template <int d>
-VectorXd at_cells(Stack stack, Expression expression, const PartOf<d>& part) {
-  VectorXd values(cell_count<d>(part));
+VectorXd at_cells(Stack stack, Expression expression, const BodyPart<d>& part) {
+  VectorXd values(part.cell_count());
   PointOf<d> point(stack, part);
   for (int t = 0; t < values.size(); ++t) {
     point.go_to_cell(t, VectorOf<d + 1>::Constant(1.0 / (d + 1)));
@@ -95,9 +84,9 @@ VectorXd at_cells(Stack stack, Expression expression, const PartOf<d>& part) {
 /// there, 0 where it is null [places x boundary].
 template <int d>
 MatrixXd along_boundary(Stack stack, Expression expression,
-                        const PartOf<d>& part,
+                        const BodyPart<d>& part,
                         const Matrix<double, d, Dynamic>& hats) {
-  MatrixXd values = MatrixXd::Zero(hats.cols(), boundary_count<d>(part));
+  MatrixXd values = MatrixXd::Zero(hats.cols(), part.boundary_count());
   if (!expression) return values;
   PointOf<d> point(stack, part);
   for (int f = 0; f < values.cols(); ++f)
@@ -122,10 +111,9 @@ Matrix<double, d, Dynamic> facet_quadrature_hats() {
 /// boundary], so that they are the loads of the script.
 template <int d>
 FacetColumns<d> traction_moments(Stack stack, const VectorExpression<d>& F,
-                                 const PartOf<d>& part) {
+                                 const BodyPart<d>& part) {
   const Matrix<double, d, Dynamic> hats = facet_quadrature_hats<d>();
-  FacetColumns<d> moments =
-      FacetColumns<d>::Zero(d * d, boundary_count<d>(part));
+  FacetColumns<d> moments = FacetColumns<d>::Zero(d * d, part.boundary_count());
   if (!F[0]) return moments;
   for (int c = 0; c < d; ++c) {
     const MatrixXd values = along_boundary<d>(stack, F[c], part, hats);
@@ -184,9 +172,8 @@ double oscillation_square(const Matrix<double, d, Dynamic>& f,
 
 template <int d>
 BodyForce<d> body_force_loads(Stack stack, const VectorExpression<d>& f,
-                              const PartOf<d>& part) {
-  BodyForce<d> force{
-      BodyLoadsOfCells<d>::Zero(d * (d + 1), cell_count<d>(part))};
+                              const BodyPart<d>& part) {
+  BodyForce<d> force{BodyLoadsOfCells<d>::Zero(d * (d + 1), part.cell_count())};
   if (!f[0]) return force;
   const CellQuadrature<d> quadrature = cell_quadrature<d>();
   PointOf<d> point(stack, part);

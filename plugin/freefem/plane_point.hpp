@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "freefem/plane_part.hpp"
+#include "freefem/body_part.hpp"
 #include "freefem/point_evaluator.hpp"
 
 namespace ffcontact::plugin {
@@ -11,7 +11,7 @@ namespace ffcontact::plugin {
 /// Evaluates expressions on boundary edges and in triangles.
 class PlanePoint : public PointEvaluator {
  public:
-  PlanePoint(Stack stack, const BodyPart& part)
+  PlanePoint(Stack stack, const BodyPart<2>& part)
       : PointEvaluator(stack), Th_(*part.fem_mesh) {}
 
   void go_to(const BoundaryPlace<2>& place) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "freefem/body_part.hpp"
 #include "freefem/point_evaluator.hpp"
-#include "freefem/solid_part.hpp"
 
 namespace ffcontact::plugin {
 
 /// Evaluates expressions on boundary faces and in tetrahedra.
 class SolidPoint : public PointEvaluator {
  public:
-  SolidPoint(Stack stack, const SolidPart& solid)
+  SolidPoint(Stack stack, const BodyPart<3>& solid)
       : PointEvaluator(stack), solid_(solid), Th_(*solid.fem_mesh) {}
 
   void go_to(const BoundaryPlace<3>& place) {
@@ -40,15 +40,15 @@ class SolidPoint : public PointEvaluator {
   Vector3d outward_normal(int column, int cell) const {
     const int first = solid_.first_boundary;
     for (int k = 0; k < 4; ++k) {
-      const int face = solid_.faces.of_cell(k, cell);
-      if (solid_.faces.boundary_index[face] == first + column)
-        return solid_.faces.eta(k, cell) *
-               facet_normal(solid_.mesh, solid_.faces, face);
+      const int face = solid_.facets.of_cell(k, cell);
+      if (solid_.facets.boundary_index[face] == first + column)
+        return solid_.facets.eta(k, cell) *
+               facet_normal(solid_.mesh, solid_.facets, face);
     }
     return Vector3d::Zero();
   }
 
-  const SolidPart& solid_;
+  const BodyPart<3>& solid_;
   const Fem2D::Mesh3& Th_;
 };
 

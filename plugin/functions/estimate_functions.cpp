@@ -115,9 +115,7 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   static int body_count(const Contact& contact) {
-    if (const SharedContact* shared = contact.shared.get())
-      return shared->plane ? shared->plane->own.body_count()
-                           : shared->solid->own.body_count();
+    if (contact.shared) return contact.shared->body_count();
     return contact.problem ? contact.problem->body_count()
                            : contact.solid->problem->body_count();
   }
@@ -127,7 +125,7 @@ class ContactErrorFunction : public E_F0mps {
   }
 
   ReadPlane plane_reader(Stack stack) const {
-    return [this, stack](const PlaneBodies& bodies, SolvedBody<2>& body) {
+    return [this, stack](const Bodies<2>& bodies, SolvedBody<2>& body) {
       return read_material_and_loads<2>(stack, named_, bodies, body);
     };
   }

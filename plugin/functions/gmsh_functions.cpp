@@ -4,6 +4,7 @@
 //
 #include "freefem/guard.hpp"
 #include "freefem/new_mesh.hpp"
+#include "freefem/read_mesh.hpp"
 #include "freefem/views.hpp"
 #include "registration.hpp"
 #include "solids.hpp"

@@ -6,6 +6,7 @@
 //
 #include "freefem/arguments.hpp"
 #include "freefem/guard.hpp"
+#include "freefem/read_mesh.hpp"
 #include "freefem/vertex_sizes.hpp"
 #include "freefem/views.hpp"
 #include "registration.hpp"

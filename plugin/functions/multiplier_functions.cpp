@@ -6,6 +6,7 @@
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 //
 #include "freefem/guard.hpp"
+#include "freefem/views.hpp"
 #include "problem/contact_type.hpp"
 #include "registration.hpp"
 

@@ -10,7 +10,7 @@
 //
 #include "freefem/guard.hpp"
 #include "freefem/new_mesh.hpp"
-#include "freefem/views.hpp"
+#include "freefem/read_mesh.hpp"
 #include "registration.hpp"
 
 namespace ffcontact::plugin {

@@ -4,6 +4,7 @@
 #include "ffcontact/sizing/optimal_size.hpp"
 //
 #include "freefem/guard.hpp"
+#include "freefem/views.hpp"
 #include "parallel/shared_contact.hpp"
 #include "problem/contact_type.hpp"
 #include "problem/solid_contact.hpp"
@@ -100,8 +101,8 @@ class OptimalSizeFunction : public E_F0mps {
   }
 
   /// Error and rate of all cells of the bodies.
-  template <class Bodies>
-  std::vector<VectorXd> given(Stack stack, const Bodies& all) const {
+  template <int d>
+  std::vector<VectorXd> given(Stack stack, const Bodies<d>& all) const {
     const int bodies = all.body_count();
     all.require_bodies("eps", local_error_.size());
     require_names_of_bodies(named_, sizes_of_bodies, bodies);
@@ -119,7 +120,7 @@ class OptimalSizeFunction : public E_F0mps {
     const SizeSettings bounds = settings(stack);
     if (const ContactProblem* plane = contact.problem.get())
       return answer(stack, plane->joined,
-                    optimal_size(plane->mesh, plane->edges.vertices, arrays[0],
+                    optimal_size(plane->mesh, plane->facets.vertices, arrays[0],
                                  arrays[1], bounds));
     const SolidProblem& solid = *contact.solid->problem;
     return answer(stack, solid.joined, solids().sizes(solid, arrays, bounds));

@@ -47,11 +47,10 @@ std::vector<std::vector<int>> SharedBodies<dim>::dofs() const {
 
 template <int dim>
 void put_parts(Stack stack, const NamedArguments& named,
-               const std::vector<typename OfDimension<dim>::FemMesh>& meshes,
-               Packet& packet) {
+               const FemMeshes<dim>& meshes, Packet& packet) {
   const int bodies = count_of(meshes);
   for (int k = 0; k < bodies; ++k) {
-    put_mesh(OfDimension<dim>::mesh_of(meshes[k]), packet);
+    put_mesh(mesh_of(meshes[k]), packet);
     packet.put(named.integers(stack, name_of_body("vertexnumbers", k, bodies)));
     packet.put(named.integers(stack, name_of_body("cellnumbers", k, bodies)));
   }

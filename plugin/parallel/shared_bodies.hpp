@@ -8,29 +8,15 @@
 //
 #include "freefem/arguments.hpp"
 #include "parallel/team.hpp"
-#include "problem/bodies_of.hpp"
+#include "problem/bodies.hpp"
 
 namespace ffcontact::plugin {
-
-/// What is stated and read of bodies of one dimension.
-template <int dim>
-struct OfDimension;
-template <>
-struct OfDimension<2> {
-  using FemMesh = pmesh;
-  static Mesh mesh_of(pmesh mesh) { return plugin::mesh_of(mesh); }
-};
-template <>
-struct OfDimension<3> {
-  using FemMesh = pmesh3;
-  static SolidMesh mesh_of(pmesh3 mesh) { return solid_mesh_of(mesh); }
-};
 
 /// Bodies that processes hold parts of: those of this process and, on process 0, where
 /// all parts are in the whole.
 template <int dim>
 struct SharedBodies {
-  BodiesOf<dim> own;
+  Bodies<dim> own;
   /// of each body, without its whole mesh; process 0 only, as all that follows
   std::vector<MeshParts<dim>> parts;
   /// of each process: its joined vertices, cells and boundary columns in the joined whole
@@ -50,8 +36,7 @@ JoinedBodies<dim> joined_bodies(std::vector<Packet>& packets, int bodies,
 /// The meshes of a process and vertexnumbers=, cellnumbers= of them.
 template <int dim>
 void put_parts(Stack stack, const NamedArguments& named,
-               const std::vector<typename OfDimension<dim>::FemMesh>& meshes,
-               Packet& packet);
+               const FemMeshes<dim>& meshes, Packet& packet);
 
 /// Expressions of a statement on process 0, at places of parts that others hold.
 template <int dim>

@@ -26,6 +26,10 @@ struct SharedContact {
   std::optional<SharedBodies<2>> plane;
   std::optional<SharedBodies<3>> solid;  ///< one of them is there
   ShownNodes shown;
+
+  int body_count() const {
+    return plane ? plane->own.body_count() : solid->own.body_count();
+  }
 };
 
 template <int dim>

@@ -28,10 +28,9 @@ VectorXd joined_previous(std::vector<Packet>& packets,
 }
 
 template <int dim>
-Packet part_packet(
-    Stack stack, const NamedArguments& named,
-    const std::vector<typename OfDimension<dim>::FemMesh>& meshes,
-    const SharedBodies<dim>& bodies) {
+Packet part_packet(Stack stack, const NamedArguments& named,
+                   const FemMeshes<dim>& meshes,
+                   const SharedBodies<dim>& bodies) {
   Packet packet;
   packet.put(count_of(meshes));
   put_parts<dim>(stack, named, meshes, packet);
@@ -66,17 +65,16 @@ std::shared_ptr<Team> stated_team(Stack stack, const NamedArguments& named) {
 }
 
 template <int dim>
-SharedStatement<dim> state_shared(
-    Stack stack, const NamedArguments& named,
-    const std::vector<typename OfDimension<dim>::FemMesh>& meshes,
-    const std::shared_ptr<Team>& team) {
+SharedStatement<dim> state_shared(Stack stack, const NamedArguments& named,
+                                  const FemMeshes<dim>& meshes,
+                                  const std::shared_ptr<Team>& team) {
   SharedStatement<dim> statement;
   statement.contact = std::make_shared<SharedContact>();
   SharedContact& contact = *statement.contact;
   contact.team = team;
   std::optional<SharedBodies<dim>> bodies;
   const auto own = [&] {
-    bodies.emplace(SharedBodies<dim>{BodiesOf<dim>(meshes), {}, {}, {}, {}});
+    bodies.emplace(SharedBodies<dim>{Bodies<dim>(meshes), {}, {}, {}, {}});
     return part_packet<dim>(stack, named, meshes, *bodies);
   };
   together(

@@ -25,9 +25,8 @@ struct SharedStatement {
 
 /// @param meshes  the parts of the bodies on this process
 template <int dim>
-SharedStatement<dim> state_shared(
-    Stack stack, const NamedArguments& named,
-    const std::vector<typename OfDimension<dim>::FemMesh>& meshes,
-    const std::shared_ptr<Team>& team);
+SharedStatement<dim> state_shared(Stack stack, const NamedArguments& named,
+                                  const FemMeshes<dim>& meshes,
+                                  const std::shared_ptr<Team>& team);
 
 }  // namespace ffcontact::plugin

@@ -163,7 +163,7 @@ void write_pictures(const fs::path& folder, long step,
                       *problem.fem_meshes[body], cells);
   }
   if (!solved.estimate) return;
-  const Topology<3> topology = topology_of(problem.mesh);
+  const Topology<3> topology = topology_of(problem.mesh, problem.facets);
   for (int body = 0; body < problem.body_count(); ++body)
     write_stress(folder / picture_file("stress", step, body), problem, topology,
                  solved, body);

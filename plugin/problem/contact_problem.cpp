@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "freefem/freefem.hpp"
+#include "freefem/views.hpp"
 #include "problem/contact_problem.hpp"
 #include "problem/curve_report.hpp"
 
@@ -55,8 +56,7 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
 
 ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
                                const std::vector<pmesh>& meshes)
-    : PlaneBodies(meshes),
-      topology_{joined.mesh, edges_of(joined.mesh), {}, {}} {
+    : Bodies<2>(meshes) {
   previous_ = stated_previous(stack, named, *this);
   state(stack, named);
 }
@@ -65,8 +65,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
                                JoinedMesh whole,
                                const PlacesElsewhere<2>& elsewhere,
                                VectorXd previous)
-    : PlaneBodies(std::move(whole)),
-      topology_{joined.mesh, edges_of(joined.mesh), {}, {}},
+    : Bodies<2>(std::move(whole)),
       elsewhere_(&elsewhere),
       previous_(std::move(previous)) {
   state(stack, named);
@@ -75,7 +74,7 @@ ContactProblem::ContactProblem(Stack stack, const NamedArguments& named,
 
 void ContactProblem::state(Stack stack, const NamedArguments& named) {
   corner_ = stated_corner(stack, named);
-  if (!is_bonded(stack, named)) curves_ = BoundaryCurves(mesh, edges, corner_);
+  if (!is_bonded(stack, named)) curves_ = BoundaryCurves(mesh, facets, corner_);
   layer_ = stated_layer(stack, named);
   const std::vector<StatedPair> stated = stated_pairs(stack, named, joined);
   for (const StatedPair& pair : stated) body_of_pair.push_back(pair.body);
@@ -84,26 +83,22 @@ void ContactProblem::state(Stack stack, const NamedArguments& named) {
 }
 
 const Topology<2>& ContactProblem::topology() const {
-  if (topology_.stars.start.empty())
-    topology_ =
-        topology_of(std::move(topology_.mesh), std::move(topology_.facets));
-  return topology_;
+  if (!topology_) topology_ = topology_of(mesh, facets);
+  return *topology_;
 }
 
 /// A curve has one contact direction where it touches what is flatter.
 ContactLine ContactProblem::own_line(Stack stack, const NamedArguments& named,
                                      const StatedPair& pair) const {
-  const BodyPart body = part(pair.body, elsewhere_);
-  ContactLine line =
-      stated_line(stack, named, body, mesh, edges, pair.labels, curves_);
+  const BodyPart<2> body = part(pair.body, elsewhere_);
+  ContactLine line = stated_line(stack, named, body, pair.labels, curves_);
   if (named.given("normal") || is_bonded(stack, named) || !turns(line))
     return line;
   const Expression gap = named.expression("gap");
   const VectorXd distance =
       gap || pair.rigid()
-          ? at_nodes(stack, gap, body, edges, line, stated_places(line, false),
-                     0)
-          : facing_traces(mesh, edges, line, pair.opposite, curves_).gap;
+          ? at_nodes(stack, gap, body, line, stated_places(line, false), 0)
+          : facing_traces(mesh, facets, line, pair.opposite, curves_).gap;
   return with_one_direction_a_curve(mesh, std::move(line), distance);
 }
 
@@ -111,10 +106,11 @@ void ContactProblem::require_one_side(const StatedPair& pair,
                                       const ContactLine& own) const {
   if (!must_not_face_itself(pair)) return;
   const std::optional<TouchingPlace> touching =
-      touching_place(mesh, edges, own, pair.labels);
+      touching_place(mesh, facets, own, pair.labels);
   if (touching)
-    refuse_both_sides(mesh.boundary_label[edges.boundary_index[touching->edge]],
-                      in_words(Vector2d(mesh.origin + touching->place)));
+    refuse_both_sides(
+        mesh.boundary_label[facets.boundary_index[touching->edge]],
+        in_words(Vector2d(mesh.origin + touching->place)));
 }
 
 void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
@@ -122,7 +118,7 @@ void ContactProblem::add_pair(Stack stack, const NamedArguments& named,
   const ContactLine own = own_line(stack, named, pair);
   require_one_side(pair, own);
   if (!is_bonded(stack, named))
-    report_curves(joined, edges, curves_, corner_, pair, own,
+    report_curves(joined, facets, curves_, corner_, pair, own,
                   {named.given("normal"), named.given("gap")});
   if (!pair.rigid()) {
     if (body_count() == 1) warn_of_touching(mesh, own);
@@ -139,20 +135,20 @@ void ContactProblem::add_facing_pair(Stack stack, const NamedArguments& named,
   const int wanted =
       wanted_side(stack, named, count_of(pairs_), count_of(body_of_pair));
   const FacingTraces traces =
-      facing_traces(mesh, edges, own, stated.opposite, curves_);
+      facing_traces(mesh, facets, own, stated.opposite, curves_);
   const bool bonded = is_bonded(stack, named);
-  ContactLine facing = facing_line(mesh, edges, own, traces);
+  ContactLine facing = facing_line(mesh, facets, own, traces);
   std::optional<ContactLine> exchanged;
   if (wanted != 1)
-    exchanged = exchanged_line(mesh, edges, facing, stated.opposite);
+    exchanged = exchanged_line(mesh, facets, facing, stated.opposite);
   if (!exchanged && wanted == 2)
     refuse(
         "side=2: the other body cannot carry the multipliers, as two parts of "
         "the first one's line face the same part of it; give one contact "
         "direction with normal=[nx, ny], or side=1");
-  if (bonded) facing = with_constant_ends(mesh, edges, facing);
+  if (bonded) facing = with_constant_ends(mesh, facets, facing);
   if (bonded && exchanged)
-    exchanged = with_constant_ends(mesh, edges, *exchanged);
+    exchanged = with_constant_ends(mesh, facets, *exchanged);
   Pair pair{false, wanted,
             carrier(stack, named, stated.body, own, facing, false),
             std::nullopt};
@@ -165,14 +161,14 @@ ContactProblem::Carrier ContactProblem::carrier(
     Stack stack, const NamedArguments& named, int body,
     const ContactLine& stated, ContactLine line, bool on_opposite) const {
   const StatedPlaces places = stated_places(line, on_opposite);
-  StatedAbscissae at = stated_abscissae(edges, stated, line, places);
+  StatedAbscissae at = stated_abscissae(facets, stated, line, places);
   Carrier result;
   for (int vertex : at.vertex)
     result.own_vertex.push_back(vertex - joined.first_vertex[body]);
   result.abscissa = std::move(at.node);
   result.edge_abscissa = std::move(at.edge_end);
   result.stated =
-      stated_law(stack, named, part(body, elsewhere_), edges, line, places);
+      stated_law(stack, named, part(body, elsewhere_), line, places);
   result.line = std::move(line);
   return result;
 }
@@ -181,7 +177,7 @@ void ContactProblem::choose_sides(const ElasticSystem& system) {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     if (pairs_[k].rigid || pairs_[k].wanted != 0 || !pairs_[k].other) continue;
     const double ratio =
-        compliance_ratio(mesh, edges, pairs_[k].own.line, system);
+        compliance_ratio(mesh, facets, pairs_[k].own.line, system);
     side[k] = ratio > much_softer ? 2 : 1;
   }
   join_carriers();

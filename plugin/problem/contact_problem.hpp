@@ -8,8 +8,8 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "ffcontact/mesh/topology.hpp"
 //
+#include "problem/bodies.hpp"
 #include "problem/contact_statement.hpp"
-#include "problem/plane_bodies.hpp"
 #include "problem/stated_pairs.hpp"
 
 namespace ffcontact::plugin {
@@ -34,9 +34,8 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 /// The multipliers are on the line of the body that comes first (side 1), or, where the
 /// other's line can carry them and yields much more (compliance_ratio), on that (side 2).
 /// Both are prepared; it is side 1 until choose_sides knows the matrices.
-struct ContactProblem : PlaneBodies {
+struct ContactProblem : Bodies<2> {
   const Mesh& mesh = joined.mesh;
-  const Edges& edges = topology_.facets;
   ContactLine line;
   ContactLaw law;  ///< multiplier left at its default
   KineticFriction kinetic;
@@ -108,8 +107,7 @@ struct ContactProblem : PlaneBodies {
   void clear_line();
   void append_carrier(const Carrier& carrier, bool on_opposite);
 
-  mutable Topology<2>
-      topology_;  ///< ridges and stars are made when an estimate asks
+  mutable std::optional<Topology<2>> topology_;  ///< made when an estimate asks
   std::vector<Pair> pairs_;
   double corner_ = 0;  ///< of curves [degrees]
   BoundaryCurves curves_;

@@ -24,10 +24,10 @@ const NamedArguments::Table stated_of_bodies = {
     {"cellnumbers", &typeid(KN_<long>)}};
 
 VectorXd stated_gap(Stack stack, const NamedArguments& named,
-                    const BodyPart& part, const Edges& edges,
-                    const ContactLine& line, const StatedPlaces& places) {
+                    const BodyPart<2>& part, const ContactLine& line,
+                    const StatedPlaces& places) {
   if (const Expression given = named.expression("gap"))
-    return at_nodes(stack, given, part, edges, line, places, 0);
+    return at_nodes(stack, given, part, line, places, 0);
   if (!line.against_a_body()) return {};
   return facing_gap(line);
 }
@@ -134,31 +134,31 @@ double stated_corner(Stack stack, const NamedArguments& named) {
 }
 
 ContactLine stated_line(Stack stack, const NamedArguments& named,
-                        const BodyPart& part, const Mesh& mesh,
-                        const Edges& edges, const std::vector<int>& labels,
+                        const BodyPart<2>& part, const std::vector<int>& labels,
                         const BoundaryCurves& curves) {
+  const Mesh& mesh = part.mesh;
+  const Edges& edges = part.facets;
   if (is_bonded(stack, named)) return bonded_line(mesh, edges, labels);
   if (!named.given("normal")) return contact_line(mesh, edges, labels, curves);
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Matrix2Xd direction(2, line.node_count());
   for (int c = 0; c < 2; ++c)
     direction.row(c) = at_nodes(stack, named.component("normal", c, 2), part,
-                                edges, line, stated_places(line, false), 0)
+                                line, stated_places(line, false), 0)
                            .transpose();
   return along_directions(mesh, edges, line, direction);
 }
 
 StatedLaw stated_law(Stack stack, const NamedArguments& named,
-                     const BodyPart& part, const Edges& edges,
-                     const ContactLine& line, const StatedPlaces& places) {
+                     const BodyPart<2>& part, const ContactLine& line,
+                     const StatedPlaces& places) {
   if (is_bonded(stack, named)) return {bonded_law(line.node_count()), {}};
   const auto read = [&](const char* name, VectorXd& nodal,
                         EdgeRange& between_nodes) {
     const Expression given = named.expression(name);
-    nodal = at_nodes(stack, given, part, edges, line, places, 0);
+    nodal = at_nodes(stack, given, part, line, places, 0);
     if (given)
-      between_nodes =
-          enclosing_range(along_edges(stack, given, part, edges, places));
+      between_nodes = enclosing_range(along_edges(stack, given, part, places));
   };
   const bool both = named.given("friction") && named.given("slipbound");
   StatedLaw result;
@@ -170,7 +170,7 @@ StatedLaw stated_law(Stack stack, const NamedArguments& named,
     read("slipbound", law.shear_limit, law.limit_between_nodes);
   else if (named.given("slipbound"))
     read("slipbound", law.slip_bound, law.between_nodes);
-  law.gap = stated_gap(stack, named, part, edges, line, places);
+  law.gap = stated_gap(stack, named, part, line, places);
   return result;
 }
 

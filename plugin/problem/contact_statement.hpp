@@ -34,8 +34,7 @@ double stated_corner(Stack stack, const NamedArguments& named);
 /// The line by its own normals and those of curves, or along the directions of normal=; of
 /// bonded bodies one node a vertex.
 ContactLine stated_line(Stack stack, const NamedArguments& named,
-                        const BodyPart& part, const Mesh& mesh,
-                        const Edges& edges, const std::vector<int>& labels,
+                        const BodyPart<2>& part, const std::vector<int>& labels,
                         const BoundaryCurves& curves);
 
 /// The displacement of the load step before on all dofs; empty where no previous= is
@@ -50,7 +49,7 @@ struct StatedLaw {
 };
 /// The law on a line; against a body without gap= the gap is that of the meshes.
 StatedLaw stated_law(Stack stack, const NamedArguments& named,
-                     const BodyPart& part, const Edges& edges,
-                     const ContactLine& line, const StatedPlaces& places);
+                     const BodyPart<2>& part, const ContactLine& line,
+                     const StatedPlaces& places);
 
 }  // namespace ffcontact::plugin

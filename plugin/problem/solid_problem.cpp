@@ -26,7 +26,7 @@ constexpr double as_much = 0.9;
 
 SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
                            const std::vector<pmesh3>& meshes)
-    : SolidBodies(meshes) {
+    : Bodies<3>(meshes) {
   previous_ = stated_previous(stack, named, *this);
   state(stack, named);
 }
@@ -35,7 +35,7 @@ SolidProblem::SolidProblem(Stack stack, const NamedArguments& named,
                            JoinedSolids whole,
                            const PlacesElsewhere<3>& elsewhere,
                            VectorXd previous)
-    : SolidBodies(std::move(whole)),
+    : Bodies<3>(std::move(whole)),
       elsewhere_(&elsewhere),
       previous_(std::move(previous)) {
   state(stack, named);
@@ -57,7 +57,7 @@ void SolidProblem::state(Stack stack, const NamedArguments& named) {
 ContactSurface SolidProblem::stated_surface(
     Stack stack, const NamedArguments& named, int body,
     const std::vector<int>& labels) const {
-  ContactSurface own = contact_surface(mesh, faces, labels);
+  ContactSurface own = contact_surface(mesh, facets, labels);
   if (!named.given("normal")) return own;
   const std::vector<FacePlace> places = places_of_nodes(own);
   Matrix3Xd direction = Matrix3Xd::Zero(3, mesh.vertices.cols());
@@ -67,16 +67,16 @@ ContactSurface SolidProblem::stated_surface(
     for (int i = own.node_count() - 1; i >= 0; --i)
       direction(c, own.vertex[i]) = values[i];
   }
-  return surface_along(mesh, faces, labels, direction);
+  return surface_along(mesh, facets, labels, direction);
 }
 
 void SolidProblem::require_one_side(const StatedPair& stated,
                                     const ContactSurface& whole) const {
   if (!must_not_face_itself(stated)) return;
-  const int touching = touching_face(mesh, faces, whole, stated.labels);
+  const int touching = touching_face(mesh, facets, whole, stated.labels);
   if (touching < 0) return;
-  const Vector3d middle = facet_points(mesh, faces, touching).rowwise().mean();
-  refuse_both_sides(mesh.boundary_label[faces.boundary_index[touching]],
+  const Vector3d middle = facet_points(mesh, facets, touching).rowwise().mean();
+  refuse_both_sides(mesh.boundary_label[facets.boundary_index[touching]],
                     in_words(Vector3d(mesh.origin + middle)));
 }
 
@@ -87,7 +87,7 @@ void SolidProblem::add_pair(Stack stack, const NamedArguments& named,
   require_one_side(stated, pair.whole);
   if (!stated.rigid())
     pair.polygons = smooth_polygons(pair.whole, stated.opposite);
-  report_surfaces(joined, faces, stated,
+  report_surfaces(joined, facets, stated,
                   {named.given("normal"), named.given("gap")});
   if (!stated.rigid()) {
     add_facing_pair(stack, named, stated, std::move(pair));
@@ -102,7 +102,8 @@ void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
                                    const StatedPair& stated, Pair pair) {
   pair.wanted =
       wanted_side(stack, named, count_of(pairs_), count_of(body_of_pair));
-  FacingSurface facing = facing_surface(mesh, faces, pair.whole, pair.polygons);
+  FacingSurface facing =
+      facing_surface(mesh, facets, pair.whole, pair.polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
   pair.own = carrier(stack, named, stated.body, std::move(facing), places);
   if (pair.wanted == 2)
@@ -116,8 +117,8 @@ void SolidProblem::add_facing_pair(Stack stack, const NamedArguments& named,
 std::vector<FacingPolygon> SolidProblem::smooth_polygons(
     const ContactSurface& whole, const std::vector<int>& opposite) const {
   std::vector<FacingPolygon> polygons =
-      facing_polygons(mesh, faces, whole, opposite);
-  smooth_distances(mesh, faces, whole, contact_surface(mesh, faces, opposite),
+      facing_polygons(mesh, facets, whole, opposite);
+  smooth_distances(mesh, facets, whole, contact_surface(mesh, facets, opposite),
                    polygons);
   return polygons;
 }
@@ -126,10 +127,10 @@ std::vector<FacingPolygon> SolidProblem::smooth_polygons(
 SolidProblem::Carrier SolidProblem::exchanged(Stack stack,
                                               const NamedArguments& named,
                                               const StatedPair& stated) const {
-  ContactSurface whole = contact_surface(mesh, faces, stated.opposite);
+  ContactSurface whole = contact_surface(mesh, facets, stated.opposite);
   std::vector<FacingPolygon> polygons = smooth_polygons(whole, stated.labels);
   if (named.given("normal")) {
-    const FacingSurface first = facing_surface(mesh, faces, whole, polygons);
+    const FacingSurface first = facing_surface(mesh, facets, whole, polygons);
     const std::vector<FacePlace> places =
         places_faced(first.surface, whole, polygons);
     Matrix3Xd direction = Matrix3Xd::Zero(3, mesh.vertices.cols());
@@ -142,10 +143,10 @@ SolidProblem::Carrier SolidProblem::exchanged(Stack stack,
       for (int i = 0; i < first.surface.node_count(); ++i)
         direction(c, first.surface.vertex[i]) = -values[i];
     }
-    whole = surface_along(mesh, faces, stated.opposite, direction);
+    whole = surface_along(mesh, facets, stated.opposite, direction);
     polygons = smooth_polygons(whole, stated.labels);
   }
-  FacingSurface facing = facing_surface(mesh, faces, whole, polygons);
+  FacingSurface facing = facing_surface(mesh, facets, whole, polygons);
   const std::vector<FacePlace> places =
       places_faced(facing.surface, whole, polygons);
   return carrier(stack, named, stated.body, std::move(facing), places);
@@ -184,7 +185,7 @@ SolidProblem::Carrier SolidProblem::carrier(
   for (const FacePlace& place : places) {
     Index nearest;
     place.coordinates.maxCoeff(&nearest);
-    result.own_vertex.push_back(faces.vertices(nearest, place.face) -
+    result.own_vertex.push_back(facets.vertices(nearest, place.face) -
                                 joined.first_vertex[body]);
   }
   return result;
@@ -195,7 +196,7 @@ void SolidProblem::choose_sides(const ElasticSystem& system) {
     const Pair& pair = pairs_[k];
     if (pair.wanted != 0 || !pair.other) continue;
     const double ratio =
-        compliance_ratio(mesh, faces, pair.whole, pair.polygons, system);
+        compliance_ratio(mesh, facets, pair.whole, pair.polygons, system);
     side[k] = ratio > much_softer ? 2 : 1;
   }
   join_carriers();

@@ -9,8 +9,9 @@
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
 #include "freefem/arguments.hpp"
+#include "freefem/solid_values.hpp"
+#include "problem/bodies.hpp"
 #include "problem/contact_statement.hpp"
-#include "problem/solid_bodies.hpp"
 #include "problem/stated_pairs.hpp"
 
 namespace ffcontact::plugin {
@@ -18,7 +19,7 @@ namespace ffcontact::plugin {
 /// A contact problem of solids as a script states it, with the parameters, bodies and
 /// sides of ContactProblem: one mesh3 or several; normal=[nx, ny, nz] is one contact
 /// direction a vertex in place of the faces' normals. All is evaluated when it is stated.
-struct SolidProblem : SolidBodies {
+struct SolidProblem : Bodies<3> {
   const SolidMesh& mesh = joined.mesh;
   ContactSurface surface;
   SurfaceLaw law;

@@ -5,13 +5,9 @@
 
 #include "ffcontact/interface/pairing/facing_polygons.hpp"
 //
-#include "freefem/solid_part.hpp"
+#include "freefem/body_part.hpp"
 
 namespace ffcontact::plugin {
-
-/// FreeFEM's mesh3; column e of SolidMesh::boundary is FreeFEM's boundary element e.
-/// @throws std::invalid_argument  if the mesh was never assigned
-SolidMesh solid_mesh_of(const Fem2D::Mesh3* mesh);
 
 /// A place on a boundary face.
 struct FacePlace {
@@ -31,7 +27,7 @@ std::vector<FacePlace> places_faced(const ContactSurface& part,
 /// An expression of the script at places of a solid; x, y, z, N, label and region are
 /// those of the faces.
 /// @return an array of `otherwise` where the expression is null
-VectorXd at_places(Stack stack, Expression expression, const SolidPart& part,
+VectorXd at_places(Stack stack, Expression expression, const BodyPart<3>& part,
                    const std::vector<FacePlace>& places, double otherwise);
 
 }  // namespace ffcontact::plugin
