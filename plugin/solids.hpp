@@ -16,13 +16,12 @@
 
 namespace ffcontact::plugin {
 
-struct SolidProblem;
 struct BoundsCall;
 
 /// The value of contact(Th, ...), for an assignment: null is what there is not.
 struct ContactStatement {
-  std::shared_ptr<ContactProblem> plane;
-  std::shared_ptr<SolidProblem> solid;
+  std::shared_ptr<ContactProblem<2>> plane;
+  std::shared_ptr<ContactProblem<3>> solid;
   std::shared_ptr<SharedContact> shared;
 };
 
@@ -56,7 +55,7 @@ class Solids {
 
   /// optimalsize.
   /// @param arrays  eps_E and q_E of all cells
-  virtual OptimalSize sizes(const SolidProblem& problem,
+  virtual OptimalSize sizes(const ContactProblem<3>& problem,
                             const std::vector<VectorXd>& arrays,
                             const SizeSettings& settings) const = 0;
   /// Where processes share the bodies: as sizes_shared.

@@ -40,7 +40,7 @@ ContactStatement statement(Stack stack, const NamedArguments& named,
   if (const auto team = stated_team(stack, named))
     return statement_of(state_shared<dim>(stack, named, meshes, team));
   return statement_of<dim>(
-      {std::make_shared<ProblemOf<dim>>(stack, named, meshes), nullptr});
+      {std::make_shared<ContactProblem<dim>>(stack, named, meshes), nullptr});
 }
 
 Solid solid_of(pmesh3 Th) {
@@ -89,7 +89,7 @@ class SolidsModule : public Solids {
     return solid_bounds(call, contact);
   }
 
-  OptimalSize sizes(const SolidProblem& problem,
+  OptimalSize sizes(const ContactProblem<3>& problem,
                     const std::vector<VectorXd>& arrays,
                     const SizeSettings& settings) const override {
     return optimal_size(problem.mesh,

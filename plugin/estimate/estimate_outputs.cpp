@@ -9,15 +9,15 @@ namespace ffcontact::plugin {
 namespace {
 
 /// Of one end of an edge of the refined line.
-double abscissa(const ContactProblem& problem,
+double abscissa(const ContactProblem<2>& problem,
                 const CommonRefinement& refinement, int e, int end) {
   const ContactLine& line = refinement.line;
   const int k = refinement.parent_contact_edge[e];
   const Vector2d ends = problem.edge_abscissa.col(k);
   const int vertex = line.vertex[line.edge_node(end, e)];
   const double place =
-      refinement.place(problem.facets, vertex, problem.line.edge[k]);
-  return between(ends[0], ends[1], problem.line.share(k, place));
+      refinement.place(problem.facets, vertex, problem.contact.edge[k]);
+  return between(ends[0], ends[1], problem.contact.share(k, place));
 }
 
 /// Values at the corners of a triangle as those at its shrunk vertices.
@@ -45,7 +45,8 @@ VectorXd stress_component(const std::vector<SubcellStress<2>>& stress,
   return values;
 }
 
-VectorXd abscissae(const ContactProblem& problem, const Estimate<2>& estimate) {
+VectorXd abscissae(const ContactProblem<2>& problem,
+                   const Estimate<2>& estimate) {
   if (!estimate.refinement) return problem.edge_abscissa.reshaped();
   return VectorXd::NullaryExpr(
       2 * estimate.refinement->line.edge_count(), [&](int k) {

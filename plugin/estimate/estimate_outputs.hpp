@@ -17,7 +17,8 @@ VectorXd stress_component(const std::vector<SubcellStress<2>>& stress,
 
 /// Abscissae of the ends of the edges on which r_hat is linear, two an edge, on the line
 /// that coefficients are stated on.
-VectorXd abscissae(const ContactProblem& problem, const Estimate<2>& estimate);
+VectorXd abscissae(const ContactProblem<2>& problem,
+                   const Estimate<2>& estimate);
 
 /// e, its parts, what is said beside it, and its history.
 void put_error(Stack stack, const NamedArguments& named,

@@ -28,7 +28,7 @@ Judged judged_of(const SolvedContact& solved) {
   return judged;
 }
 
-Judged judged_of(const ContactProblem& problem, ElasticSystem system,
+Judged judged_of(const ContactProblem<2>& problem, ElasticSystem system,
                  VectorXd displacement, Multiplier multiplier,
                  const Matrix2Xd& pressures) {
   Judged judged;
@@ -37,9 +37,9 @@ Judged judged_of(const ContactProblem& problem, ElasticSystem system,
   body.displacement = std::move(displacement);
   body.law = problem.law;
   body.law.multiplier = multiplier;
-  body.multipliers = multiplier_density(problem.line, multiplier,
+  body.multipliers = multiplier_density(problem.contact, multiplier,
                                         judged.system->prescribed, pressures);
-  judged.forces = contact_forces(problem.line, body.law, pressures);
+  judged.forces = contact_forces(problem.contact, body.law, pressures);
   return judged;
 }
 

@@ -23,7 +23,7 @@ struct Judged {
 };
 Judged judged_of(const SolvedContact& solved);
 /// @param pressures  that the script gives, of this multiplier [2 x p]
-Judged judged_of(const ContactProblem& problem, ElasticSystem system,
+Judged judged_of(const ContactProblem<2>& problem, ElasticSystem system,
                  VectorXd displacement, Multiplier multiplier,
                  const Matrix2Xd& pressures);
 

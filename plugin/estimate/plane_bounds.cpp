@@ -27,16 +27,16 @@ double friction_share(const BoundsCall& call, const ContactLine& line,
 }  // namespace
 
 double plane_bounds(const BoundsCall& call, const Contact& contact) {
-  const ContactProblem& problem = plane_problem(contact);
+  const ContactProblem<2>& problem = plane_problem(contact);
   Judged judged = judged_of(solved_contact(contact));
   BoundSettings settings = call.settings(8, 1);
   if (call.named.flag(call.stack, "coulomb") &&
       is_coulombs<2>(judged.body.law)) {
-    settings.friction_share = friction_share(call, problem.line, judged);
+    settings.friction_share = friction_share(call, problem.contact, judged);
     if (!call.named.given("turns")) settings.turns = turns_with_coulombs_law;
   }
-  return bounds_of<2>(call, settings, problem, problem.topology(), problem.line,
-                      *judged.system, judged.body);
+  return bounds_of<2>(call, settings, problem, problem.topology(),
+                      problem.contact, *judged.system, judged.body);
 }
 
 }  // namespace ffcontact::plugin

@@ -52,24 +52,24 @@ EstimateSettings<2> estimate_settings(Stack stack,
 }
 
 void put_rates(Stack stack, const NamedArguments& named,
-               const ContactProblem& problem, const ElasticSystem& system,
+               const ContactProblem<2>& problem, const ElasticSystem& system,
                const SolvedBody<2>& body) {
   if (!named.given_of_bodies("rate")) return;
   const Topology<2>& topology = problem.topology();
-  const BoundaryTractions boundary =
-      boundary_tractions(topology.mesh, topology.facets, system.prescribed,
-                         boundary_moments<2>(topology.mesh, body), problem.line,
-                         edge_densities(problem.line, body.multipliers));
+  const BoundaryTractions boundary = boundary_tractions(
+      topology.mesh, topology.facets, system.prescribed,
+      boundary_moments<2>(topology.mesh, body), problem.contact,
+      edge_densities(problem.contact, body.multipliers));
   const std::vector<SingularVertex> singular = singular_vertices(
       topology, body.hooke,
       total_stresses(topology.mesh, body, body.displacement).mean, boundary,
-      contact_edge_numbers(problem.line, topology.facets));
+      contact_edge_numbers(problem.contact, topology.facets));
   put_by_bodies(stack, named, problem.joined.first_cell, "rate",
                 local_rates(topology, singular));
 }
 
 void put_stress(Stack stack, const NamedArguments& named,
-                const ContactProblem& problem, const Estimate<2>& estimate) {
+                const ContactProblem<2>& problem, const Estimate<2>& estimate) {
   constexpr std::array parameter = {"sxx", "syy", "sxy"};
   const auto wanted = [&](const char* name) {
     return named.given_of_bodies(name);
@@ -91,7 +91,7 @@ void put_tractions(Stack stack, const NamedArguments& named,
 }
 
 void put(Stack stack, const NamedArguments& named,
-         const ContactProblem& problem, const Estimate<2>& estimate) {
+         const ContactProblem<2>& problem, const Estimate<2>& estimate) {
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_stress(stack, named, problem, estimate);
   put_error(stack, named, estimate);
@@ -101,7 +101,7 @@ void put(Stack stack, const NamedArguments& named,
 }
 
 void report(Stack stack, const NamedArguments& named,
-            const ContactProblem& problem, const Estimate<2>& estimate,
+            const ContactProblem<2>& problem, const Estimate<2>& estimate,
             const std::optional<CoulombBound>& bound, double seconds) {
   const long level = named.verbosity_level(stack);
   if (level < 1 || mpirank != 0) return;
@@ -124,7 +124,7 @@ bool wants_bound(const NamedArguments& named) {
 }
 
 Estimate<2> plane_error(Stack stack, const NamedArguments& named,
-                        const ContactProblem& problem,
+                        const ContactProblem<2>& problem,
                         const JudgedOf& judged_of, const ReadPlane& read) {
   const Stopwatch watch;
   require_parameters_of_plane_bodies(named);
@@ -137,7 +137,7 @@ Estimate<2> plane_error(Stack stack, const NamedArguments& named,
   Judged judged = judged_of();
   const Oscillation oscillation = read(problem, judged.body);
   const ElasticSystem& system = *judged.system;
-  Estimate<2> estimate = estimate_error(problem.topology(), problem.line,
+  Estimate<2> estimate = estimate_error(problem.topology(), problem.contact,
                                         system, judged.body, settings);
   put(stack, named, problem, estimate);
   put_rates(stack, named, problem, system, judged.body);
@@ -146,7 +146,7 @@ Estimate<2> plane_error(Stack stack, const NamedArguments& named,
   const double seconds = watch.seconds();
   std::optional<CoulombBound> bound;
   if (wants_bound(named)) {
-    bound = coulomb_bound_of(problem.line, judged, estimate, stuck);
+    bound = coulomb_bound_of(problem.contact, judged, estimate, stuck);
     named.put(stack, "coulomb", bound->constant.kappa);
     named.put(stack, "bound", bound->value);
   }

@@ -21,7 +21,7 @@ bool wants_bound(const NamedArguments& named);
 
 /// contacterror(C, ...) of plane bodies.
 Estimate<2> plane_error(Stack stack, const NamedArguments& named,
-                        const ContactProblem& problem,
+                        const ContactProblem<2>& problem,
                         const JudgedOf& judged_of, const ReadPlane& read);
 
 }  // namespace ffcontact::plugin

@@ -7,10 +7,10 @@ namespace ffcontact::plugin {
 
 double solid_bounds(const BoundsCall& call, const SolidContact& contact) {
   if (!contact.solved) refuse_unsolved();
-  const SolidProblem& problem = *contact.problem;
+  const ContactProblem<3>& problem = *contact.problem;
   return bounds_of<3>(call, call.settings(4, steps_of_a_sweep), problem,
                       topology_of(problem.mesh, problem.facets),
-                      problem.surface, *contact.solved->system,
+                      problem.contact, *contact.solved->system,
                       judged_body(*contact.solved));
 }
 

@@ -48,7 +48,8 @@ RelaxationSettings relaxation_of(Stack stack, const NamedArguments& named) {
 
 /// rate=, where it is given.
 void put_solid_rates(Stack stack, const NamedArguments& named,
-                     const Topology<3>& topology, const SolidProblem& problem,
+                     const Topology<3>& topology,
+                     const ContactProblem<3>& problem,
                      const SolvedSolid& solved, const SolvedBody<3>& body) {
   if (!named.given_of_bodies("rate")) return;
   const Flags& prescribed = solved.system->prescribed;
@@ -56,7 +57,7 @@ void put_solid_rates(Stack stack, const NamedArguments& named,
       given_tractions(topology.mesh, topology.facets, prescribed, body.neumann)
           .known;
   Flags is_contact(topology.facets.count(), 0);
-  for (int face : problem.surface.face) {
+  for (int face : problem.contact.face) {
     known.col(face).setConstant(true);
     is_contact[face] = 1;
   }
@@ -77,8 +78,8 @@ void put_tractions(Stack stack, const NamedArguments& named,
     named.put(stack, parameter[c], tractions.row(c).transpose());
 }
 
-void put(Stack stack, const NamedArguments& named, const SolidProblem& problem,
-         const Estimate<3>& estimate) {
+void put(Stack stack, const NamedArguments& named,
+         const ContactProblem<3>& problem, const Estimate<3>& estimate) {
   put_by_bodies(stack, named, problem.joined.first_cell, "eps", estimate.local);
   put_error(stack, named, estimate);
   put_tractions(stack, named, estimate);
@@ -107,12 +108,12 @@ Flags held_nodes(const SurfaceSolution& solution, StuckNodes stuck) {
 
 /// coulomb= and bound=, where one of them is given.
 void put_bound(Stack stack, const NamedArguments& named,
-               const Topology<3>& topology, const SolidProblem& problem,
+               const Topology<3>& topology, const ContactProblem<3>& problem,
                const SolvedSolid& solved, const SolvedBody<3>& body,
                const Estimate<3>& estimate, StuckNodes stuck) {
   if (!named.given("coulomb") && !named.given("bound")) return;
   const SolidCoulomb found =
-      solid_coulomb(topology, problem.surface, *solved.system, body, estimate,
+      solid_coulomb(topology, problem.contact, *solved.system, body, estimate,
                     held_nodes(solved.solution, stuck));
   named.put(stack, "coulomb", found.kappa);
   named.put(stack, "bound", found.bound);
@@ -141,14 +142,14 @@ double solid_error(Stack stack, const NamedArguments& named,
   const EstimateSettings<3> settings{relaxation_of(stack, named), {}, relax};
   const StuckNodes stuck = stuck_nodes_of(stack, named);
   if (!contact.solved) refuse_unsolved();
-  const SolidProblem& problem = *contact.problem;
+  const ContactProblem<3>& problem = *contact.problem;
 
   SolvedBody<3> body = judged_body(*contact.solved);
   const Oscillation oscillation = read(problem, body);
 
   const Topology<3> topology = topology_of(problem.mesh, problem.facets);
   Estimate<3> estimate = estimate_error(
-      topology, problem.surface, *contact.solved->system, body, settings);
+      topology, problem.contact, *contact.solved->system, body, settings);
   put(stack, named, problem, estimate);
   put_solid_stress(stack, named, problem, topology, estimate, body);
   put_solid_rates(stack, named, topology, problem, *contact.solved, body);

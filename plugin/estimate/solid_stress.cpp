@@ -45,8 +45,9 @@ CellStresses<3> p1dc_arrays(const std::vector<SubcellStress<3>>& stress) {
 }
 
 void put_solid_stress(Stack stack, const NamedArguments& named,
-                      const SolidProblem& problem, const Topology<3>& topology,
-                      const Estimate<3>& estimate, const SolvedBody<3>& body) {
+                      const ContactProblem<3>& problem,
+                      const Topology<3>& topology, const Estimate<3>& estimate,
+                      const SolvedBody<3>& body) {
   const std::vector<int>& first = problem.joined.first_cell;
   const int bodies = problem.body_count();
   for (int k = 0; k < bodies; ++k) {

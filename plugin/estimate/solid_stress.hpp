@@ -3,7 +3,7 @@
 
 #include "ffcontact/estimate/estimate.hpp"
 #include "freefem/arguments.hpp"
-#include "problem/solid_problem.hpp"
+#include "problem/contact_problem.hpp"
 
 namespace ffcontact::plugin {
 
@@ -17,7 +17,8 @@ CellStresses<3> p1dc_arrays(const std::vector<SubcellStress<3>>& stress);
 /// The admissible stress where the script asks for it: sxx=, syy=, szz=, syz=, sxz= and
 /// sxy= of one solid, sxx1=, ... of several.
 void put_solid_stress(Stack stack, const NamedArguments& named,
-                      const SolidProblem& problem, const Topology<3>& topology,
-                      const Estimate<3>& estimate, const SolvedBody<3>& body);
+                      const ContactProblem<3>& problem,
+                      const Topology<3>& topology, const Estimate<3>& estimate,
+                      const SolvedBody<3>& body);
 
 }  // namespace ffcontact::plugin

@@ -80,7 +80,7 @@ KN<long>* states(Stack stack, ContactVariable* const& variable) {
 /// One column a node.
 MatrixXd normals_of(const Contact& contact) {
   if (contact.shared) return contact.shared->shown.normal;
-  return contact.solid ? MatrixXd(contact.solid->problem->surface.normal)
+  return contact.solid ? MatrixXd(contact.solid->problem->contact.normal)
                        : MatrixXd(contact.problem->own_normal);
 }
 
@@ -138,15 +138,14 @@ void register_contact_members() {
   add_member("nz", normals<2>);
   add_member("state", states);
   add_member("node",
-             numbers<&ShownNodes::own_vertex, &ContactProblem::own_vertex,
-                     &SolidProblem::own_vertex>);
+             numbers<&ShownNodes::own_vertex, &ContactProblem<2>::own_vertex,
+                     &ContactProblem<3>::own_vertex>);
   add_member("abscissa", abscissae);
   add_member("first",
-             numbers<&ShownNodes::first_node, &ContactProblem::first_node,
-                     &SolidProblem::first_node>);
-  add_member(
-      "side",
-      numbers<&ShownNodes::side, &ContactProblem::side, &SolidProblem::side>);
+             numbers<&ShownNodes::first_node, &ContactProblem<2>::first_node,
+                     &ContactProblem<3>::first_node>);
+  add_member("side", numbers<&ShownNodes::side, &ContactProblem<2>::side,
+                             &ContactProblem<3>::side>);
 }
 
 }  // namespace ffcontact::plugin

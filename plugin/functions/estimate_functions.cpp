@@ -153,7 +153,7 @@ class ContactErrorFunction : public E_F0mps {
     return judged_of(solved_contact(contact));
   }
 
-  Judged given_solution(Stack stack, const ContactProblem& problem) const {
+  Judged given_solution(Stack stack, const ContactProblem<2>& problem) const {
     problem.require_bodies("A, u", matrix_.size());
     std::vector<ElasticSystem> systems;
     for (int k = 0; k < problem.body_count(); ++k) {
@@ -161,15 +161,15 @@ class ContactErrorFunction : public E_F0mps {
       systems.push_back(elastic_system(A, VectorXd::Zero(A.rows())));
     }
     const Matrix2Xd pressures =
-        problem.pressures(value_of<KN<double>*>(stack, normal_),
-                          value_of<KN<double>*>(stack, tangential_));
+        pressures_of(problem, value_of<KN<double>*>(stack, normal_),
+                     value_of<KN<double>*>(stack, tangential_));
     Judged judged =
         judged_of(problem, joined(std::move(systems)),
                   joined_displacement(
                       problem, values_of<KN<double>*>(stack, displacement_)),
                   multiplier_of(stack, named_), pressures);
     // for the estimate, too
-    if (wants_bound(named_)) judged.factorise(problem.line);
+    if (wants_bound(named_)) judged.factorise(problem.contact);
     return judged;
   }
 

@@ -8,6 +8,7 @@
 #include "freefem/guard.hpp"
 #include "freefem/views.hpp"
 #include "problem/contact_type.hpp"
+#include "problem/systems.hpp"
 #include "registration.hpp"
 
 namespace ffcontact::plugin {
@@ -45,20 +46,20 @@ class ContactProject : public E_F0mps {
 
  private:
   long run(Stack stack) const {
-    const ContactProblem& problem = *stated_contact(stack, contact_).problem;
+    const ContactProblem<2>& problem = *stated_contact(stack, contact_).problem;
     ContactLaw law = problem.law;
     law.multiplier = multiplier_of(stack, named_);
     KN<double>*pn = value_of<KN<double>*>(stack, normal_),
     *pt = value_of<KN<double>*>(stack, tangential_);
-    const int nodes = problem.line.node_count();
+    const int nodes = problem.contact.node_count();
     const Matrix2Xd pressure = pn->N() == 0 && pt->N() == 0
                                    ? Matrix2Xd(Matrix2Xd::Zero(2, nodes))
-                                   : problem.pressures(pn, pt);
+                                   : pressures_of(problem, pn, pt);
     const Expression g = named_.expression("g");
     const VectorXd given =
         g ? VectorXd(vector_of(value_of<KN<double>*>(stack, g))) : VectorXd();
     const MultiplierProjection projection =
-        projected_multipliers(problem.line, law, pressure, given);
+        projected_multipliers(problem.contact, law, pressure, given);
 
     pn->resize(nodes);
     pt->resize(nodes);
@@ -104,21 +105,21 @@ class ConeCorrectionFunction : public E_F0mps {
  private:
   long run(Stack stack) const {
     const Contact& contact = stated_contact(stack, contact_);
-    const ContactProblem& problem = *contact.problem;
+    const ContactProblem<2>& problem = *contact.problem;
     if (problem.law.bonded)
       refuse(
           "bonded bodies have no friction cone, so that there is nothing to "
           "correct: take pn and pt as they are");
     const Matrix2Xd given =
-        problem.pressures(value_of<KN<double>*>(stack, normal_),
-                          value_of<KN<double>*>(stack, tangential_));
+        pressures_of(problem, value_of<KN<double>*>(stack, normal_),
+                     value_of<KN<double>*>(stack, tangential_));
     const Matrix2Xd density =
-        multiplier_density(problem.line, multiplier_of(stack, named_),
+        multiplier_density(problem.contact, multiplier_of(stack, named_),
                            prescribed(stack, contact), given);
     const ConeCorrection correction = correct_to_cone(
-        problem.line, problem.law, edge_densities(problem.line, density));
+        problem.contact, problem.law, edge_densities(problem.contact, density));
     const double cone =
-        cone_defect(problem.line, problem.law, correction.densities);
+        cone_defect(problem.contact, problem.law, correction.densities);
     const auto unmended = static_cast<long>(correction.uncorrected.size());
     named_.put(stack, "rn", correction.densities.normal.reshaped());
     named_.put(stack, "rt", correction.densities.tangential.reshaped());
@@ -127,7 +128,7 @@ class ConeCorrectionFunction : public E_F0mps {
                static_cast<long>(correction.corrected_count()));
     named_.put(stack, "cone", cone);
     if (named_.verbosity_level(stack) > 0 && mpirank == 0)
-      cout << "conecorrection: " << problem.line.edge_count() << " edges, "
+      cout << "conecorrection: " << problem.contact.edge_count() << " edges, "
            << correction.corrected_count() << " corrected, " << unmended
            << " unmended, cone defect " << cone << endl;
     return unmended;
@@ -135,7 +136,7 @@ class ConeCorrectionFunction : public E_F0mps {
 
   /// The prescribed dofs of A=, of the matrix that the contact was solved with, or none.
   Flags prescribed(Stack stack, const Contact& contact) const {
-    const ContactProblem& problem = *contact.problem;
+    const ContactProblem<2>& problem = *contact.problem;
     const Expression A = named_.expression("A");
     if (!A && contact.solved) return contact.solved->system->prescribed;
     if (!A) return Flags(problem.dof_count(), 0);

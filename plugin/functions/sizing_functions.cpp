@@ -118,11 +118,11 @@ class OptimalSizeFunction : public E_F0mps {
   double run(Stack stack, const Contact& contact,
              const std::vector<VectorXd>& arrays) const {
     const SizeSettings bounds = settings(stack);
-    if (const ContactProblem* plane = contact.problem.get())
+    if (const ContactProblem<2>* plane = contact.problem.get())
       return answer(stack, plane->joined,
                     optimal_size(plane->mesh, plane->facets.vertices, arrays[0],
                                  arrays[1], bounds));
-    const SolidProblem& solid = *contact.solid->problem;
+    const ContactProblem<3>& solid = *contact.solid->problem;
     return answer(stack, solid.joined, solids().sizes(solid, arrays, bounds));
   }
 

@@ -13,7 +13,7 @@ namespace {
 ContactStatement stated(Stack stack, const NamedArguments& named,
                         const std::vector<pmesh>& meshes) {
   if (named.given("comm")) return solids().stated(stack, named, meshes);
-  return {std::make_shared<ContactProblem>(stack, named, meshes), nullptr,
+  return {std::make_shared<ContactProblem<2>>(stack, named, meshes), nullptr,
           nullptr};
 }
 
@@ -41,8 +41,9 @@ class StatementArguments {
   std::vector<Expression> meshes_;
 };
 
-std::shared_ptr<SolidContact> restated(std::shared_ptr<SolidContact> contact,
-                                       std::shared_ptr<SolidProblem> problem) {
+std::shared_ptr<SolidContact> restated(
+    std::shared_ptr<SolidContact> contact,
+    std::shared_ptr<ContactProblem<3>> problem) {
   if (!problem) return nullptr;
   if (!contact) contact = std::make_shared<SolidContact>();
   contact->problem = std::move(problem);

@@ -40,7 +40,7 @@ class CriticalFriction : public E_F0mps {
     const bool reports = named_.verbosity_level(stack) >= 1 && mpirank == 0;
     if (!reports && !named_.given("unique")) return critical;
     const CoulombConstant constant =
-        coulomb_constant_of(contact.problem->line, judged_of(solved), stuck);
+        coulomb_constant_of(contact.problem->contact, judged_of(solved), stuck);
     const double unique = 1 / constant.kappa;
     named_.put(stack, "unique", unique);
     if (reports)

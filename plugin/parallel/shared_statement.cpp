@@ -40,19 +40,19 @@ Packet part_packet(Stack stack, const NamedArguments& named,
 
 /// What process 0 states, from the parts of all.
 template <int dim>
-std::shared_ptr<ProblemOf<dim>> problem_of(Stack stack,
-                                           const NamedArguments& named,
-                                           const Team& team,
-                                           std::vector<Packet> packets,
-                                           SharedBodies<dim>& bodies) {
+std::shared_ptr<ContactProblem<dim>> problem_of(Stack stack,
+                                                const NamedArguments& named,
+                                                const Team& team,
+                                                std::vector<Packet> packets,
+                                                SharedBodies<dim>& bodies) {
   int count = 0;
   for (Packet& packet : packets) count = packet.take<int>();
   JoinedBodies<dim> whole = joined_bodies<dim>(packets, count, bodies);
   VectorXd previous =
       joined_previous<dim>(packets, bodies, whole.first_vertex.back());
   const PlacesOfTeam<dim> places(stack, named, team, bodies);
-  return std::make_shared<ProblemOf<dim>>(stack, named, std::move(whole),
-                                          places, std::move(previous));
+  return std::make_shared<ContactProblem<dim>>(stack, named, std::move(whole),
+                                               places, std::move(previous));
 }
 
 }  // namespace

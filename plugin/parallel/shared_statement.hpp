@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <type_traits>
-
 #include "parallel/shared_contact.hpp"
 #include "problem/contact_problem.hpp"
-#include "problem/solid_problem.hpp"
 
 /// Statements of bodies that processes hold parts of.
 namespace ffcontact::plugin {
@@ -15,11 +12,8 @@ namespace ffcontact::plugin {
 std::shared_ptr<Team> stated_team(Stack stack, const NamedArguments& named);
 
 template <int dim>
-using ProblemOf = std::conditional_t<dim == 2, ContactProblem, SolidProblem>;
-
-template <int dim>
 struct SharedStatement {
-  std::shared_ptr<ProblemOf<dim>> problem;  ///< on process 0
+  std::shared_ptr<ContactProblem<dim>> problem;  ///< on process 0
   std::shared_ptr<SharedContact> contact;
 };
 

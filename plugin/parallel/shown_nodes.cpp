@@ -37,9 +37,9 @@ struct NodesOfProcess {
   std::vector<long> own_vertex;
 };
 
-template <class Problem, int dim>
-NodesOfProcess nodes_of(const Problem& problem, const SharedBodies<dim>& bodies,
-                        int rank) {
+template <int dim>
+NodesOfProcess nodes_of(const ContactProblem<dim>& problem,
+                        const SharedBodies<dim>& bodies, int rank) {
   const auto own = own_numbers(bodies, rank);
   NodesOfProcess nodes;
   for (int i = 0; i < count_of(problem.own_vertex); ++i) {
@@ -54,8 +54,9 @@ NodesOfProcess nodes_of(const Problem& problem, const SharedBodies<dim>& bodies,
   return nodes;
 }
 
-template <class Problem>
-ShownNodes numbered(const Problem& problem, const NodesOfProcess& nodes) {
+template <int dim>
+ShownNodes numbered(const ContactProblem<dim>& problem,
+                    const NodesOfProcess& nodes) {
   ShownNodes shown;
   shown.own_vertex = nodes.own_vertex;
   shown.side = problem.side;
@@ -91,7 +92,7 @@ void take(Packet& packet, Results& results) {
 
 }  // namespace
 
-ShownNodes shown_nodes(const ContactProblem& problem,
+ShownNodes shown_nodes(const ContactProblem<2>& problem,
                        const SharedBodies<2>& bodies, int rank,
                        const NodalResults* solved) {
   const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
@@ -104,12 +105,12 @@ ShownNodes shown_nodes(const ContactProblem& problem,
   return shown;
 }
 
-ShownNodes shown_nodes(const SolidProblem& problem,
+ShownNodes shown_nodes(const ContactProblem<3>& problem,
                        const SharedBodies<3>& bodies, int rank,
                        const SolidResults* solved) {
   const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
   ShownNodes shown = numbered(problem, nodes);
-  shown.normal = problem.surface.normal(Eigen::all, nodes.node);
+  shown.normal = problem.contact.normal(Eigen::all, nodes.node);
   if (!solved) return shown;
   shown.solved = true;
   choose(*solved, nodes.node, shown.solid);

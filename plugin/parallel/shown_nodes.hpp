@@ -11,10 +11,10 @@ namespace ffcontact::plugin {
 
 /// The nodes at the vertices of one process's parts.
 /// @param solved  what a solution left at all nodes; null: nothing
-ShownNodes shown_nodes(const ContactProblem& problem,
+ShownNodes shown_nodes(const ContactProblem<2>& problem,
                        const SharedBodies<2>& bodies, int rank,
                        const NodalResults* solved = nullptr);
-ShownNodes shown_nodes(const SolidProblem& problem,
+ShownNodes shown_nodes(const ContactProblem<3>& problem,
                        const SharedBodies<3>& bodies, int rank,
                        const SolidResults* solved = nullptr);
 

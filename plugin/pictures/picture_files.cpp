@@ -43,7 +43,7 @@ VtuCells body_triangles(const JoinedMesh& joined, int body) {
 }
 
 void write_body(const fs::path& folder, long step,
-                const ContactProblem& problem, const SolvedContact& solved,
+                const ContactProblem<2>& problem, const SolvedContact& solved,
                 int body) {
   VtuCells triangles = body_triangles(problem.joined, body);
   triangles.on_points = {
@@ -72,7 +72,7 @@ Matrix<double, 2, 9> corners_of_parts(const Mesh& mesh, int triangle) {
 
 /// The subtriangles have corners of their own: the stress jumps between them.
 void write_stress(const fs::path& folder, long step,
-                  const ContactProblem& problem,
+                  const ContactProblem<2>& problem,
                   const std::vector<SubcellStress<2>>& stress, int body) {
   const std::vector<int>& first_triangle = problem.joined.first_cell;
   const int first = first_triangle[body],
@@ -96,8 +96,8 @@ void write_stress(const fs::path& folder, long step,
 }
 
 /// The line of each node, from 1 on: contact edges and corners join nodes.
-std::vector<int> lines_of_nodes(const ContactProblem& problem) {
-  const ContactLine& line = problem.line;
+std::vector<int> lines_of_nodes(const ContactProblem<2>& problem) {
+  const ContactLine& line = problem.contact;
   Unions lines(line.node_count());
   for (int e = 0; e < line.edge_count(); ++e)
     lines.join(line.edge_node(0, e), line.edge_node(1, e));
@@ -111,13 +111,13 @@ std::vector<int> lines_of_nodes(const ContactProblem& problem) {
 }
 
 /// x, u and the place that faces x along n.
-void write_places(const ContactProblem& problem, const SolvedContact& solved,
+void write_places(const ContactProblem<2>& problem, const SolvedContact& solved,
                   int i, TextFile& text) {
-  const int v = problem.line.vertex[i];
+  const int v = problem.contact.vertex[i];
   const Vector2d x = problem.mesh.place(v),
                  u = solved.solution.displacement.segment<2>(2 * v);
   const double gap = value_or(solved.law.gap, i, 0);
-  const Vector2d facing = x + gap * problem.line.normal.col(i);
+  const Vector2d facing = x + gap * problem.contact.normal.col(i);
   for (const Vector2d& of_node : {x, u, facing})
     text << " " << of_node.x() << " " << of_node.y();
 }
@@ -139,7 +139,8 @@ const char* name_of(const ContactLaw& law) {
   return law.tresca() ? "tresca" : "coulomb";
 }
 
-void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
+void write_nodes(const fs::path& file, long step,
+                 const ContactProblem<2>& problem,
                  const SolvedContact& solved) {
   const ContactLaw& law = solved.law;
   TextFile text(file);
@@ -149,7 +150,7 @@ void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
   text << "\n# abscissa x y ux uy facingx facingy state pn pt fn ft gap slip "
           "friction limit line\n";
   const std::vector<int> lines = lines_of_nodes(problem);
-  for (int i = 0; i < problem.line.node_count(); ++i) {
+  for (int i = 0; i < problem.contact.node_count(); ++i) {
     text << problem.abscissa[i];
     write_places(problem, solved, i, text);
     write_results(solved.nodes, i, text);
@@ -159,7 +160,7 @@ void write_nodes(const fs::path& file, long step, const ContactProblem& problem,
   text.close();
 }
 
-void write_tractions(const fs::path& file, const ContactProblem& problem,
+void write_tractions(const fs::path& file, const ContactProblem<2>& problem,
                      const Estimate<2>& estimate) {
   const ContactDensities& r = estimate.tractions;
   const VectorXd abscissa = abscissae(problem, estimate);
@@ -173,7 +174,7 @@ void write_tractions(const fs::path& file, const ContactProblem& problem,
            << r.tangential(end, k) << " ";
     const int edge =
         estimate.refinement ? estimate.refinement->parent_contact_edge[k] : k;
-    text << lines[problem.line.edge_node(0, edge)] << "\n";
+    text << lines[problem.contact.edge_node(0, edge)] << "\n";
   }
   text.close();
 }
@@ -181,7 +182,7 @@ void write_tractions(const fs::path& file, const ContactProblem& problem,
 }  // namespace
 
 void write_pictures(const fs::path& folder, long step,
-                    const ContactProblem& problem,
+                    const ContactProblem<2>& problem,
                     const SolvedContact& solved) {
   make_picture_folder(folder, step);
   const std::string number = std::to_string(step) + ".txt";

@@ -16,6 +16,7 @@ namespace ffcontact::plugin {
 /// Such files of this and of later steps that an earlier run left are removed.
 /// @throws std::invalid_argument  if a file cannot be written
 void write_pictures(const std::filesystem::path& folder, long step,
-                    const ContactProblem& problem, const SolvedContact& solved);
+                    const ContactProblem<2>& problem,
+                    const SolvedContact& solved);
 
 }  // namespace ffcontact::plugin

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-VtuCells body_cells(const SolidProblem& problem, const SolvedSolid& solved,
+VtuCells body_cells(const ContactProblem<3>& problem, const SolvedSolid& solved,
                     int body) {
   const JoinedSolids& joined = problem.joined;
   const int v = joined.first_vertex[body], t = joined.first_cell[body],
@@ -41,7 +41,7 @@ VtuCells body_cells(const SolidProblem& problem, const SolvedSolid& solved,
 
 /// The four subtetrahedra k+1, k+2, k+3, centroid of each tetrahedron, with corners of
 /// their own: the stress jumps between them.
-void write_stress(const fs::path& file, const SolidProblem& problem,
+void write_stress(const fs::path& file, const ContactProblem<3>& problem,
                   const Topology<3>& topology, const SolvedSolid& solved,
                   int body) {
   const std::vector<int>& first_cell = problem.joined.first_cell;
@@ -67,11 +67,11 @@ void write_stress(const fs::path& file, const SolidProblem& problem,
 }
 
 /// What the nodes have, by name.
-std::vector<VtuField> nodal_fields(const SolidProblem& problem,
+std::vector<VtuField> nodal_fields(const ContactProblem<3>& problem,
                                    const SolvedSolid& solved) {
   const SolidResults& nodes = solved.nodes;
   const SurfaceLaw& law = solved.law;
-  const int count = problem.surface.node_count();
+  const int count = problem.contact.node_count();
   MatrixXd bounds(2, count), state(1, count);
   for (int i = 0; i < count; ++i) {
     bounds(0, i) = value_or(law.friction, i, 0);
@@ -103,8 +103,8 @@ std::vector<VtuField> nodal_fields(const SolidProblem& problem,
   return fields;
 }
 
-void write_nodes(const fs::path& file, long step, const SolidProblem& problem,
-                 const SolvedSolid& solved,
+void write_nodes(const fs::path& file, long step,
+                 const ContactProblem<3>& problem, const SolvedSolid& solved,
                  const std::vector<VtuField>& fields) {
   TextFile text(file);
   text << "# step " << step << " law "
@@ -115,11 +115,11 @@ void write_nodes(const fs::path& file, long step, const SolidProblem& problem,
   for (const VtuField& field : fields) text << " " << field.name;
   text << "\n";
   const Matrix3Xd places = problem.places();
-  for (int i = 0; i < problem.surface.node_count(); ++i) {
+  for (int i = 0; i < problem.contact.node_count(); ++i) {
     const Vector3d u =
-        solved.solution.displacement.segment<3>(3 * problem.surface.vertex[i]);
+        solved.solution.displacement.segment<3>(3 * problem.contact.vertex[i]);
     text << places(0, i) << " " << places(1, i) << " " << places(2, i);
-    for (const Vector3d& of_node : {u, Vector3d(problem.surface.normal.col(i))})
+    for (const Vector3d& of_node : {u, Vector3d(problem.contact.normal.col(i))})
       for (const double component : of_node) text << " " << component;
     for (const VtuField& field : fields) text << " " << field.values(0, i);
     text << "\n";
@@ -128,19 +128,19 @@ void write_nodes(const fs::path& file, long step, const SolidProblem& problem,
 }
 
 /// Faces whose vertices are all nodes.
-void write_surface(const fs::path& file, const SolidProblem& problem,
+void write_surface(const fs::path& file, const ContactProblem<3>& problem,
                    const SolvedSolid& solved, std::vector<VtuField> fields) {
   std::vector<Vector3i> faces;
-  for (int m = 0; m < problem.surface.face_count(); ++m)
-    if (problem.surface.face_node.col(m).minCoeff() >= 0)
-      faces.emplace_back(problem.surface.face_node.col(m));
+  for (int m = 0; m < problem.contact.face_count(); ++m)
+    if (problem.contact.face_node.col(m).minCoeff() >= 0)
+      faces.emplace_back(problem.contact.face_node.col(m));
   VtuCells cells;
   cells.points = problem.places();
   cells.corners = packed(faces);
   MatrixXd displacement(3, cells.points.cols());
   for (Index i = 0; i < displacement.cols(); ++i)
     displacement.col(i) =
-        solved.solution.displacement.segment<3>(3 * problem.surface.vertex[i]);
+        solved.solution.displacement.segment<3>(3 * problem.contact.vertex[i]);
   fields.push_back({"displacement", displacement});
   cells.on_points = std::move(fields);
   write_vtu(file, cells);
@@ -149,7 +149,8 @@ void write_surface(const fs::path& file, const SolidProblem& problem,
 }  // namespace
 
 void write_pictures(const fs::path& folder, long step,
-                    const SolidProblem& problem, const SolvedSolid& solved) {
+                    const ContactProblem<3>& problem,
+                    const SolvedSolid& solved) {
   make_picture_folder(folder, step);
   const std::vector<VtuField> fields = nodal_fields(problem, solved);
   write_nodes(folder / ("contact" + std::to_string(step) + ".txt"), step,

@@ -17,6 +17,7 @@ namespace ffcontact::plugin {
 /// Such files of this and of later steps that an earlier run left are removed.
 /// @throws std::invalid_argument  if a file cannot be written
 void write_pictures(const std::filesystem::path& folder, long step,
-                    const SolidProblem& problem, const SolvedSolid& solved);
+                    const ContactProblem<3>& problem,
+                    const SolvedSolid& solved);
 
 }  // namespace ffcontact::plugin

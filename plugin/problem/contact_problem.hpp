@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
-#include "ffcontact/base/eigen.hpp"
-#include "ffcontact/elastic/elastic_system.hpp"
-#include "ffcontact/mesh/joined_mesh.hpp"
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/checks/compliance_ratio.hpp"
 #include "ffcontact/mesh/topology.hpp"
 //
-#include "problem/bodies.hpp"
 #include "problem/contact_statement.hpp"
-#include "problem/stated_pairs.hpp"
+#include "problem/pair_sides.hpp"
 
 namespace ffcontact::plugin {
 
-/// Reads multiplier=: what pn and pt stand for.
-/// @throws std::invalid_argument  if it is neither "force" nor "pressure"
-Multiplier multiplier_of(Stack stack, const NamedArguments& named);
-
 /// A contact problem as a script states it: one mesh or several, and label=, friction=,
 /// kineticfriction=, slipbound=, compliance=, gap=, normal=[nx, ny] (one contact direction a
-/// vertex in place of the lines' and smooth curves' normals), corner= (BoundaryCurves),
-/// previous= (displacement of the load step before; an empty array is none), side= (1 or 2:
-/// which body of a pair carries the multipliers). All is evaluated when it is stated.
+/// vertex in place of the normals of lines, smooth curves or faces), corner= (BoundaryCurves;
+/// of plane bodies), previous= (displacement of the load step before; an empty array is
+/// none), side= (1 or 2: which body of a pair carries the multipliers). All is evaluated when
+/// it is stated.
 ///
 /// One mesh: label= faces a rigid foundation, or the labels opposite= of the same mesh,
 /// which then is of bodies that share no vertex. Several meshes: body k faces body k + 1,
@@ -31,24 +27,12 @@ Multiplier multiplier_of(Stack stack, const NamedArguments& named);
 /// those of the body that comes first. Without gap= the gap against a body is that of the
 /// meshes.
 ///
-/// The multipliers are on the line of the body that comes first (side 1), or, where the
-/// other's line can carry them and yields much more (compliance_ratio), on that (side 2).
-/// Both are prepared; it is side 1 until choose_sides knows the matrices.
-struct ContactProblem : Bodies<2> {
-  const Mesh& mesh = joined.mesh;
-  ContactLine line;
-  ContactLaw law;  ///< multiplier left at its default
-  KineticFriction kinetic;
-  std::vector<long>
-      /// of each node, or nearest to what it faces, in the mesh of the body that comes
-      /// first
-      own_vertex;
-  /// of each node, or of what it faces, on the line of the body that comes first [mm]
-  VectorXd abscissa;
-  /// of each node, out of the body that comes first [2 x p]
-  Matrix2Xd own_normal;
-  Matrix2Xd
-      edge_abscissa;  ///< likewise of the ends of each contact edge [2 x m]
+/// The multipliers are on the line or surface of the body that comes first (side 1), or,
+/// where the other's can carry them and yields much more (compliance_ratio), on that
+/// (side 2). Both are prepared; it is side 1 until choose_sides knows the matrices.
+template <int d>
+struct ContactProblem : Bodies<d>, Carrier<d> {
+  const SimplexMesh<d>& mesh = this->joined.mesh;
   /// of each pair: the first of its nodes; then the number of all nodes
   std::vector<long> first_node;
   /// that carries the multipliers, 1 or 2, of each pair; none on a rigid foundation
@@ -57,10 +41,17 @@ struct ContactProblem : Bodies<2> {
 
   /// @throws std::invalid_argument  if a mesh, a label or a coefficient is not usable
   ContactProblem(Stack stack, const NamedArguments& named,
-                 const std::vector<pmesh>& meshes);
+                 const FemMeshes<d>& meshes)
+      : Bodies<d>(meshes), previous_(stated_previous(stack, named, *this)) {
+    state(stack, named, nullptr);
+  }
   /// The same of bodies that processes hold parts of.
-  ContactProblem(Stack stack, const NamedArguments& named, JoinedMesh whole,
-                 const PlacesElsewhere<2>& elsewhere, VectorXd previous);
+  ContactProblem(Stack stack, const NamedArguments& named,
+                 JoinedBodies<d> whole, const PlacesElsewhere<d>& elsewhere,
+                 VectorXd previous)
+      : Bodies<d>(std::move(whole)), previous_(std::move(previous)) {
+    state(stack, named, &elsewhere);
+  }
   ContactProblem(const ContactProblem&) = delete;
   ContactProblem& operator=(const ContactProblem&) = delete;
 
@@ -68,53 +59,84 @@ struct ContactProblem : Bodies<2> {
   /// carry them.
   void choose_sides(const ElasticSystem& system);
 
-  /// The joined mesh with its edges and stars, made once.
+  /// The joined mesh with its facets and stars, made once. That of solids is large: who needs
+  /// it makes it and lets it go.
   /// @throws std::invalid_argument  if a body touches itself in a single vertex
-  const Topology<2>& topology() const;
+  const Topology<d>& topology() const;
 
-  /// Nodal pressures from the script's pn and pt [2 x p].
-  Matrix2Xd pressures(KN<double>* normal, KN<double>* tangential) const;
+  /// Of the nodes [mm, d x p].
+  Matrix<double, d, Dynamic> places() const {
+    return mesh.vertices(Eigen::all, this->contact.vertex).colwise() +
+           mesh.origin;
+  }
 
  private:
-  /// The line of one pair of bodies that carries the multipliers, with what belongs to
-  /// its nodes and edges.
-  struct Carrier {
-    ContactLine line;
-    StatedLaw stated;
-    std::vector<long> own_vertex;
-    VectorXd abscissa;
-    Matrix2Xd edge_abscissa;
-  };
-  struct Pair {
-    bool rigid;
-    int wanted;  ///< side, or 0
-    Carrier own;
-    std::optional<Carrier> other;
-  };
-
-  void state(Stack stack, const NamedArguments& named);
-  ContactLine own_line(Stack stack, const NamedArguments& named,
-                       const StatedPair& pair) const;
-  void require_one_side(const StatedPair& pair, const ContactLine& own) const;
-  void add_pair(Stack stack, const NamedArguments& named,
-                const StatedPair& pair);
-  void add_facing_pair(Stack stack, const NamedArguments& named,
-                       const StatedPair& stated, const ContactLine& own);
-  Carrier carrier(Stack stack, const NamedArguments& named, int body,
-                  const ContactLine& stated, ContactLine line,
-                  bool on_opposite) const;
+  void state(Stack stack, const NamedArguments& named,
+             const PlacesElsewhere<d>* elsewhere);
+  const Carrier<d>& carrier_of(std::size_t k) const {
+    const PairSides<d>& pair = pairs_[k];
+    return !pair.rigid && side[k] == 2 ? *pair.other : pair.own;
+  }
   void join_carriers();
-  void clear_line();
-  void append_carrier(const Carrier& carrier, bool on_opposite);
 
-  mutable std::optional<Topology<2>> topology_;  ///< made when an estimate asks
-  std::vector<Pair> pairs_;
-  double corner_ = 0;  ///< of curves [degrees]
-  BoundaryCurves curves_;
-  /// while it is stated
-  const PlacesElsewhere<2>* elsewhere_ = nullptr;
+  std::vector<PairSides<d>> pairs_;
   CompliantLayer layer_;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
+  mutable std::optional<Topology<d>> topology_;  ///< made when an estimate asks
 };
+
+template <int d>
+void ContactProblem<d>::state(Stack stack, const NamedArguments& named,
+                              const PlacesElsewhere<d>* elsewhere) {
+  if (d == 3) require_no_corner(named);
+  const double corner = stated_corner(stack, named);
+  layer_ = stated_layer(stack, named);
+  const auto stated = stated_pairs(stack, named, this->joined);
+  for (const StatedPair& pair : stated) body_of_pair.push_back(pair.body);
+  pairs_ =
+      read_sides(Statement<d>{stack, named, *this, elsewhere, corner}, stated);
+  for (const PairSides<d>& pair : pairs_)
+    if (!pair.rigid) side.push_back(std::max(1, pair.wanted));
+  join_carriers();
+}
+
+template <int d>
+void ContactProblem<d>::choose_sides(const ElasticSystem& system) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const PairSides<d>& pair = pairs_[k];
+    if (pair.wanted != 0 || !pair.other) continue;
+    const double ratio = pair.compliance_ratio(system);
+    side[k] = ratio > much_softer ? 2 : 1;
+  }
+  join_carriers();
+}
+
+template <int d>
+void ContactProblem<d>::join_carriers() {
+  Carrier<d>& all = *this;
+  all = {};
+  first_node = {0};
+  std::vector<LineOrSurface<d>> contacts;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const Carrier<d>& carrier = carrier_of(k);
+    contacts.push_back(carrier.contact);
+    append_stated(carrier, all);
+    first_node.push_back(count_of(all.own_vertex));
+  }
+  all.contact = as_one(std::move(contacts));
+  if (previous_.size() > 0)
+    all.law.previous =
+        contact_components(all.contact, previous_).template bottomRows<d - 1>();
+  all.law.layer = layer_;
+  require_valid(all.law, all.contact);
+  if (all.kinetic.given())
+    require_kinetic(all.kinetic.friction, all.law.friction);
+}
+
+template <int d>
+const Topology<d>& ContactProblem<d>::topology() const {
+  if (!topology_) topology_ = topology_of(mesh, this->facets);
+  return *topology_;
+}
 
 }  // namespace ffcontact::plugin

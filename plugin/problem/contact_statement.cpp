@@ -125,6 +125,13 @@ CompliantLayer stated_layer(Stack stack, const NamedArguments& named) {
   return layer;
 }
 
+void require_no_corner(const NamedArguments& named) {
+  if (named.given("corner"))
+    refuse(
+        "corner= is for plane bodies so far: give the surface's normal=[nx, "
+        "ny, nz]");
+}
+
 double stated_corner(Stack stack, const NamedArguments& named) {
   const double corner =
       named.number(stack, "corner", BoundaryCurves::default_corner);
@@ -149,10 +156,15 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
   return along_directions(mesh, edges, line, direction);
 }
 
-StatedLaw stated_law(Stack stack, const NamedArguments& named,
-                     const BodyPart<2>& part, const ContactLine& line,
-                     const StatedPlaces& places) {
-  if (is_bonded(stack, named)) return {bonded_law(line.node_count()), {}};
+void put_law(Stack stack, const NamedArguments& named, const BodyPart<2>& part,
+             const ContactLine& line, const StatedPlaces& places,
+             Carrier<2>& carrier) {
+  if (is_bonded(stack, named)) {
+    carrier.law = bonded_law(line.node_count());
+    return;
+  }
+  ContactLaw& law = carrier.law;
+  KineticFriction& kinetic = carrier.kinetic;
   const auto read = [&](const char* name, VectorXd& nodal,
                         EdgeRange& between_nodes) {
     const Expression given = named.expression(name);
@@ -161,8 +173,6 @@ StatedLaw stated_law(Stack stack, const NamedArguments& named,
       between_nodes = enclosing_range(along_edges(stack, given, part, places));
   };
   const bool both = named.given("friction") && named.given("slipbound");
-  StatedLaw result;
-  auto& [law, kinetic] = result;
   read("friction", law.friction, law.between_nodes);
   if (named.given("kineticfriction"))
     read("kineticfriction", kinetic.friction, kinetic.between_nodes);
@@ -171,7 +181,6 @@ StatedLaw stated_law(Stack stack, const NamedArguments& named,
   else if (named.given("slipbound"))
     read("slipbound", law.slip_bound, law.between_nodes);
   law.gap = stated_gap(stack, named, part, line, places);
-  return result;
 }
 
 }  // namespace ffcontact::plugin

@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "ffcontact/contact/law/kinetic_friction.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "freefem/arguments.hpp"
 #include "freefem/plane_values.hpp"
 #include "problem/body_dofs.hpp"
+#include "problem/carrier.hpp"
 
 /// What the parameters of a statement say of line and law.
 namespace ffcontact::plugin {
@@ -27,6 +27,9 @@ void require_law_of_bodies(Stack stack, const NamedArguments& named, int bodies,
 /// @throws std::invalid_argument  if previous= is given beside ct, whose part of it is not known
 CompliantLayer stated_layer(Stack stack, const NamedArguments& named);
 
+/// @throws std::invalid_argument  if corner= is given, of solids
+void require_no_corner(const NamedArguments& named);
+
 /// The turn above which a curve has a corner, by corner= [degrees].
 /// @throws std::invalid_argument  unless it is from 0 to below 90
 double stated_corner(Stack stack, const NamedArguments& named);
@@ -43,13 +46,10 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
 VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies);
 
-struct StatedLaw {
-  ContactLaw law;
-  KineticFriction kinetic;
-};
-/// The law on a line; against a body without gap= the gap is that of the meshes.
-StatedLaw stated_law(Stack stack, const NamedArguments& named,
-                     const BodyPart<2>& part, const ContactLine& line,
-                     const StatedPlaces& places);
+/// The law and kinetic friction on a line; against a body without gap= the gap is that of
+/// the meshes.
+void put_law(Stack stack, const NamedArguments& named, const BodyPart<2>& part,
+             const ContactLine& line, const StatedPlaces& places,
+             Carrier<2>& carrier);
 
 }  // namespace ffcontact::plugin

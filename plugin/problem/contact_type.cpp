@@ -62,7 +62,7 @@ void require_stated(const Contact& contact) {
     refuse("the contact is not stated: contact C(Th, label=, friction=)");
 }
 
-const ContactProblem& plane_problem(const Contact& contact) {
+const ContactProblem<2>& plane_problem(const Contact& contact) {
   if (contact.solid)
     refuse(
         "the contact is that of a mesh3, but this is for plane bodies so far");

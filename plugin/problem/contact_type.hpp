@@ -32,7 +32,7 @@ struct SolidContact;
 /// What a script variable of type `contact` holds: a contact of plane bodies, or of a
 /// solid.
 struct Contact {
-  std::shared_ptr<ContactProblem> problem;  ///< null until it is stated
+  std::shared_ptr<ContactProblem<2>> problem;  ///< null until it is stated
   std::optional<SolvedContact> solved;
   /// of the last solution: the next one starts from them
   ContactStates last_states;
@@ -72,7 +72,7 @@ Contact& stated_contact(Stack stack, Expression variable);
 const SolvedContact& solved_contact(const Contact& contact);
 
 /// @throws std::invalid_argument  if the contact is that of a solid
-const ContactProblem& plane_problem(const Contact& contact);
+const ContactProblem<2>& plane_problem(const Contact& contact);
 /// @throws std::invalid_argument  if the contact was never stated
 void require_stated(const Contact& contact);
 

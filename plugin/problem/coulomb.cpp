@@ -64,11 +64,11 @@ std::shared_ptr<const CondensedContact> contact_of_forces(
       condensed_contact(line, law, system, stiffness));
 }
 
-double critical_friction_of(const ContactProblem& problem,
+double critical_friction_of(const ContactProblem<2>& problem,
                             const SolvedContact& solved) {
   const ContactSolution& solution = solved.solution;
   return critical_friction(
-      *solution.contact, nodal_law(solved.law, problem.line), solution.state,
+      *solution.contact, nodal_law(solved.law, problem.contact), solution.state,
       contact_forces(solved.law, solution).multiplier.reshaped());
 }
 

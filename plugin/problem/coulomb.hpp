@@ -44,7 +44,7 @@ std::shared_ptr<const CondensedContact> contact_of_forces(
     const std::shared_ptr<const CondensedContact>& solved);
 
 /// critical_friction of the solution.
-double critical_friction_of(const ContactProblem& problem,
+double critical_friction_of(const ContactProblem<2>& problem,
                             const SolvedContact& solved);
 
 }  // namespace ffcontact::plugin

@@ -8,8 +8,8 @@
 #include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 //
+#include "problem/contact_problem.hpp"
 #include "problem/nodal_results.hpp"
-#include "problem/solid_problem.hpp"
 
 namespace ffcontact::plugin {
 
@@ -35,7 +35,7 @@ struct PlacedAnswer {
 
 /// The contact of solids, as a variable of the script holds it.
 struct SolidContact {
-  std::shared_ptr<SolidProblem> problem;  ///< null until it is stated
+  std::shared_ptr<ContactProblem<3>> problem;  ///< null until it is stated
   std::optional<SolvedSolid> solved;
   PlacedAnswer last;  ///< of the last solution: the next one starts from them
 };

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "ffcontact/base/require.hpp"
+//
 #include "freefem/views.hpp"
 
 namespace ffcontact::plugin {
@@ -28,6 +30,27 @@ VectorXd joined_displacement(const BodyDofs& bodies,
 ElasticSystem joined(std::vector<ElasticSystem> systems) {
   return systems.size() == 1 ? std::move(systems.front())
                              : joined_systems(systems);
+}
+
+Multiplier multiplier_of(Stack stack, const NamedArguments& named) {
+  return named.choice(
+      stack, "multiplier", Multiplier::force,
+      {{"pressure", Multiplier::pressure}, {"force", Multiplier::force}});
+}
+
+Matrix2Xd pressures_of(const ContactProblem<2>& problem, KN<double>* normal,
+                       KN<double>* tangential) {
+  const int nodes = problem.contact.node_count();
+  if (!problem.side.empty() && normal->N() != nodes)
+    refuse("pn has size ", normal->N(),
+           " but the line that carries the multipliers has ", nodes,
+           " nodes: state the side= that pn belongs to");
+  require_size("pn", normal->N(), nodes);
+  require_size("pt", tangential->N(), nodes);
+  Matrix2Xd pressure(2, nodes);
+  pressure.row(0) = vector_of(normal).transpose();
+  pressure.row(1) = vector_of(tangential).transpose();
+  return pressure;
 }
 
 }  // namespace ffcontact::plugin

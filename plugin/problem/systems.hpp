@@ -5,9 +5,9 @@
 
 #include "ffcontact/elastic/elastic_system.hpp"
 #include "freefem/arguments.hpp"
-#include "problem/body_dofs.hpp"
+#include "problem/contact_problem.hpp"
 
-/// Matrices and displacements that a script gives of each body.
+/// Matrices, displacements and pressures that a script gives.
 namespace ffcontact::plugin {
 
 /// @throws std::invalid_argument  if it was never assigned, or has not the dofs of the body
@@ -20,5 +20,13 @@ VectorXd joined_displacement(const BodyDofs& bodies,
                              const std::vector<KN<double>*>& u);
 
 ElasticSystem joined(std::vector<ElasticSystem> systems);
+
+/// Reads multiplier=: what pn and pt stand for.
+/// @throws std::invalid_argument  if it is neither "force" nor "pressure"
+Multiplier multiplier_of(Stack stack, const NamedArguments& named);
+
+/// Nodal pressures from the script's pn and pt [2 x p].
+Matrix2Xd pressures_of(const ContactProblem<2>& problem, KN<double>* normal,
+                       KN<double>* tangential);
 
 }  // namespace ffcontact::plugin

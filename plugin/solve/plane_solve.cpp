@@ -10,6 +10,7 @@
 //
 #include "problem/coulomb.hpp"
 #include "problem/result_names.hpp"
+#include "problem/systems.hpp"
 #include "solve/load_step.hpp"
 #include "solve/locking.hpp"
 #include "solve/solve_report.hpp"
@@ -29,10 +30,10 @@ void put_vectors(const Matrix2Xd& normal, NodalResults& results) {
 
 /// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
 /// lengths.
-NodalResults nodal_results(const ContactProblem& problem, const ContactLaw& law,
-                           const Flags& prescribed,
+NodalResults nodal_results(const ContactProblem<2>& problem,
+                           const ContactLaw& law, const Flags& prescribed,
                            const ContactSolution& solution) {
-  const ContactLine& line = problem.line;
+  const ContactLine& line = problem.contact;
   const Matrix2Xd pressure =
       law.multiplier == Multiplier::pressure
           ? solution.pressure
@@ -68,9 +69,9 @@ VectorXd slid(const ContactLine& line, const SolvedContact& solved) {
 }
 
 /// Against a foundation that stays, or that its tool moves.
-void solve(const SolveCall& call, const ContactProblem& problem,
+void solve(const SolveCall& call, const ContactProblem<2>& problem,
            const ContactSettings& settings, SolvedContact& solved) {
-  const ContactLine& line = problem.line;
+  const ContactLine& line = problem.contact;
   const auto tool = stated_tool(call, problem.mesh.origin);
   if (tool && solved.law.bonded)
     refuse(
@@ -94,14 +95,14 @@ void solve(const SolveCall& call, const ContactProblem& problem,
 
 /// Of the last solution, at the nodes of this line.
 ContactStates last_states(const Contact& contact) {
-  ContactLine stated = contact.problem->line;
+  ContactLine stated = contact.problem->contact;
   stated.abscissa = contact.problem->abscissa;
   return states_at(stated, contact.last_abscissa, contact.last_states);
 }
 
 ContactLaw law_of(const SolveCall& call, const Contact& contact,
                   const ContactStates& last) {
-  const ContactLine& line = contact.problem->line;
+  const ContactLine& line = contact.problem->contact;
   ContactLaw law = contact.problem->law;
   law.multiplier = multiplier_of(call.stack, call.named);
   if (law.bonded) return law;
@@ -109,7 +110,7 @@ ContactLaw law_of(const SolveCall& call, const Contact& contact,
                      [&] { return slid(line, *contact.solved); });
 }
 
-void warn_that_triangles_lock(const ContactProblem& problem,
+void warn_that_triangles_lock(const ContactProblem<2>& problem,
                               const ElasticSystem& system) {
   constexpr double crossed = 0.4;  // of triangles that do not
   const auto may_lock = [&](int first, int end) {
@@ -138,7 +139,7 @@ void put(const SolveCall& call, const std::vector<long>& own_vertex,
 
 long solve_plane(const SolveCall& call, Contact& contact) {
   require_plane_results(call.named);
-  ContactProblem& problem = *contact.problem;
+  ContactProblem<2>& problem = *contact.problem;
   SolvedContact solved;
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
@@ -160,7 +161,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(
         answer_of(solution),
-        advice_on_held(problem.joined.first_vertex, problem.line, system));
+        advice_on_held(problem.joined.first_vertex, problem.contact, system));
 
   write_displacement(call, problem, solution.displacement);
   solved.nodes =

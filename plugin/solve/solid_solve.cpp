@@ -7,6 +7,7 @@
 //
 #include "problem/contact_type.hpp"
 #include "problem/result_names.hpp"
+#include "problem/systems.hpp"
 #include "solve/load_step.hpp"
 #include "solve/locking.hpp"
 #include "solve/solve_report.hpp"
@@ -50,10 +51,10 @@ SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
 
 /// The nearest old node of each new one; where sheets meet at an edge several are at one
 /// place, and a normal that is turned counts as a distance of the node's size.
-std::vector<Index> nearest_nodes(const SolidProblem& problem,
+std::vector<Index> nearest_nodes(const ContactProblem<3>& problem,
                                  const PlacedAnswer& old) {
   const Matrix3Xd place = problem.places();
-  const ContactSurface& surface = problem.surface;
+  const ContactSurface& surface = problem.contact;
   std::vector<Index> nearest(surface.node_count());
   for (int i = 0; i < surface.node_count(); ++i) {
     const Eigen::RowVectorXd square =
@@ -71,10 +72,10 @@ struct Guess {
   ContactStates state;
   std::optional<ContactRows> rows;
 };
-Guess guess_at(const SolidProblem& problem, const PlacedAnswer& old) {
+Guess guess_at(const ContactProblem<3>& problem, const PlacedAnswer& old) {
   Guess guess;
   if (old.state.empty()) return guess;
-  const ContactSurface& surface = problem.surface;
+  const ContactSurface& surface = problem.contact;
   Matrix3Xd P(3, surface.node_count()), v(3, surface.node_count());
   const std::vector<Index> nearest = nearest_nodes(problem, old);
   for (int i = 0; i < surface.node_count(); ++i) {
@@ -100,9 +101,9 @@ VectorXd slip_of(const SolidResults& nodes) {
   return (slip1.square() + slip2.square()).sqrt();
 }
 
-PlacedAnswer placed_answer(const SolidProblem& problem,
+PlacedAnswer placed_answer(const ContactProblem<3>& problem,
                            const SolvedSolid& solved, double tolerance) {
-  const ContactSurface& surface = problem.surface;
+  const ContactSurface& surface = problem.contact;
   const SolidResults& nodes = solved.nodes;
   Matrix3Xd pressure(3, surface.node_count()), moved(3, surface.node_count());
   pressure << nodes.pn.transpose(), nodes.pt1.transpose(),
@@ -128,7 +129,7 @@ Matrix2Xd slid(const ContactSurface& surface, const SolvedSolid& solved) {
 
 SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact,
                   const ContactStates& last) {
-  const ContactSurface& surface = contact.problem->surface;
+  const ContactSurface& surface = contact.problem->contact;
   return law_of_step(call, contact, surface, last, contact.problem->law,
                      [&] { return slid(surface, *contact.solved); });
 }
@@ -159,7 +160,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_solid_results(call.named);
   require_no_tool(call.named);
   require_forces(call);
-  SolidProblem& problem = *contact.problem;
+  ContactProblem<3>& problem = *contact.problem;
   SolvedSolid solved;
   solved.system = std::make_shared<const ElasticSystem>(
       system_of(call, problem, problem.mesh));
@@ -182,7 +183,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
         "refine until eps is small");
   try {
     solved.solution =
-        solve_contact(problem.mesh, problem.surface, law, system, settings);
+        solve_contact(problem.mesh, problem.contact, law, system, settings);
   } catch (const NoEquilibrium& none) {
     answer_no_equilibrium(call, problem.joined.first_vertex, none);
     return 0;
@@ -191,10 +192,10 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(
         answer_of(solution),
-        advice_on_held(problem.joined.first_vertex, problem.surface, system));
+        advice_on_held(problem.joined.first_vertex, problem.contact, system));
 
   write_displacement(call, problem, solution.displacement);
-  solved.nodes = nodal_results(problem.surface, law, solution);
+  solved.nodes = nodal_results(problem.contact, law, solution);
   put(call, problem.own_vertex, solved.nodes);
   put(call, answer_of(solution));
   report_solution(call, problem, problem.side, answer_of(solution));

@@ -167,11 +167,11 @@ void report_solution(const SolveCall& call, const BodyDofs& bodies,
   if (call.verbosity() > 1) report_details(answer);
 }
 
-void report_friction(long level, const ContactProblem& problem,
+void report_friction(long level, const ContactProblem<2>& problem,
                      const SolvedContact& solved) {
   constexpr double near = 0.01;
   if (level < 1 || mpirank != 0) return;
-  const double mu = largest_friction(nodal_law(solved.law, problem.line));
+  const double mu = largest_friction(nodal_law(solved.law, problem.contact));
   if (mu == 0 || solved.solution.status != ContactStatus::converged) return;
   const double critical = critical_friction_of(problem, solved);
   if (mu < (1 - near) * critical) return;

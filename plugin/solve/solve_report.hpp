@@ -62,7 +62,7 @@ void report_solution(const SolveCall& call, const BodyDofs& bodies,
 
 /// Says that a second solution is near or may exist (critical_friction), but not of
 /// curves that the statement has warned of.
-void report_friction(long level, const ContactProblem& problem,
+void report_friction(long level, const ContactProblem<2>& problem,
                      const SolvedContact& solved);
 
 }  // namespace ffcontact::plugin
