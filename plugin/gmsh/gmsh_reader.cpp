@@ -54,13 +54,10 @@ std::vector<PhysicalName> physical_names(const path& file) {
 
 GmshMesh<2> read_gmsh_mesh(const path& path, const std::string& shown) {
   MshFile file = read_msh(path, shown, 2);
-  if (file.elements[2].empty())
-    refuse(shown, " has no triangles",
-           file.elements[1].empty()
-               ? ""
-               : ": does the geometry have physical curves but no physical "
-                 "surface?");
-  take_each_cell_once(file, shown);
+  take_each_cell_once(
+      file, shown,
+      ": does the geometry have physical curves but no physical "
+      "surface?");
   const std::vector<MshElement> before = file.elements[2];
   split_quadrangles(file, shown);
   MeshOfMsh<2> made(file, shown);

@@ -26,8 +26,12 @@ void refuse_groups(const MshElement& element, const MshFile& file,
          ": put it into one of them");
 }
 
-void take_each_cell_once(MshFile& file, const std::string& shown) {
+void take_each_cell_once(MshFile& file, const std::string& shown,
+                         const char* advice) {
   std::vector<MshElement>& cells = file.elements[file.dim];
+  if (cells.empty())
+    refuse(shown, " has no ", simplex_type(file.dim).names,
+           file.elements[file.dim - 1].empty() ? "" : advice);
   const int tag = tag_to_use(cells);
   std::map<std::array<int, 8>, int> region;
   const auto is_repeated = [&](const MshElement& cell) {

@@ -18,7 +18,9 @@ int tag_to_use(const std::vector<MshElement>& elements);
                                 const std::string& shown, int one, int other);
 
 /// Takes each cell once: gmsh writes an element of several physical groups once for each.
-/// @throws std::invalid_argument  if a cell is in two groups
-void take_each_cell_once(MshFile& file, const std::string& shown);
+/// @param advice  to a file that has facets and no cells
+/// @throws std::invalid_argument  if there are no cells, or one is in two groups
+void take_each_cell_once(MshFile& file, const std::string& shown,
+                         const char* advice);
 
 }  // namespace ffcontact::plugin

@@ -2,8 +2,6 @@
 #include <string>
 #include <vector>
 
-#include "ffcontact/base/require.hpp"
-//
 #include "gmsh/gmsh_program.hpp"
 #include "gmsh/gmsh_reader.hpp"
 #include "gmsh/gmsh_run.hpp"
@@ -16,13 +14,10 @@ namespace ffcontact::plugin {
 GmshMesh<3> read_gmsh_solid(const std::filesystem::path& path,
                             const std::string& shown) {
   MshFile file = read_msh(path, shown, 3);
-  if (file.elements[3].empty())
-    refuse(shown, " has no tetrahedra",
-           file.elements[2].empty()
-               ? ""
-               : ": does the geometry have physical surfaces but no physical "
-                 "volume? Plane meshes are read by gmshmesh");
-  take_each_cell_once(file, shown);
+  take_each_cell_once(
+      file, shown,
+      ": does the geometry have physical surfaces but no physical "
+      "volume? Plane meshes are read by gmshmesh");
   const std::vector<MshElement> before = file.elements[3];
   const int middles = split_solid_cells(file, shown);
   split_quadrangles(file, shown);
