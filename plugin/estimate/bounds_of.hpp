@@ -66,16 +66,6 @@ inline void report(const QuantityBounds& bounds, double seconds) {
   cout << ", " << seconds << " s" << endl;
 }
 
-/// With Coulomb's law bounds are no better than the estimate that they start from.
-template <int d>
-EstimateSettings<d> settings_of_first(const BoundSettings& settings) {
-  EstimateSettings<d> of_first;
-  if (!settings.friction_share) return of_first;
-  of_first.relaxation = settings.relaxation;
-  of_first.relaxation.steps = 2 * settings.relaxation.steps.value_or(1);
-  return of_first;
-}
-
 /// @param body  what contactsolve found, without its elastic law and its loads
 template <int d>
 double bounds_of(const BoundsCall& call, const BoundSettings& settings,

@@ -30,17 +30,14 @@ struct Solved {
   SolvedProblem<2> as_problem() const {
     return {topology, problem.line, system, body};
   }
-  Estimate<2> estimate(const RelaxationSettings& relaxation = {}) const {
-    EstimateSettings<2> settings;
-    settings.relaxation = relaxation;
+  Estimate<2> estimate(const EstimateSettings<2>& settings = {}) const {
     return estimate_error<2>(topology, problem.line, system, body, settings);
   }
   QuantityBounds bounds(const Quantity<2>& quantity,
                         const BoundSettings& settings = {}) const {
-    return quantity_bounds<2>(
-        as_problem(),
-        settings.friction_share ? estimate(settings.relaxation) : estimate(),
-        quantity, settings);
+    return quantity_bounds<2>(as_problem(),
+                              estimate(settings_of_first<2>(settings)),
+                              quantity, settings);
   }
 };
 

@@ -10,6 +10,7 @@
 #include "ffcontact/bounds/bound_pair.hpp"
 #include "ffcontact/bounds/boundable_problem.hpp"
 #include "ffcontact/bounds/coulomb_on_line.hpp"
+#include "ffcontact/bounds/longest_step.hpp"
 #include "ffcontact/bounds/step_search.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/estimate/estimate.hpp"
@@ -77,7 +78,8 @@ class BoundsByTurns {
     const std::string reason = reason_against(free);
     if (!reason.empty()) return none_as(reason);
     factorise();
-    longest_ = longest_step(free);
+    longest_ = longest_step(solved_.system, settings_.contact.stiffness.get(),
+                            free, stress_);
     return narrowest();
   }
 
@@ -128,30 +130,6 @@ class BoundsByTurns {
            std::max(share_of_rounding, pair.defect) * stress_ * stress_ / s;
   }
 
-  /// The step at which stresses under s l are twice those under the loads, where contact
-  /// holds what it touches, or six times on hat functions alone.
-  double longest_step(const VectorXd& free) {
-    const double longest = 6 * stress_ / std::sqrt(energy_of_hats(free)),
-                 held = std::sqrt(std::max(0.0, held_energy(free)));
-    return 2 * stress_ < longest * held ? 2 * stress_ / held : longest;
-  }
-
-  /// l' diag(K)^-1 l
-  double energy_of_hats(const VectorXd& free) const {
-    const Eigen::ArrayXd K = solved_.system.stiffness.diagonal();
-    return (K > 0).select(free.array().square() / K, 0).sum();
-  }
-
-  /// The energy under l alone of bodies whose contact does not move; 0 where there is no
-  /// factor to know it by.
-  double held_energy(const VectorXd& free) const {
-    if (!settings_.contact.stiffness) return 0;
-    const CondensedStiffness& stiffness = *settings_.contact.stiffness;
-    CondensedStiffness::Load load = stiffness.condensed(free);
-    const VectorXd held = VectorXd::Zero(load.on_kept.size());
-    return free.dot(stiffness.extended(std::move(load), held));
-  }
-
   QuantityBounds narrowest() {
     QuantityBounds best = none(0);
     double s = longest_ / 4;
@@ -180,7 +158,7 @@ class BoundsByTurns {
   /// With a further turn, and twice as many sweeps.
   QuantityBounds polished(const QuantityBounds& best) {
     ++settings_.turns;
-    settings_.relaxation.steps = 2 * settings_.relaxation.steps.value_or(1);
+    settings_.relaxation = with_twice_the_sweeps(settings_.relaxation);
     const QuantityBounds bounds = at(best.step);
     return bounds.width() < best.width() ? bounds : best;
   }

@@ -23,6 +23,20 @@ struct BoundSettings {
   ContactSettings contact{};
 };
 
+inline RelaxationSettings with_twice_the_sweeps(RelaxationSettings relaxation) {
+  relaxation.steps = 2 * relaxation.steps.value_or(1);
+  return relaxation;
+}
+
+/// With Coulomb's law bounds are no better than the estimate that they start from.
+template <int d>
+EstimateSettings<d> settings_of_first(const BoundSettings& settings) {
+  EstimateSettings<d> of_first;
+  if (settings.friction_share)
+    of_first.relaxation = with_twice_the_sweeps(settings.relaxation);
+  return of_first;
+}
+
 /// lower <= l(u) <= upper for the exact solution u of the problem on the mesh's polygon or
 /// polyhedron.
 struct QuantityBounds {
