@@ -22,6 +22,7 @@ Judged judged_of(const SolvedContact& solved) {
   judged.body.multipliers = solution.pressure;
   judged.body.law = solved.law;
   judged.body.stiffness = solution.stiffness;
+  judged.body.body_loads = solved.holding;
   judged.body.tool = solved.driven;
   judged.forces = contact_forces(solved.law, solution);
   judged.contact = solution.contact;

@@ -92,7 +92,7 @@ class BodyReader {
 
 /// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
 /// (initialstrain=, initialstress=), loads (traction=, bodyforce=) and springs (spring=,
-/// rest=) of all bodies into what is judged.
+/// rest=) of all bodies into what is judged, which may have loads of HeldMotions already.
 /// @throws std::invalid_argument  if a body has not one elastic law, or springs at rest
 ///                                and none
 template <int d>
@@ -101,7 +101,8 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
                                     SolvedBody<d>& body) {
   const auto& joined = bodies.joined;
   body.neumann.resize(d * d, joined.first_boundary.back());
-  body.body_loads.resize(d * (d + 1), joined.first_cell.back());
+  if (body.body_loads.cols() == 0)
+    body.body_loads.setZero(d * (d + 1), joined.first_cell.back());
   Oscillation all;
   InitialStresses<d> initial(joined.first_cell.back());
   Springs<d> springs(joined.first_boundary.back());
@@ -113,7 +114,7 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
     body.neumann.middleCols(joined.first_boundary[k], tractions.cols()) =
         tractions;
     const BodyForce<d> force = reader.force("bodyforce");
-    body.body_loads.middleCols(joined.first_cell[k], force.loads.cols()) =
+    body.body_loads.middleCols(joined.first_cell[k], force.loads.cols()) +=
         force.loads;
     springs.read(stack, named, bodies.body_count(), reader.part());
     const double strain =

@@ -131,6 +131,7 @@ SolvedBody<3> judged_body(const SolvedSolid& solved) {
   body.multipliers = solved.solution.force;
   body.law = solved.law;
   body.stiffness = solved.solution.stiffness;
+  body.body_loads = solved.holding;
   return body;
 }
 

@@ -11,6 +11,7 @@
 #include "problem/coulomb.hpp"
 #include "problem/result_names.hpp"
 #include "problem/systems.hpp"
+#include "solve/held_motions.hpp"
 #include "solve/load_step.hpp"
 #include "solve/locking.hpp"
 #include "solve/solve_report.hpp"
@@ -141,11 +142,13 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   require_plane_results(call.named);
   ContactProblem<2>& problem = *contact.problem;
   SolvedContact solved;
-  solved.system = std::make_shared<const ElasticSystem>(
-      system_of(call, problem, problem.mesh));
-  const ElasticSystem& system = *solved.system;
+  ElasticSystem stated = system_of(call, problem, problem.mesh);
   // and stays: what a solution left belongs to its line
-  if (!contact.solved) problem.choose_sides(system);
+  if (!contact.solved) problem.choose_sides(stated);
+  const auto held = hold_against_noise(call, problem, stated);
+  solved.holding = held.loads;
+  solved.system = std::make_shared<const ElasticSystem>(std::move(stated));
+  const ElasticSystem& system = *solved.system;
   const ContactStates last = last_states(contact);
   solved.law = law_of(call, contact, last);
   const ContactSettings settings = settings_of(call, contact, system, last);
@@ -157,6 +160,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
     answer_no_equilibrium(call, problem.joined.first_vertex, none);
     return 0;
   }
+  held.take_out_of(problem.mesh, solved.solution.displacement);
   const ContactSolution& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(

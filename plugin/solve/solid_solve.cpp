@@ -8,6 +8,7 @@
 #include "problem/contact_type.hpp"
 #include "problem/result_names.hpp"
 #include "problem/systems.hpp"
+#include "solve/held_motions.hpp"
 #include "solve/load_step.hpp"
 #include "solve/locking.hpp"
 #include "solve/solve_report.hpp"
@@ -162,11 +163,13 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_forces(call);
   ContactProblem<3>& problem = *contact.problem;
   SolvedSolid solved;
-  solved.system = std::make_shared<const ElasticSystem>(
-      system_of(call, problem, problem.mesh));
-  const ElasticSystem& system = *solved.system;
+  ElasticSystem stated = system_of(call, problem, problem.mesh);
   // and stays: what a solution left belongs to its surface
-  if (!contact.solved) problem.choose_sides(system);
+  if (!contact.solved) problem.choose_sides(stated);
+  const auto held = hold_against_noise(call, problem, stated);
+  solved.holding = held.loads;
+  solved.system = std::make_shared<const ElasticSystem>(std::move(stated));
+  const ElasticSystem& system = *solved.system;
   Guess last = guess_at(problem, contact.last);
   solved.law = law_of(call, contact, last.state);
   const SurfaceLaw& law = solved.law;
@@ -188,6 +191,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
     answer_no_equilibrium(call, problem.joined.first_vertex, none);
     return 0;
   }
+  held.take_out_of(problem.mesh, solved.solution.displacement);
   const SurfaceSolution& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(

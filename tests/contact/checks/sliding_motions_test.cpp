@@ -69,7 +69,7 @@ TEST(SlidingMotions, friction_springs_and_supports_leave_none) {
   on_a_spring.A.coeffRef(0, 0) += 1;
   EXPECT_EQ(sliding(on_a_spring).cols(), 0);
   Problem oval = pin(1e-6);
-  oval.mesh.vertices.row(0) *= 1.001;
+  oval.mesh.vertices.row(0) *= 1.01;
   oval.line = contact_line(oval.mesh, oval.edges, {bottom},
                            BoundaryCurves(oval.mesh, oval.edges));
   EXPECT_EQ(sliding(oval).cols(), 0);
@@ -119,13 +119,13 @@ TEST(SlidingMotions, noise_of_loads_is_balanced_and_no_more) {
   for (int v = 0; v < block.mesh.vertex_count(); ++v)
     EXPECT_LT((force.segment<2>(2 * v) - Vector2d(-1e-6, 0)).norm(), 1e-15);
   add_body_force(block, {1e-4, 0});
-  EXPECT_EQ(holding_force(block.mesh, motions, block.b).size(), 0);
+  EXPECT_EQ(sliding(block).cols(), 0);
 }
 
 TEST(SlidingMotions, the_noise_of_coordinates_does_not_turn_a_pin) {
   const ContactSolution exact = held_solution(pin(0));
   ASSERT_EQ(exact.status, ContactStatus::converged);
-  for (const double noise : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5})
+  for (const double noise : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4})
     for (const unsigned seed : {1U, 2U, 3U}) {
       const ContactSolution found = held_solution(pin(noise, seed));
       EXPECT_EQ(found.status, ContactStatus::converged) << noise;

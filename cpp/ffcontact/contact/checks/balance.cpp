@@ -32,15 +32,6 @@ MatrixXd relative_forces(const ElasticSystem& system, const MatrixXd& motions) {
   return forces;
 }
 
-/// How much loads may push a motion, relative to the sum of |b|. What slides along all of
-/// the contact, as a round pin turns in its bore, is held by nothing: its loads are then
-/// balanced to the precision of a mesher's coordinates.
-double may_be_left(const AlongNormals& along_n, const VectorXd& motion) {
-  constexpr double along_all = 1e-4, of_coordinates = 1e-5;
-  const bool slides = max_norm(along_n(motion)) <= along_all * max_norm(motion);
-  return slides ? of_coordinates : unbalanced_loads;
-}
-
 }  // namespace
 
 template <int dim>
@@ -88,7 +79,6 @@ void require_balance(const SimplexMesh<dim>& mesh, const ElasticSystem& system,
       pushed + forces * nonnegative_least_squares(forces, -pushed);
   if (left.norm() <= unbalanced_loads * scale) return;
   const VectorXd motion = motions * (left / max_norm(left));
-  if (left.norm() <= may_be_left(along_n, motion) * scale) return;
   refuse_unbalanced(
       mesh, unbalanced_motion(mesh, {motions, system.load, extreme, along_n},
                               motion));

@@ -12,7 +12,10 @@ namespace {
 
 /// Contact works on sliding motions by less than this part of what it could: coordinates
 /// with six digits turn directions by so much on edges of a hundredth of the body.
-constexpr double along_all = 1e-4;
+constexpr double along_all = 1e-3;
+/// Loads that are not balanced by so much, relative to the sum of |b|, are: coordinates
+/// have no more digits.
+constexpr double of_coordinates = 1e-5;
 /// Motions are about 1 in size, and those of a node that has none are of rounding.
 constexpr double moves = 1e-3;
 constexpr double rounding_of_directions = 1e-14;
@@ -45,6 +48,11 @@ MatrixXd sliding_combinations(const MatrixXd& traces, const MatrixXd& work) {
   Index count = 0;
   while (count < motions && slides(V.col(motions - 1 - count))) ++count;
   return V.rightCols(count);
+}
+
+bool is_noise(const VectorXd& load, const MatrixXd& motions) {
+  return max_norm(VectorXd(motions.transpose() * load)) <=
+         of_coordinates * load.cwiseAbs().sum();
 }
 
 VectorXd first_axis_across(const MatrixXd& columns) {

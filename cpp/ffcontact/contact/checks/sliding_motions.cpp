@@ -10,9 +10,6 @@ namespace ffcontact {
 
 namespace {
 
-/// Loads that are not balanced by so much, relative to the sum of |b|, are: coordinates
-/// have no more digits.
-constexpr double of_coordinates = 1e-5;
 constexpr double rounding_of_loads = 1e-13;
 
 }  // namespace
@@ -56,9 +53,8 @@ template <int dim>
 VectorXd holding_force(const SimplexMesh<dim>& mesh, const MatrixXd& sliding,
                        const VectorXd& load) {
   if (sliding.cols() == 0) return {};
-  const double pushed = max_norm(VectorXd(sliding.transpose() * load)),
-               scale = load.cwiseAbs().sum();
-  if (pushed <= rounding_of_loads * scale || pushed > of_coordinates * scale)
+  if (max_norm(VectorXd(sliding.transpose() * load)) <=
+      rounding_of_loads * load.cwiseAbs().sum())
     return {};
   return -sliding * lumped_coefficients(mesh, sliding, load);
 }

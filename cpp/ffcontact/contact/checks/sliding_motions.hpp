@@ -15,15 +15,17 @@
 /// motions, and loads balanced along them.
 namespace ffcontact {
 
-/// Unheld motions that slide [dofs x k].
+/// Unheld motions that slide [dofs x k]; none where loads drive one of them.
 /// @param law  of nodal forces
 template <int dim, class Nodes, class Law>
 MatrixXd sliding_motions(const SimplexMesh<dim>& mesh, const Nodes& nodes,
                          const Law& law, const ElasticSystem& system) {
   const MatrixXd motions = unheld_motions(mesh, system);
   if (motions.cols() == 0) return motions;
-  return motions * sliding_combinations(traces_of(nodes, motions),
-                                        extreme_forces(nodes, law, motions));
+  const MatrixXd sliding =
+      motions * sliding_combinations(traces_of(nodes, motions),
+                                     extreme_forces(nodes, law, motions));
+  return is_noise(system.load, sliding) ? sliding : MatrixXd(sliding.rows(), 0);
 }
 
 /// Turns contact directions across sliding motions.
@@ -51,8 +53,7 @@ VectorXd lumped_coefficients(const SimplexMesh<dim>& mesh,
                              const MatrixXd& motions, const VectorXd& r);
 
 /// Body force that balances loads along sliding motions, linear in each cell, by its values
-/// at the vertices [MPa/mm, dofs]; empty where they are balanced to rounding, or by more
-/// than 1e-5 of them are not: that is no noise.
+/// at the vertices [MPa/mm, dofs]; empty where they are balanced to rounding.
 template <int dim>
 VectorXd holding_force(const SimplexMesh<dim>& mesh, const MatrixXd& sliding,
                        const VectorXd& load);
