@@ -12,29 +12,38 @@
 
 namespace ffcontact::plugin {
 
-/// Rigid motions that nothing but the noise of coordinates resists or drives.
+/// Rigid motions that nothing but noise of the geometry resists or drives.
 template <int d>
 struct HeldMotions {
   MatrixXd motions;           ///< [dofs x k]
-  BodyLoadsOfCells<d> loads;  ///< that hold them; no columns where none do
+  BodyLoadsOfCells<d> loads;  ///< that hold them
 
   /// They move no force: of the displacements that differ by them the one that has none of
   /// them.
   void take_out_of(const SimplexMesh<d>& mesh, VectorXd& displacement) const {
     if (motions.cols() == 0) return;
-    const VectorXd momentum =
-        sum_at_vertices(mesh, lumped_loads(mesh, displacement));
-    displacement -= motions * lumped_coefficients(mesh, motions, momentum);
+    const VectorXd volumes = lumped_volumes(mesh);
+    displacement -=
+        motions * lumped_coefficients(volumes, motions,
+                                      volumes.cwiseProduct(displacement));
   }
 };
 
 /// own_normal goes with the contact directions.
 inline void put_own_normals(Carrier<2>& line) {
-  for (int i = 0; i < line.contact.node_count(); ++i) {
-    const Vector2d normal = line.contact.normal.col(i);
-    const double side = line.own_normal.col(i).dot(normal) < 0 ? -1 : 1;
-    line.own_normal.col(i) = side * normal;
-  }
+  const Matrix2Xd& normal = line.contact.normal;
+  const VectorXd along = line.own_normal.cwiseProduct(normal).colwise().sum();
+  line.own_normal = normal * along.cwiseSign().asDiagonal();
+}
+
+template <int d>
+void say_held(const SimplexMesh<d>& mesh, const HeldMotions<d>& held,
+              double turned) {
+  cout << "contactsolve: nothing resists a "
+       << motion_in_words(mesh, held.motions.col(0))
+       << " but noise of the geometry, which is taken out: contact directions "
+          "are turned by at most "
+       << turned << " rad, and loads are balanced" << endl;
 }
 
 /// Finds them, turns contact directions across them, balances the system's load along
@@ -49,17 +58,11 @@ HeldMotions<d> hold_against_noise(const SolveCall& call,
   if (held.motions.cols() == 0) return held;
   const double turned = turn_across(held.motions, problem.contact);
   if constexpr (d == 2) put_own_normals(problem);
-  const VectorXd force = holding_force(mesh, held.motions, system.load);
-  if (force.size() > 0) {
-    held.loads = lumped_loads(mesh, force);
-    system.load += sum_at_vertices(mesh, held.loads);
-  }
-  if ((turned > 0 || force.size() > 0) && call.verbosity() > 0 && mpirank == 0)
-    cout << "contactsolve: nothing resists a "
-         << motion_in_words(mesh, held.motions.col(0))
-         << " but noise of the geometry, which is taken out: contact "
-            "directions are turned by at most "
-         << turned << " rad, and loads are balanced" << endl;
+  held.loads = holding_loads(mesh, held.motions, system.load);
+  system.load += sum_at_vertices(mesh, held.loads);
+  const bool changed = turned > 0 || !held.loads.isZero(0);
+  if (changed && call.verbosity() > 0 && mpirank == 0)
+    say_held(mesh, held, turned);
   return held;
 }
 

@@ -19,7 +19,7 @@ double energy_of_hats(const ElasticSystem& system, const VectorXd& l) {
 /// factor to know it by.
 double held_energy(const CondensedStiffness* stiffness, const VectorXd& l) {
   if (!stiffness) return 0;
-  CondensedStiffness::Load load = stiffness->condensed(l);
+  auto load = stiffness->condensed(l);
   const VectorXd held = VectorXd::Zero(load.on_kept.size());
   return l.dot(stiffness->extended(std::move(load), held));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/checks/sliding_combinations.hpp"
 
-#include <algorithm>
-
-#include "ffcontact/linear/dense/singular_values.hpp"
+#include "ffcontact/linear/dense/least_squares.hpp"
+#include "ffcontact/linear/dense/products.hpp"
+#include "ffcontact/linear/dense/symmetric_eigen.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -20,6 +20,11 @@ constexpr double of_coordinates = 1e-5;
 constexpr double moves = 1e-3;
 constexpr double rounding_of_directions = 1e-14;
 
+/// What columns have across an orthonormal basis.
+MatrixXd across(const MatrixXd& basis, const MatrixXd& columns) {
+  return columns - basis * (basis.transpose() * columns);
+}
+
 /// Orthonormal columns that span those of a few, but for what is smaller than `moves`.
 MatrixXd spanned(const MatrixXd& columns) {
   MatrixXd basis(columns.rows(), 0), left = columns;
@@ -28,31 +33,42 @@ MatrixXd spanned(const MatrixXd& columns) {
     const VectorXd next = left.col(largest).normalized();
     basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
     basis.rightCols<1>() = next;
-    left -= next * (next.transpose() * left);
+    left = across(next, left);
   }
   return basis;
+}
+
+bool slides(const MatrixXd& traces, const MatrixXd& work,
+            const VectorXd& motion) {
+  const double size = max_norm(VectorXd(traces * motion));
+  return size > moves &&
+         max_norm(VectorXd(work.transpose() * motion)) <= along_all * size;
 }
 
 }  // namespace
 
 MatrixXd sliding_combinations(const MatrixXd& traces, const MatrixXd& work) {
-  const Index motions = traces.cols();
-  MatrixXd rows = MatrixXd::Zero(std::max(work.cols(), motions), motions);
-  rows.topRows(work.cols()) = work.transpose();
-  const MatrixXd V = singular_values(std::move(rows)).V;
-  const auto slides = [&](const VectorXd& c) {
-    const double size = max_norm(VectorXd(traces * c));
-    return size > moves &&
-           max_norm(VectorXd(work.transpose() * c)) <= along_all * size;
-  };
+  const MatrixXd rows = work.transpose(),
+                 V = symmetric_eigen(transposed_product(rows, rows)).vectors;
   Index count = 0;
-  while (count < motions && slides(V.col(motions - 1 - count))) ++count;
-  return V.rightCols(count);
+  while (count < V.cols() && slides(traces, work, V.col(count))) ++count;
+  return V.leftCols(count);
+}
+
+VectorXd lumped_coefficients(const VectorXd& volumes, const MatrixXd& motions,
+                             const VectorXd& r) {
+  const MatrixXd inertia =
+      transposed_product(motions, volumes.asDiagonal() * motions);
+  return least_squares(inertia, motions.transpose() * r);
+}
+
+double relative_push(const VectorXd& load, const MatrixXd& motions) {
+  return relative(max_norm(VectorXd(motions.transpose() * load)),
+                  load.cwiseAbs().sum());
 }
 
 bool is_noise(const VectorXd& load, const MatrixXd& motions) {
-  return max_norm(VectorXd(motions.transpose() * load)) <=
-         of_coordinates * load.cwiseAbs().sum();
+  return relative_push(load, motions) <= of_coordinates;
 }
 
 VectorXd first_axis_across(const MatrixXd& columns) {
@@ -61,7 +77,7 @@ VectorXd first_axis_across(const MatrixXd& columns) {
   if (basis.cols() == columns.rows() ||
       basis.row(0).norm() <= rounding_of_directions)
     return axis;
-  return (axis - basis * basis.row(0).transpose()).normalized();
+  return across(basis, axis).col(0).normalized();
 }
 
 }  // namespace ffcontact

@@ -2,9 +2,6 @@
 #include "ffcontact/contact/checks/sliding_motions.hpp"
 
 #include "ffcontact/elastic/dofs.hpp"
-#include "ffcontact/linear/dense/least_squares.hpp"
-#include "ffcontact/linear/dense/products.hpp"
-#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
@@ -15,10 +12,9 @@ constexpr double rounding_of_loads = 1e-13;
 }  // namespace
 
 template <int dim>
-Matrix<double, dim*(dim + 1), Dynamic> lumped_loads(
-    const SimplexMesh<dim>& mesh, const VectorXd& force) {
-  Matrix<double, dim*(dim + 1), Dynamic> loads(dim * (dim + 1),
-                                               mesh.cell_count());
+LoadsOfCells<dim> lumped_loads(const SimplexMesh<dim>& mesh,
+                               const VectorXd& force) {
+  LoadsOfCells<dim> loads(dim * (dim + 1), mesh.cell_count());
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k <= dim; ++k)
       loads.col(t).template segment<dim>(dim * k) =
@@ -28,46 +24,30 @@ Matrix<double, dim*(dim + 1), Dynamic> lumped_loads(
 }
 
 template <int dim>
-VectorXd sum_at_vertices(
-    const SimplexMesh<dim>& mesh,
-    const Matrix<double, dim*(dim + 1), Dynamic>& loads_of_cells) {
+VectorXd sum_at_vertices(const SimplexMesh<dim>& mesh,
+                         const LoadsOfCells<dim>& loads) {
   VectorXd sum = VectorXd::Zero(mesh.vertices.size());
   for (int t = 0; t < mesh.cell_count(); ++t)
     for (int k = 0; k <= dim; ++k)
       vector_at<dim>(sum, mesh.cells(k, t)) +=
-          loads_of_cells.col(t).template segment<dim>(dim * k);
+          loads.col(t).template segment<dim>(dim * k);
   return sum;
 }
 
 template <int dim>
-VectorXd lumped_coefficients(const SimplexMesh<dim>& mesh,
-                             const MatrixXd& motions, const VectorXd& r) {
-  const VectorXd mass =
-      sum_at_vertices(mesh, lumped_loads(mesh, VectorXd::Ones(r.size())));
-  const MatrixXd inertia =
-      transposed_product(motions, mass.asDiagonal() * motions);
-  return least_squares(inertia, motions.transpose() * r);
+LoadsOfCells<dim> holding_loads(const SimplexMesh<dim>& mesh,
+                                const MatrixXd& sliding, const VectorXd& load) {
+  if (relative_push(load, sliding) <= rounding_of_loads)
+    return LoadsOfCells<dim>::Zero(dim * (dim + 1), mesh.cell_count());
+  return lumped_loads(mesh, -sliding * lumped_coefficients(lumped_volumes(mesh),
+                                                           sliding, load));
 }
 
-template <int dim>
-VectorXd holding_force(const SimplexMesh<dim>& mesh, const MatrixXd& sliding,
-                       const VectorXd& load) {
-  if (sliding.cols() == 0) return {};
-  if (max_norm(VectorXd(sliding.transpose() * load)) <=
-      rounding_of_loads * load.cwiseAbs().sum())
-    return {};
-  return -sliding * lumped_coefficients(mesh, sliding, load);
-}
-
-template VectorXd lumped_coefficients(const SimplexMesh<FFCONTACT_DIMENSION>&,
-                                      const MatrixXd&, const VectorXd&);
-template VectorXd holding_force(const SimplexMesh<FFCONTACT_DIMENSION>&,
-                                const MatrixXd&, const VectorXd&);
-template Matrix<double, FFCONTACT_DIMENSION*(FFCONTACT_DIMENSION + 1), Dynamic>
-lumped_loads(const SimplexMesh<FFCONTACT_DIMENSION>&, const VectorXd&);
-template VectorXd sum_at_vertices(
-    const SimplexMesh<FFCONTACT_DIMENSION>&,
-    const Matrix<double, FFCONTACT_DIMENSION*(FFCONTACT_DIMENSION + 1),
-                 Dynamic>&);
+template LoadsOfCells<FFCONTACT_DIMENSION> lumped_loads(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const VectorXd&);
+template VectorXd sum_at_vertices(const SimplexMesh<FFCONTACT_DIMENSION>&,
+                                  const LoadsOfCells<FFCONTACT_DIMENSION>&);
+template LoadsOfCells<FFCONTACT_DIMENSION> holding_loads(
+    const SimplexMesh<FFCONTACT_DIMENSION>&, const MatrixXd&, const VectorXd&);
 
 }  // namespace ffcontact

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
-
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/checks/balance.hpp"
 #include "ffcontact/contact/checks/sliding_combinations.hpp"
@@ -34,39 +32,39 @@ template <class Nodes>
 double turn_across(const MatrixXd& sliding, Nodes& nodes) {
   constexpr int dim = decltype(nodes.normal)::RowsAtCompileTime;
   const MatrixXd traces = traces_of(nodes, sliding);
-  double most = 0;
-  for (int i = 0; i < nodes.node_count(); ++i) {
-    const VectorOf<dim> turned =
-        nodes.frame(i) *
-        first_axis_across(traces.template middleRows<dim>(dim * i));
-    most = std::max(most, (turned - nodes.normal.col(i)).norm());
-    nodes.normal.col(i) = turned;
-  }
-  return most;
+  const auto before = nodes.normal;
+  for (int i = 0; i < nodes.node_count(); ++i)
+    nodes.normal.col(i) =
+        nodes.frame(i) * first_axis_across(traces.middleRows(dim * i, dim));
+  return (nodes.normal - before).colwise().norm().maxCoeff();
 }
 
-/// Coefficients c of motions z for which the field sum c z, lumped as a mass of 1 in a
-/// volume of 1, does the same work on them as a force r:
-///     (sum over v of m_v z_v' z_v) c = z' r.
+/// Loads int f phi at the vertices of each cell [N/mm, in space N], vertex by vertex.
 template <int dim>
-VectorXd lumped_coefficients(const SimplexMesh<dim>& mesh,
-                             const MatrixXd& motions, const VectorXd& r);
+using LoadsOfCells = Matrix<double, dim*(dim + 1), Dynamic>;
 
-/// Body force that balances loads along sliding motions, linear in each cell, by its values
-/// at the vertices [MPa/mm, dofs]; empty where they are balanced to rounding.
+/// Those of a body force, lumped.
+/// @param force  its values at the vertices [dofs]
 template <int dim>
-VectorXd holding_force(const SimplexMesh<dim>& mesh, const MatrixXd& sliding,
-                       const VectorXd& load);
-
-/// Its lumped loads int f phi at the vertices of each cell [dim (dim + 1) x cells].
-template <int dim>
-Matrix<double, dim*(dim + 1), Dynamic> lumped_loads(
-    const SimplexMesh<dim>& mesh, const VectorXd& force);
+LoadsOfCells<dim> lumped_loads(const SimplexMesh<dim>& mesh,
+                               const VectorXd& force);
 
 /// Of cells, on all dofs.
 template <int dim>
-VectorXd sum_at_vertices(
-    const SimplexMesh<dim>& mesh,
-    const Matrix<double, dim*(dim + 1), Dynamic>& loads_of_cells);
+VectorXd sum_at_vertices(const SimplexMesh<dim>& mesh,
+                         const LoadsOfCells<dim>& loads);
+
+/// Volumes int phi that belong to the dofs.
+template <int dim>
+VectorXd lumped_volumes(const SimplexMesh<dim>& mesh) {
+  const VectorXd one = VectorXd::Ones(mesh.vertices.size());
+  return sum_at_vertices(mesh, lumped_loads(mesh, one));
+}
+
+/// The body force, a combination of sliding motions, that balances loads along them; none
+/// where they are balanced to rounding.
+template <int dim>
+LoadsOfCells<dim> holding_loads(const SimplexMesh<dim>& mesh,
+                                const MatrixXd& sliding, const VectorXd& load);
 
 }  // namespace ffcontact

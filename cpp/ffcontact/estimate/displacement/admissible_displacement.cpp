@@ -41,7 +41,7 @@ class MovingVertices {
     const auto change =
         smallest_change(away(prescribed), penetration(nodes_), largest);
     if (!change) return std::nullopt;
-    return Matrix2Xd(change->reshaped(2, change->size() / 2));
+    return Matrix2Xd(change->reshaped(2, vertices_.size()));
   }
 
  private:
