@@ -13,6 +13,13 @@
 /// motions, and loads balanced along them.
 namespace ffcontact {
 
+/// With a coefficient of 1 wherever there is friction.
+template <class Law>
+Law with_rough_friction(Law law) {
+  law.friction = law.friction.cwiseSign();
+  return law;
+}
+
 /// Unheld motions that slide [dofs x k]; none where loads drive one of them.
 /// @param law  of nodal forces
 template <int dim, class Nodes, class Law>
@@ -20,9 +27,10 @@ MatrixXd sliding_motions(const SimplexMesh<dim>& mesh, const Nodes& nodes,
                          const Law& law, const ElasticSystem& system) {
   const MatrixXd motions = unheld_motions(mesh, system);
   if (motions.cols() == 0) return motions;
+  const MatrixXd work =
+      extreme_forces(nodes, with_rough_friction(law), motions);
   const MatrixXd sliding =
-      motions * sliding_combinations(traces_of(nodes, motions),
-                                     extreme_forces(nodes, law, motions));
+      motions * sliding_combinations(traces_of(nodes, motions), work);
   return is_noise(system.load, sliding) ? sliding : MatrixXd(sliding.rows(), 0);
 }
 
