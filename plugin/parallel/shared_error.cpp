@@ -100,7 +100,10 @@ ReadColumns columns_of(const Body& body, const Oscillation& oscillation) {
 template <class Body>
 Oscillation take(const ReadColumns& whole, Body& body) {
   body.hooke = tensors_of<decltype(body.hooke)>(whole.cells[0]);
-  body.body_loads = whole.cells[1];
+  if (body.body_loads.cols() > 0)  // of HeldMotions
+    body.body_loads += whole.cells[1];
+  else
+    body.body_loads = whole.cells[1];
   if (whole.cells[2].cols() > 0)
     body.initial = decltype(body.initial)::of_values(whole.cells[2]);
   body.neumann = whole.boundary[0];

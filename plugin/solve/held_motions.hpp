@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/checks/line_balance.hpp"
 #include "ffcontact/contact/checks/sliding_motions.hpp"
-#include "ffcontact/contact/checks/surface_balance.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/equilibrium/stress/composite_element.hpp"
 //
@@ -54,7 +52,7 @@ HeldMotions<d> hold_against_noise(const SolveCall& call,
                                   ElasticSystem& system) {
   const SimplexMesh<d>& mesh = problem.mesh;
   HeldMotions<d> held{
-      sliding_motions(mesh, problem.contact, problem.law, system), {}};
+      rigid_motions(mesh, problem.contact, problem.law, system).sliding, {}};
   if (held.motions.cols() == 0) return held;
   const double turned = turn_across(held.motions, problem.contact);
   if constexpr (d == 2) put_own_normals(problem);

@@ -60,6 +60,13 @@ struct Estimate<3> : PairError {
   /// r_hat at the vertices of the contact faces [MPa]
   SurfaceTractions face_tractions;
   FaceMoments spring_tractions;  ///< as in the plane [9 x boundary]
+  /// of sigma_hat, where others than the given ones hold what slides (RigidMotions); or no
+  /// columns
+  BodyLoadsOfCells<3> body_loads{12, 0};
+
+  const BodyLoadsOfCells<3>& loads_of_stress(const SolvedBody<3>& body) const {
+    return body_loads.cols() > 0 ? body_loads : body.body_loads;
+  }
 };
 
 /// sigma_hat at the corners of the subcells of one cell [MPa].
@@ -74,7 +81,7 @@ inline SubcellStress<3> stress_of(const Topology<3>& topology,
   return composite_stress(
       corners_of(topology.mesh, cell),
       loads_of(topology.mesh, topology.facets, estimate.moments, cell),
-      loads_in_cell<3>(body.body_loads, cell));
+      loads_in_cell<3>(estimate.loads_of_stress(body), cell));
 }
 
 }  // namespace ffcontact

@@ -206,6 +206,26 @@ void judge(const MatchedBodies<d>& bodies, const Compared<d>& compared,
   estimate.admissible = estimate.reason.empty();
 }
 
+template <int d>
+Estimate<d> estimate_of(const SolvedProblem<d>& solved,
+                        const StressTerms& terms,
+                        const EstimateSettings<d>& settings);
+
+/// With further loads of the cells.
+template <int d>
+Estimate<d> estimate_with(const BodyLoadsOfCells<d>& loads,
+                          const SolvedProblem<d>& solved,
+                          const StressTerms& terms,
+                          const EstimateSettings<d>& settings) {
+  const auto& [topology, contact, system, body] = solved;
+  SolvedBody<d> loaded = body;
+  loaded.body_loads += loads;
+  Estimate<d> estimate =
+      estimate_of<d>({topology, contact, system, loaded}, terms, settings);
+  if constexpr (d == 3) estimate.body_loads = std::move(loaded.body_loads);
+  return estimate;
+}
+
 /// Steps 1 to 6 of the estimate.
 template <int d>
 Estimate<d> estimate_of(const SolvedProblem<d>& solved,
@@ -224,6 +244,8 @@ Estimate<d> estimate_of(const SolvedProblem<d>& solved,
   // 2., 3. Contact tractions in the cone, facet tractions in equilibrium with them.
   FirstTractions<d> first =
       first_tractions(solved, bodies, terms, settings, estimate.displacement);
+  if (first.holding.cols() > 0)
+    return estimate_with(first.holding, solved, terms, settings);
 
   // 4. Relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
   RelaxedTractions<d> tractions =

@@ -3,47 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include "ffcontact/contact/checks/line_balance.hpp"
-#include "support/arcs.hpp"
-#include "support/problems.hpp"
+#include "support/pins.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
 
-constexpr double radius = 10, clearance = 0.05;
-
-/// A pin that lies in a rigid bore without friction, pressed by its weight.
-/// @param noise  of its coordinates [mm]
-/// @param width  in parts of that of a round one
-Problem pin(double noise, unsigned seed = 1, double width = 1) {
-  Mesh mesh = arc_body(even_angles(-1.2, 1.2, 24), radius);
-  mesh.vertices.row(0) *= width;
-  std::mt19937 random(seed);
-  const Uniform shift{-noise, noise};
-  for (double& x : mesh.vertices.reshaped()) x += shift(random);
-  Problem problem = body(mesh, material(2e5, 0.3));
-  problem.line = contact_line(mesh, problem.edges, {bottom},
-                              BoundaryCurves(mesh, problem.edges));
-  problem.law.friction = everywhere(problem.line, 0);
-  problem.law.gap = clearance * (1 + problem.line.normal.row(1).array());
-  add_body_force(problem, {0, -20});
-  return problem;
-}
-
-MatrixXd sliding(const Problem& problem) {
-  return sliding_motions(problem.mesh, problem.line, problem.law,
-                         problem.system());
-}
-
 /// Solved as it is held.
 ContactSolution held_solution(Problem problem) {
-  const MatrixXd motions = sliding(problem);
-  turn_across(motions, problem.line);
-  ElasticSystem system = problem.system();
-  system.load += sum_at_vertices(
-      problem.mesh, holding_loads(problem.mesh, motions, system.load));
+  const VectorXd load =
+      problem.b + sum_at_vertices(problem.mesh, held(problem));
+  const ElasticSystem system = elastic_system(problem.A, load);
   return solve_contact(problem.mesh, problem.line, problem.law, system);
 }
 
@@ -56,7 +27,7 @@ TEST(SlidingMotions, a_pin_without_friction_turns_about_its_axis) {
     for (int v = 0; v < problem.mesh.vertex_count(); ++v) {
       const Vector2d z = motions.col(0).segment<2>(2 * v);
       EXPECT_NEAR(z.dot(problem.mesh.vertices.col(v)), 0,
-                  1e-4 * radius * z.norm());
+                  1e-4 * pin_radius * z.norm());
     }
   }
 }

@@ -47,12 +47,13 @@ bool slides(const MatrixXd& traces, const MatrixXd& work,
 
 }  // namespace
 
-MatrixXd sliding_combinations(const MatrixXd& traces, const MatrixXd& work) {
+Combinations sliding_combinations(const MatrixXd& traces,
+                                  const MatrixXd& work) {
   const MatrixXd rows = work.transpose(),
                  V = symmetric_eigen(transposed_product(rows, rows)).vectors;
   Index count = 0;
   while (count < V.cols() && slides(traces, work, V.col(count))) ++count;
-  return V.leftCols(count);
+  return {V.leftCols(count), V.rightCols(V.cols() - count)};
 }
 
 VectorXd lumped_coefficients(const VectorXd& volumes, const MatrixXd& motions,

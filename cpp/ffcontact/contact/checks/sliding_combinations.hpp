@@ -5,11 +5,15 @@
 
 namespace ffcontact {
 
-/// Combinations of motions on which no contact force works by more than 1e-3 of its size
-/// times theirs, one column each.
+/// Orthonormal combinations of motions, one column each.
+struct Combinations {
+  /// on which no contact force works by more than 1e-3 of its size times theirs
+  MatrixXd sliding;
+  MatrixXd others;
+};
 /// @param traces  traces_of the motions
 /// @param work    extreme_forces on them
-MatrixXd sliding_combinations(const MatrixXd& traces, const MatrixXd& work);
+Combinations sliding_combinations(const MatrixXd& traces, const MatrixXd& work);
 
 /// The largest work of a load on motions, relative to the sum of |b|.
 double relative_push(const VectorXd& load, const MatrixXd& motions);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/appended.hpp"
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/checks/line_balance.hpp"
 #include "ffcontact/contact/checks/sliding_combinations.hpp"
+#include "ffcontact/contact/checks/surface_balance.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
 /// Rigid motions that slide along all of the contact, as a round pin without friction turns in
@@ -13,25 +16,39 @@
 /// motions, and loads balanced along them.
 namespace ffcontact {
 
-/// With a coefficient of 1 wherever there is friction.
-template <class Law>
-Law with_rough_friction(Law law) {
+/// A coefficient of 1 wherever there is friction, and nodal forces.
+inline ContactLaw as_rough(ContactLaw law) {
+  law.friction = law.friction.cwiseSign();
+  law.multiplier = Multiplier::force;
+  return law;
+}
+inline SurfaceLaw as_rough(SurfaceLaw law) {
   law.friction = law.friction.cwiseSign();
   return law;
 }
 
-/// Unheld motions that slide [dofs x k]; none where loads drive one of them.
-/// @param law  of nodal forces
+/// Unheld rigid motions [dofs x k].
+struct RigidMotions {
+  MatrixXd sliding;  ///< that loads drive by no more than noise
+  MatrixXd others;   ///< which contact holds, or nothing
+
+  MatrixXd all() const {
+    MatrixXd both = sliding;
+    append(others, both);
+    return both;
+  }
+};
+
 template <int dim, class Nodes, class Law>
-MatrixXd sliding_motions(const SimplexMesh<dim>& mesh, const Nodes& nodes,
-                         const Law& law, const ElasticSystem& system) {
-  const MatrixXd motions = unheld_motions(mesh, system);
-  if (motions.cols() == 0) return motions;
-  const MatrixXd work =
-      extreme_forces(nodes, with_rough_friction(law), motions);
-  const MatrixXd sliding =
-      motions * sliding_combinations(traces_of(nodes, motions), work);
-  return is_noise(system.load, sliding) ? sliding : MatrixXd(sliding.rows(), 0);
+RigidMotions rigid_motions(const SimplexMesh<dim>& mesh, const Nodes& nodes,
+                           const Law& law, const ElasticSystem& system) {
+  const MatrixXd all = unheld_motions(mesh, system);
+  if (all.cols() == 0) return {all, all};
+  const auto [sliding, others] = sliding_combinations(
+      traces_of(nodes, all), extreme_forces(nodes, as_rough(law), all));
+  if (!is_noise(system.load, all * sliding))
+    return {MatrixXd(all.rows(), 0), all};
+  return {all * sliding, all * others};
 }
 
 /// Turns contact directions across sliding motions.

@@ -6,7 +6,7 @@
 
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/checks/sliding_motions.hpp"
 #include "ffcontact/elastic/multigrid/multigrid_inverse.hpp"
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
@@ -53,17 +53,23 @@ void require_loads_of_solution(const SolvedProblem<d>& solved,
   }
 }
 
+/// The loads without stresses.
+template <int d>
+NodalResidual<d> residual_of_loads(const SolvedProblem<d>& solved,
+                                   const FacetTractions<d>& boundary) {
+  const CellStresses<d> no_stress =
+      CellStresses<d>::Zero(voigt_size<d>, solved.topology.mesh.cell_count());
+  return nodal_residual(solved.topology, no_stress, solved.body.body_loads,
+                        boundary);
+}
+
 /// Rigid motions, and what contact forces must do along them to balance the loads.
 template <int d>
 HeldMotions held_motions(const SolvedProblem<d>& solved,
                          const FacetTractions<d>& without_contact,
                          const MatrixXd& motions) {
   if (motions.cols() == 0) return {motions, VectorXd(0), VectorXd(0)};
-  const auto& [topology, contact, system, body] = solved;
-  const CellStresses<d> no_stress =
-      CellStresses<d>::Zero(voigt_size<d>, topology.mesh.cell_count());
-  const NodalResidual<d> loads =
-      nodal_residual(topology, no_stress, body.body_loads, without_contact);
+  const NodalResidual<d> loads = residual_of_loads(solved, without_contact);
   return {motions, -motions.transpose() * loads.missing.reshaped(),
           motions.transpose() * computed_forces(solved)};
 }
@@ -110,6 +116,45 @@ NodalResidual<d> residual_with(const SolvedProblem<d>& solved,
                           bodies.boundary_with(contact.densities));
 }
 
+/// Loads and r_hat at the vertices [dofs].
+template <int d>
+VectorXd outer_forces(const SolvedProblem<d>& solved,
+                      const MatchedBodies<d>& bodies,
+                      const ContactTractions<d>& contact,
+                      const FacetTractions<d>& without_contact) {
+  const CellStresses<d> no_stress =
+      CellStresses<d>::Zero(voigt_size<d>, solved.topology.mesh.cell_count());
+  const NodalResidual<d> all =
+      residual_with(solved, bodies, contact, no_stress,
+                    residual_of_loads(solved, without_contact));
+  return all.missing.reshaped();
+}
+
+/// r_hat, and loads against the noise of what it and the given loads do along sliding motions.
+template <int d>
+FirstTractions<d> tractions_in_cone(const SolvedProblem<d>& solved,
+                                    const MatchedBodies<d>& bodies,
+                                    const RigidMotions& motions,
+                                    const FacetTractions<d>& without_contact,
+                                    const EstimateSettings<d>& settings,
+                                    const Ref<const VectorXd>& u_hat) {
+  const auto that_hold = [&](const MatrixXd& held) -> FirstTractions<d> {
+    auto found = contact_tractions(solved, bodies,
+                                   held_motions(solved, without_contact, held),
+                                   settings, u_hat);
+    if (!found) refuse_unheld(solved);
+    return {*std::move(found), {}};
+  };
+  FirstTractions<d> first = that_hold(motions.others);
+  if (motions.sliding.cols() == 0) return first;
+  const VectorXd forces =
+      outer_forces(solved, bodies, first.contact, without_contact);
+  if (!is_noise(forces, motions.sliding)) return that_hold(motions.all());
+  auto loads = holding_loads(solved.topology.mesh, motions.sliding, forces);
+  if (!loads.isZero(0)) first.holding = std::move(loads);
+  return first;
+}
+
 /// By the factor of the solution, or by multigrid where that is faster than one.
 template <int d>
 Rebalancing rebalancing_of(const SolvedProblem<d>& solved,
@@ -139,27 +184,29 @@ FirstTractions<d> first_tractions(const SolvedProblem<d>& solved,
   NodalResidual<d> without =
       nodal_residual(topology, computed, body.body_loads, boundary_without);
   require_loads_of_solution(solved, without, terms.stress);
-  const MatrixXd motions = unheld_motions(topology.mesh, system);
-  auto tractions = contact_tractions(
-      solved, bodies, held_motions(solved, boundary_without, motions), settings,
-      u_hat);
-  if (!tractions) refuse_unheld(solved);
+  const RigidMotions motions =
+      rigid_motions(topology.mesh, contact, body.law, system);
+  FirstTractions<d> first = tractions_in_cone(
+      solved, bodies, motions, boundary_without, settings, u_hat);
+  if (first.holding.cols() > 0) return first;
+  ContactTractions<d>& tractions = first.contact;
   if constexpr (d == 3)
-    tractions->beside = boundary_without.moments(Eigen::all, contact.face);
+    tractions.beside = boundary_without.moments(Eigen::all, contact.face);
 
   const auto rebalancing = [&solved, &motions] {
-    return rebalancing_of(solved, motions);
+    return rebalancing_of(solved, motions.all());
   };
   const CellStresses<d> stress = balanced_stresses(
       topology, body.hooke,
-      residual_with(solved, bodies, *tractions, computed, std::move(without)),
+      residual_with(solved, bodies, tractions, computed, std::move(without)),
       computed, rebalancing, body.springs,
       [&](const FacetColumns<d>& answers) { bodies.add_to_springs(answers); });
-  const FacetTractions<d> boundary = balanced_boundary(bodies, *tractions);
-  FacetColumns<d> moments = equilibrated_moments(
-      topology, stress, body.body_loads, bodies.solved_boundary(boundary));
-  return {*std::move(tractions),
-          bodies.moments(std::move(moments), stress, boundary)};
+  const FacetTractions<d> boundary = balanced_boundary(bodies, tractions);
+  first.moments =
+      bodies.moments(equilibrated_moments(topology, stress, body.body_loads,
+                                          bodies.solved_boundary(boundary)),
+                     stress, boundary);
+  return first;
 }
 
 template FirstTractions<FFCONTACT_DIMENSION> first_tractions(

@@ -11,6 +11,9 @@ template <int d>
 struct FirstTractions {
   ContactTractions<d> contact;
   FacetColumns<d> moments;
+  /// that sliding motions (RigidMotions) have to be held by against loads and r_hat, before
+  /// there are moments; no columns where they are balanced
+  BodyLoadsOfCells<d> holding{d * (d + 1), 0};
 };
 
 /// Tractions in the cone are not those that u_h was computed with: one back-substitution
