@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ffcontact/base/parted_sum.hpp"
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/tractions/free_springs.hpp"
 #include "ffcontact/estimate/bodies/unturned_body.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
@@ -206,23 +207,33 @@ void judge(const MatchedBodies<d>& bodies, const Compared<d>& compared,
   estimate.admissible = estimate.reason.empty();
 }
 
+/// Each time that loads hold what slides r_hat feels a thousandth of them at most.
+constexpr int most_holdings = 8;
+
 template <int d>
 Estimate<d> estimate_of(const SolvedProblem<d>& solved,
                         const StressTerms& terms,
-                        const EstimateSettings<d>& settings);
+                        const EstimateSettings<d>& settings,
+                        int holdings = most_holdings);
 
-/// With further loads of the cells.
+/// With further loads of the cells, which hold what slides.
 template <int d>
 Estimate<d> estimate_with(const BodyLoadsOfCells<d>& loads,
                           const SolvedProblem<d>& solved,
                           const StressTerms& terms,
-                          const EstimateSettings<d>& settings) {
+                          const EstimateSettings<d>& settings, int holdings) {
+  if (holdings == 0)
+    refuse(
+        "a motion that slides along all of the contact is not held: hold the "
+        "body by a weak spring=");
   const auto& [topology, contact, system, body] = solved;
   SolvedBody<d> loaded = body;
   loaded.body_loads += loads;
-  Estimate<d> estimate =
-      estimate_of<d>({topology, contact, system, loaded}, terms, settings);
-  if constexpr (d == 3) estimate.body_loads = std::move(loaded.body_loads);
+  Estimate<d> estimate = estimate_of<d>({topology, contact, system, loaded},
+                                        terms, settings, holdings - 1);
+  if constexpr (d == 3)
+    if (estimate.body_loads.cols() == 0)
+      estimate.body_loads = std::move(loaded.body_loads);
   return estimate;
 }
 
@@ -230,7 +241,7 @@ Estimate<d> estimate_with(const BodyLoadsOfCells<d>& loads,
 template <int d>
 Estimate<d> estimate_of(const SolvedProblem<d>& solved,
                         const StressTerms& terms,
-                        const EstimateSettings<d>& settings) {
+                        const EstimateSettings<d>& settings, int holdings) {
   tell(settings.report, {"admissible fields", 0, "dofs",
                          static_cast<double>(solved.system.dof_count())});
   // Facing traces that match, by cutting where they do not.
@@ -245,7 +256,7 @@ Estimate<d> estimate_of(const SolvedProblem<d>& solved,
   FirstTractions<d> first =
       first_tractions(solved, bodies, terms, settings, estimate.displacement);
   if (first.holding.cols() > 0)
-    return estimate_with(first.holding, solved, terms, settings);
+    return estimate_with(first.holding, solved, terms, settings, holdings);
 
   // 4. Relaxation of sigma_hat - C eps(u_hat), and of r_hat in the cone.
   RelaxedTractions<d> tractions =
