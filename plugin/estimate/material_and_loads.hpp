@@ -92,7 +92,7 @@ class BodyReader {
 
 /// Reads elastic law (lambda= and G=, or hooke=), initial strains and stresses
 /// (initialstrain=, initialstress=), loads (traction=, bodyforce=) and springs (spring=,
-/// rest=) of all bodies into what is judged, which may have loads of HeldMotions already.
+/// rest=) of all bodies into what is judged, which may have loads of HeldSliding already.
 /// @throws std::invalid_argument  if a body has not one elastic law, or springs at rest
 ///                                and none
 template <int d>

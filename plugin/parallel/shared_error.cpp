@@ -100,7 +100,7 @@ ReadColumns columns_of(const Body& body, const Oscillation& oscillation) {
 template <class Body>
 Oscillation take(const ReadColumns& whole, Body& body) {
   body.hooke = tensors_of<decltype(body.hooke)>(whole.cells[0]);
-  if (body.body_loads.cols() > 0)  // of HeldMotions
+  if (body.body_loads.cols() > 0)  // of HeldSliding
     body.body_loads += whole.cells[1];
   else
     body.body_loads = whole.cells[1];

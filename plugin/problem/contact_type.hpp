@@ -21,7 +21,7 @@ struct SolvedContact {
   /// of a tool: its motion (x, y, turn), and t . z at the nodes [mm]; empty: none
   VectorXd motion, tool;
   std::optional<RigidTool> driven{};  ///< it, as it was pushed
-  BodyLoadsOfCells<2> holding;  ///< loads of HeldMotions, which the system has
+  BodyLoadsOfCells<2> holding;  ///< that of HeldSliding, which the system has
   NodalResults nodes;
   /// what contacterror made of it last; null before
   std::shared_ptr<const Estimate<2>> estimate;

@@ -18,7 +18,7 @@ struct SolvedSolid {
   std::shared_ptr<const ElasticSystem> system;
   SurfaceLaw law;  ///< with u_t of the load step before
   SurfaceSolution solution;
-  BodyLoadsOfCells<3> holding;  ///< loads of HeldMotions, which the system has
+  BodyLoadsOfCells<3> holding;  ///< that of HeldSliding, which the system has
   SolidResults nodes;
   /// what contacterror made of it last, and of what; null before
   std::shared_ptr<const Estimate<3>> estimate;

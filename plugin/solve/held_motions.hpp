@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "ffcontact/contact/checks/sliding_motions.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
-#include "ffcontact/equilibrium/stress/composite_element.hpp"
 //
 #include "problem/contact_problem.hpp"
 #include "solve/solve_call.hpp"
@@ -12,20 +14,22 @@ namespace ffcontact::plugin {
 
 /// Rigid motions that nothing but noise of the geometry resists or drives.
 template <int d>
-struct HeldMotions {
+struct HeldSliding {
   MatrixXd motions;           ///< [dofs x k]
-  BodyLoadsOfCells<d> loads;  ///< that hold them
-
-  /// They move no force: of the displacements that differ by them the one that has none of
-  /// them.
-  void take_out_of(const SimplexMesh<d>& mesh, VectorXd& displacement) const {
-    if (motions.cols() == 0) return;
-    const VectorXd volumes = lumped_volumes(mesh);
-    displacement -=
-        motions * lumped_coefficients(volumes, motions,
-                                      volumes.cwiseProduct(displacement));
-  }
+  BodyLoadsOfCells<d> loads;  ///< that hold them; no columns where none have to
 };
+
+/// They move no force: of the displacements that differ by them the one that has none of
+/// them.
+template <int d>
+void take_out(const SimplexMesh<d>& mesh, const MatrixXd& motions,
+              VectorXd& displacement) {
+  if (motions.cols() == 0) return;
+  const VectorXd volumes = lumped_volumes(mesh);
+  displacement -=
+      motions *
+      lumped_coefficients(volumes, motions, volumes.cwiseProduct(displacement));
+}
 
 /// own_normal goes with the contact directions.
 inline void put_own_normals(Carrier<2>& line) {
@@ -35,7 +39,7 @@ inline void put_own_normals(Carrier<2>& line) {
 }
 
 template <int d>
-void say_held(const SimplexMesh<d>& mesh, const HeldMotions<d>& held,
+void say_held(const SimplexMesh<d>& mesh, const HeldSliding<d>& held,
               double turned) {
   cout << "contactsolve: nothing resists a "
        << motion_in_words(mesh, held.motions.col(0))
@@ -47,21 +51,35 @@ void say_held(const SimplexMesh<d>& mesh, const HeldMotions<d>& held,
 /// Finds them, turns contact directions across them, balances the system's load along
 /// them, and says so at verbosity 1.
 template <int d>
-HeldMotions<d> hold_against_noise(const SolveCall& call,
+HeldSliding<d> hold_against_noise(const SolveCall& call,
                                   ContactProblem<d>& problem,
                                   ElasticSystem& system) {
   const SimplexMesh<d>& mesh = problem.mesh;
-  HeldMotions<d> held{
+  HeldSliding<d> held{
       rigid_motions(mesh, problem.contact, problem.law, system).sliding, {}};
   if (held.motions.cols() == 0) return held;
   const double turned = turn_across(held.motions, problem.contact);
   if constexpr (d == 2) put_own_normals(problem);
   held.loads = holding_loads(mesh, held.motions, system.load);
-  system.load += sum_at_vertices(mesh, held.loads);
-  const bool changed = turned > 0 || !held.loads.isZero(0);
+  add_body_loads(mesh, held.loads, system.load);
+  const bool changed = turned > 0 || held.loads.cols() > 0;
   if (changed && call.verbosity() > 0 && mpirank == 0)
     say_held(mesh, held, turned);
   return held;
+}
+
+/// Puts the system of a call into what is solved, held against noise.
+/// @param contact  of plane bodies or solids, as a variable of the script holds it
+template <class Contact, class Solved>
+auto put_system(const SolveCall& call, Contact& contact, Solved& solved) {
+  auto& problem = *contact.problem;
+  ElasticSystem system = system_of(call, problem, problem.mesh);
+  // and stays: what a solution left belongs to its line or surface
+  if (!contact.solved) problem.choose_sides(system);
+  auto held = hold_against_noise(call, problem, system);
+  solved.holding = std::move(held.loads);
+  solved.system = std::make_shared<const ElasticSystem>(std::move(system));
+  return held.motions;
 }
 
 }  // namespace ffcontact::plugin

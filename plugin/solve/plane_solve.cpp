@@ -142,12 +142,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
   require_plane_results(call.named);
   ContactProblem<2>& problem = *contact.problem;
   SolvedContact solved;
-  ElasticSystem stated = system_of(call, problem, problem.mesh);
-  // and stays: what a solution left belongs to its line
-  if (!contact.solved) problem.choose_sides(stated);
-  const auto held = hold_against_noise(call, problem, stated);
-  solved.holding = held.loads;
-  solved.system = std::make_shared<const ElasticSystem>(std::move(stated));
+  const MatrixXd sliding = put_system(call, contact, solved);
   const ElasticSystem& system = *solved.system;
   const ContactStates last = last_states(contact);
   solved.law = law_of(call, contact, last);
@@ -160,7 +155,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
     answer_no_equilibrium(call, problem.joined.first_vertex, none);
     return 0;
   }
-  held.take_out_of(problem.mesh, solved.solution.displacement);
+  take_out(problem.mesh, sliding, solved.solution.displacement);
   const ContactSolution& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(

@@ -163,12 +163,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   require_forces(call);
   ContactProblem<3>& problem = *contact.problem;
   SolvedSolid solved;
-  ElasticSystem stated = system_of(call, problem, problem.mesh);
-  // and stays: what a solution left belongs to its surface
-  if (!contact.solved) problem.choose_sides(stated);
-  const auto held = hold_against_noise(call, problem, stated);
-  solved.holding = held.loads;
-  solved.system = std::make_shared<const ElasticSystem>(std::move(stated));
+  const MatrixXd sliding = put_system(call, contact, solved);
   const ElasticSystem& system = *solved.system;
   Guess last = guess_at(problem, contact.last);
   solved.law = law_of(call, contact, last.state);
@@ -191,7 +186,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
     answer_no_equilibrium(call, problem.joined.first_vertex, none);
     return 0;
   }
-  held.take_out_of(problem.mesh, solved.solution.displacement);
+  take_out(problem.mesh, sliding, solved.solution.displacement);
   const SurfaceSolution& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(

@@ -11,12 +11,12 @@ using namespace test;
 
 /// The estimate of a pin that is held against noise.
 Estimate<2> estimate_of_held(Problem problem) {
-  const LoadsOfCells<2> loads = held(problem);
-  problem.b += sum_at_vertices(problem.mesh, loads);
+  const BodyLoadsOfCells<2> loads = held(problem);
+  add_body_loads(problem.mesh, loads, problem.b);
   const ElasticSystem system = problem.system();
   SolvedBody<2> body = solved_body(
       problem, solve_contact(problem.mesh, problem.line, problem.law, system));
-  body.body_loads += loads;
+  if (loads.cols() > 0) body.body_loads += loads;
   return estimate_error<2>(topology_of(problem.mesh), problem.line, system,
                            body);
 }

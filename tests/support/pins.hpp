@@ -37,7 +37,7 @@ inline MatrixXd sliding(const Problem& problem) {
 
 /// Turns contact directions across what slides.
 /// @return what balances the loads along it
-inline LoadsOfCells<2> held(Problem& problem) {
+inline BodyLoadsOfCells<2> held(Problem& problem) {
   const MatrixXd motions = sliding(problem);
   turn_across(motions, problem.line);
   return holding_loads(problem.mesh, motions, problem.b);

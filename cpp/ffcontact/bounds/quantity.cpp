@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/bounds/quantity.hpp"
 
-#include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/elastic/body_loads.hpp"
 #include "ffcontact/elastic/inner_forces.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
 
@@ -12,10 +12,7 @@ VectorXd load_of(const SimplexMesh<d>& mesh, const Quantity<d>& quantity) {
   VectorXd load = boundary_forces<d>(mesh, quantity.tractions);
   if (!quantity.stress.empty())
     load += inner_forces<d>(mesh, quantity.stress.mean);
-  for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k <= d; ++k)
-      vector_at<d>(load, mesh.cells(k, t)) +=
-          quantity.body_loads.col(t).template segment<d>(d * k);
+  add_body_loads(mesh, quantity.body_loads, load);
   return load;
 }
 

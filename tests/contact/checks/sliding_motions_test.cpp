@@ -12,10 +12,9 @@ using namespace test;
 
 /// Solved as it is held.
 ContactSolution held_solution(Problem problem) {
-  const VectorXd load =
-      problem.b + sum_at_vertices(problem.mesh, held(problem));
-  const ElasticSystem system = elastic_system(problem.A, load);
-  return solve_contact(problem.mesh, problem.line, problem.law, system);
+  add_body_loads(problem.mesh, held(problem), problem.b);
+  return solve_contact(problem.mesh, problem.line, problem.law,
+                       problem.system());
 }
 
 TEST(SlidingMotions, a_pin_without_friction_turns_about_its_axis) {
@@ -79,9 +78,9 @@ TEST(SlidingMotions, noise_of_loads_is_balanced_and_no_more) {
   add_traction(block, top, {0, -1});
   add_body_force(block, {1e-6, 0});
   const MatrixXd motions = sliding(block);
-  const Matrix<double, 6, Dynamic> loads =
-      holding_loads(block.mesh, motions, block.b);
-  const VectorXd held = block.b + sum_at_vertices(block.mesh, loads);
+  const BodyLoadsOfCells<2> loads = holding_loads(block.mesh, motions, block.b);
+  VectorXd held = block.b;
+  add_body_loads(block.mesh, loads, held);
   EXPECT_LT((motions.transpose() * held).cwiseAbs().maxCoeff(),
             1e-15 * block.b.lpNorm<1>());
   // here a constant force, that of the loads turned round

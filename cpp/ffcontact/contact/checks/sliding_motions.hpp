@@ -7,6 +7,7 @@
 #include "ffcontact/contact/checks/line_balance.hpp"
 #include "ffcontact/contact/checks/sliding_combinations.hpp"
 #include "ffcontact/contact/checks/surface_balance.hpp"
+#include "ffcontact/elastic/body_loads.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
 /// Rigid motions that slide along all of the contact, as a round pin without friction turns in
@@ -32,6 +33,7 @@ struct RigidMotions {
   MatrixXd sliding;  ///< that loads drive by no more than noise
   MatrixXd others;   ///< which contact holds, or nothing
 
+  bool none() const { return sliding.cols() + others.cols() == 0; }
   MatrixXd all() const {
     MatrixXd both = sliding;
     append(others, both);
@@ -64,32 +66,11 @@ double turn_across(const MatrixXd& sliding, Nodes& nodes) {
   return (nodes.normal - before).colwise().norm().maxCoeff();
 }
 
-/// Loads int f phi at the vertices of each cell [N/mm, in space N], vertex by vertex.
+/// The body force, a combination of sliding motions, that balances loads along them; no
+/// columns where they are balanced to rounding.
 template <int dim>
-using LoadsOfCells = Matrix<double, dim*(dim + 1), Dynamic>;
-
-/// Those of a body force, lumped.
-/// @param force  its values at the vertices [dofs]
-template <int dim>
-LoadsOfCells<dim> lumped_loads(const SimplexMesh<dim>& mesh,
-                               const VectorXd& force);
-
-/// Of cells, on all dofs.
-template <int dim>
-VectorXd sum_at_vertices(const SimplexMesh<dim>& mesh,
-                         const LoadsOfCells<dim>& loads);
-
-/// Volumes int phi that belong to the dofs.
-template <int dim>
-VectorXd lumped_volumes(const SimplexMesh<dim>& mesh) {
-  const VectorXd one = VectorXd::Ones(mesh.vertices.size());
-  return sum_at_vertices(mesh, lumped_loads(mesh, one));
-}
-
-/// The body force, a combination of sliding motions, that balances loads along them; none
-/// where they are balanced to rounding.
-template <int dim>
-LoadsOfCells<dim> holding_loads(const SimplexMesh<dim>& mesh,
-                                const MatrixXd& sliding, const VectorXd& load);
+BodyLoadsOfCells<dim> holding_loads(const SimplexMesh<dim>& mesh,
+                                    const MatrixXd& sliding,
+                                    const VectorXd& load);
 
 }  // namespace ffcontact

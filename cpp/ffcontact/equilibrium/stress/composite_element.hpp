@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/elastic/body_loads.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 
 namespace ffcontact {
@@ -33,10 +34,7 @@ using FacetLoads = Matrix<double, d, d*(d + 1)>;
 /// int f phi_i at the vertices; they fix the constant values of f on the subcells.
 template <int d>
 using CellBodyLoads = Matrix<double, d, d + 1>;
-/// CellBodyLoads per cell, column-major.
-template <int d>
-using BodyLoadsOfCells =
-    Matrix<double, CompositeElement<d>::body_loads, Dynamic>;
+/// A column of BodyLoadsOfCells.
 template <int d>
 CellBodyLoads<d> loads_in_cell(const BodyLoadsOfCells<d>& loads, int cell) {
   return loads.col(cell).reshaped(d, d + 1);

@@ -53,27 +53,6 @@ void require_loads_of_solution(const SolvedProblem<d>& solved,
   }
 }
 
-/// The loads without stresses.
-template <int d>
-NodalResidual<d> residual_of_loads(const SolvedProblem<d>& solved,
-                                   const FacetTractions<d>& boundary) {
-  const CellStresses<d> no_stress =
-      CellStresses<d>::Zero(voigt_size<d>, solved.topology.mesh.cell_count());
-  return nodal_residual(solved.topology, no_stress, solved.body.body_loads,
-                        boundary);
-}
-
-/// Rigid motions, and what contact forces must do along them to balance the loads.
-template <int d>
-HeldMotions held_motions(const SolvedProblem<d>& solved,
-                         const FacetTractions<d>& without_contact,
-                         const MatrixXd& motions) {
-  if (motions.cols() == 0) return {motions, VectorXd(0), VectorXd(0)};
-  const NodalResidual<d> loads = residual_of_loads(solved, without_contact);
-  return {motions, -motions.transpose() * loads.missing.reshaped(),
-          motions.transpose() * computed_forces(solved)};
-}
-
 /// Names the vertex on which most of the contact force stands.
 template <int d>
 [[noreturn]] void refuse_unheld(const SolvedProblem<d>& solved) {
@@ -116,18 +95,13 @@ NodalResidual<d> residual_with(const SolvedProblem<d>& solved,
                           bodies.boundary_with(contact.densities));
 }
 
-/// Loads and r_hat at the vertices [dofs].
+/// Rigid motions, and what contact forces must do along them to balance the loads.
 template <int d>
-VectorXd outer_forces(const SolvedProblem<d>& solved,
-                      const MatchedBodies<d>& bodies,
-                      const ContactTractions<d>& contact,
-                      const FacetTractions<d>& without_contact) {
-  const CellStresses<d> no_stress =
-      CellStresses<d>::Zero(voigt_size<d>, solved.topology.mesh.cell_count());
-  const NodalResidual<d> all =
-      residual_with(solved, bodies, contact, no_stress,
-                    residual_of_loads(solved, without_contact));
-  return all.missing.reshaped();
+HeldMotions held_motions(const SolvedProblem<d>& solved,
+                         const NodalResidual<d>& loads,
+                         const MatrixXd& motions) {
+  return {motions, -motions.transpose() * loads.missing.reshaped(),
+          motions.transpose() * computed_forces(solved)};
 }
 
 /// r_hat, and loads against the noise of what it and the given loads do along sliding motions.
@@ -138,20 +112,26 @@ FirstTractions<d> tractions_in_cone(const SolvedProblem<d>& solved,
                                     const FacetTractions<d>& without_contact,
                                     const EstimateSettings<d>& settings,
                                     const Ref<const VectorXd>& u_hat) {
-  const auto that_hold = [&](const MatrixXd& held) -> FirstTractions<d> {
-    auto found = contact_tractions(solved, bodies,
-                                   held_motions(solved, without_contact, held),
-                                   settings, u_hat);
+  const auto that_hold = [&](const HeldMotions& held) -> FirstTractions<d> {
+    auto found = contact_tractions(solved, bodies, held, settings, u_hat);
     if (!found) refuse_unheld(solved);
     return {*std::move(found), {}};
   };
-  FirstTractions<d> first = that_hold(motions.others);
+  if (motions.none()) return that_hold({motions.others, {}, {}});
+  const SimplexMesh<d>& mesh = solved.topology.mesh;
+  const CellStresses<d> no_stress =
+      CellStresses<d>::Zero(voigt_size<d>, mesh.cell_count());
+  const NodalResidual<d> loads = nodal_residual(
+      solved.topology, no_stress, solved.body.body_loads, without_contact);
+  FirstTractions<d> first =
+      that_hold(held_motions(solved, loads, motions.others));
   if (motions.sliding.cols() == 0) return first;
-  const VectorXd forces =
-      outer_forces(solved, bodies, first.contact, without_contact);
-  if (!is_noise(forces, motions.sliding)) return that_hold(motions.all());
-  auto loads = holding_loads(solved.topology.mesh, motions.sliding, forces);
-  if (!loads.isZero(0)) first.holding = std::move(loads);
+  const NodalResidual<d> outer =
+      residual_with(solved, bodies, first.contact, no_stress, loads);
+  const VectorXd forces = outer.missing.reshaped();
+  if (!is_noise(forces, motions.sliding))
+    return that_hold(held_motions(solved, loads, motions.all()));
+  first.holding = holding_loads(mesh, motions.sliding, forces);
   return first;
 }
 
