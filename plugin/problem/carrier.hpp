@@ -49,7 +49,6 @@ inline void append_of_line(const Carrier<2>& more, Carrier<2>& all) {
   append(more.abscissa, all.abscissa);
   append(more.own_normal, all.own_normal);
   append(more.edge_abscissa, all.edge_abscissa);
-  all.law.bonded = more.law.bonded;
   append_range(more.law.between_nodes, all.law.between_nodes);
   append_range(more.law.limit_between_nodes, all.law.limit_between_nodes);
   append_range(more.kinetic.between_nodes, all.kinetic.between_nodes);
@@ -65,6 +64,7 @@ void append_stated(const Carrier<d>& more, Carrier<d>& all) {
        {&Law::friction, &Law::slip_bound, &Law::shear_limit, &Law::gap})
     append(more.law.*nodal, all.law.*nodal);
   append(more.kinetic.friction, all.kinetic.friction);
+  all.law.bonded = more.law.bonded;
   if constexpr (d == 2) append_of_line(more, all);
 }
 

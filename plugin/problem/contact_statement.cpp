@@ -85,14 +85,10 @@ bool is_bonded(Stack stack, const NamedArguments& named) {
   return named.flag(stack, "bonded");
 }
 
-void require_law_of_bodies(Stack stack, const NamedArguments& named, int bodies,
-                           bool are_solids) {
+void require_law_of_bodies(Stack stack, const NamedArguments& named,
+                           int bodies) {
   require_names_of_bodies(named, stated_of_bodies, bodies);
   require_law(stack, named);
-  if (are_solids && is_bonded(stack, named))
-    refuse(
-        "bonded= is for plane bodies: make one mesh3 of bodies that are "
-        "bonded, with a region for each material");
 }
 
 VectorXd stated_previous(Stack stack, const NamedArguments& named,

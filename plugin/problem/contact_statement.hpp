@@ -18,10 +18,10 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments);
 /// Are the bodies glued to what they face?
 bool is_bonded(Stack stack, const NamedArguments& named);
 
-/// @throws std::invalid_argument  if no law is stated, or bonded= beside another one or of
-///                                solids; or a parameter of a body that there is not
-void require_law_of_bodies(Stack stack, const NamedArguments& named, int bodies,
-                           bool are_solids);
+/// @throws std::invalid_argument  if no law is stated, or bonded= beside another one; or a
+///                                parameter of a body that there is not
+void require_law_of_bodies(Stack stack, const NamedArguments& named,
+                           int bodies);
 
 /// By compliance=[cn, ct].
 /// @throws std::invalid_argument  if previous= is given beside ct, whose part of it is not known

@@ -9,6 +9,7 @@
 #include "ffcontact/interface/pairing/smooth_surface_distances.hpp"
 //
 #include "freefem/solid_values.hpp"
+#include "problem/contact_statement.hpp"
 #include "problem/pair_sides.hpp"
 #include "problem/solid_report.hpp"
 
@@ -53,34 +54,46 @@ void require_one_side(const Statement<3>& said, const StatedPair& pair,
       in_words(Vector3d(said.mesh.origin + middle)));
 }
 
-/// With the gap between the smooth surfaces of both bodies.
+/// With the gap between the smooth surfaces of both bodies, where it counts.
 std::vector<FacingPolygon> smooth_polygons(const Statement<3>& said,
                                            const ContactSurface& own,
                                            const std::vector<int>& opposite) {
   std::vector<FacingPolygon> polygons =
       facing_polygons(said.mesh, said.facets, own, opposite);
+  if (is_bonded(said.stack, said.named)) return polygons;
   smooth_distances(said.mesh, said.facets, own,
                    contact_surface(said.mesh, said.facets, opposite), polygons);
   return polygons;
 }
 
 /// @param places  of the nodes on the body that comes first, or of what they face there
-Carrier<3> carrier(const Statement<3>& said, int body, FacingSurface facing,
-                   const std::vector<FacePlace>& places) {
+/// @param gap     between bodies, where gap= is not given
+void put_law(const Statement<3>& said, int body,
+             const std::vector<FacePlace>& places, VectorXd gap,
+             Carrier<3>& carrier) {
   const NamedArguments& named = said.named;
+  SurfaceLaw& law = carrier.law;
+  if (is_bonded(said.stack, named)) {
+    law = bonded_law<SurfaceLaw>(count_of(places));
+    return;
+  }
   const auto read = [&](const char* name) {
     return at_places(said.stack, named.expression(name), said.part(body),
                      places, 0);
   };
-  Carrier<3> result;
-  result.law.friction = read("friction");
+  law.friction = read("friction");
   if (named.given("kineticfriction"))
-    result.kinetic.friction = read("kineticfriction");
+    carrier.kinetic.friction = read("kineticfriction");
   if (named.given("slipbound"))
-    (named.given("friction") ? result.law.shear_limit : result.law.slip_bound) =
+    (named.given("friction") ? law.shear_limit : law.slip_bound) =
         read("slipbound");
-  if (named.given("gap")) facing.gap = read("gap");
-  result.law.gap = facing.gap;
+  law.gap = named.given("gap") ? read("gap") : std::move(gap);
+}
+
+Carrier<3> carrier(const Statement<3>& said, int body, FacingSurface facing,
+                   const std::vector<FacePlace>& places) {
+  Carrier<3> result;
+  put_law(said, body, places, std::move(facing.gap), result);
   result.contact = std::move(facing.surface);
   for (const FacePlace& place : places) {
     Index nearest;
@@ -158,8 +171,9 @@ PairSides<3> sides_of(const Statement<3>& said,
   require_one_side(said, pair, own);
   std::vector<FacingPolygon> polygons;
   if (!pair.rigid()) polygons = smooth_polygons(said, own, pair.opposite);
-  report_surfaces(said.bodies.joined, said.facets, pair,
-                  {said.named.given("normal"), said.named.given("gap")});
+  if (!is_bonded(said.stack, said.named))
+    report_surfaces(said.bodies.joined, said.facets, pair,
+                    {said.named.given("normal"), said.named.given("gap")});
   if (pair.rigid())
     return {true, 1, carrier(said, pair.body, {own, {}}, places_of_nodes(own))};
   return facing_sides(said, pair, own, polygons,

@@ -138,7 +138,7 @@ template <int dim>
 std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
                                      const JoinedBodies<dim>& joined) {
   const int bodies = joined.body_count();
-  require_law_of_bodies(stack, named, bodies, dim == 3);
+  require_law_of_bodies(stack, named, bodies);
   if (bodies > 1 && named.given("opposite"))
     refuse("opposite= is given, but the contact has ", bodies, " meshes");
   if (bodies == 1 && named.given("pairs"))

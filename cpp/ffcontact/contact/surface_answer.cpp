@@ -67,7 +67,7 @@ FixedPointResult surface_answer(const CondensedContact& contact,
   const ContactStates start = settings.first_states(law.node_count());
   const NewtonSettings limits{settings.max_iterations, settings.tolerance,
                               settings.report};
-  if (settings.solver == ContactSolver::fixed_point)
+  if (settings.solver == ContactSolver::fixed_point && !law.is_bonded())
     return surface_fixed_point(contact, law, held, start, limits);
   FixedPointResult result{newton_answer(contact, law, held, start, limits), {}};
   if (const int left = systems_left(limits, result.answer);

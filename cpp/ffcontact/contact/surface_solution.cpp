@@ -16,6 +16,7 @@
 #include "ffcontact/contact/multigrid_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -26,21 +27,47 @@ namespace {
 /// Penetrations of prescribed vertices below this part of the displacements are rounding.
 constexpr double penetration_of_rounding = 1e-10;
 
-/// @throws std::invalid_argument  if prescribed dofs hold a vertex inside the foundation
+/// Motions along a direction below this are rounding.
+constexpr double no_motion = 1e-6;
+
+/// What prescribed dofs alone make of v, 0 where a free one takes part [3 x p].
+Matrix3Xd given_motions(const ContactSurface& surface, const SurfaceLaw& law,
+                        const ElasticSystem& system) {
+  Matrix3Xd v = displacement_against_foundation(surface, law,
+                                                system.prescribed_value);
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const Matrix3d frame = surface.frame(i);
+    const auto leave_out = [&](int vertex, double weight) {
+      const Matrix3Xd free =
+          weight * frame.transpose() * free_axes<3>(vertex, system.prescribed);
+      for (int c = 0; c < 3; ++c)
+        if (free.row(c).norm() > no_motion) v(c, i) = 0;
+    };
+    leave_out(surface.vertex[i], 1);
+    visit_opposite(surface, i, leave_out);
+  }
+  return v;
+}
+
+/// @throws std::invalid_argument  if prescribed dofs hold a vertex inside the foundation, or
+///                                a bonded one off what it faces
 void require_clear(const SolidMesh& mesh, const ContactSurface& surface,
-                   const SurfaceLaw& law, const ElasticSystem& system,
-                   const Flags& held) {
-  const VectorXd& given = system.prescribed_value;
-  const Matrix3Xd v = displacement_against_foundation(surface, law, given);
-  const double least =
-      penetration_of_rounding * largest_displacement(law, given);
-  for (int i = 0; i < surface.node_count(); ++i)
-    if (held[3 * i] && v(0, i) > least)
+                   const SurfaceLaw& law, const ElasticSystem& system) {
+  const Matrix3Xd v = given_motions(surface, law, system);
+  const double least = penetration_of_rounding *
+                       largest_displacement(law, system.prescribed_value);
+  for (int i = 0; i < surface.node_count(); ++i) {
+    const int vertex = surface.vertex[i];
+    if (law.bonded && v.col(i).norm() > least)
+      refuse("prescribed displacements hold what is bonded ", v.col(i).norm(),
+             " apart at ", in_words(mesh.place(vertex)),
+             ": make them the same on both sides, or free one of them");
+    if (!law.bonded && v(0, i) > least)
       refuse(
           "no admissible displacement: prescribed displacements hold vertex ",
-          surface.vertex[i], " ", in_words(mesh.place(surface.vertex[i])), " ",
-          v(0, i),
+          vertex, " ", in_words(mesh.place(vertex)), " ", v(0, i),
           " inside the foundation; prescribe less there, or a larger gap=");
+  }
 }
 
 void require_sound(const SolidMesh& mesh, const ContactSurface& surface,
@@ -269,7 +296,7 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
   SurfaceTrace trace = surface_trace(surface, law, system);
   trace.trace.free_motions =
       unheld_motions(mesh, system)(trace.trace.kept_dofs, Eigen::all);
-  require_clear(mesh, surface, law, system, trace.held);
+  require_clear(mesh, surface, law, system);
   const StatedSurface stated{surface, law, system, settings, trace};
   if (!takes_multigrid(stated)) return factored_solution(mesh, stated);
   if (std::optional<SurfaceSolution> solution =

@@ -5,7 +5,9 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/law/bounded_friction.hpp"
 #include "ffcontact/estimate/contact_steps.hpp"
+#include "ffcontact/estimate/displacement/bonded_displacement.hpp"
 #include "ffcontact/estimate/displacement/sticking_displacement.hpp"
+#include "ffcontact/estimate/error/jump_on_surface.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
@@ -41,6 +43,12 @@ SurfaceTractions tractions_on(const std::vector<ContactFacet<3>>& faces,
   return tractions.contact.on_faces(Eigen::all, surface_faces(faces));
 }
 
+/// What bonded bodies jump by between the vertices of the one that follows.
+BondedJump jump_of(const MatchedBodies<3>& bodies, const VectorXd& u_hat) {
+  return bonded_jump(bodies.topology(), bodies.contact(), bodies.body().hooke,
+                     bodies.prescribed(), u_hat);
+}
+
 /// Does e pay for next to nothing but friction without bound on what the displacements of
 /// surfaces that do not match differ by between their nodes? No u_hat sticks there.
 bool pays_for_rough_faces(const MatchedBodies<3>& bodies,
@@ -65,6 +73,7 @@ template <>
 VectorXd displacement_of_pair(const SolvedProblem<3>& solved,
                               const MatchedBodies<3>&) {
   const auto& [topology, surface, system, body] = solved;
+  if (body.law.bonded) return bonded_displacement(solved);
   const VectorXd clear = sticking_displacement(
       solved, admissible_displacement(topology.facets, surface, body.law,
                                       body.displacement, system.prescribed));
@@ -105,6 +114,7 @@ VectorXd contact_part_of(const MatchedBodies<3>& bodies,
                          const Compared<3>& compared,
                          const RelaxedTractions<3>& tractions) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
+  if (compared.law.bonded) return VectorXd::Zero(bodies.contact().face_count());
   return contact_error(mesh, faces, bodies.contact(), compared.law,
                        tractions.facets, fields_of(tractions.contact),
                        compared.displacement);
@@ -142,6 +152,7 @@ double cone_violation(const MatchedBodies<3>& bodies,
 template <>
 DeepestNode deepest_node(const MatchedBodies<3>& bodies,
                          const VectorXd& u_hat) {
+  if (bodies.body().law.bonded) return jump_of(bodies, u_hat).left;
   return deepest_node(bodies.topology().facets, bodies.contact(),
                       bodies.body().law, u_hat);
 }
@@ -150,6 +161,7 @@ template <>
 BetweenNodes between_nodes(const MatchedBodies<3>& bodies,
                            const ContactTractions<3>& contact,
                            const VectorXd& u_hat) {
+  if (bodies.body().law.bonded) return {};
   return between_nodes(bodies.topology().facets, bodies.contact(),
                        bodies.body().law, fields_of(contact), u_hat);
 }
@@ -159,6 +171,7 @@ std::string reason_of(const MatchedBodies<3>& bodies,
                       const RelaxedTractions<3>& tractions,
                       const WorstPlaces& worst, const EstimateSettings<3>&,
                       const Estimate<3>& estimate) {
+  if (bodies.body().law.bonded) return reason_against_bonded(estimate, worst);
   const std::string reason = reason_against(estimate, worst);
   if (reason.empty() && bodies.body().law.layer.tangential > 0 &&
       turns(bodies.contact()))
@@ -180,6 +193,8 @@ void put_fields(MatchedBodies<3>& bodies, RelaxedTractions<3> tractions,
   estimate.oscillation =
       traction_oscillation(mesh, faces, bodies.contact(), bodies.body().hooke,
                            fields_of(tractions.contact));
+  if (bodies.body().law.bonded)
+    estimate.oscillation += jump_of(bodies, estimate.displacement).norm;
   estimate.moments = std::move(tractions.moments);
   estimate.tractions = std::move(tractions.contact.densities);
   estimate.face_tractions = std::move(tractions.contact.on_faces);

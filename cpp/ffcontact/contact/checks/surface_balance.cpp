@@ -10,8 +10,16 @@ namespace ffcontact {
 
 namespace {
 
+/// What bonded nodes have, both ways.
+Matrix3Xd forces_along_axes() {
+  Matrix3Xd forces(3, 6);
+  forces << Matrix3d::Identity(), -Matrix3d::Identity();
+  return forces;
+}
+
 /// Forces of size 1 that span the cone of a node, from a thousandth outside [3 x k].
 Matrix3Xd spanning_forces(const FrictionCone& cone) {
+  if (cone.bonded) return forces_along_axes();
   constexpr int sides = 64;
   if (cone.frictionless()) return Vector3d(-1, 0, 0);
   const bool given = !cone.depends_on_contact();

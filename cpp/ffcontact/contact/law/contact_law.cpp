@@ -93,13 +93,6 @@ EdgeRange enclosing_range(const Ref<const MatrixXd>& samples) {
   return range;
 }
 
-ContactLaw bonded_law(int nodes) {
-  ContactLaw law;
-  law.friction = VectorXd::Zero(nodes);
-  law.bonded = true;
-  return law;
-}
-
 ContactLaw on_layer(ContactLaw law, const Ref<const Matrix2Xd>& traction) {
   if (!law.layer.given()) return law;
   law.carried = traction;

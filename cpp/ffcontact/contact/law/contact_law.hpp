@@ -64,9 +64,15 @@ struct ContactLaw {
 /// @param samples  one column per edge [at least 2 x m]
 EdgeRange enclosing_range(const Ref<const MatrixXd>& samples);
 
-/// The law of a line that is bonded to what it faces, as both are drawn: the jump of u is
-/// 0, whatever distance there is between them.
-ContactLaw bonded_law(int nodes);
+/// The law of a line or surface that is bonded to what it faces, as both are drawn: the jump
+/// of u is 0, whatever distance there is between them.
+template <class Law = ContactLaw>
+Law bonded_law(int nodes) {
+  Law law;
+  law.friction = VectorXd::Zero(nodes);
+  law.bonded = true;
+  return law;
+}
 
 /// @throws std::invalid_argument  if sizes differ from the line's or a coefficient is
 ///                                negative or not finite

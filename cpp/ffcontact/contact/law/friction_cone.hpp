@@ -14,7 +14,7 @@ namespace ffcontact {
 /// What a law lets tractions or multipliers be at one place:
 ///     P_n <= 0,   |P_t| <= min(c + mu |P_n|, k)
 /// Coulomb's law has mu alone, with a shear limit k beside it; Tresca's has c alone, its
-/// given bound. In units of P. Where bodies are bonded the cone is all of the plane.
+/// given bound. In units of P. Where bodies are bonded the cone is all of the plane or space.
 struct FrictionCone {
   double cohesion = 0;                                     ///< c
   double friction = 0;                                     ///< mu
@@ -28,6 +28,10 @@ struct FrictionCone {
   bool at_limit(double Pn) const { return cohesion - friction * Pn > limit; }
   bool frictionless() const {
     return !bonded && ((cohesion == 0 && friction == 0) || limit == 0);
+  }
+  /// How far P with |P_t| = `along` is outside, 0 inside.
+  double violation(double Pn, double along) const {
+    return bonded ? 0 : std::max({0.0, Pn, along - bound(Pn)});
   }
   /// Does friction ask for contact? A bound that is given holds open places, too.
   bool depends_on_contact() const { return friction > 0; }

@@ -24,6 +24,7 @@ double missed_slip(const Vector2d& Pt, const Vector2d& vt, double bound) {
 /// P, v and the cone's c and k relative.
 double surface_violation_at(const FrictionCone& cone, const Vector3d& P,
                             const Vector3d& v) {
+  if (cone.bonded) return max_norm(v);
   const Vector2d Pt = P.tail<2>(), vt = v.tail<2>();
   const double bound =
       std::min(cone.cohesion - cone.friction * P[0], cone.limit);
@@ -75,6 +76,7 @@ std::vector<FrictionCone> law_cones(const SurfaceLaw& law,
     else
       cone.friction = law.friction[i];
     if (law.shear_limit.size() > 0) cone.limit = law.shear_limit[i];
+    cone.bonded = law.bonded;
   }
   return cones;
 }

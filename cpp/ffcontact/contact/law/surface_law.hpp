@@ -13,13 +13,15 @@ namespace ffcontact {
 /// for v = (u_n - gap, u_t - previous) and the nodal forces P = F that load the bodies
 /// (M''_h), with b of ContactLaw and Tresca's bound and the shear limit times the area of
 /// the node; |.| is Euclid's norm, the cone is a circular one.
+/// v = 0 and P of any size and direction where it is bonded.
 struct SurfaceLaw {
   VectorXd friction;    ///< mu >= 0 [p]
   VectorXd slip_bound;  ///< Tresca's bound [MPa, p], in place of mu; or empty
   VectorXd
       shear_limit;  ///< largest |lambda_t| of Coulomb's law [MPa, p]; or empty
   VectorXd gap;     ///< along n [mm, p]; empty for none
-  Matrix2Xd previous;  ///< u_t of the load step before [mm, 2 x p]; or empty
+  Matrix2Xd previous;   ///< u_t of the load step before [mm, 2 x p]; or empty
+  bool bonded = false;  ///< glued to what it faces, as of ContactLaw
   CompliantLayer layer{};  ///< in the interface
   /// (r_n, r_t1, r_t2) at the nodes that it carries, as of ContactLaw [MPa, 3 x p]; or empty
   Matrix3Xd carried{};

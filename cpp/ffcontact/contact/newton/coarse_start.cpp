@@ -102,6 +102,7 @@ class Coarse {
     for (int a = 0; a < weights_.cols(); ++a) {
       FrictionCone& cone = law_.cone[a];
       cone.limit = 0;
+      cone.bonded = law.is_bonded();
       for (SparseMatrix::InnerIterator e(weights_, a); e; ++e) {
         const FrictionCone& own = law.cone[e.row()];
         const double area = e.value() * surface_.area[e.row()];

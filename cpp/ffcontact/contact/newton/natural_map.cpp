@@ -26,6 +26,7 @@ double mean_diagonal(const VectorXd& diagonal, const VectorXi& position,
 }  // namespace
 
 Vector3d projected(const FrictionCone& cone, const Vector3d& tau) {
+  if (cone.bonded) return tau;
   const double rho = cone.bound(tau[0]), length = tau.tail<2>().norm();
   const double share = length > rho ? rho / length : 1;
   return {std::min(tau[0], 0.0), share * tau[1], share * tau[2]};
@@ -33,6 +34,7 @@ Vector3d projected(const FrictionCone& cone, const Vector3d& tau) {
 
 NodeState node_state(const FrictionCone& cone, const Vector3d& tau) {
   NodeState node;
+  if (cone.bonded) return node;
   node.open = tau[0] >= 0;
   const double rho = cone.bound(tau[0]), length = tau.tail<2>().norm();
   node.slips = rho == 0 || length > rho;
@@ -46,7 +48,7 @@ NodeState node_state(const FrictionCone& cone, const Vector3d& tau) {
 
 NodeState node_state(const FrictionCone& cone, ContactState start) {
   NodeState node;
-  node.open = is_open(start);
+  node.open = is_open(start) && !cone.bonded;
   node.slips = cone.frictionless() || node.open;
   return node;
 }

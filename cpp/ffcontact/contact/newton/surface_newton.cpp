@@ -23,7 +23,7 @@ void put_into_law(const NodalLaw& law, const Flags& held,
                   ActiveSetResult& result) {
   for (int i = 0; i < law.node_count(); ++i) {
     auto P = result.P.segment<3>(3 * i);
-    P[0] = std::min(P[0], 0.0);
+    if (!law.cone[i].bonded) P[0] = std::min(P[0], 0.0);
     const double bound = law.cone[i].bound(P[0]), length = P.tail<2>().norm();
     const bool slips = result.state[i] == ContactState::slip_forward;
     if (length > bound || (slips && length > 0)) P.tail<2>() *= bound / length;

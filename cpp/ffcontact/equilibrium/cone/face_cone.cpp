@@ -29,8 +29,8 @@ template <>
 double cone_violation(const ContactFacet<3>& face, const Matrix3d& traction) {
   double largest = 0;
   for (int i = 0; i < 3; ++i) {
-    const double rn = traction(0, i), rt = traction.col(i).tail<2>().norm();
-    largest = std::max({largest, rn, rt - face.cone[i].bound(rn)});
+    const double rt = traction.col(i).tail<2>().norm();
+    largest = std::max(largest, face.cone[i].violation(traction(0, i), rt));
   }
   return largest;
 }

@@ -58,8 +58,8 @@ InnerCone inner_cone(const FrictionCone& cone, const Vector3d& present,
     inner.C.row(rows) = row;
     inner.d[rows++] = std::min(limit, row.dot(present));
   };
-  add({-1, 0, 0}, 0);
-  if (!cone.frictionless()) {
+  if (!cone.bonded) add({-1, 0, 0}, 0);
+  if (!cone.bonded && !cone.frictionless()) {
     const std::vector<double> angles =
         ray_angles(cone, present, direction, largest);
     for (std::size_t k = 1; k < angles.size(); ++k) {

@@ -21,4 +21,9 @@ namespace ffcontact {
 /// group the jump stays, too (see deepest_node).
 VectorXd bonded_displacement(const MatchedBodies<2>& bodies);
 
+/// The same of solids, whose surfaces have no common refinement: the vertices of the body that
+/// follows (following_parts) take what they face. Between them w is added to it, which is
+/// known by its norm alone (bonded_jump).
+VectorXd bonded_displacement(const SolvedProblem<3>& solved);
+
 }  // namespace ffcontact

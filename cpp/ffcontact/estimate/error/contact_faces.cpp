@@ -36,6 +36,13 @@ void put_motion(const FaceMotion& motion, double least, double rounding,
   }
 }
 
+/// Of bonded bodies, between which nothing moves.
+void put_rest(ContactFacet<3>& face) {
+  face.work.setZero();
+  face.slip.setZero();
+  face.direction.setZero();
+}
+
 /// Moments of tractions that turn with the directions, and back.
 void bend(ContactFacet<3>& face) {
   face.moments_of_bent.resize(9, 9);
@@ -76,11 +83,15 @@ std::vector<ContactFacet<3>> contact_faces(
     for (int i = 0; i < 3; ++i) {
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
-      face.paid[i] = paid_cone(surface, m, paid[nodes[i]]);
+      if (!law.bonded) face.paid[i] = paid_cone(surface, m, paid[nodes[i]]);
     }
     if (normals_differ(surface, m)) bend(face);
-    put_motion(motion_on_face(faces, surface, law, m, matches[m], displacement),
-               least, rounding, face);
+    if (law.bonded)
+      put_rest(face);
+    else
+      put_motion(
+          motion_on_face(faces, surface, law, m, matches[m], displacement),
+          least, rounding, face);
     contact.push_back(face);
   }
   return contact;

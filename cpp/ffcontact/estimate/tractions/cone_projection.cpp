@@ -66,6 +66,7 @@ PlaneProjection in_half_plane(const FrictionCone& cone, const Vector2d& r) {
 }  // namespace
 
 ConeProjection cone_projection(const FrictionCone& cone, const Vector3d& r) {
+  if (cone.bonded) return {r, Matrix3d::Identity()};
   const double size = r.tail<2>().norm();
   const auto [point, slope] = in_half_plane(cone, {r[0], size});
   if (size == 0) {

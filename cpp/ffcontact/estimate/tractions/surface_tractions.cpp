@@ -235,8 +235,8 @@ double cone_violation(const SurfaceLaw& law, const ContactSurface& surface,
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
   double largest = 0;
   for (Index i = 0; i < traction.cols(); ++i) {
-    const double rn = traction(0, i), rt = traction.col(i).tail<2>().norm();
-    largest = std::max({largest, rn, rt - cones[i].bound(rn)});
+    const double rt = traction.col(i).tail<2>().norm();
+    largest = std::max(largest, cones[i].violation(traction(0, i), rt));
   }
   return largest;
 }

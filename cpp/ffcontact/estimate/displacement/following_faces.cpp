@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/estimate/displacement/following_faces.hpp"
+
+#include <Eigen/LU>
+#include <array>
+#include <map>
+
+#include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/unions.hpp"
+#include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+/// Parts of a face below this are rounding.
+constexpr double no_part_left = 1e-9;
+/// Barycentric coordinates nearer to each other are one.
+constexpr double same_place = 1e-9;
+
+double share_of(const Matrix3Xd& place) {
+  double share = 0;
+  for (const FanTriangle& triangle : fan_of(place)) share += triangle.share;
+  return share;
+}
+
+/// A polygon from either side: the body with the multipliers follows, or its opposite.
+std::array<FollowingPart, 2> both_ways(const ContactSurface& surface,
+                                       const FacingPolygon& polygon) {
+  const int own = surface.face[polygon.contact_face],
+            opposite = polygon.opposite_face;
+  const Matrix3d& place = polygon.own_of_opposite;
+  return {{{own, opposite, polygon.own, place.inverse(), share_of(polygon.own),
+            false},
+           {opposite, own, polygon.opposite, place, share_of(polygon.opposite),
+            false}}};
+}
+
+/// The parts on one side of surfaces that hang together.
+struct Side {
+  std::vector<FollowingPart> parts;
+  std::map<int, double> covered;  ///< share of each face
+
+  void add(FollowingPart part) {
+    covered[part.face] += part.share;
+    parts.push_back(std::move(part));
+  }
+  bool covers(int face) const {
+    return covered.find(face)->second > 1 - no_part_left;
+  }
+  bool covers_all() const {
+    for (const auto& [face, share] : covered)
+      if (!covers(face)) return false;
+    return true;
+  }
+};
+using Sides = std::array<Side, 2>;
+
+bool second_follows(const Sides& sides) {
+  const bool first = sides[0].covers_all(), second = sides[1].covers_all();
+  return second &&
+         (!first || sides[1].covered.size() > sides[0].covered.size());
+}
+
+/// Numbers of the surfaces that hang together, for each facet of the mesh.
+std::vector<int> connected_surfaces(const Facets<3>& faces,
+                                    const ContactSurface& surface) {
+  Unions surfaces(faces.count());
+  std::map<int, int> face_at;  // a vertex
+  for (const FacingPolygon& polygon : surface.polygons) {
+    const int own = surface.face[polygon.contact_face];
+    surfaces.join(own, polygon.opposite_face);
+    for (const int face : {own, polygon.opposite_face})
+      for (const int v : faces.vertices.col(face))
+        surfaces.join(face_at.emplace(v, face).first->second, face);
+  }
+  return surfaces.numbers();
+}
+
+}  // namespace
+
+int FollowingPart::vertex_at(Index corner) const {
+  Index k;
+  const double nearest = place.col(corner).maxCoeff(&k);
+  return nearest > 1 - same_place ? static_cast<int>(k) : -1;
+}
+
+int FollowingPart::vertex_across(Index corner) const {
+  Index k;
+  const double farthest = place.col(corner).minCoeff(&k);
+  return farthest < same_place ? static_cast<int>(k) : -1;
+}
+
+Matrix3d FollowingPart::jumps(const Facets<3>& faces,
+                              const Ref<const VectorXd>& displacement) const {
+  const auto values = [&](int f) {
+    return vectors_at<3>(displacement, faces.vertices.col(f));
+  };
+  return values(followed) * followed_place - values(face);
+}
+
+std::vector<FollowingPart> following_parts(const Facets<3>& faces,
+                                           const ContactSurface& surface) {
+  const std::vector<int> connected = connected_surfaces(faces, surface);
+  std::map<int, Sides> all;
+  for (const FacingPolygon& polygon : surface.polygons) {
+    Sides& sides = all[connected[polygon.opposite_face]];
+    for (int k = 0; k < 2; ++k) sides[k].add(both_ways(surface, polygon)[k]);
+  }
+  std::vector<FollowingPart> following;
+  for (auto& [number, sides] : all) {
+    Side& side = sides[second_follows(sides)];
+    for (FollowingPart& part : side.parts) {
+      part.is_covered = side.covers(part.face);
+      following.push_back(std::move(part));
+    }
+  }
+  return following;
+}
+
+}  // namespace ffcontact
