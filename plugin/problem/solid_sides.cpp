@@ -5,6 +5,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/words.hpp"
 #include "ffcontact/contact/checks/compliance_ratio.hpp"
+#include "ffcontact/interface/pairing/covered_faces.hpp"
 #include "ffcontact/interface/pairing/facing_surface.hpp"
 #include "ffcontact/interface/pairing/smooth_surface_distances.hpp"
 //
@@ -145,12 +146,27 @@ std::optional<Carrier<3>> as_good(const Statement<3>& said,
   return std::nullopt;
 }
 
+/// The body that is bonded to the other one with all of its faces carries the multipliers, so
+/// that none of its corners hangs free: 1 or 2, 0 for either.
+int covered_side(const ContactSurface& own,
+                 const std::vector<FacingPolygon>& polygons) {
+  CoveredFaces first, second;
+  for (const FacingPolygon& polygon : polygons) {
+    first.add(own.face[polygon.contact_face], polygon.own);
+    second.add(polygon.opposite_face, polygon.opposite);
+  }
+  if (first.covers_all() == second.covers_all()) return 0;
+  return first.covers_all() ? 1 : 2;
+}
+
 PairSides<3> facing_sides(const Statement<3>& said, const StatedPair& pair,
                           const ContactSurface& own,
                           const std::vector<FacingPolygon>& polygons,
                           int wanted) {
   FacingSurface facing = facing_surface(said.mesh, said.facets, own, polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
+  if (wanted == 0 && is_bonded(said.stack, said.named))
+    wanted = covered_side(own, polygons);
   PairSides<3> sides{false, wanted,
                      carrier(said, pair.body, std::move(facing), places)};
   if (wanted == 2) sides.other = exchanged(said, pair);

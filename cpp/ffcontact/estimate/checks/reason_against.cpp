@@ -48,11 +48,17 @@ std::string penetration_in_words(double depth,
 }
 
 std::string jump_in_words(double jump, const Ref<const VectorXd>& widest) {
-  return "u jumps between bonded bodies by " + part_in_words(jump) +
-         " of the largest displacement at " +
-         in_words(widest, digits_of_parts) +
-         ", where displacements are prescribed: make these the same on both "
-         "sides";
+  const std::string jumps = "u jumps between bonded bodies by " +
+                            part_in_words(jump) +
+                            " of the largest displacement at " +
+                            in_words(widest, digits_of_parts);
+  if (widest.size() == 2)
+    return jumps +
+           ", where displacements are prescribed: make these the same on both "
+           "sides";
+  return jumps +
+         ", where the faces of neither body are covered by the other's, or "
+         "displacements are prescribed: take eps for an indicator";
 }
 
 std::string cone_in_words(double cone, std::size_t unmended) {

@@ -8,22 +8,15 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/unions.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/interface/pairing/covered_faces.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Parts of a face below this are rounding.
-constexpr double no_part_left = 1e-9;
 /// Barycentric coordinates nearer to each other are one.
 constexpr double same_place = 1e-9;
-
-double share_of(const Matrix3Xd& place) {
-  double share = 0;
-  for (const FanTriangle& triangle : fan_of(place)) share += triangle.share;
-  return share;
-}
 
 /// A polygon from either side: the body with the multipliers follows, or its opposite.
 std::array<FollowingPart, 2> both_ways(const ContactSurface& surface,
@@ -31,36 +24,27 @@ std::array<FollowingPart, 2> both_ways(const ContactSurface& surface,
   const int own = surface.face[polygon.contact_face],
             opposite = polygon.opposite_face;
   const Matrix3d& place = polygon.own_of_opposite;
-  return {{{own, opposite, polygon.own, place.inverse(), share_of(polygon.own),
-            false},
-           {opposite, own, polygon.opposite, place, share_of(polygon.opposite),
-            false}}};
+  return {{{own, opposite, polygon.own, place.inverse()},
+           {opposite, own, polygon.opposite, place}}};
 }
 
 /// The parts on one side of surfaces that hang together.
 struct Side {
   std::vector<FollowingPart> parts;
-  std::map<int, double> covered;  ///< share of each face
+  CoveredFaces covered;
 
   void add(FollowingPart part) {
-    covered[part.face] += part.share;
+    covered.add(part.face, part.place);
     parts.push_back(std::move(part));
-  }
-  bool covers(int face) const {
-    return covered.find(face)->second > 1 - no_part_left;
-  }
-  bool covers_all() const {
-    for (const auto& [face, share] : covered)
-      if (!covers(face)) return false;
-    return true;
   }
 };
 using Sides = std::array<Side, 2>;
 
 bool second_follows(const Sides& sides) {
-  const bool first = sides[0].covers_all(), second = sides[1].covers_all();
+  const bool first = sides[0].covered.covers_all(),
+             second = sides[1].covered.covers_all();
   return second &&
-         (!first || sides[1].covered.size() > sides[0].covered.size());
+         (!first || sides[1].covered.count() > sides[0].covered.count());
 }
 
 /// Numbers of the surfaces that hang together, for each facet of the mesh.
@@ -79,6 +63,12 @@ std::vector<int> connected_surfaces(const Facets<3>& faces,
 }
 
 }  // namespace
+
+double FollowingPart::share() const {
+  double share = 0;
+  for (const FanTriangle& triangle : fan_of(place)) share += triangle.share;
+  return share;
+}
 
 int FollowingPart::vertex_at(Index corner) const {
   Index k;
@@ -112,7 +102,7 @@ std::vector<FollowingPart> following_parts(const Facets<3>& faces,
   for (auto& [number, sides] : all) {
     Side& side = sides[second_follows(sides)];
     for (FollowingPart& part : side.parts) {
-      part.is_covered = side.covers(part.face);
+      part.is_covered = side.covered.covers(part.face);
       following.push_back(std::move(part));
     }
   }

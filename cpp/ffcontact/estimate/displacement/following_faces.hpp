@@ -15,8 +15,9 @@ struct FollowingPart {
   /// where the vertices of the face lie on the plane of the other one, barycentric: what the
   /// other one does is linear, and goes on there
   Matrix3d followed_place;
-  double share;     ///< of the area of the face
-  bool is_covered;  ///< does all of the face follow?
+  bool is_covered = false;  ///< does all of the face follow?
+
+  double share() const;  ///< of the area of the face
 
   /// The local vertex of the face that a corner is, -1 for none.
   int vertex_at(Index corner) const;

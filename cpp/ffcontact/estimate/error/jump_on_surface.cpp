@@ -138,7 +138,7 @@ class Jump {
         for (int l = 0; l < 3; ++l)
           if (mesh_.cells(k, cell) == faces_.vertices(l, part.face))
             values.col(k) = jumps.col(l);
-      squares[part.face] += part.share * energy(mesh_, hooke_, cell, values);
+      squares[part.face] += part.share() * energy(mesh_, hooke_, cell, values);
     }
     for (const auto& [face, square] : squares)
       norm_.add(faces_.cells(0, face), square);
@@ -183,8 +183,7 @@ class Jump {
       for (const int v : vertices)
         is_held = is_held && prescribed_[dof_of<3>(v, c)];
       if (is_held)
-        for (const auto& [place, h] : along)
-          leave(std::abs(h[c]), vertices[0]);
+        for (const auto& [place, h] : along) leave(std::abs(h[c]), vertices[0]);
     }
   }
 
