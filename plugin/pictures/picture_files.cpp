@@ -12,6 +12,7 @@
 //
 #include "estimate/estimate_outputs.hpp"
 #include "freefem/text_file.hpp"
+#include "pictures/name_of_law.hpp"
 #include "pictures/picture_folder.hpp"
 #include "pictures/vtu.hpp"
 
@@ -134,17 +135,12 @@ void write_law(const ContactLaw& law, int i, TextFile& text) {
        << value_or(limit, i, infinity);
 }
 
-const char* name_of(const ContactLaw& law) {
-  if (law.bonded) return "bonded";
-  return law.tresca() ? "tresca" : "coulomb";
-}
-
 void write_nodes(const fs::path& file, long step,
                  const ContactProblem<2>& problem,
                  const SolvedContact& solved) {
   const ContactLaw& law = solved.law;
   TextFile text(file);
-  text << "# step " << step << " law " << name_of(law);
+  text << "# step " << step << " law " << name_of_law(law);
   if (solved.estimate)
     text << " eps " << solved.estimate->relative << " e " << solved.estimate->e;
   text << "\n# abscissa x y ux uy facingx facingy state pn pt fn ft gap slip "

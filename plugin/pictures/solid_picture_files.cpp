@@ -11,6 +11,7 @@
 //
 #include "freefem/text_file.hpp"
 #include "pictures/gmsh_fields.hpp"
+#include "pictures/name_of_law.hpp"
 #include "pictures/picture_folder.hpp"
 #include "pictures/vtu.hpp"
 
@@ -107,8 +108,7 @@ void write_nodes(const fs::path& file, long step,
                  const ContactProblem<3>& problem, const SolvedSolid& solved,
                  const std::vector<VtuField>& fields) {
   TextFile text(file);
-  text << "# step " << step << " law "
-       << (solved.law.slip_bound.size() > 0 ? "tresca" : "coulomb");
+  text << "# step " << step << " law " << name_of_law(solved.law);
   if (solved.estimate)
     text << " eps " << solved.estimate->relative << " e " << solved.estimate->e;
   text << "\n# x y z ux uy uz nx ny nz";

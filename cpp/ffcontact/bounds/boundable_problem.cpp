@@ -29,9 +29,8 @@ void require_near(const SolvedProblem<d>& solved) {
 template <int d>
 void require_covered(const SolvedBody<d>& body, bool for_coulomb) {
   const LawOfContact<d>& law = body.law;
-  if constexpr (d == 2)
-    if (law.bonded)
-      refuse("there are no bounds of quantities of bonded bodies yet");
+  if (law.bonded)
+    refuse("there are no bounds of quantities of bonded bodies yet");
   const bool limited = law.shear_limit.size() > 0,
              with_hypothesis = for_coulomb && d == 2 && !limited;
   if (limited || (is_coulombs<d>(law) && !with_hypothesis))
