@@ -52,9 +52,8 @@ inline void prescribe_uniform_stress(SolidStack& two) {
   for (int c = 0; c < 3; ++c)
     gradient.col(c) = linear_solid_field(Vector3d::Unit(c)) -
                       linear_solid_field(Vector3d::Zero());
-  const Matrix3d stress =
-      lambda * gradient.trace() * Matrix3d::Identity() +
-      G * (gradient + Matrix3d(gradient.transpose()));
+  const Matrix3d stress = lambda * gradient.trace() * Matrix3d::Identity() +
+                          G * (gradient + Matrix3d(gradient.transpose()));
   for (const int body : {0, 1}) {
     two.problem.load(two.label(body, low_x), -stress.col(0));
     two.problem.load(two.label(body, high_x), stress.col(0));

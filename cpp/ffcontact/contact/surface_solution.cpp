@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
@@ -33,8 +34,8 @@ constexpr double no_motion = 1e-6;
 /// What prescribed dofs alone make of v, 0 where a free one takes part [3 x p].
 Matrix3Xd given_motions(const ContactSurface& surface, const SurfaceLaw& law,
                         const ElasticSystem& system) {
-  Matrix3Xd v = displacement_against_foundation(surface, law,
-                                                system.prescribed_value);
+  Matrix3Xd v =
+      displacement_against_foundation(surface, law, system.prescribed_value);
   for (int i = 0; i < surface.node_count(); ++i) {
     const Matrix3d frame = surface.frame(i);
     const auto leave_out = [&](int vertex, double weight) {
@@ -49,6 +50,18 @@ Matrix3Xd given_motions(const ContactSurface& surface, const SurfaceLaw& law,
   return v;
 }
 
+[[noreturn]] void refuse_apart(double apart, const std::string& place) {
+  refuse("prescribed displacements hold what is bonded ", apart, " apart at ",
+         place, ": make them the same on both sides, or free one of them");
+}
+
+[[noreturn]] void refuse_inside(int vertex, const std::string& place,
+                                double depth) {
+  refuse("no admissible displacement: prescribed displacements hold vertex ",
+         vertex, " ", place, " ", depth,
+         " inside the foundation; prescribe less there, or a larger gap=");
+}
+
 /// @throws std::invalid_argument  if prescribed dofs hold a vertex inside the foundation, or
 ///                                a bonded one off what it faces
 void require_clear(const SolidMesh& mesh, const ContactSurface& surface,
@@ -58,15 +71,11 @@ void require_clear(const SolidMesh& mesh, const ContactSurface& surface,
                        largest_displacement(law, system.prescribed_value);
   for (int i = 0; i < surface.node_count(); ++i) {
     const int vertex = surface.vertex[i];
-    if (law.bonded && v.col(i).norm() > least)
-      refuse("prescribed displacements hold what is bonded ", v.col(i).norm(),
-             " apart at ", in_words(mesh.place(vertex)),
-             ": make them the same on both sides, or free one of them");
-    if (!law.bonded && v(0, i) > least)
-      refuse(
-          "no admissible displacement: prescribed displacements hold vertex ",
-          vertex, " ", in_words(mesh.place(vertex)), " ", v(0, i),
-          " inside the foundation; prescribe less there, or a larger gap=");
+    const double apart = law.bonded ? v.col(i).norm() : v(0, i);
+    if (apart <= least) continue;
+    const std::string place = in_words(mesh.place(vertex));
+    if (law.bonded) refuse_apart(apart, place);
+    refuse_inside(vertex, place, apart);
   }
 }
 

@@ -48,10 +48,9 @@ std::string penetration_in_words(double depth,
 }
 
 std::string jump_in_words(double jump, const Ref<const VectorXd>& widest) {
-  const std::string jumps = "u jumps between bonded bodies by " +
-                            part_in_words(jump) +
-                            " of the largest displacement at " +
-                            in_words(widest, digits_of_parts);
+  const std::string jumps =
+      "u jumps between bonded bodies by " + part_in_words(jump) +
+      " of the largest displacement at " + in_words(widest, digits_of_parts);
   if (widest.size() == 2)
     return jumps +
            ", where displacements are prescribed: make these the same on both "

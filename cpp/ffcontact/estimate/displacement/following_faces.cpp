@@ -29,7 +29,7 @@ std::array<FollowingPart, 2> both_ways(const ContactSurface& surface,
 }
 
 /// The parts on one side of surfaces that hang together.
-struct Side {
+struct FollowingSide {
   std::vector<FollowingPart> parts;
   CoveredFaces covered;
 
@@ -38,9 +38,9 @@ struct Side {
     parts.push_back(std::move(part));
   }
 };
-using Sides = std::array<Side, 2>;
+using BothSides = std::array<FollowingSide, 2>;
 
-bool second_follows(const Sides& sides) {
+bool second_follows(const BothSides& sides) {
   const bool first = sides[0].covered.covers_all(),
              second = sides[1].covered.covers_all();
   return second &&
@@ -93,14 +93,14 @@ Matrix3d FollowingPart::jumps(const Facets<3>& faces,
 std::vector<FollowingPart> following_parts(const Facets<3>& faces,
                                            const ContactSurface& surface) {
   const std::vector<int> connected = connected_surfaces(faces, surface);
-  std::map<int, Sides> all;
+  std::map<int, BothSides> all;
   for (const FacingPolygon& polygon : surface.polygons) {
-    Sides& sides = all[connected[polygon.opposite_face]];
+    BothSides& sides = all[connected[polygon.opposite_face]];
     for (int k = 0; k < 2; ++k) sides[k].add(both_ways(surface, polygon)[k]);
   }
   std::vector<FollowingPart> following;
   for (auto& [number, sides] : all) {
-    Side& side = sides[second_follows(sides)];
+    FollowingSide& side = sides[second_follows(sides)];
     for (FollowingPart& part : side.parts) {
       part.is_covered = side.covered.covers(part.face);
       following.push_back(std::move(part));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/estimate/error/jump_on_surface.hpp"
+#include "ffcontact/estimate/displacement/jump_on_surface.hpp"
 
 #include <gtest/gtest.h>
 
