@@ -7,6 +7,7 @@
 
 #include "ffcontact/contact/multigrid/step_multigrid.hpp"
 #include "ffcontact/linear/norms.hpp"
+#include "support/by_multigrid.hpp"
 #include "support/pressed_bricks.hpp"
 #include "support/refusals.hpp"
 #include "support/solid_stacks.hpp"
@@ -17,26 +18,6 @@ namespace ffcontact {
 namespace {
 
 using namespace test;
-
-ContactSettings by(LinearSolver linear) {
-  ContactSettings settings;
-  settings.linear = linear;
-  return settings;
-}
-
-/// By multigrid and by a factor.
-void expect_same(const SolidProblem& problem) {
-  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
-                        other = problem.solve(by(LinearSolver::direct));
-  ASSERT_TRUE(one.accepted({}));
-  ASSERT_TRUE(other.accepted({}));
-  EXPECT_EQ(one.multigrid, Multigrid::used);
-  EXPECT_EQ(other.multigrid, Multigrid::unused);
-  EXPECT_LE(max_norm(one.force - other.force), 1e-8 * max_norm(other.force));
-  EXPECT_LE(max_norm(one.displacement - other.displacement),
-            1e-8 * max_norm(other.displacement));
-  EXPECT_EQ(one.state, other.state);
-}
 
 TEST(MultigridRelation, has_the_answer_of_a_factor) {
   for (const BlockCase loads : {BlockCase::press, BlockCase::press_x,
@@ -107,31 +88,6 @@ TEST(MultigridRelation, gets_there_from_rows_that_are_far) {
   }
 }
 
-/// Makes the first body of a stack so many times as stiff.
-void stiffen(double factor, SolidStack& stack) {
-  RowMatrix& A = stack.problem.A;
-  const Index end = 3 * stack.joined.first_vertex[1];
-  for (Index k = 0; k < end; ++k)
-    for (RowMatrix::InnerIterator e(A, k); e; ++e)
-      if (e.value() != 1e30) e.valueRef() *= factor;
-}
-
-/// A block on a larger one, whose meshes do not match, moved down, along and about y.
-SolidStack block_on_a_block(double mu, double stiffness) {
-  Random random(1);
-  SolidStack stack({random_brick({6, 6, 3}, {0.4, 0.3, 0}, {2, 1.3, 1}, random),
-                    random_brick({9, 6, 3}, {0, 0, -1}, {3, 2, 1}, random)},
-                   mu);
-  stiffen(stiffness, stack);
-  SolidProblem& problem = stack.problem;
-  problem.move(stack.label(1, low_z),
-               [](const Vector3d&) { return Vector3d::Zero(); });
-  problem.move(stack.label(0, high_z), [](const Vector3d& x) {
-    return Vector3d(2e-3, 1e-3, -1e-3 * (x.x() - 0.8));
-  });
-  return stack;
-}
-
 TEST(MultigridRelation, has_it_of_solids_whose_meshes_do_not_match) {
   for (const double stiffness : {1e-3, 1.0, 10.0})
     for (const double mu : {0.0, 0.3, 1.0})
@@ -196,8 +152,7 @@ TEST(MultigridRelation, is_refused_where_nodes_share_a_vertex) {
   problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, -1e-3); });
   EXPECT_EQ(refusal([&] { problem.solve(by(LinearSolver::multigrid)); }),
             "solver=\"multigrid\" is for solids whose contact surfaces have "
-            "no edges and move where they face what moves, without "
-            "compliance=: leave it out");
+            "no edges and move where they face what moves: leave it out");
 }
 
 }  // namespace

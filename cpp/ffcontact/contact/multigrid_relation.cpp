@@ -2,10 +2,11 @@
 #include "ffcontact/contact/multigrid_relation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
-#include "ffcontact/contact/multigrid/step_multigrid.hpp"
+#include "ffcontact/contact/multigrid/step_conditions.hpp"
 #include "ffcontact/contact/newton/surface_newton.hpp"
 #include "ffcontact/elastic/multigrid/row_product.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -29,9 +30,13 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
  public:
   OfMultigrid(const Matrix3Xd& vertices, const StatedSurface& stated)
       : stated_(stated),
-        unknowns_(
-            surface_unknowns(stated.surface, stated.trace, stated.system)),
+        unknowns_(surface_unknowns(stated.surface, stated.trace,
+                                   stated.law.layer, stated.system)),
         step_(told(stated), vertices, unknowns_) {
+    unknowns_.for_rows([&](int row, int) {
+      largest_yielding_ =
+          std::max(largest_yielding_, conditions_.yielding(row));
+    });
     put_loads(stated.system.load, stated.trace.trace.v_prescribed, {});
   }
 
@@ -55,19 +60,19 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   }
 
   void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
-                 const VectorXd&) override {
+                 const VectorXd& P) override {
     load_ = unknowns_.frames.components(load);
-    v_prescribed_ = v_prescribed;
+    conditions_.put(v_prescribed, P);
     least_ = least_scales();
   }
 
   ActiveSetResult answer_near(const ContactRows& rows,
                               const NewtonSettings& limits) override {
     last_missed_ = 0;
-    VectorXd y = VectorXd::Zero(load_.size());
-    for_rows([&](int row, int k) { y[k] = rows.v[row] - v_prescribed_[row]; });
-    ContactRows near = rows_of(y);
+    const VectorXd y = conditions_.y_of(rows.v, rows.P);
+    ContactRows near = conditions_.rows_of(y, forces(y));
     near.P.head(nodal()) = rows.P.head(nodal());
+    near.v.head(nodal()) = rows.v.head(nodal());
     return surface_newton(*this, stated_.cones, stated_.trace.held, near,
                           limits);
   }
@@ -98,23 +103,18 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   }
 
   Index nodal() const { return unknowns_.of_row.size(); }
-  /// Calls visit(row, k) for the rows that are not held and their y_k.
-  template <class Visit>
-  void for_rows(const Visit& visit) const {
-    for (int row = 0; row < nodal(); ++row)
-      if (const int k = unknowns_.of_row[row]; k >= 0) visit(row, k);
-  }
   Index row_count() const override { return nodal() + load_.size(); }
 
   NaturalMap natural_map(const Flags& held) const override {
     const VectorXd K = stated_.system.stiffness.diagonal();
     std::vector<double> diagonal;
     VectorXi position = VectorXi::Constant(nodal(), -1);
-    for_rows([&](int row, int) {
+    unknowns_.for_rows([&](int row, int) {
       position[row] = count_of(diagonal);
       // half of it, as what is beyond gives way
-      diagonal.push_back(
-          0.5 / (1 / step_.stiffness(row) + compliance_followed(K, row)));
+      diagonal.push_back(0.5 / (1 / step_.stiffness(row) +
+                                compliance_followed(K, row) +
+                                unknowns_.compliance[row]));
     });
     return {packed(diagonal), position, held};
   }
@@ -132,43 +132,48 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
 
   SystemKind step(const SurfaceEquations& equations,
                   ContactRows& rows) override {
-    const VectorXd y = with_conditions(equations, rows.v.tail(load_.size()));
-    const VectorXd missed = missed_by(equations, y);
-    const double size = missed.norm();
-    const std::optional<VectorXd> change =
-        step_.change(equations, missed, residual_for(size));
-    if (!change) return SystemKind::inconsistent;
-    rows = rows_of(y + *change);
-    release(equations, rows);
+    VectorXd y = with_conditions(equations, rows.v.tail(load_.size()));
+    if (!advance(equations, y)) return SystemKind::inconsistent;
+    const VectorXd F = forces(y);
+    rows = conditions_.rows_of(y, F);
+    conditions_.settle(equations, conditions_.missed(equations, y, F), rows);
     return SystemKind::regular;
   }
 
-  /// v = 0 where that is the condition.
+  /// In as many equal parts as single precision needs.
+  bool advance(const SurfaceEquations& equations, VectorXd& y) {
+    VectorXd missed = conditions_.missed(equations, y, forces(y));
+    const double residual = residual_for(missed.norm()),
+                 parts =
+                     std::ceil(std::log(residual) / std::log(least_residual));
+    for (int k = 0; k < parts; ++k) {
+      if (k > 0) missed = conditions_.missed(equations, y, forces(y));
+      const std::optional<VectorXd> change =
+          step_.change(equations, missed, std::pow(residual, 1 / parts));
+      if (!change) return false;
+      y += *change;
+    }
+    return true;
+  }
+
+  /// y that meets the conditions, what others' y do apart.
   VectorXd with_conditions(const SurfaceEquations& equations,
                            VectorXd y) const {
-    for_rows([&](int row, int k) {
-      if (equations.is_fixed(row)) y[k] = -v_prescribed_[row];
-    });
+    conditions_.fix(equations, y);
+    if (stated_.law.layer.given()) conditions_.relax(equations, forces(y), y);
     return y;
   }
 
-  /// Exactly no force where that is the condition, so that a body without contact has no
-  /// forces of rounding.
-  void release(const SurfaceEquations& equations, ContactRows& rows) const {
-    for_rows([&](int row, int k) {
-      const int node = row / 3;
-      const bool is_free = equations.carries_nothing(node) ||
-                           (row % 3 == 0 && equations.is_open(node));
-      if (is_free) rows.P[nodal() + k] = std::exchange(rows.P[row], 0);
-    });
-  }
-
-  /// Newton's steps are worth no more than what they gain.
+  /// Newton's steps are worth no more than what they gain. The forces of a soft layer are
+  /// 1 / (1 + gamma K) of those that the bodies' motion would need, which the first steps
+  /// miss: what is left of these must not hide them.
   double residual_for(double size) {
-    const double last = std::exchange(last_missed_, size);
-    if (last == 0) return first_residual;
+    const double last = std::exchange(last_missed_, size),
+                 share = 1 / (1 + largest_yielding_);
+    if (last == 0) return share * first_residual;
     const double gain = size / last;
-    return std::clamp(0.9 * gain * gain, least_residual, most_residual);
+    return std::min(std::max(0.9 * gain * gain, least_residual),
+                    share * most_residual);
   }
 
   /// K u - b on y
@@ -178,10 +183,12 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
            load_;
   }
 
-  /// Where the nodes' v and all other y are 0.
+  /// Where the nodes' v and all other y are 0; a layer takes its part of v_prescribed.
   VectorXd given_forces() const {
-    VectorXd y = VectorXd::Zero(load_.size());
-    for_rows([&](int row, int k) { y[k] = -v_prescribed_[row]; });
+    const VectorXd none = VectorXd::Zero(nodal());
+    VectorXd y = conditions_.y_of(none, none);
+    unknowns_.for_rows(
+        [&](int row, int k) { y[k] /= 1 + conditions_.yielding(row); });
     return forces(y);
   }
 
@@ -195,52 +202,14 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
     return {motion, share_of_loads * max_norm(given)};
   }
 
-  ContactRows rows_of(const VectorXd& y) const {
-    ContactRows rows{VectorXd::Zero(row_count()), VectorXd::Zero(row_count())};
-    VectorXd left = forces(y);
-    for_rows([&](int row, int k) {
-      rows.P[row] = std::exchange(left[k], 0);
-      rows.v[row] = y[k] + v_prescribed_[row];
-    });
-    rows.P.tail(left.size()) = left;
-    rows.v.tail(left.size()) = y;
-    return rows;
-  }
-
-  /// What the equations of the states and of equilibrium lack, 0 where y is given.
-  VectorXd missed_by(const SurfaceEquations& equations,
-                     const VectorXd& y) const {
-    const VectorXd F = forces(y);
-    VectorXd missed = F;
-    for_rows([&](int row, int k) {
-      if (equations.is_fixed(row))
-        missed[k] = 0;
-      else if (row % 3 > 0)
-        missed[k] += friction_missed(equations, row / 3, F, y)[row % 3 - 1];
-    });
-    return missed;
-  }
-
-  /// w (1 - e e') v_t - (k - mu P_n) e of a node that slips.
-  Vector2d friction_missed(const SurfaceEquations& equations, int node,
-                           const VectorXd& F, const VectorXd& y) const {
-    const NodeState& state = equations.state(node);
-    const Vector3i k = unknowns_.of_row.segment<3>(3 * node);
-    Vector2d slip = Vector2d::Zero();
-    for (int c = 1; c < 3; ++c)
-      if (k[c] >= 0) slip[c - 1] = y[k[c]] + v_prescribed_[3 * node + c];
-    const double bound = state.given - (k[0] >= 0 ? state.ratio * F[k[0]] : 0);
-    return StepMultigrid::slip_stiffness(equations, node) * slip -
-           bound * state.e;
-  }
-
   const StatedSurface& stated_;
   SurfaceUnknowns unknowns_;
   StepMultigrid step_;
   VectorXd load_;  ///< b on y
-  VectorXd v_prescribed_;
+  StepConditions conditions_{unknowns_, step_};
   LawScales least_;  ///< of v and P
   double last_missed_ = 0;
+  double largest_yielding_ = 0;  ///< gamma K
 };
 
 }  // namespace

@@ -7,9 +7,10 @@
 
 namespace ffcontact {
 
-/// The relation of solids, on a rigid foundation or against each other, without a factor of
-/// their stiffness: all displacements are unknown, and surface_newton's steps are inexact ones by
-/// StepMultigrid. Memory and time grow like the number of dofs, where those of a factor
+/// The relation of solids, on a rigid foundation or against each other, with a layer between
+/// them or without, and without a factor of their stiffness: all displacements are unknown,
+/// and surface_newton's steps are inexact ones by StepMultigrid, on the conditions that
+/// StepConditions states. Memory and time grow like the number of dofs, where those of a factor
 /// and of Schur's complement grow like its powers 1.4 and 2.
 /// @param vertices  of the mesh
 /// @param stated    whose trace has own unknowns (has_own_unknowns); outlives it

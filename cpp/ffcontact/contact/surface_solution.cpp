@@ -252,8 +252,7 @@ bool takes_multigrid(const StatedSurface& stated) {
   if (settings.linear == LinearSolver::multigrid && !can)
     refuse(
         "solver=\"multigrid\" is for solids whose contact surfaces have no "
-        "edges and move where they face what moves, without compliance=: "
-        "leave it out");
+        "edges and move where they face what moves: leave it out");
   if (settings.linear != LinearSolver::automatic)
     return settings.linear == LinearSolver::multigrid;
   return can && !settings.stiffness &&

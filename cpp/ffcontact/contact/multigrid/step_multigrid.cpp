@@ -12,7 +12,7 @@ namespace ffcontact {
 
 namespace {
 
-/// w is at most this much of c: a node that hardly slips nearly sticks.
+/// w is at most this much of c, and s of K: a node that hardly slips nearly sticks.
 constexpr double stiffest = 1e4;
 /// Of w, by which it may differ from what multigrid knows of it.
 constexpr double stale = 0.5;
@@ -66,9 +66,11 @@ bool has_own_unknowns(const SurfaceTrace& trace) {
 
 SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
                                  const SurfaceTrace& trace,
+                                 const CompliantLayer& layer,
                                  const ElasticSystem& system) {
-  SurfaceUnknowns unknowns{VertexFrames<3>(system),
-                           VectorXi::Constant(3 * surface.node_count(), -1)};
+  SurfaceUnknowns unknowns{
+      VertexFrames<3>(system), VectorXi::Constant(3 * surface.node_count(), -1),
+      nodal_compliance(layer, surface.area, 3, trace.held)};
   put_frames(surface, trace, unknowns);
   put_followed(surface, trace, unknowns.frames);
   return unknowns;
@@ -97,23 +99,36 @@ double StepMultigrid::stiffness(int row) const {
   return diagonal_[row / 3](row % 3, row % 3);
 }
 
+double StepMultigrid::spring(int row) const {
+  return std::min(1 / unknowns_.compliance[row], stiffest * stiffness(row));
+}
+
 Matrix2d StepMultigrid::slip_stiffness(const SurfaceEquations& equations,
-                                       int node) {
+                                       int node) const {
   const NodeState& state = equations.state(node);
   if (!state.slips || state.share == 0) return Matrix2d::Zero();
   const double c = equations.stiffness(node);
   const double w =
       std::min(state.share / std::max(1 - state.share, 1e-300), stiffest) * c;
-  return w * (Matrix2d::Identity() - state.e * state.e.transpose());
+  const double gamma = unknowns_.compliance.segment<2>(3 * node + 1).maxCoeff();
+  return w / (1 + gamma * w) *
+         (Matrix2d::Identity() - state.e * state.e.transpose());
+}
+
+SingleBlock<3, 3> StepMultigrid::Node::springs() const {
+  Matrix3d sum = layer.asDiagonal();
+  sum.bottomRightCorner<2, 2>() += slip;
+  return sum.cast<float>();
 }
 
 SmoothedAggregation<3>::Change StepMultigrid::change_of(
     int node, const Node& state) const {
   const int v = vertex_[node];
-  SingleBlock<3, 3> block = diagonal_[node];
-  block.bottomRightCorner<2, 2>() += state.slip.cast<float>();
+  SingleBlock<3, 3> block = diagonal_[node] + state.springs();
   auto motions = motions_along<3>(unknowns_.frames.of(v));
   for (int c = 0; c < 3; ++c) {
+    if (state.layer[c] > 0)  // bodies hardly move what a stiff layer holds
+      motions.row(c) *= diagonal_[node](c, c) / block(c, c);
     if (state.moves[c]) continue;
     block.row(c).setZero();
     block.col(c).setZero();
@@ -126,8 +141,10 @@ StepMultigrid::Node StepMultigrid::node_of(const SurfaceEquations& equations,
                                            int node) const {
   Node state;
   for (int c = 0; c < 3; ++c)
-    state.moves[c] = unknowns_.of_row[3 * node + c] >= 0 &&
-                     !equations.is_fixed(3 * node + c);
+    if (const int row = 3 * node + c; is_sprung(equations, row))
+      state.layer[c] = spring(row);
+    else
+      state.moves[c] = unknowns_.of_row[row] >= 0 && !equations.is_fixed(row);
   state.slip = slip_stiffness(equations, node);
   return state;
 }
@@ -135,7 +152,7 @@ StepMultigrid::Node StepMultigrid::node_of(const SurfaceEquations& equations,
 bool StepMultigrid::is_stale(int node, const Node& now, double c) const {
   const Node& known = known_[node];
   const double size = std::max(known.slip.norm(), now.slip.norm());
-  return now.moves != known.moves ||
+  return now.moves != known.moves || now.layer != known.layer ||
          (now.slip - known.slip).norm() > std::max(stale * size, weak * c);
 }
 
@@ -155,9 +172,8 @@ SingleBlock<3, 1> StepMultigrid::rows_of(int node,
                                          const SurfaceEquations& equations,
                                          const SingleBlock<3, 1>& K_y,
                                          const SingleBlock<3, 1>& y) const {
-  SingleBlock<3, 1> rows = K_y;
+  SingleBlock<3, 1> rows = K_y + node_of(equations, node).springs() * y;
   const NodeState& state = equations.state(node);
-  rows.tail<2>() += slip_stiffness(equations, node).cast<float>() * y.tail<2>();
   if (state.slips)
     rows.tail<2>() +=
         static_cast<float>(state.ratio) * K_y[0] * state.e.cast<float>();

@@ -14,11 +14,20 @@ namespace ffcontact {
 
 /// The unknowns of solids in contact, as many as they have free dofs: what u consists of
 /// beside prescribed values, of which the rows 3 i + c of the nodes have
-///     v = y_k + v_prescribed,   P_k = (K u - b)_k in the components of y,
-/// so that contact vertices follow what they face, and what their states hold is a mask.
+///     v = y_k + v_prescribed + gamma P_k,   P_k = (K u - b)_k in the components of y,
+/// so that contact vertices follow what they face, and what their states hold is a mask. A
+/// compliant layer gives way by gamma P_k between y and v, gamma = c / A of the node.
 struct SurfaceUnknowns {
   VertexFrames<3> frames;
-  VectorXi of_row;  ///< k of each row, or -1 where it is held [3 p]
+  VectorXi of_row;      ///< k of each row, or -1 where it is held [3 p]
+  VectorXd compliance;  ///< gamma, nodal_compliance [3 p]
+
+  /// Calls visit(row, k) for the rows that are not held and their y_k.
+  template <class Visit>
+  void for_rows(const Visit& visit) const {
+    for (int row = 0; row < of_row.size(); ++row)
+      if (const int k = of_row[row]; k >= 0) visit(row, k);
+  }
 };
 
 /// Has every row that is not held an unknown of its own? It has not where nodes share a
@@ -28,14 +37,19 @@ bool has_own_unknowns(const SurfaceTrace& trace);
 /// @param trace  with own unknowns
 SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
                                  const SurfaceTrace& trace,
+                                 const CompliantLayer& layer,
                                  const ElasticSystem& system);
 
 /// The linear systems of surface_newton with K for that of y, for the change y of the unknowns:
 ///     inside, open:  K y = -missed          where v = 0 is the condition:  y = 0
 ///     slip:          (K y)_t + mu (K y)_n e + w (1 - e e') y_t = -missed,
-///                    w = c rho / (|tau_t| - rho),
-/// by GMRES. Its preconditioner is multigrid of the symmetric part, that without mu, and
-/// follows the states of the nodes.
+///                    1 / w = (|tau_t| - rho) / (c rho) + gamma,
+/// by GMRES. Where v = 0 is the condition on a row with a layer, y + gamma K y = -v makes the
+/// layer a spring of the node,
+///     (K + s) y = -s v,   s = min(1 / gamma, 1e4 K_kk):
+/// one that is much stiffer than the body is taken for softer, and v still tends to 0, by a
+/// factor of 1e4 or more a step. The preconditioner is multigrid of the symmetric part, that
+/// without mu, and follows the states of the nodes.
 class StepMultigrid {
  public:
   /// @param unknowns  outlives it
@@ -48,7 +62,13 @@ class StepMultigrid {
   const VectorXf& diagonal_of_all() const { return diagonal_of_all_; }
 
   /// w (1 - e e') of a slipping node, 0 of others.
-  static Matrix2d slip_stiffness(const SurfaceEquations& equations, int node);
+  Matrix2d slip_stiffness(const SurfaceEquations& equations, int node) const;
+  /// s of a row with a layer.
+  double spring(int row) const;
+  /// Does the layer have v = 0 by a spring, where a row without one leaves the system?
+  bool is_sprung(const SurfaceEquations& equations, int row) const {
+    return equations.is_fixed(row) && unknowns_.compliance[row] > 0;
+  }
 
   /// To a residual of so much of |missed|.
   /// @return nothing where GMRES leads nowhere
@@ -60,6 +80,9 @@ class StepMultigrid {
   struct Node {
     Eigen::Matrix<bool, 3, 1> moves{true, true, true};
     Matrix2d slip = Matrix2d::Zero();
+    Vector3d layer = Vector3d::Zero();  ///< s, 0 of other rows
+
+    SingleBlock<3, 3> springs() const;
   };
 
   Node node_of(const SurfaceEquations& equations, int node) const;
