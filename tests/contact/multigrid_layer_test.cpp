@@ -51,7 +51,7 @@ TEST(MultigridLayer,
 }
 
 TEST(MultigridLayer, has_it_of_a_body_that_contact_alone_holds) {
-  for (const double c : {1e-12, 1e-6, 1e-3}) {
+  for (const double c : {1e-12, 1e-6, 1e-3, 1.0}) {
     SolidProblem problem(brick({8, 4, 4}, {80, 40, 40}), 0.5);
     problem.load(high_z, {0.5, 0.2, -5});
     problem.law.layer = {c, 2 * c};
@@ -84,6 +84,20 @@ TEST(MultigridLayer, starts_from_rows_that_are_near) {
     EXPECT_LE(warm.iterations, 5);
     EXPECT_LE(warm.iterations, cold.iterations);
     EXPECT_LE(max_norm(warm.force - cold.force), 1e-9 * max_norm(cold.force));
+  }
+}
+
+/// Forces of loads that a soft layer hardly carries, and their rounding, do not keep Newton
+/// from its states.
+TEST(MultigridLayer, needs_few_systems_if_it_is_soft) {
+  const SolidMesh mesh = brick({24, 12, 12}, {80, 40, 40});
+  for (const double c : {1.0, 100.0, 1e4}) {
+    SolidProblem problem = block_problem(mesh, BlockCase::press_x, 0.5);
+    problem.law.layer = {c, 2 * c};
+    const SurfaceSolution found = problem.solve(by(LinearSolver::multigrid));
+    EXPECT_TRUE(found.accepted({}));
+    EXPECT_EQ(found.multigrid, Multigrid::used);
+    EXPECT_LE(found.iterations, 5);
   }
 }
 

@@ -63,7 +63,9 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
                  const VectorXd& P) override {
     load_ = unknowns_.frames.components(load);
     conditions_.put(v_prescribed, P);
-    least_ = least_scales();
+    const VectorXd given = given_forces();
+    largest_load_ = max_norm(given);
+    least_ = least_scales(given);
   }
 
   ActiveSetResult answer_near(const ContactRows& rows,
@@ -85,6 +87,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   LawScales scales(const VectorXd& v) const override {
     return {std::max(max_norm(v), least_.v), least_.P};
   }
+  double largest_load() const override { return largest_load_; }
 
  private:
   ActiveSetResult answer_from(const ContactStates& states,
@@ -192,14 +195,13 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
     return forces(y);
   }
 
-  LawScales least_scales() const {
+  LawScales least_scales(const VectorXd& given) const {
     constexpr double share_of_loads = 1e-4;
-    const VectorXd given = given_forces();
     const VectorXf& K = step_.diagonal_of_all();
     double motion = 0;
     for (Index k = 0; k < given.size(); ++k)
       if (K[k] > 0) motion = std::max(motion, std::abs(given[k]) / K[k]);
-    return {motion, share_of_loads * max_norm(given)};
+    return {motion, share_of_loads * largest_load_};
   }
 
   const StatedSurface& stated_;
@@ -208,6 +210,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   VectorXd load_;  ///< b on y
   StepConditions conditions_{unknowns_, step_};
   LawScales least_;  ///< of v and P
+  double largest_load_ = 0;
   double last_missed_ = 0;
   double largest_yielding_ = 0;  ///< gamma K
 };

@@ -20,6 +20,9 @@ class NewtonRelation {
   /// As law_scales.
   /// @param v  at the nodes [3 p]
   virtual LawScales scales(const VectorXd& v) const = 0;
+  /// The largest load: what moves freely misses its condition by a part of it. Contact may
+  /// have next to no forces beside it.
+  virtual double largest_load() const { return 0; }
   /// The next P and v by the equations of the nodes' states.
   /// @param rows  the last ones, then the next; unchanged if the system is not solved
   virtual SystemKind step(const SurfaceEquations& equations,

@@ -144,7 +144,8 @@ double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
   const LawScales scales = relation.scales(v);
   const auto beyond = rows.P.tail(rows.P.size() - nodal);
   const double missed = max_norm(beyond),
-               size = std::max(scales.P, max_norm(rows.P));
+               size = std::max(
+                   {scales.P, relation.largest_load(), max_norm(rows.P)});
   return std::max(surface_violation(law, rows.P, v, scales),
                   relative(missed, size));
 }

@@ -77,7 +77,7 @@ class CondensedRelation : public NewtonRelation {
 };
 
 /// surface_violation of an answer, relative to the relation's scales; of rows beyond the
-/// nodes' P relative to the largest.
+/// nodes' P relative to the largest, or the largest load.
 double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
                          const Flags& held, const ContactRows& rows);
 
