@@ -2,7 +2,6 @@
 #include "ffcontact/contact/multigrid_relation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "ffcontact/base/packed.hpp"
@@ -33,10 +32,6 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
         unknowns_(surface_unknowns(stated.surface, stated.trace,
                                    stated.law.layer, stated.system)),
         step_(told(stated), vertices, unknowns_) {
-    unknowns_.for_rows([&](int row, int) {
-      largest_yielding_ =
-          std::max(largest_yielding_, conditions_.yielding(row));
-    });
     put_loads(stated.system.load, stated.trace.trace.v_prescribed, {});
   }
 
@@ -136,27 +131,15 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   SystemKind step(const SurfaceEquations& equations,
                   ContactRows& rows) override {
     VectorXd y = with_conditions(equations, rows.v.tail(load_.size()));
-    if (!advance(equations, y)) return SystemKind::inconsistent;
+    const VectorXd missed = conditions_.missed(equations, y, forces(y));
+    const std::optional<VectorXd> change =
+        step_.change(equations, missed, residual_for(missed.norm()));
+    if (!change) return SystemKind::inconsistent;
+    y += *change;
     const VectorXd F = forces(y);
     rows = conditions_.rows_of(y, F);
     conditions_.settle(equations, conditions_.missed(equations, y, F), rows);
     return SystemKind::regular;
-  }
-
-  /// In as many equal parts as single precision needs.
-  bool advance(const SurfaceEquations& equations, VectorXd& y) {
-    VectorXd missed = conditions_.missed(equations, y, forces(y));
-    const double residual = residual_for(missed.norm()),
-                 parts =
-                     std::ceil(std::log(residual) / std::log(least_residual));
-    for (int k = 0; k < parts; ++k) {
-      if (k > 0) missed = conditions_.missed(equations, y, forces(y));
-      const std::optional<VectorXd> change =
-          step_.change(equations, missed, std::pow(residual, 1 / parts));
-      if (!change) return false;
-      y += *change;
-    }
-    return true;
   }
 
   /// y that meets the conditions, what others' y do apart.
@@ -167,16 +150,12 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
     return y;
   }
 
-  /// Newton's steps are worth no more than what they gain. The forces of a soft layer are
-  /// 1 / (1 + gamma K) of those that the bodies' motion would need, which the first steps
-  /// miss: what is left of these must not hide them.
+  /// Newton's steps are worth no more than what they gain.
   double residual_for(double size) {
-    const double last = std::exchange(last_missed_, size),
-                 share = 1 / (1 + largest_yielding_);
-    if (last == 0) return share * first_residual;
+    const double last = std::exchange(last_missed_, size);
+    if (last == 0) return first_residual;
     const double gain = size / last;
-    return std::min(std::max(0.9 * gain * gain, least_residual),
-                    share * most_residual);
+    return std::clamp(0.9 * gain * gain, least_residual, most_residual);
   }
 
   /// K u - b on y
@@ -212,7 +191,6 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   LawScales least_;  ///< of v and P
   double largest_load_ = 0;
   double last_missed_ = 0;
-  double largest_yielding_ = 0;  ///< gamma K
 };
 
 }  // namespace
