@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/contact/multigrid_relation.hpp"
+#include "ffcontact/contact/refinement.hpp"
 #include "support/by_multigrid.hpp"
 #include "support/pressed_bricks.hpp"
 #include "support/threads.hpp"
@@ -113,6 +114,41 @@ TEST(MultigridLayer, needs_few_systems_if_it_is_soft) {
     EXPECT_TRUE(found.accepted({}));
     EXPECT_EQ(found.multigrid, Multigrid::used);
     EXPECT_LE(found.iterations, 6);
+  }
+}
+
+/// With P on the layer already.
+TEST(MultigridLayer, corrects_a_displacement_that_is_off) {
+  Random random(1);
+  for (const double c : compliances) {
+    const SolidProblem problem =
+        block_on_layer(BlockCase::press_x, 0.5, {c, 2 * c});
+    const ElasticSystem system = problem.system();
+    const SurfaceTrace trace =
+        surface_trace(problem.surface, problem.law, system);
+    const ContactSettings settings = by(LinearSolver::multigrid);
+    const StatedSurface stated{problem.surface, problem.law, system, settings,
+                               trace};
+    const auto relation = multigrid_relation(problem.mesh.vertices, stated);
+    const ActiveSetResult found = relation->answer().answer;
+    const Index nodes = problem.surface.node_count();
+    const Matrix3Xd force = found.P.head(3 * nodes).reshaped(3, nodes);
+    const VectorXd u = system.prescribed_value +
+                       relation->displacement({found.P, found.v}),
+                   off = on_free_dofs(
+                       system, 1e-2 * max_norm(u) *
+                                   random_vector(system.dof_count(), random));
+    relation->put_loads(
+        force_residual(system, u + off, VectorXd::Zero(system.dof_count())),
+        stated.v_of(u + off, force), found.P);
+    const ActiveSetResult corrected =
+        relation->answer_near({found.P, found.v}, {60, 1e-10});
+    EXPECT_EQ(corrected.status, ContactStatus::converged);
+    EXPECT_LE(
+        max_norm(off + relation->displacement({corrected.P, corrected.v})),
+        1e-8 * max_norm(u));
+    EXPECT_LE(max_norm(corrected.P.head(3 * nodes) - force.reshaped()),
+              1e-7 * max_norm(force));
   }
 }
 
