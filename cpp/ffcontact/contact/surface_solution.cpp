@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
@@ -11,73 +10,19 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/balance.hpp"
 #include "ffcontact/contact/checks/surface_balance.hpp"
+#include "ffcontact/contact/checks/surface_supports.hpp"
 #include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/multigrid/step_multigrid.hpp"
 #include "ffcontact/contact/multigrid_relation.hpp"
 #include "ffcontact/contact/refinement.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
-#include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
 namespace {
-
-/// Penetrations of prescribed vertices below this part of the displacements are rounding.
-constexpr double penetration_of_rounding = 1e-10;
-
-/// Motions along a direction below this are rounding.
-constexpr double no_motion = 1e-6;
-
-/// What prescribed dofs alone make of v, 0 where a free one takes part [3 x p].
-Matrix3Xd given_motions(const ContactSurface& surface, const SurfaceLaw& law,
-                        const ElasticSystem& system) {
-  Matrix3Xd v =
-      displacement_against_foundation(surface, law, system.prescribed_value);
-  for (int i = 0; i < surface.node_count(); ++i) {
-    const Matrix3d frame = surface.frame(i);
-    const auto leave_out = [&](int vertex, double weight) {
-      const Matrix3Xd free =
-          weight * frame.transpose() * free_axes<3>(vertex, system.prescribed);
-      for (int c = 0; c < 3; ++c)
-        if (free.row(c).norm() > no_motion) v(c, i) = 0;
-    };
-    leave_out(surface.vertex[i], 1);
-    visit_opposite(surface, i, leave_out);
-  }
-  return v;
-}
-
-[[noreturn]] void refuse_apart(double apart, const std::string& place) {
-  refuse("prescribed displacements hold what is bonded ", apart, " apart at ",
-         place, ": make them the same on both sides, or free one of them");
-}
-
-[[noreturn]] void refuse_inside(int vertex, const std::string& place,
-                                double depth) {
-  refuse("no admissible displacement: prescribed displacements hold vertex ",
-         vertex, " ", place, " ", depth,
-         " inside the foundation; prescribe less there, or a larger gap=");
-}
-
-/// @throws std::invalid_argument  if prescribed dofs hold a vertex inside the foundation, or
-///                                a bonded one off what it faces
-void require_clear(const SolidMesh& mesh, const ContactSurface& surface,
-                   const SurfaceLaw& law, const ElasticSystem& system) {
-  const Matrix3Xd v = given_motions(surface, law, system);
-  const double least = penetration_of_rounding *
-                       largest_displacement(law, system.prescribed_value);
-  for (int i = 0; i < surface.node_count(); ++i) {
-    const int vertex = surface.vertex[i];
-    const double apart = law.bonded ? v.col(i).norm() : v(0, i);
-    if (apart <= least) continue;
-    const std::string place = in_words(mesh.place(vertex));
-    if (law.bonded) refuse_apart(apart, place);
-    refuse_inside(vertex, place, apart);
-  }
-}
 
 void require_sound(const SolidMesh& mesh, const ContactSurface& surface,
                    const SurfaceLaw& law, const ElasticSystem& system,
@@ -304,7 +249,7 @@ SurfaceSolution solve_contact(const SolidMesh& mesh,
   SurfaceTrace trace = surface_trace(surface, law, system);
   trace.trace.free_motions =
       unheld_motions(mesh, system)(trace.trace.kept_dofs, Eigen::all);
-  require_clear(mesh, surface, law, system);
+  require_feasible(mesh, surface, law, system, trace.held);
   const StatedSurface stated{surface, law, system, settings, trace};
   if (!takes_multigrid(stated)) return factored_solution(mesh, stated);
   if (std::optional<SurfaceSolution> solution =

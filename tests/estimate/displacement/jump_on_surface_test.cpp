@@ -165,6 +165,29 @@ TEST(BondedJump, is_left_where_supports_hold_what_should_follow) {
   EXPECT_GT(on.left(none, low), 0.1);     // between them
 }
 
+/// Under a roof, whose faces look into different directions, between which the lower body
+/// bends.
+TEST(BondedJump, is_left_where_faces_do_not_agree_along_their_edge) {
+  for (const double slope : {0.0, 0.2}) {
+    SolidMesh roof = brick({2, 2, 1}, {3, 2, 1});
+    for (auto x : roof.vertices.colwise())
+      x.z() += slope * (1.5 - std::abs(x.x() - 1.5));
+    const SolidStack two =
+        bonded_stack({roof, brick_at({7, 5, 1}, {5, 4, 1}, {-1.3, -1.2, -1})});
+    const Topology<3> topology = topology_of(two.problem.mesh);
+    SolvedBody<3> body = solved_solid(two.problem, {});
+    body.displacement =
+        nodal_values(topology.mesh, [&](const Vector3d& x) -> Vector3d {
+          return x.y() * x.y() * Vector3d(0, 0, x.z() > 0 ? 0 : x.x() * x.x());
+        });
+    const ElasticSystem system = two.problem.system();
+    const BondedJump jump = bonded_jump(
+        topology, two.problem.surface, body.hooke, system.prescribed,
+        bonded_displacement({topology, two.problem.surface, system, body}));
+    EXPECT_EQ(jump.left.depth > 1e-12, slope > 0) << jump.left.depth;
+  }
+}
+
 /// A body that follows one below, and another one beside it that follows it: where it moves
 /// between its vertices the latter cannot know.
 double left_of_a_row(const SolidField& below) {

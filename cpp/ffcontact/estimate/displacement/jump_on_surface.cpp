@@ -54,6 +54,23 @@ JumpsAlong sorted(JumpsAlong along) {
   return along;
 }
 
+Vector3d jump_at(const JumpsAlong& along, double place) {
+  std::size_t k = 1;
+  while (k + 1 < along.size() && along[k].first < place) ++k;
+  const auto& [s, h] = along[k - 1];
+  const double length = along[k].first - s;
+  if (length < no_part_of_edge) return h;
+  return h + (place - s) / length * (along[k].second - h);
+}
+
+/// How far the jumps along an edge by one of its faces are from those by the other.
+double difference(const JumpsAlong& some, const JumpsAlong& others) {
+  double largest = 0;
+  for (const auto& [place, h] : some)
+    largest = std::max(largest, (h - jump_at(others, place)).norm());
+  return largest;
+}
+
 class Jump {
  public:
   Jump(const Topology<3>& topology, const ContactSurface& surface,
@@ -71,6 +88,7 @@ class Jump {
   BondedJump found() && {
     if (!surface_.against_a_body()) leave_at_nodes();
     for (const FollowingPart& part : parts_) add(part);
+    compare_by_faces();
     for (const FollowingPart& part : parts_) leave_on_followed(part);
     add_faces();
     add_edges();
@@ -99,21 +117,36 @@ class Jump {
     const Matrix3d jumps = part.jumps(faces_, u_);
     const auto vertices = faces_.vertices.col(part.face);
     follows_[part.face] = part.is_covered;
+    if (part.is_covered)  // also where nothing jumps between the ends
+      for (const auto& [a, b] : sides_of_face)
+        along_[edge_between(vertices[a], vertices[b])][part.face];
     for (Index corner = 0; corner < part.place.cols(); ++corner) {
       const Vector3d place = part.place.col(corner), h = jumps * place;
       const int across = part.vertex_across(corner);
       if (!part.is_covered || part.vertex_at(corner) >= 0)
         leave(h.norm(), vertices[0]);
       else if (across >= 0)
-        add_on_side(vertices, across, place, h);
+        add_on_side(part.face, across, place, h);
     }
   }
 
-  void add_on_side(const Vector3i& vertices, int across, const Vector3d& place,
+  void add_on_side(int face, int across, const Vector3d& place,
                    const Vector3d& h) {
+    const auto vertices = faces_.vertices.col(face);
     auto [a, b] = sides_of_face[across];
     if (vertices[a] > vertices[b]) std::swap(a, b);
-    along_[{vertices[a], vertices[b]}].emplace_back(place[b], h);
+    along_[{vertices[a], vertices[b]}][face].emplace_back(place[b], h);
+  }
+
+  /// Along an edge where the surface turns its faces may face different places.
+  void compare_by_faces() {
+    for (auto& [edge, by_face] : along_) {
+      for (auto& [face, along] : by_face) along = sorted(std::move(along));
+      const JumpsAlong &first = by_face.begin()->second,
+                       &last = by_face.rbegin()->second;
+      leave(difference(first, last), edge.first);
+      leave(difference(last, first), edge.first);
+    }
   }
 
   /// What is followed must not move by a w of its own.
@@ -122,7 +155,8 @@ class Jump {
     for (const auto& [a, b] : sides_of_face) {
       const auto along = along_.find(edge_between(vertices[a], vertices[b]));
       if (along == along_.end()) continue;
-      for (const auto& [place, h] : along->second) leave(h.norm(), vertices[a]);
+      for (const auto& [place, h] : along->second.begin()->second)
+        leave(h.norm(), vertices[a]);
     }
   }
 
@@ -147,10 +181,8 @@ class Jump {
   /// w of the other cells around edges of these faces.
   void add_edges() {
     Flags is_end(mesh_.vertex_count(), 0);
-    for (auto& [edge, along] : along_) {
-      along = sorted(std::move(along));
+    for (const auto& [edge, by_face] : along_)
       is_end[edge.first] = is_end[edge.second] = 1;
-    }
     for (int t = 0; t < mesh_.cell_count(); ++t)
       for (const auto& [a, b] : edges_of_cell)
         if (is_end[mesh_.cells(a, t)] && is_end[mesh_.cells(b, t)])
@@ -163,15 +195,15 @@ class Jump {
     const auto found =
         along_.find({mesh_.cells(a, cell), mesh_.cells(b, cell)});
     if (found == along_.end()) return;
+    const JumpsAlong& along = found->second.begin()->second;
     int times = -1;
     for (int k = 0; k < 4; ++k) {
       if (k == a || k == b) continue;
       const int face = faces_.of_cell(k, cell);
       times += follows_[face];
-      if (!follows_[face]) leave_on_support(face, found->second);
+      if (!follows_[face]) leave_on_support(face, along);
     }
-    if (times != 0)
-      norm_.add(cell, times * times * square(found->second, cell, a, b));
+    if (times != 0) norm_.add(cell, times * times * square(along, cell, a, b));
   }
 
   /// What supports hold on all of a face beside an edge does not follow.
@@ -210,7 +242,7 @@ class Jump {
   const VectorXd u_;
   std::vector<FollowingPart> parts_;
   Flags follows_;  ///< of each facet of the mesh
-  std::map<Edge, JumpsAlong> along_;
+  std::map<Edge, std::map<int, JumpsAlong>> along_;  ///< by its faces
   OscillationSum norm_;
   BondedJump result_;
 };

@@ -20,8 +20,9 @@ namespace ffcontact {
 /// it. A cell with several faces or edges there has the sum of their norms, or more.
 struct BondedJump {
   double norm = 0;  ///< |w| [(N mm)^(1/2)]
-  /// The jump that is left, and a node near: where faces are covered in part alone, supports
-  /// hold what should follow, or what is followed follows another body.
+  /// The jump that is left, and a node near: where faces are covered in part alone, or face
+  /// different places along their common edge, supports hold what should follow, or what is
+  /// followed follows another body.
   DeepestNode left;
 };
 
