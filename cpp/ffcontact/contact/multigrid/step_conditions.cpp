@@ -14,10 +14,11 @@ bool has_no_force(const SurfaceEquations& equations, int row) {
 
 }  // namespace
 
-void StepConditions::put(const VectorXd& v_prescribed, const VectorXd& P0) {
+void StepConditions::put(const VectorXd& v_prescribed,
+                         const VectorXd& carried) {
   v_prescribed_ = v_prescribed;
-  if (P0.size() > 0)
-    v_prescribed_ -= unknowns_.compliance.cwiseProduct(P0.head(nodal()));
+  if (carried.size() > 0)
+    v_prescribed_ -= unknowns_.compliance.cwiseProduct(carried.head(nodal()));
 }
 
 VectorXd StepConditions::y_of(const VectorXd& v, const VectorXd& P) const {

@@ -15,8 +15,8 @@ class StepConditions {
   StepConditions(const SurfaceUnknowns& unknowns, const StepMultigrid& step)
       : unknowns_(unknowns), step_(step) {}
 
-  /// @param P0  of all rows; empty: 0
-  void put(const VectorXd& v_prescribed, const VectorXd& P0);
+  /// @param carried  P0 of all rows; empty: 0
+  void put(const VectorXd& v_prescribed, const VectorXd& carried);
 
   /// y for v and P of the nodes, 0 beyond them.
   VectorXd y_of(const VectorXd& v, const VectorXd& P) const;
