@@ -15,7 +15,7 @@ using namespace test;
 /// vertices are beside those of them that it faces.
 TEST(SurfaceSupports, may_carry_bodies_along) {
   SolidStack two(
-      {brick({4, 3, 1}, {3, 2, 1}), brick_at({3, 4, 1}, {3, 2, 1}, {0, 0, -1})},
+      {brick({3, 4, 1}, {3, 2, 1}), brick_at({4, 3, 1}, {3, 2, 1}, {0, 0, -1})},
       0.3);
   const auto carry = [](const Vector3d&) { return Vector3d(0, 0.01, -0.02); };
   for (const int body : {0, 1}) two.problem.move(two.label(body, low_x), carry);
