@@ -37,6 +37,15 @@ TEST(SurfaceSupports, are_refused_that_hold_bodies_in_each_other) {
                    "vertex"));
 }
 
+TEST(SurfaceSupports, may_move_what_free_vertices_are_bonded_to) {
+  SolidStack two = bonded_bricks({3, 4, 1}, {4, 3, 1});
+  two.problem.move(two.label(0, low_x),
+                   [](const Vector3d&) { return Vector3d(0, 0.01, 0); });
+  two.problem.move(two.label(1, low_z),
+                   [](const Vector3d&) { return Vector3d::Zero(); });
+  EXPECT_TRUE(two.problem.solve().accepted({}));
+}
+
 TEST(SurfaceSupports, are_refused_that_hold_bonded_bodies_apart) {
   SolidProblem problem(brick({2, 2, 1}, {1, 1, 1}));
   bond(problem);
