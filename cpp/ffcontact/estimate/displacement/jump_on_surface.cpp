@@ -64,7 +64,7 @@ Vector3d jump_at(const JumpsAlong& along, double place) {
 }
 
 /// How far the jumps along an edge by one of its faces are from those by the other.
-double difference(const JumpsAlong& some, const JumpsAlong& others) {
+double disagreement(const JumpsAlong& some, const JumpsAlong& others) {
   double largest = 0;
   for (const auto& [place, h] : some)
     largest = std::max(largest, (h - jump_at(others, place)).norm());
@@ -144,8 +144,8 @@ class Jump {
       for (auto& [face, along] : by_face) along = sorted(std::move(along));
       const JumpsAlong &first = by_face.begin()->second,
                        &last = by_face.rbegin()->second;
-      leave(difference(first, last), edge.first);
-      leave(difference(last, first), edge.first);
+      leave(disagreement(first, last), edge.first);
+      leave(disagreement(last, first), edge.first);
     }
   }
 
