@@ -10,6 +10,7 @@
 #include "freefem/arguments.hpp"
 #include "problem/bodies.hpp"
 #include "problem/carrier.hpp"
+#include "problem/contact_statement.hpp"
 #include "problem/stated_pairs.hpp"
 
 namespace ffcontact::plugin {
@@ -34,6 +35,7 @@ struct Statement {
   const PlacesElsewhere<d>* elsewhere;  ///< null where the meshes are here
   double corner;                        ///< of curves [degrees]
 
+  bool bonded = is_bonded(stack, named);
   const SimplexMesh<d>& mesh = bodies.joined.mesh;
   const Facets<d>& facets = bodies.facets;
 

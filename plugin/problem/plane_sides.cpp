@@ -40,13 +40,12 @@ void warn_of_touching(const Mesh& mesh, const ContactLine& own) {
 
 /// What is stated of lines, and the curves of their bodies.
 struct LineStatement : Statement<2> {
-  bool bonded;
   BoundaryCurves curves;
 };
 
 LineStatement line_statement(const Statement<2>& said) {
-  if (is_bonded(said.stack, said.named)) return {said, true, {}};
-  return {said, false, BoundaryCurves(said.mesh, said.facets, said.corner)};
+  if (said.bonded) return {said, {}};
+  return {said, BoundaryCurves(said.mesh, said.facets, said.corner)};
 }
 
 /// A curve has one contact direction where it touches what is flatter.

@@ -10,7 +10,6 @@
 #include "ffcontact/interface/pairing/smooth_surface_distances.hpp"
 //
 #include "freefem/solid_values.hpp"
-#include "problem/contact_statement.hpp"
 #include "problem/pair_sides.hpp"
 #include "problem/solid_report.hpp"
 
@@ -61,7 +60,7 @@ std::vector<FacingPolygon> smooth_polygons(const Statement<3>& said,
                                            const std::vector<int>& opposite) {
   std::vector<FacingPolygon> polygons =
       facing_polygons(said.mesh, said.facets, own, opposite);
-  if (is_bonded(said.stack, said.named)) return polygons;
+  if (said.bonded) return polygons;
   smooth_distances(said.mesh, said.facets, own,
                    contact_surface(said.mesh, said.facets, opposite), polygons);
   return polygons;
@@ -74,7 +73,7 @@ void put_law(const Statement<3>& said, int body,
              Carrier<3>& carrier) {
   const NamedArguments& named = said.named;
   SurfaceLaw& law = carrier.law;
-  if (is_bonded(said.stack, named)) {
+  if (said.bonded) {
     law = bonded_law<SurfaceLaw>(count_of(places));
     return;
   }
@@ -165,8 +164,7 @@ PairSides<3> facing_sides(const Statement<3>& said, const StatedPair& pair,
                           int wanted) {
   FacingSurface facing = facing_surface(said.mesh, said.facets, own, polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
-  if (wanted == 0 && is_bonded(said.stack, said.named))
-    wanted = covered_side(own, polygons);
+  if (wanted == 0 && said.bonded) wanted = covered_side(own, polygons);
   PairSides<3> sides{false, wanted,
                      carrier(said, pair.body, std::move(facing), places)};
   if (wanted == 2) sides.other = exchanged(said, pair);
@@ -187,7 +185,7 @@ PairSides<3> sides_of(const Statement<3>& said,
   require_one_side(said, pair, own);
   std::vector<FacingPolygon> polygons;
   if (!pair.rigid()) polygons = smooth_polygons(said, own, pair.opposite);
-  if (!is_bonded(said.stack, said.named))
+  if (!said.bonded)
     report_surfaces(said.bodies.joined, said.facets, pair,
                     {said.named.given("normal"), said.named.given("gap")});
   if (pair.rigid())

@@ -55,17 +55,9 @@ TEST(MultigridRelation, has_it_of_a_body_that_contact_alone_holds) {
 }
 
 TEST(MultigridRelation, starts_from_rows_that_are_near) {
-  const SolidProblem problem =
-      block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::lift, 0.5);
-  ContactSettings settings = by(LinearSolver::multigrid);
-  const SurfaceSolution cold = problem.solve(settings);
-  const Matrix3Xd v = displacement_against_foundation(
-      problem.surface, problem.law, cold.displacement);
-  settings.near = {cold.force.reshaped(), v.reshaped()};
-  const SurfaceSolution warm = problem.solve(settings);
-  EXPECT_LE(warm.iterations, 5);
-  EXPECT_LT(warm.iterations, cold.iterations);
-  EXPECT_LE(max_norm(warm.force - cold.force), 1e-9 * max_norm(cold.force));
+  const ColdAndWarm found(
+      block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::lift, 0.5));
+  EXPECT_LT(found.warm.iterations, found.cold.iterations);
 }
 
 /// From what is of another load, and from nonsense.

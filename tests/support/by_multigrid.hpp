@@ -30,6 +30,24 @@ inline void expect_same(const SolidProblem& problem) {
   EXPECT_EQ(one.state, other.state);
 }
 
+/// A problem by multigrid from nothing, and from its own answer.
+struct ColdAndWarm {
+  SurfaceSolution cold, warm;
+
+  explicit ColdAndWarm(const SolidProblem& problem) {
+    ContactSettings settings = by(LinearSolver::multigrid);
+    cold = problem.solve(settings);
+    const SurfaceLaw beyond =
+        on_layer(problem.law, lumped_pressures(problem.surface, cold.force));
+    const Matrix3Xd v = displacement_against_foundation(problem.surface, beyond,
+                                                        cold.displacement);
+    settings.near = {cold.force.reshaped(), v.reshaped()};
+    warm = problem.solve(settings);
+    EXPECT_LE(warm.iterations, 5);
+    EXPECT_LE(max_norm(warm.force - cold.force), 1e-9 * max_norm(cold.force));
+  }
+};
+
 /// Makes the first body of a stack so many times as stiff.
 inline void stiffen(double factor, SolidStack& stack) {
   RowMatrix& A = stack.problem.A;

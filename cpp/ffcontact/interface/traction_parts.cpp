@@ -142,4 +142,10 @@ std::vector<FanTriangle> fan_of(const Ref<const Matrix3Xd>& corners) {
   return triangles;
 }
 
+double share_of(const Ref<const Matrix3Xd>& corners) {
+  double share = 0;
+  for (const FanTriangle& triangle : fan_of(corners)) share += triangle.share;
+  return share;
+}
+
 }  // namespace ffcontact

@@ -74,5 +74,7 @@ struct FanTriangle {
   double share;
 };
 std::vector<FanTriangle> fan_of(const Ref<const Matrix3Xd>& corners);
+/// The part of its face's area that the polygon has.
+double share_of(const Ref<const Matrix3Xd>& corners);
 
 }  // namespace ffcontact

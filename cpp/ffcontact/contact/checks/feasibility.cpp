@@ -13,6 +13,7 @@
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/checks/held_apart.hpp"
 #include "ffcontact/linear/minimum/nonnegative_least_squares.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -282,10 +283,8 @@ void require_bonded(const Mesh& mesh, const ContactLine& line,
   const double rounding = penetration_rounding * largest_given(all, system);
   for (const Station& station : all) {
     const double apart = prescribed_jump(station, system).norm();
-    if (apart <= rounding) continue;
-    refuse("prescribed displacements hold what is bonded ", apart, " apart at ",
-           in_words(Vector2d(mesh.origin + station.point)),
-           ": make them the same on both sides, or free one of them");
+    if (apart > rounding)
+      refuse_held_apart(apart, in_words(Vector2d(mesh.origin + station.point)));
   }
 }
 

@@ -9,17 +9,6 @@
 
 namespace ffcontact {
 
-namespace {
-
-/// A bonded node has forces of any direction.
-MatrixXd forces_either_way(const MatrixXd& weighted) {
-  MatrixXd work(weighted.cols(), 2 * weighted.rows());
-  work << weighted.transpose(), -weighted.transpose();
-  return work;
-}
-
-}  // namespace
-
 MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
                         const MatrixXd& motions) {
   const MatrixXd weighted =

@@ -10,16 +10,8 @@ namespace ffcontact {
 
 namespace {
 
-/// What bonded nodes have, both ways.
-Matrix3Xd forces_along_axes() {
-  Matrix3Xd forces(3, 6);
-  forces << Matrix3d::Identity(), -Matrix3d::Identity();
-  return forces;
-}
-
 /// Forces of size 1 that span the cone of a node, from a thousandth outside [3 x k].
 Matrix3Xd spanning_forces(const FrictionCone& cone) {
-  if (cone.bonded) return forces_along_axes();
   constexpr int sides = 64;
   if (cone.frictionless()) return Vector3d(-1, 0, 0);
   const bool given = !cone.depends_on_contact();
@@ -40,10 +32,11 @@ Matrix3Xd spanning_forces(const FrictionCone& cone) {
 
 MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
                         const MatrixXd& motions) {
+  const MatrixXd traces = traces_of(surface, motions);
+  if (law.bonded) return forces_either_way(traces);
   const NodalLaw cones = nodal_law(law, surface);
   std::vector<MatrixXd> work;
   Index columns = 0;
-  const MatrixXd traces = traces_of(surface, motions);
   for (int i = 0; i < surface.node_count(); ++i) {
     work.push_back(traces.middleRows<3>(3 * i).transpose() *
                    spanning_forces(cones.cone[i]));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/checks/held_apart.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -66,9 +67,7 @@ void require_together(const SolidMesh& mesh, const ContactSurface& surface,
   const double apart =
       given_motions(surface, law, system).colwise().norm().maxCoeff(&i);
   if (apart > least)
-    refuse("prescribed displacements hold what is bonded ", apart, " apart at ",
-           in_words(mesh.place(surface.vertex[i])),
-           ": make them the same on both sides, or free one of them");
+    refuse_held_apart(apart, in_words(mesh.place(surface.vertex[i])));
 }
 
 }  // namespace

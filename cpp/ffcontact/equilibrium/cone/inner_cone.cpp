@@ -52,14 +52,15 @@ std::vector<double> ray_angles(const FrictionCone& cone,
 
 InnerCone inner_cone(const FrictionCone& cone, const Vector3d& present,
                      const Vector2d& direction, double largest) {
+  if (cone.bonded) return {{0, 3}, VectorXd(0)};
   InnerCone inner{{InnerCone::most_rows, 3}, VectorXd(InnerCone::most_rows)};
   int rows = 0;
   const auto add = [&](const Vector3d& row, double limit) {
     inner.C.row(rows) = row;
     inner.d[rows++] = std::min(limit, row.dot(present));
   };
-  if (!cone.bonded) add({-1, 0, 0}, 0);
-  if (!cone.bonded && !cone.frictionless()) {
+  add({-1, 0, 0}, 0);
+  if (!cone.frictionless()) {
     const std::vector<double> angles =
         ray_angles(cone, present, direction, largest);
     for (std::size_t k = 1; k < angles.size(); ++k) {

@@ -4,12 +4,12 @@
 #include <Eigen/LU>
 #include <array>
 #include <map>
+#include <utility>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/unions.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/interface/pairing/covered_faces.hpp"
-#include "ffcontact/interface/traction_parts.hpp"
 
 namespace ffcontact {
 
@@ -64,12 +64,6 @@ std::vector<int> connected_surfaces(const Facets<3>& faces,
 
 }  // namespace
 
-double FollowingPart::share() const {
-  double share = 0;
-  for (const FanTriangle& triangle : fan_of(place)) share += triangle.share;
-  return share;
-}
-
 int FollowingPart::vertex_at(Index corner) const {
   Index k;
   const double nearest = place.col(corner).maxCoeff(&k);
@@ -96,7 +90,9 @@ std::vector<FollowingPart> following_parts(const Facets<3>& faces,
   std::map<int, BothSides> all;
   for (const FacingPolygon& polygon : surface.polygons) {
     BothSides& sides = all[connected[polygon.opposite_face]];
-    for (int k = 0; k < 2; ++k) sides[k].add(both_ways(surface, polygon)[k]);
+    auto [own, opposite] = both_ways(surface, polygon);
+    sides[0].add(std::move(own));
+    sides[1].add(std::move(opposite));
   }
   std::vector<FollowingPart> following;
   for (auto& [number, sides] : all) {

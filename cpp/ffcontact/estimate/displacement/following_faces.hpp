@@ -17,8 +17,6 @@ struct FollowingPart {
   Matrix3d followed_place;
   bool is_covered = false;  ///< does all of the face follow?
 
-  double share() const;  ///< of the area of the face
-
   /// The local vertex of the face that a corner is, -1 for none.
   int vertex_at(Index corner) const;
   /// That of which a corner is on the opposite side, -1 for none.

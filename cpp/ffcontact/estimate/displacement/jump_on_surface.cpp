@@ -11,6 +11,7 @@
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/displacement/following_faces.hpp"
 #include "ffcontact/estimate/error/facet_oscillation.hpp"
+#include "ffcontact/interface/traction_parts.hpp"
 
 namespace ffcontact {
 
@@ -172,7 +173,8 @@ class Jump {
         for (int l = 0; l < 3; ++l)
           if (mesh_.cells(k, cell) == faces_.vertices(l, part.face))
             values.col(k) = jumps.col(l);
-      squares[part.face] += part.share() * energy(mesh_, hooke_, cell, values);
+      squares[part.face] +=
+          share_of(part.place) * energy(mesh_, hooke_, cell, values);
     }
     for (const auto& [face, square] : squares)
       norm_.add(faces_.cells(0, face), square);

@@ -18,8 +18,7 @@ bool is_whole(double share) { return share > 1 - nothing_left; }
 }  // namespace
 
 void CoveredFaces::add(int face, const Ref<const Matrix3Xd>& place) {
-  double& share = share_[face];
-  for (const FanTriangle& triangle : fan_of(place)) share += triangle.share;
+  share_[face] += share_of(place);
 }
 
 bool CoveredFaces::covers(int face) const {
